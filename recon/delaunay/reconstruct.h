@@ -1,0 +1,87 @@
+#pragma once
+// The DT engine: a stack of contours to a tetrahedral solid whose boundary is a certified, closed, oriented manifold.
+//
+// After section 3.2 of "Qualitative analysis of two reconstruction techniques and their application in dentistry" (Journal of
+// Electronic Imaging 9(4), 2000), with the gaps of that text closed as docs/reconstruction.md describes.
+//
+// What holds for every valid stack: all tetrahedra are positive; each face belongs to at most two; the boundary is closed,
+// oriented outwards, edge- and vertex-manifold; the solid cut by a slice's plane is exactly that slice's regions. It is
+// proven on the result each time; a failed proof throws InternalError.
+//
+// The same input gives the same bytes, on any number of threads.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recon/core/progress.h"
+#include "recon/input/contour_stack.h"
+#include "recon/input/links.h"
+#include "recon/mesh/meshes.h"
+#include "recon/mesh/surface_report.h"
+
+namespace odontoscope {
+
+/// When are a region and one of the next slice connected? Each criterion includes those before it.
+enum class Correspondence {
+  reverse,   // the paper's: a tetrahedron joins an internal, non-contour edge of each
+  medial,    // or the circumcentre of an internal triangle of one lies in the other
+  overlap,   // or any point of the common Voronoi overlay lies in both
+};
+
+struct ReconstructOptions {
+  Correspondence correspondence = Correspondence::medial;
+  std::vector<Link> links;      // the user's choices; validated by reconstruct
+  int threads = 0;              // 0: as many as the machine has
+};
+
+/// Why a link was made. `user`: the links file; `crossing`: the two components would otherwise have crossed each other and were
+/// therefore made one.
+enum class LinkCriterion { reverse, medial, overlap, user, crossing };
+
+struct MadeLink {
+  Link link;
+  LinkCriterion criterion = LinkCriterion::medial;
+};
+
+struct StageTime {
+  std::string stage;
+  double seconds = 0;
+};
+
+/// One structure as a solid of its own.
+struct Solid {
+  std::string structure;
+  TetraMesh tetrahedra;          // points: slice by slice, then those added by lifting
+  SurfaceMesh surface;           // boundary of `tetrahedra`; points are a subset, in the same order
+  SurfaceReport report;          // of `surface`; its shells carry structure names
+};
+
+struct ReconstructCounts {
+  std::size_t slices = 0, contours = 0, points = 0, steiner_points = 0;
+  std::size_t kept = 0;            // tetrahedra of the result
+  std::size_t restored = 0;        // that repair put back, before they were split
+  std::size_t lifted_points = 0;
+  std::size_t isolated_regions = 0;    // linked to nothing on either side: made a thin plate
+  double largest_sideways = 0;     // of a lifted point, over the length of the edge that it split
+};
+
+struct Reconstruction {
+  std::vector<Solid> solids;     // in order of first appearance of the structure
+  std::vector<MadeLink> links;   // by structure, slice, lower, upper
+  ReconstructCounts counts;
+  std::vector<StageTime> seconds;
+  int threads = 1;
+  std::size_t slices_checked = 0;   // whose section was proven to be exactly the slice's regions
+  bool certified = false;           // always true on return
+};
+
+/// Validates `stack` and `options.links` (InputError), reconstructs every structure independently, and certifies the result.
+/// Throws Cancelled, or InternalError if a certificate fails.
+Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options = {},
+                           const Progress& progress = {});
+
+const char* name(Correspondence criterion);
+const char* name(LinkCriterion criterion);
+
+}  // namespace odontoscope
