@@ -1,0 +1,85 @@
+# shellcheck shell=bash
+# Shared by ./run and ./test: the packages that are missing, then a configured build folder. Bash alone; it must work
+# before anything else is installed. Messages go to stderr, so that the output of the program itself stays clean.
+#
+#   install_packages            what third_party/packages.debian lists and the machine lacks
+#   build PRESET FOLDER TARGET  configures FOLDER by the preset unless it is, then builds TARGET
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '%s\n' "$*" >&2; }
+fail() { say "$(basename "$0"): $*"; exit 1; }
+
+listed_packages() {
+  sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/third_party/packages.debian"
+}
+
+missing_packages() {
+  local wanted installed
+  wanted=$(listed_packages)
+  # dpkg-query complains about packages it never heard of; those are missing all the same.
+  # shellcheck disable=SC2086
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | sed -n 's/ installed$//p')
+  grep -vxF -f <(printf '%s\n' "$installed") <<<"$wanted" || true
+}
+
+install_packages() {
+  if [[ -n ${ODONTOSCOPE_SKIP_PACKAGES:-} ]]; then return; fi
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    say "This is no Debian, so nothing can be installed for you. Odontoscope needs what these Debian packages hold:"
+    say "  $(listed_packages | tr '\n' ' ')"
+    say "Install their counterparts (README.md, \"Other systems\"), then run again with ODONTOSCOPE_SKIP_PACKAGES=1."
+    exit 1
+  fi
+  local missing
+  missing=$(missing_packages | tr '\n' ' ')
+  if [[ -z ${missing// /} ]]; then return; fi
+
+  local as_root=(env)
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null || fail "these packages are missing, and installing them needs root or sudo. Ask for:
+  apt-get install --no-install-recommends $missing"
+    as_root=(sudo env)
+  fi
+  say "Installing with apt: $missing"
+  local quiet=(-qq -o=Dpkg::Use-Pty=0)
+  "${as_root[@]}" apt-get update "${quiet[@]}" >&2 || fail "apt-get update failed; its reason is above. Is the network up?"
+  # shellcheck disable=SC2086
+  "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${quiet[@]}" $missing >&2 ||
+    fail "apt-get could not install the packages; its reason is above. The list is written for Debian 12."
+}
+
+# One job for each processor, but no more than the free memory carries: a file with CGAL's triangulations takes 1 GB.
+jobs_that_fit() {
+  local processors kilobytes limit fit
+  processors=$(nproc)
+  kilobytes=$(sed -n 's/^MemAvailable: *\([0-9]*\) kB/\1/p' /proc/meminfo 2>/dev/null || true)
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || true)
+  if [[ $limit =~ ^[0-9]+$ ]] && ((limit / 1024 < ${kilobytes:-0})); then kilobytes=$((limit / 1024)); fi
+  fit=$((${kilobytes:-0} / 1300000))
+  if ((fit < 1)); then fit=1; fi
+  echo $((processors < fit ? processors : fit))
+}
+
+# A folder that was configured somewhere else, or only half, starts afresh.
+configure() {
+  local preset=$1 folder=$2 home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$folder/CMakeCache.txt" 2>/dev/null || true)
+  if [[ -f $folder/build.ninja && $home == "$root" ]]; then return; fi
+  local launcher=()
+  if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+  say "Configuring $folder"
+  local log
+  log=$(cmake --fresh --preset "$preset" "${launcher[@]}" 2>&1) || { say "$log"; fail "CMake failed; its reason is above."; }
+}
+
+build() {
+  local preset=$1 folder=$2 target=$3
+  cd "$root" || exit 1
+  configure "$preset" "$folder"
+  if [[ $(ninja -C "$folder" -n "$target" 2>/dev/null) == *"no work to do"* ]]; then return; fi
+  local jobs
+  jobs=$(jobs_that_fit)
+  say "Building $folder ($target, $jobs at a time; the first time takes minutes)"
+  ninja -C "$folder" -j "$jobs" "$target" >&2 || fail "the build failed; its reason is above."
+}
