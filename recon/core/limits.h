@@ -13,15 +13,69 @@ inline constexpr double largest_coordinate = 1e6;
 inline constexpr std::size_t slices = 20'000;
 /// Contours in a slice.
 inline constexpr std::size_t contours_per_slice = 10'000;
+/// Contours in a stack: bounds the memory of a file that is all empty contours.
+inline constexpr std::size_t contours = 10'000'000;
 /// Points in a stack: 32-bit vertex numbers stay safe with Steiner points and lifted points added.
 inline constexpr std::size_t points = 100'000'000;
 /// Structures (names) in a stack: labels are 16 bit.
 inline constexpr std::size_t structures = 1'000;
 /// Characters in a name.
 inline constexpr std::size_t name_length = 200;
+/// Bytes of a name that a message repeats.
+inline constexpr std::size_t quoted_length = 40;
 /// Bytes of a text or mesh file that is read whole.
 inline constexpr std::size_t file_bytes = 4ull << 30;
 /// Voxels of a volume: 2 GiB of 16 bit.
 inline constexpr std::size_t voxels = 1ull << 30;
 
+}  // namespace odontoscope::limits
+
+// --- the DT engine -----------------------------------------------------------------------------------------------
+namespace odontoscope::limits {
+/// Points that conforming may leave in a slice, as a multiple of those given plus a free allowance: contours that nearly touch
+/// need one for each gap's width along them, without bound.
+inline constexpr std::size_t steiner_factor = 50;
+inline constexpr std::size_t steiner_free = 10'000;
+/// Rounds of refining and checking: a second is needed only where a rounded midpoint folded a triangle.
+inline constexpr int conform_rounds = 8;
+/// Height of a lifted point over the slab's height: below half, so that points lifted from both slices stay apart.
+inline constexpr double lift_height = 1.0 / 3;
+/// Times that the step of a lifted point is halved before the next direction is tried.
+inline constexpr int lift_halvings = 40;
+/// How far a lifted point may go sideways, over the length of the edge that it splits.
+inline constexpr double lift_sideways = 0.5;
+/// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others.
+inline constexpr double plate_height = 0.25;
+inline constexpr int plate_halvings = 60;
+// --- reports ----------------------------------------------------------------------------------------------------
+/// Bins of a quality histogram.
+inline constexpr std::size_t histogram_bins = 10;
+/// The best smallest angle of a triangle, degrees.
+inline constexpr double angle_histogram_high = 60;
+/// Shape ratios beyond this fall into the last bin: such elements are all equally bad for any use.
+inline constexpr double aspect_histogram_high = 11;
+/// A shape ratio that is larger, or not finite after rounding, counts as this.
+inline constexpr double largest_aspect_ratio = 1e15;
+
+}  // namespace odontoscope::limits
+
+// --- volume images -----------------------------------------------------------------------------------------------
+namespace odontoscope::limits {
+/// Smallest voxel spacing, mm: a nanometre, finer than any scanner; a 64th of it is still far above rounding at largest_coordinate.
+inline constexpr double smallest_spacing = 1e-6;
+/// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
+/// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
+inline constexpr double grid_vertex_margin = 1.0 / 64;
+/// Largest label: floats hold all whole numbers up to 2^24.
+inline constexpr long largest_label = 1l << 24;
+/// How far a volume's axes may be from square to each other (the dot product of two): headers round to six digits or so.
+inline constexpr double axes_out_of_square = 1e-4;
+/// Turn of a volume's axes, degrees, that is rounding of the header and not worth a word.
+inline constexpr double tilt_unspoken = 0.01;
+/// How unevenly DICOM slices may lie, as a part of their spacing: positions are written in thousandths or so.
+inline constexpr double slice_unevenness = 0.02;
+/// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
+inline constexpr std::size_t compression_ratio = 1100;
+/// Bytes of a text header in front of a volume's pixels.
+inline constexpr std::size_t header_bytes = 1u << 20;
 }  // namespace odontoscope::limits
