@@ -1,0 +1,193 @@
+#include "recon/core/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include "recon/core/error.h"
+
+namespace odontoscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void cannot_write(const fs::path& file, std::string_view why, std::string_view remedy = {}) {
+  throw FileError(file.string(), fmt::format("cannot be written: {}", why), remedy);
+}
+
+/// A name that no other temporary file of this program has; short, since the target's own may be as long as the system allows.
+fs::path temporary_name(const fs::path& folder) {
+  static std::atomic<unsigned> count{0};
+  return folder / fmt::format(".odontoscope-{}-{}.tmp", ::getpid(), count++);
+}
+
+/// Where `file` really lies, links followed; checks that something regular, or nothing, is there.
+fs::path resolved_target(const fs::path& file) {
+  if (file.empty() || !file.has_filename()) cannot_write(file, "it names no file", "Name a file to write");
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status)) cannot_write(file, "it is a folder", "Name a file to write");
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    cannot_write(file, "it is a device or a pipe", "Name a regular file");
+  }
+  if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) {
+    cannot_write(file, std::strerror(errno), "Change its mode or choose another name");
+  }
+  if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
+  if (!fs::exists(status)) cannot_write(file, "it is a link that leads nowhere", "Remove the link");
+  const fs::path real = fs::canonical(file, error);
+  if (error) cannot_write(file, error.message());
+  return real;
+}
+
+fs::path folder_of(const fs::path& target) {
+  const fs::path folder = target.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target) : asked_for_(std::move(target)), target_(resolved_target(asked_for_)) {
+  constexpr mode_t everyone_as_umask_allows = 0666;
+  do {
+    temporary_ = temporary_name(folder_of(target_));
+    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everyone_as_umask_allows);
+  } while (descriptor_ < 0 && errno == EEXIST);
+  if (descriptor_ < 0) {
+    cannot_write(asked_for_, std::strerror(errno), "Check that its folder exists and that you may write there");
+  }
+  struct stat existing {};
+  // Best effort: a file system without modes is no reason to write nothing.
+  if (::stat(target_.c_str(), &existing) == 0) (void)!::fchmod(descriptor_, existing.st_mode & 07777);
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept { *this = std::move(other); }
+
+AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
+  if (this == &other) return *this;
+  abandon();
+  asked_for_ = std::move(other.asked_for_);
+  target_ = std::move(other.target_);
+  temporary_ = std::exchange(other.temporary_, {});
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  return *this;
+}
+
+AtomicFile::~AtomicFile() { abandon(); }
+
+void AtomicFile::abandon() noexcept {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  temporary_.clear();
+}
+
+void AtomicFile::write(std::string_view bytes) {
+  if (descriptor_ < 0) throw InternalError("a file was written to after it was closed");
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      cannot_write(asked_for_, written < 0 ? std::strerror(errno) : "nothing more is taken", "Free some space");
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void AtomicFile::close() {
+  if (descriptor_ < 0) return;
+  // Network file systems tell of a full disk only here.
+  if (::close(std::exchange(descriptor_, -1)) != 0) cannot_write(asked_for_, std::strerror(errno), "Free some space");
+}
+
+void AtomicFile::commit() {
+  if (temporary_.empty()) throw InternalError("a file was committed twice");
+  close();
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(asked_for_, std::strerror(errno));
+  temporary_.clear();
+}
+
+namespace {
+
+/// Keeps what a target held until release(); the destructor puts it back.
+class Rollback {
+ public:
+  explicit Rollback(fs::path target) : target_(std::move(target)) {
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(target_, error))) return;
+    backup_ = temporary_name(folder_of(target_));
+    fs::create_hard_link(target_, backup_, error);
+    if (!error) return;
+    // Some file systems know no hard links.
+    fs::copy_file(target_, backup_, fs::copy_options::none, error);
+    if (!error) return;
+    std::error_code ignored;
+    fs::remove(backup_, ignored);
+    cannot_write(target_, fmt::format("what it holds now cannot be kept safe ({})", error.message()));
+  }
+  Rollback(Rollback&& other) noexcept
+      : target_(std::move(other.target_)),
+        backup_(std::exchange(other.backup_, {})),
+        replaced_(std::exchange(other.replaced_, false)) {}
+  Rollback& operator=(Rollback&&) = delete;
+  ~Rollback() {
+    std::error_code ignored;
+    if (replaced_ && backup_.empty()) fs::remove(target_, ignored);
+    if (replaced_ && !backup_.empty()) fs::rename(backup_, target_, ignored);
+    if (!backup_.empty()) fs::remove(backup_, ignored);   // renaming a link onto itself leaves both names
+  }
+
+  void target_was_replaced() { replaced_ = true; }
+  void release() { replaced_ = false; }
+
+ private:
+  fs::path target_, backup_;
+  bool replaced_ = false;
+};
+
+/// The same for all names of one file, as far as the system can tell.
+fs::path one_name(const fs::path& target) {
+  std::error_code error;
+  const fs::path folder = fs::canonical(folder_of(target), error);
+  return error ? target : folder / target.filename();
+}
+
+void refuse_same_target_twice(const std::vector<AtomicFile>& files) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (one_name(files[i].target()) != one_name(files[j].target())) continue;
+      throw UsageError(fmt::format("{} is named twice as an output", files[i].target().string()),
+                       "Give every output a name of its own");
+    }
+  }
+}
+
+}  // namespace
+
+void write_files(std::span<const FileContent> files) {
+  std::vector<AtomicFile> prepared;
+  prepared.reserve(files.size());
+  for (const FileContent& content : files) prepared.emplace_back(content.file);
+  refuse_same_target_twice(prepared);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    prepared[i].write(files[i].bytes);
+    prepared[i].close();
+  }
+  std::vector<Rollback> rollbacks;
+  rollbacks.reserve(files.size());
+  for (const AtomicFile& file : prepared) rollbacks.emplace_back(file.target());
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    prepared[i].commit();
+    rollbacks[i].target_was_replaced();
+  }
+  for (Rollback& rollback : rollbacks) rollback.release();
+}
+
+}  // namespace odontoscope

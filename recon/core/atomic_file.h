@@ -1,0 +1,54 @@
+#pragma once
+// Files that are written whole or not at all.
+//
+// The bytes go to a temporary file in the target's own folder, which a rename then puts in the target's place: at
+// no moment does the target's name show a half-written file. POSIX. Nothing is forced to the disk (no fsync): this guards
+// against errors and interruption of the program, not against loss of power.
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace odontoscope {
+
+/// A file that comes into being at commit(). Movable, not copyable.
+class AtomicFile {
+ public:
+  /// Opens the temporary file. A link is followed: what it points to is replaced, not the link. A file that exists
+  /// keeps its mode. FileError if the target is a folder, a device or pipe, or write-protected, or if its folder is
+  /// missing or does not allow a new file.
+  explicit AtomicFile(std::filesystem::path target);
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+  /// Removes the temporary file unless commit() was called.
+  ~AtomicFile();
+
+  /// Appends. FileError when the disk is full or the write fails for any other reason.
+  void write(std::string_view bytes);
+  /// All that can fail before the rename has failed after this; further writes are not allowed. Called by commit().
+  void close();
+  /// Puts the file in the target's place. FileError if that fails; the target is then as it was.
+  void commit();
+
+  const std::filesystem::path& target() const { return target_; }
+
+ private:
+  void abandon() noexcept;
+
+  std::filesystem::path asked_for_, target_, temporary_;
+  int descriptor_ = -1;
+};
+
+struct FileContent {
+  std::filesystem::path file;
+  std::string bytes;
+};
+
+/// Writes all files or none: every byte is on the disk before the first target is touched, and should putting one of
+/// them in place then fail, those before it are put back as they were. Throws FileError, or UsageError if two of the names are
+/// the same file. Not safe against another program that writes the same targets at that moment.
+void write_files(std::span<const FileContent> files);
+
+}  // namespace odontoscope

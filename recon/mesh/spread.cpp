@@ -1,0 +1,35 @@
+#include "recon/mesh/spread.h"
+
+#include <algorithm>
+
+#include "recon/core/limits.h"
+
+namespace odontoscope {
+
+Spread spread_of(std::vector<double>& values, double low, double high) {
+  Spread spread;
+  spread.histogram.assign(limits::histogram_bins, 0);
+  spread.histogram_low = low;
+  spread.histogram_high = high;
+  if (values.empty()) return spread;
+
+  const double bins_per_unit = static_cast<double>(limits::histogram_bins) / (high - low);
+  const double last_bin = static_cast<double>(limits::histogram_bins - 1);
+  double sum = 0;
+  spread.min = spread.max = values.front();
+  for (const double value : values) {
+    sum += value;
+    spread.min = std::min(spread.min, value);
+    spread.max = std::max(spread.max, value);
+    ++spread.histogram[static_cast<std::size_t>(std::clamp((value - low) * bins_per_unit, 0.0, last_bin))];
+  }
+  spread.mean = sum / static_cast<double>(values.size());
+
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  spread.median = *middle;
+  if (values.size() % 2 == 0) spread.median = (*middle + *std::max_element(values.begin(), middle)) / 2;
+  return spread;
+}
+
+}  // namespace odontoscope
