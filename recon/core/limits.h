@@ -54,6 +54,8 @@ inline constexpr std::size_t histogram_bins = 10;
 inline constexpr double angle_histogram_high = 60;
 /// Shape ratios beyond this fall into the last bin: such elements are all equally bad for any use.
 inline constexpr double aspect_histogram_high = 11;
+inline constexpr double dihedral_histogram_high = 180;
+inline constexpr double radius_edge_histogram_high = 10;
 /// A shape ratio that is larger, or not finite after rounding, counts as this.
 inline constexpr double largest_aspect_ratio = 1e15;
 
@@ -66,8 +68,8 @@ inline constexpr double smallest_spacing = 1e-6;
 /// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
 /// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
 inline constexpr double grid_vertex_margin = 1.0 / 64;
-/// Largest label: floats hold all whole numbers up to 2^24.
-inline constexpr long largest_label = 1l << 24;
+/// Largest label: floats hold all whole numbers up to 2^24, and none beyond is rounded to this one.
+inline constexpr long largest_label = (1l << 24) - 1;
 /// How far a volume's axes may be from square to each other (the dot product of two): headers round to six digits or so.
 inline constexpr double axes_out_of_square = 1e-4;
 /// Turn of a volume's axes, degrees, that is rounding of the header and not worth a word.
@@ -78,4 +80,24 @@ inline constexpr double slice_unevenness = 0.02;
 inline constexpr std::size_t compression_ratio = 1100;
 /// Bytes of a text header in front of a volume's pixels.
 inline constexpr std::size_t header_bytes = 1u << 20;
+}  // namespace odontoscope::limits
+
+// --- sample teeth ------------------------------------------------------------------------------------------------
+namespace odontoscope::limits {
+/// Grid that a slice is sampled on, mm: an eighth of the narrowest canal.
+inline constexpr double sample_grid = 0.05;
+/// Half the side of that grid, mm: the largest tooth and a little more.
+inline constexpr double sample_half_width = 6.3;
+/// Contours of a smaller area, mm^2, are left out: the first touch of a fissure's bottom.
+inline constexpr double sample_speck = 0.02;
+/// How far a contour's chord may cut a curve, mm.
+inline constexpr double sample_deviation = 0.006;
+/// Between enamel and dentine, and dentine and pulp, mm: more than two such chords.
+inline constexpr double sample_gap = 0.03;
+/// Least distance of contours of a structure, mm, and the grain that coordinates are rounded to.
+inline constexpr double sample_clearance = 1e-4;
+inline constexpr double sample_grain = 1e-5;
+/// Ranges of the options, mm: sections of neighbouring slices must overlap, and a stack stays below a million points.
+inline constexpr double sample_least_slice_spacing = 0.05, sample_most_slice_spacing = 0.5;
+inline constexpr double sample_least_point_spacing = 0.05, sample_most_point_spacing = 1.0;
 }  // namespace odontoscope::limits

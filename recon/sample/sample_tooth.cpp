@@ -1,0 +1,183 @@
+#include "recon/sample/sample_tooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+#include <utility>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+#include "recon/sample/tooth_field.h"
+#include "recon/sample/tooth_shape.h"
+#include "recon/sample/trace.h"
+
+namespace odontoscope {
+namespace {
+
+using namespace sample;
+
+ToothShape shape_of(ToothKind kind) {
+  switch (kind) {
+    case ToothKind::molar: return molar();
+    case ToothKind::premolar: return premolar();
+    case ToothKind::incisor: return incisor();
+  }
+  throw UsageError("unknown kind of sample tooth", "Choose molar, premolar or incisor");
+}
+
+void require_in_range(std::string_view what, double value, double low, double high) {
+  if (value >= low && value <= high) return;   // NaN fails
+  throw UsageError(std::string(what) + " of the sample tooth is out of range",
+                   "Choose a value from " + std::to_string(low) + " to " + std::to_string(high) + " mm");
+}
+
+/// The three solids on one grid, slice by slice.
+class Sampler {
+ public:
+  explicit Sampler(const ToothShape& shape) : shape_(shape) {
+    const auto count = static_cast<std::size_t>(std::ceil(2 * limits::sample_half_width / limits::sample_grid));
+    const double low = -limits::sample_grid * static_cast<double>(count) / 2;
+    grid_ = {{low, low}, limits::sample_grid, count + 1, count + 1, std::vector<double>((count + 1) * (count + 1))};
+    for (std::size_t row = 0; row < grid_.rows; ++row)
+      for (std::size_t column = 0; column < grid_.columns; ++column)
+        heights_.push_back(occlusal_heights(shape, grid_.at(column, row)));
+    tissue_.resize(heights_.size());
+    pulp_.resize(heights_.size());
+  }
+
+  void go_to(double z) {
+    for (std::size_t row = 0; row < grid_.rows; ++row) {
+      for (std::size_t column = 0; column < grid_.columns; ++column) {
+        const std::size_t i = row * grid_.columns + column;
+        const Point2 at = grid_.at(column, row);
+        tissue_[i] = hard_tissue(shape_, heights_[i], {at.x, at.y, z});
+        pulp_[i] = sample::pulp(shape_, {at.x, at.y, z});
+      }
+    }
+  }
+
+  // Contours of the slice gone to; the gap is taken from the outer of two structures.
+  std::vector<Loop> enamel() {
+    return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine); });
+  }
+  std::vector<Loop> dentine(bool hollow) {
+    if (!hollow) return loops([this](std::size_t i) { return tissue_[i].dentine; });
+    return loops([this](std::size_t i) { return std::max(tissue_[i].dentine, limits::sample_gap - pulp_[i]); });
+  }
+  std::vector<Loop> pulp() {
+    return loops([this](std::size_t i) { return pulp_[i]; });
+  }
+
+ private:
+  template <class Value>
+  std::vector<Loop> loops(const Value& value) {
+    for (std::size_t i = 0; i < grid_.values.size(); ++i) grid_.values[i] = value(i);
+    return trace(grid_, limits::sample_speck);
+  }
+
+  const ToothShape& shape_;
+  Grid grid_;
+  std::vector<OcclusalHeights> heights_;
+  std::vector<HardTissue> tissue_;
+  std::vector<double> pulp_;
+};
+
+double lowest_apex(const ToothShape& shape) {
+  double low = shape.top_z;
+  for (const Root& root : shape.roots) low = std::min(low, root.apex_z);
+  return low;
+}
+
+double at_root(const Profile& profile, const Root& root) { return profile(root.apex_z); }
+
+std::vector<Point3> canal_axis(const ToothShape& shape, const Canal& canal, double low, double high) {
+  constexpr double step = 0.5;
+  const auto count = static_cast<std::size_t>(std::ceil((high - low) / step));
+  std::vector<Point3> axis;
+  for (std::size_t i = 0; i <= count; ++i)
+    axis.push_back(canal_centre(shape, canal, low + (high - low) * static_cast<double>(i) / static_cast<double>(count)));
+  return axis;
+}
+
+/// Lowest height at which something lies between the roots' axes, halfway between them.
+double furcation(const ToothShape& shape) {
+  if (shape.roots.size() < 2) return shape.cervical_line.z;
+  constexpr double step = 0.01;
+  const double low = std::max(shape.roots[0].apex_z, shape.roots[1].apex_z);
+  for (double z = low; z < shape.cervical_line.z; z += step) {
+    const Root &a = shape.roots[0], &b = shape.roots[1];
+    bool joined = true;
+    constexpr int samples = 40;
+    const OcclusalHeights above{shape.top_z, shape.top_z};
+    for (int i = 0; i <= samples && joined; ++i) {
+      const double t = static_cast<double>(i) / samples;
+      const Point3 at{a.x(z) + t * (b.x(z) - a.x(z)), a.y(z) + t * (b.y(z) - a.y(z)), z};
+      joined = hard_tissue(shape, above, at).tooth < 0;
+    }
+    if (joined) return z;
+  }
+  return shape.cervical_line.z;
+}
+
+}  // namespace
+
+const char* name(ToothKind kind) {
+  switch (kind) {
+    case ToothKind::molar: return "molar";
+    case ToothKind::premolar: return "premolar";
+    case ToothKind::incisor: return "incisor";
+  }
+  return "unknown";
+}
+
+ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
+  require_in_range("the slice spacing", options.slice_spacing, limits::sample_least_slice_spacing, limits::sample_most_slice_spacing);
+  require_in_range("the point spacing", options.point_spacing, limits::sample_least_point_spacing, limits::sample_most_point_spacing);
+  const ToothShape shape = shape_of(kind);
+  Sampler sampler(shape);
+  const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance, limits::sample_grain};
+  ContourStack stack;
+  stack.source = std::string("sample ") + name(kind);
+  for (double i = 0.5; lowest_apex(shape) + i * options.slice_spacing < shape.top_z; ++i) {
+    Slice slice;
+    slice.z = lowest_apex(shape) + i * options.slice_spacing;
+    const auto add = [&](const char* structure, const std::vector<Loop>& loops) {
+      for (Loop& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
+    };
+    sampler.go_to(slice.z);
+    add("enamel", sampler.enamel());
+    add("dentine", sampler.dentine(options.hollow_dentine));
+    add("pulp", sampler.pulp());
+    if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
+  }
+  return stack;
+}
+
+SampleFacts sample_facts(ToothKind kind) {
+  const ToothShape shape = shape_of(kind);
+  SampleFacts facts;
+  facts.kind = kind;
+  facts.tooth = shape.tooth;
+  facts.fdi = shape.fdi;
+  facts.proportions = shape.proportions;
+  facts.cervix_z = shape.cervical_line.z;
+  facts.top_z = shape.top_z;
+  facts.furcation_z = furcation(shape);
+  facts.chamber_low_z = shape.chamber.low.z;
+  facts.chamber_high_z = shape.chamber.high.z;
+  for (const Root& root : shape.roots)
+    facts.roots.push_back({root.name, {at_root(root.x, root), at_root(root.y, root), root.apex_z}});
+  for (const Cusp& cusp : shape.occlusal.cusps) facts.cusps.push_back({cusp.name, cusp.tip});
+  if (facts.cusps.empty()) facts.cusps = shape.landmarks;
+  for (const Horn& horn : shape.horns)
+    facts.horns.push_back({horn.name, {horn.tip.x, horn.tip.y, horn.tip.z + horn.tip_radius}});
+  for (const Canal& canal : shape.canals) {
+    const Root& root = shape.roots[canal.root];
+    const double low = root.apex_z + apical_stop;
+    facts.canals.push_back({canal.name, root.name, low, shape.chamber.low.z, canal_axis(shape, canal, low, shape.chamber.low.z)});
+  }
+  return facts;
+}
+
+}  // namespace odontoscope
