@@ -1,0 +1,37 @@
+#pragma once
+// What a subcommand is: options on a parser, and a function to run once the whole command line is known to be sound.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "engine/app/console.h"
+#include "engine/app/interrupt.h"
+#include "recon/core/error.h"
+#include "recon/core/progress.h"
+
+namespace odontoscope::app {
+
+/// What every subcommand is given when it runs.
+struct Session {
+  Console& console;
+  Interrupts& interrupts;
+  int threads = 0;   // 0: as many as the machine has
+
+  /// For long work: shows a bar or lines, and stops on Ctrl-C.
+  Progress progress() const {
+    return {[this](std::string_view stage, double fraction) { console.progress(stage, fraction); }, interrupts.token()};
+  }
+};
+
+struct Command {
+  CLI::App* parser = nullptr;   // owned by the root parser
+  /// Throws what recon/core/error.h lists.
+  std::function<ExitCode(Session&)> run;
+};
+
+Command sample_command(CLI::App& root);
+Command contours_command(CLI::App& root);
+Command reconstruct_command(CLI::App& root);
+Command check_command(CLI::App& root);
+
+}  // namespace odontoscope::app

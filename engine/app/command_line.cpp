@@ -1,0 +1,171 @@
+#include "engine/app/command_line.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/command.h"
+#include "engine/app/spelling.h"
+#include "engine/app/version.h"
+
+namespace odontoscope::app {
+namespace {
+
+constexpr const char* purpose =
+    "Odontoscope turns stacks of planar contours of a tooth, or a CT volume, into solid models\n"
+    "whose surface is proven to be a closed, oriented manifold.\n";
+
+constexpr const char* first_steps =
+    "First steps:\n"
+    "  odontoscope sample molar -o molar.json                contours of a generated tooth\n"
+    "  odontoscope reconstruct molar.json -o molar.glb       contours to a solid model\n"
+    "  odontoscope check molar.glb                           is it closed and oriented?\n"
+    "  odontoscope reconstruct scan.nrrd --iso 120 -o t.stl  straight from a CT volume\n"
+    "\n"
+    "Every subcommand explains itself: odontoscope reconstruct --help\n"
+    "\n"
+    "Exit codes: 0 done, 1 checked and found wanting, 2 wrong command line, 3 bad input,\n"
+    "            4 cannot read or write, 5 cannot draw on this machine, 70 a bug of ours,\n"
+    "            130 stopped by Ctrl-C. Unless it is 0 or 1, no output file was touched.\n";
+
+struct GlobalOptions {
+  bool quiet = false;
+  int threads = 0;
+};
+
+void add_global_options(CLI::App& root, GlobalOptions& options) {
+  constexpr int most_threads = 1024;
+  root.set_version_flag("--version", ODONTOSCOPE_VERSION, "Print the version and leave");
+  root.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
+  root.add_option("--threads", options.threads, "Threads to use; the result does not depend on it (default: all)")
+      ->type_name("N")
+      ->check(CLI::Range(1, most_threads));
+}
+
+std::vector<Command> add_commands(CLI::App& root) {
+  const std::initializer_list<Command (*)(CLI::App&)> makers{ODONTOSCOPE_COMMANDS};
+  std::vector<Command> commands;
+  for (const auto make : makers) {
+    commands.push_back(make(root));
+    // --quiet and --threads may stand behind the subcommand too.
+    commands.back().parser->fallthrough();
+  }
+  return commands;
+}
+
+const CLI::App* chosen_subcommand(const CLI::App& root) {
+  const auto chosen = root.get_subcommands();
+  return chosen.empty() ? nullptr : chosen.front();
+}
+
+/// What the user probably meant, as a sentence; empty if we cannot tell.
+std::string better_command_line(const CLI::App& root, const std::vector<std::string>& arguments) {
+  if (const CLI::App* chosen = chosen_subcommand(root)) {
+    for (const std::string& argument : arguments) {
+      const auto meant = similar_option(argument, {&root, chosen});
+      if (meant) return fmt::format("Did you mean {} instead of {}?", *meant, argument);
+    }
+    return {};
+  }
+  for (const std::string& argument : arguments) {
+    if (argument.starts_with('-')) continue;
+    if (const auto meant = similar_subcommand(argument, root)) return fmt::format("Did you mean {}?", *meant);
+    std::error_code error;
+    if (std::filesystem::exists(argument, error)) {
+      return fmt::format("To make a model of it: odontoscope reconstruct {} -o OUT.glb", argument);
+    }
+  }
+  return {};
+}
+
+void explain_usage(Console& console, const CLI::App& root, const std::vector<std::string>& arguments,
+                   std::string wrong) {
+  if (!wrong.empty() && wrong.back() != '.') wrong += '.';
+  const std::string meant = better_command_line(root, arguments);
+  const CLI::App* chosen = chosen_subcommand(root);
+  console.complain(fmt::format("{}{}{}\nSee odontoscope{}{} --help.", wrong, meant.empty() ? "" : " ", meant,
+                               chosen ? " " : "", chosen ? chosen->get_name() : ""));
+}
+
+/// The exit code if the program is over after reading its command line.
+std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  if (arguments.empty()) {
+    fmt::print(stderr, "{}", root.help());
+    return static_cast<int>(ExitCode::usage);
+  }
+  try {
+    root.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::Success& asked) {   // --help, --version
+    root.exit(asked);
+    console.finish();
+    return static_cast<int>(ExitCode::done);
+  } catch (const CLI::ParseError& error) {
+    explain_usage(console, root, arguments, error.what());
+    return static_cast<int>(ExitCode::usage);
+  }
+}
+
+int run_chosen(const std::vector<Command>& commands, Session& session) {
+  const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.parser->parsed(); });
+  if (chosen == commands.end()) throw InternalError("no subcommand was chosen");
+  const int threads = session.threads > 0 ? session.threads : tbb::this_task_arena::max_concurrency();
+  const tbb::global_control no_more(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  const ExitCode code = arena.execute([&] { return chosen->run(session); });
+  session.console.finish();
+  return static_cast<int>(code);
+}
+
+int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** argv) {
+  CLI::App root(purpose, "odontoscope");
+  root.footer(first_steps);
+  root.require_subcommand(1);
+  root.get_formatter()->column_width(36);
+  GlobalOptions options;
+  add_global_options(root, options);
+  const std::vector<Command> commands = add_commands(root);
+  if (const auto over = parse(root, console, argc, argv)) return *over;
+  if (options.quiet) console.be_quiet();
+  Session session{console, interrupts, options.threads};
+  return run_chosen(commands, session);
+}
+
+}  // namespace
+
+int run(int argc, char** argv) {
+  Interrupts interrupts;
+  Console console;
+  const auto end = [&console](ExitCode code, std::string_view message) {
+    console.complain(message);
+    return static_cast<int>(code);
+  };
+  try {
+    return parse_and_run(console, interrupts, argc, argv);
+  } catch (const Cancelled&) {
+    console.complain("stopped; no file was touched.");
+    return interrupted_exit_code;
+  } catch (const UsageError& error) {
+    return end(error.exit_code(), fmt::format("{}\nSee odontoscope --help.", error.what()));
+  } catch (const Error& error) {
+    return end(error.exit_code(), error.what());
+  } catch (const std::bad_alloc&) {
+    return end(ExitCode::bad_input,
+               "this machine has not enough memory for that input. Make it smaller: fewer slices, contours --simplify "
+               "or a larger --min-area. [out-of-memory]");
+  } catch (const std::exception& error) {
+    return end(ExitCode::internal, InternalError(error.what()).what());
+  } catch (...) {
+    return end(ExitCode::internal, InternalError("an unknown exception").what());
+  }
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "engine/app/command.h"
+#include "engine/app/outputs.h"
+#include "engine/app/words.h"
+#include "recon/input/stack_json.h"
+#include "recon/sample/sample_tooth.h"
+
+namespace odontoscope::app {
+namespace {
+
+struct Options {
+  ToothKind tooth = ToothKind::molar;
+  SampleOptions sample;
+  bool filled = false;
+  std::string output;
+};
+
+ExitCode make_sample(const Options& options, Session& session) {
+  known_ending(options.output, {".json"});
+  refuse_unwritable({.inputs = {}, .outputs = {options.output}});
+  SampleOptions sample = options.sample;
+  sample.hollow_dentine = !options.filled;
+  const ContourStack stack = sample_tooth(options.tooth, sample);
+  session.progress().check();
+  write_all({{options.output, to_json(stack)}}, session.interrupts);
+  session.console.say(fmt::format("{}: {}", options.output, stack_in_words(stack)));
+  session.console.say(fmt::format("It is a generated {}.", sample_facts(options.tooth).tooth));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command sample_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("sample", "Contours of a generated tooth with enamel, dentine and pulp");
+  const auto options = std::make_shared<Options>();
+  const std::map<std::string, ToothKind> teeth{
+      {"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}};
+  parser->add_option("TOOTH", options->tooth, "molar, premolar or incisor")
+      ->required()
+      ->type_name("")
+      ->transform(CLI::CheckedTransformer(teeth, CLI::ignore_case).description(""));
+  parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
+  parser->add_option("--slice-spacing", options->sample.slice_spacing, "Distance between slices, mm")
+      ->type_name("MM")
+      ->capture_default_str();
+  parser->add_option("--point-spacing", options->sample.point_spacing, "Largest distance of a contour's points, mm")
+      ->type_name("MM")
+      ->capture_default_str();
+  parser->add_flag("--filled-dentine", options->filled,
+                   "Leave the pulp out of the dentine: for reconstruct --together dentine,pulp");
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope sample molar -o molar.json\n"
+      "  odontoscope sample incisor --slice-spacing 0.1 -o fine.json\n"
+      "\n"
+      "The molar is a lower first molar: two roots, three canals, five cusps.\n");
+  return {parser, [options](Session& session) { return make_sample(*options, session); }};
+}
+
+}  // namespace odontoscope::app

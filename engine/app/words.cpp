@@ -1,0 +1,62 @@
+#include "engine/app/words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "recon/input/validate.h"
+
+namespace odontoscope::app {
+namespace {
+
+std::string with_thousands(std::size_t count) {
+  std::string digits = fmt::format("{}", count);
+  constexpr std::size_t group = 3;
+  for (std::size_t at = digits.size(); at > group; at -= group) digits.insert(at - group, ",");
+  return digits;
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
+  const std::string many = plural.empty() ? fmt::format("{}s", singular) : std::string(plural);
+  return fmt::format("{} {}", with_thousands(count), count == 1 ? std::string(singular) : many);
+}
+
+std::string measured(double value) {
+  constexpr double whole_numbers_from = 1000, plain_down_to = 1e-3;
+  const double size = std::abs(value);
+  if (size >= whole_numbers_from && size < 1e15) {
+    return (value < 0 ? "-" : "") + with_thousands(static_cast<std::size_t>(std::llround(size)));
+  }
+  if (size == 0 || size >= plain_down_to) return fmt::format("{:.3g}", value);
+  return fmt::format("{:.2e}", value);
+}
+
+std::string stack_in_words(const ContourStack& stack) {
+  std::size_t contours = 0, points = 0;
+  double low = 0, high = 0;
+  for (const Slice& slice : stack.slices) {
+    const bool first = &slice == &stack.slices.front();
+    low = first ? slice.z : std::min(low, slice.z);
+    high = first ? slice.z : std::max(high, slice.z);
+    contours += slice.contours.size();
+    for (const Contour& contour : slice.contours) points += contour.points.size();
+  }
+  return fmt::format("{} from z = {} to {} mm, {}, {}; {}: {}", counted(stack.slices.size(), "slice"), measured(low),
+                     measured(high), counted(contours, "contour"), counted(points, "point"),
+                     structures_of(stack).size() == 1 ? "structure" : "structures", fmt::join(structures_of(stack), ", "));
+}
+
+std::string shell_in_words(const Shell& shell) {
+  if (shell.kind == Shell::Kind::open) {
+    return fmt::format("open surface, {}, area {} mm^2", counted(shell.triangles, "triangle"), measured(shell.area));
+  }
+  return fmt::format("{} of genus {}, {}, volume {} mm^3",
+                     shell.kind == Shell::Kind::external ? "external surface" : "cavity", shell.genus,
+                     counted(shell.triangles, "triangle"), measured(std::abs(shell.volume)));
+}
+
+}  // namespace odontoscope::app
