@@ -1,0 +1,127 @@
+#include "recon/delaunay/assemble.h"
+
+#include "recon/core/error.h"
+#include "recon/delaunay/face_table.h"
+
+namespace odontoscope::delaunay {
+
+Numbering::Numbering(const SolvedStack& stack) {
+  std::uint64_t at = 0;
+  const auto mark = [&at](std::vector<std::uint32_t>& begin) {
+    if (at >= none) throw InternalError("more points than 32-bit numbers can count");
+    begin.push_back(static_cast<std::uint32_t>(at));
+  };
+  mark(slice_begin);
+  for (const ConformedSlice& slice : stack.slices) {
+    at += slice.planar.points.size();
+    mark(slice_begin);
+  }
+  mark(added_begin);
+  for (const auto& pieces : stack.slabs) {
+    for (const SlabSolid& piece : pieces) at += piece.added.size();
+    mark(added_begin);
+  }
+}
+
+AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering, std::size_t slab) {
+  AssembledSlab result;
+  const std::uint32_t lower = numbering.slice_begin[slab], upper = numbering.slice_begin[slab + 1];
+  const std::uint32_t end = numbering.slice_begin[slab + 2];
+  std::uint32_t added = numbering.added_begin[slab];
+  std::size_t count = 0;
+  for (const SlabSolid& piece : stack.slabs[slab]) count += piece.tetrahedra.size();
+  result.tetrahedra.reserve(count);
+  for (const SlabSolid& piece : stack.slabs[slab]) {
+    const std::uint32_t on_slices = end - lower;   // lower and upper points follow each other in both numberings
+    for (const auto& tet : piece.tetrahedra) {
+      Tetrahedron numbered{};
+      for (int i = 0; i < 4; ++i) numbered[i] = tet[i] < on_slices ? lower + tet[i] : added + (tet[i] - on_slices);
+      result.tetrahedra.push_back(numbered);
+    }
+    added += static_cast<std::uint32_t>(piece.added.size());
+  }
+
+  FaceTable table(count * 4);
+  std::vector<bool> shared(count * 4, false);
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto& f = outward_face[i];
+      const Tetrahedron& v = result.tetrahedra[t];
+      std::uint32_t& seen = table(v[f[0]], v[f[1]], v[f[2]]);
+      if (seen == FaceTable::vacant) seen = 4 * t + i;
+      else shared[seen] = shared[4 * t + i] = true;
+    }
+  for (std::uint32_t t = 0; t < count; ++t)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      if (shared[4 * t + i]) continue;
+      const auto& f = outward_face[i];
+      const Tetrahedron& v = result.tetrahedra[t];
+      const Triangle face{v[f[0]], v[f[1]], v[f[2]]};
+      const auto all = [&face](std::uint32_t from, std::uint32_t to) {
+        return face[0] >= from && face[0] < to && face[1] >= from && face[1] < to && face[2] >= from && face[2] < to;
+      };
+      (all(lower, upper) ? result.floor : all(upper, end) ? result.ceiling : result.sides).push_back(face);
+    }
+  return result;
+}
+
+namespace {
+
+/// The faces of two sides of a slice that have no partner on the other.
+void add_unmatched(const std::vector<Triangle>& below, const std::vector<Triangle>& above, std::vector<Triangle>& surface) {
+  FaceTable table(below.size() + above.size());
+  constexpr std::uint32_t matched = FaceTable::vacant - 1;
+  for (std::uint32_t t = 0; t < below.size(); ++t) table(below[t][0], below[t][1], below[t][2]) = t;
+  std::vector<Triangle> only_above;
+  for (const Triangle& t : above) {
+    std::uint32_t& seen = table(t[0], t[1], t[2]);
+    if (seen == FaceTable::vacant) only_above.push_back(t);
+    else seen = matched;
+  }
+  for (const Triangle& t : below)
+    if (table(t[0], t[1], t[2]) != matched) surface.push_back(t);
+  surface.insert(surface.end(), only_above.begin(), only_above.end());
+}
+
+}  // namespace
+
+Assembly assemble(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs, Label label) {
+  Assembly result;
+  std::vector<Point3>& points = result.tetrahedra.points;
+  points.reserve(numbering.points());
+  for (const ConformedSlice& slice : stack.slices)
+    for (const Point2 p : slice.planar.points) points.push_back({p.x, p.y, slice.z});
+  for (const auto& pieces : stack.slabs)
+    for (const SlabSolid& piece : pieces) points.insert(points.end(), piece.added.begin(), piece.added.end());
+
+  std::size_t tetrahedra = 0, triangles = 0;
+  for (const AssembledSlab& slab : slabs) {
+    tetrahedra += slab.tetrahedra.size();
+    triangles += slab.sides.size();
+  }
+  result.tetrahedra.tetrahedra.reserve(tetrahedra);
+  std::vector<Triangle>& surface = result.surface.triangles;
+  surface.reserve(triangles);
+  static const std::vector<Triangle> nothing;
+  for (std::size_t k = 0; k <= slabs.size(); ++k) {
+    add_unmatched(k > 0 ? slabs[k - 1].ceiling : nothing, k < slabs.size() ? slabs[k].floor : nothing, surface);
+    if (k == slabs.size()) break;
+    surface.insert(surface.end(), slabs[k].sides.begin(), slabs[k].sides.end());
+    result.tetrahedra.tetrahedra.insert(result.tetrahedra.tetrahedra.end(), slabs[k].tetrahedra.begin(), slabs[k].tetrahedra.end());
+  }
+  result.tetrahedra.labels.assign(result.tetrahedra.tetrahedra.size(), label);
+
+  std::vector<std::uint32_t> number(points.size(), none);
+  for (const Triangle& t : surface)
+    for (const std::uint32_t v : t) number[v] = 0;
+  for (std::uint32_t v = 0; v < points.size(); ++v)
+    if (number[v] != none) {
+      number[v] = static_cast<std::uint32_t>(result.surface.points.size());
+      result.surface.points.push_back(points[v]);
+    }
+  for (Triangle& t : surface)
+    for (std::uint32_t& v : t) v = number[v];
+  return result;
+}
+
+}  // namespace odontoscope::delaunay

@@ -1,0 +1,25 @@
+#pragma once
+// From a slab's Delaunay tetrahedra to a solid piece: which stay, and which must be put back to make it a manifold.
+
+#include <cstdint>
+#include <vector>
+
+#include "recon/delaunay/slab.h"
+
+namespace odontoscope::delaunay {
+
+enum class Fate : std::uint8_t { removed, kept, restored };
+
+/// Step 4, elimination, by plane geometry alone: a 3-1 (1-3) stays with its triangle, if that is inside; a 2-2 goes with an external
+/// edge; with two contour edges it goes when its dual point lies outside both regions (a rule that the paper lacks, without which a
+/// canal of nearly round contours is plugged); else it stays.
+std::vector<Fate> eliminate(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
+
+/// Step 5, repair: puts removed tetrahedra back until the kept ones form a PL 3-manifold: around each edge one fan, and in the link of each
+/// vertex both the kept and the removed part connected (what lies beyond the hull and the slices counts as removed). Then takes out
+/// again those that turned out not to be needed. Always ends where everything may be restored, since the hull is a ball.
+/// `may_restore[t]` false forbids a tetrahedron; returns false if a singularity can then not be repaired.
+bool repair(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<bool>& may_restore,
+            std::vector<Fate>& fate);
+
+}  // namespace odontoscope::delaunay

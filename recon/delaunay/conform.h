@@ -1,0 +1,40 @@
+#pragma once
+// Slices made ready: contours refined until each of their edges is Gabriel (its diametral circle holds no point), then
+// triangulated, with the regions found.
+//
+// With Gabriel edges the Voronoi cell of a contour point meets no contour but its own two edges; that is what lets the slab walk
+// decide "inside a region?" exactly, with one orientation test. Points are added on contours only (at rounded midpoints, so off
+// the input edge by at most the last digit of a coordinate).
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recon/core/progress.h"
+#include "recon/delaunay/planar.h"
+#include "recon/input/contour_stack.h"
+
+namespace odontoscope::delaunay {
+
+struct ConformedSlice {
+  double z = 0;
+  Planar planar;                               // of all contours of one structure
+  std::vector<std::size_t> contour_number;     // of each contour kept here: its number in the slice's list
+  std::vector<std::uint32_t> first_point;      // points of contour c: [first_point[c], first_point[c+1])
+  std::vector<std::uint32_t> outer_contour;    // of each region: its outer contour, counted here
+  std::size_t steiner_points = 0;
+
+  std::size_t regions() const { return outer_contour.size(); }
+};
+
+/// Preconditions: `slice` is validated and ordered (outer contours counter-clockwise, holes clockwise).
+/// Throws InputError too-close where contours run so near to each other that the refinement passes limits::steiner_factor, or
+/// nearer than double precision can hold apart. `number` and `source` name the slice in messages.
+ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
+                       const Progress& progress);
+
+/// The triangulation of the chosen regions' points alone; edges stay Gabriel, and the regions' own triangles are the same as in
+/// `whole`. `chosen[r]` says whether region r is in. Regions keep their numbers.
+Planar part_of(const Planar& whole, const std::vector<bool>& chosen);
+
+}  // namespace odontoscope::delaunay

@@ -1,0 +1,114 @@
+#include "recon/delaunay/correspond.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace odontoscope::delaunay {
+namespace {
+
+class Witnesses {
+ public:
+  void add(std::uint32_t lower, std::uint32_t upper, LinkCriterion criterion) {
+    const std::pair key{lower, upper};
+    if (!last_ || last_->first != key) last_ = &*strictest_.emplace(key, criterion).first;
+    last_->second = std::min(last_->second, criterion);
+  }
+
+  std::vector<RegionLink> links() const {
+    std::vector<RegionLink> found;
+    for (const auto& [pair, criterion] : strictest_) found.push_back({pair.first, pair.second, criterion});
+    std::stable_sort(found.begin(), found.end(),
+                     [](const RegionLink& a, const RegionLink& b) { return a.criterion < b.criterion; });
+    return found;
+  }
+
+ private:
+  using Map = std::map<std::pair<std::uint32_t, std::uint32_t>, LinkCriterion>;
+  Map strictest_;
+  Map::value_type* last_ = nullptr;   // witnesses of one pair come in long runs
+};
+
+/// Union-find over the regions of both slices, upper ones after the lower.
+class Families {
+ public:
+  explicit Families(std::uint32_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t find(std::uint32_t r) {
+    while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
+    return r;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+}  // namespace
+
+std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower,
+                                        const Planar& upper, Correspondence widest) {
+  Witnesses witnesses;
+  const auto offset = static_cast<std::uint32_t>(lower.points.size());
+  for (const SlabTetrahedron& tet : tetrahedra) {
+    const std::uint32_t below = lower.region_of[tet.v[0]], above = upper.region_of[tet.v[3] - offset];
+    if (tet.lower_count == 2 && tet.lower_edge == EdgeKind::internal && tet.upper_edge == EdgeKind::internal)
+      witnesses.add(below, above, LinkCriterion::reverse);
+    else if (tet.lower_count != 2 && tet.dual_in_lower && tet.dual_in_upper && widest >= Correspondence::medial)
+      witnesses.add(below, above, LinkCriterion::medial);
+    else if (tet.lower_count == 2 && tet.dual_in_lower && tet.dual_in_upper && widest >= Correspondence::overlap)
+      witnesses.add(below, above, LinkCriterion::overlap);
+  }
+  return witnesses.links();
+}
+
+Correspondences correspond(const std::vector<RegionLink>& witnessed, const Choices& choices, std::uint32_t lower_regions,
+                           std::uint32_t upper_regions, const Place& place) {
+  Families families(lower_regions + upper_regions);
+  for (const auto& [a, b] : choices.joined) families.join(a, lower_regions + b);
+  const auto broken = [&](Families& now) {
+    return std::any_of(choices.apart.begin(), choices.apart.end(), [&](const auto& pair) {
+      return now.find(pair.first) == now.find(lower_regions + pair.second);
+    });
+  };
+  if (broken(families))
+    throw InputError("link-contradiction", place, "the links join two regions, directly or through others, that they also keep apart",
+                     "Drop one of these links");
+  Correspondences result;
+  for (const auto& [a, b] : choices.joined) result.links.push_back({a, b, LinkCriterion::user});
+  for (const RegionLink& link : witnessed) {
+    if (std::find(choices.joined.begin(), choices.joined.end(), std::pair{link.lower, link.upper}) != choices.joined.end()) continue;
+    if (choices.apart.empty()) {
+      families.join(link.lower, lower_regions + link.upper);
+    } else {
+      Families then = families;
+      then.join(link.lower, lower_regions + link.upper);
+      if (broken(then)) continue;
+      families = std::move(then);
+    }
+    result.links.push_back(link);
+  }
+  std::sort(result.links.begin(), result.links.end(), [](const RegionLink& a, const RegionLink& b) {
+    return std::pair(a.lower, a.upper) < std::pair(b.lower, b.upper);
+  });
+
+  std::map<std::uint32_t, Component> by_head;
+  for (std::uint32_t r = 0; r < lower_regions; ++r) by_head[families.find(r)].lower.push_back(r);
+  for (std::uint32_t r = 0; r < upper_regions; ++r) by_head[families.find(lower_regions + r)].upper.push_back(r);
+  for (auto& [head, component] : by_head)
+    if (!component.lower.empty() && !component.upper.empty()) result.components.push_back(std::move(component));
+  return result;
+}
+
+bool joins_apart(const Component& component, const Choices& choices) {
+  return std::any_of(choices.apart.begin(), choices.apart.end(), [&](const auto& pair) {
+    return std::binary_search(component.lower.begin(), component.lower.end(), pair.first) &&
+           std::binary_search(component.upper.begin(), component.upper.end(), pair.second);
+  });
+}
+
+}  // namespace odontoscope::delaunay

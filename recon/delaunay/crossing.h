@@ -1,0 +1,22 @@
+#pragma once
+// Do the solids of different components cross or touch? Exact triangle tests behind a box filter.
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "recon/core/geometry.h"
+
+namespace odontoscope::delaunay {
+
+/// The boundary of a component, as triangles by place.
+using Boundary = std::vector<std::array<Point3, 3>>;
+
+/// The faces that only one of the tetrahedra has. `points` are indexed by the tetrahedra.
+Boundary boundary_of(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, const std::vector<Point3>& points);
+
+/// Pairs (i < j) of boundaries that have a point in common, ascending. Tests only pairs whose bounding boxes meet.
+std::vector<std::pair<std::size_t, std::size_t>> crossing_pairs(const std::vector<Boundary>& boundaries);
+
+}  // namespace odontoscope::delaunay

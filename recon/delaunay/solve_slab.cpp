@@ -1,0 +1,223 @@
+#include "recon/delaunay/solve_slab.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "recon/delaunay/crossing.h"
+
+namespace odontoscope::delaunay {
+namespace {
+
+/// Components that share one Delaunay triangulation. More than one: they are carved from it and stay disjoint.
+struct Group {
+  std::vector<Component> components;
+  std::optional<SlabSolid> solid;   // empty: cut
+  std::vector<RegionLink> merged;   // links by which its components became one
+};
+
+void merge_sorted(std::vector<std::uint32_t>& into, const std::vector<std::uint32_t>& from) {
+  into.insert(into.end(), from.begin(), from.end());
+  std::sort(into.begin(), into.end());
+}
+
+Component united(const std::vector<Component>& components) {
+  Component all;
+  for (const Component& c : components) {
+    merge_sorted(all.lower, c.lower);
+    merge_sorted(all.upper, c.upper);
+  }
+  return all;
+}
+
+class SlabSolver {
+ public:
+  SlabSolver(const SlabTask& task, const Progress& progress) : task_(task), progress_(progress) {}
+
+  SolvedSlab run() {
+    const Planar& lower = task_.lower.planar;
+    const Planar& upper = task_.upper.planar;
+    whole_ = triangulate_slab(lower, upper);
+    Correspondences found = correspond(witnessed_links(whole_, lower, upper, task_.correspondence), task_.choices,
+                                       regions(task_.lower), regions(task_.upper), task_.place);
+    for (Component& component : found.components) {
+      groups_.push_back({{std::move(component)}, std::nullopt, {}});
+      solve(groups_.back());
+    }
+    while (separate()) progress_.check();
+    return collect(std::move(found.links));
+  }
+
+ private:
+  static std::uint32_t regions(const ConformedSlice& slice) { return static_cast<std::uint32_t>(slice.regions()); }
+
+  bool is_whole(const Component& c) const {
+    return c.lower.size() == task_.lower.regions() && c.upper.size() == task_.upper.regions();
+  }
+
+  static std::vector<bool> chosen(const std::vector<std::uint32_t>& numbers, std::size_t count) {
+    std::vector<bool> flags(count, false);
+    for (const std::uint32_t r : numbers) flags[r] = true;
+    return flags;
+  }
+
+  // ---- one group ------------------------------------------------------------------------------------------------------
+
+  void solve(Group& group) {
+    const Component all = united(group.components);
+    if (is_whole(all)) {
+      solve_in(group, whole_, task_.lower.planar, task_.upper.planar);
+      return;
+    }
+    const Planar lower = part_of(task_.lower.planar, chosen(all.lower, task_.lower.regions()));
+    const Planar upper = part_of(task_.upper.planar, chosen(all.upper, task_.upper.regions()));
+    solve_in(group, triangulate_slab(lower, upper), lower, upper);
+  }
+
+  void solve_in(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {
+    if (group.components.size() > 1) {
+      if (carve(group, tets, lower, upper)) return;
+      const Component all = united(group.components);
+      group.solid.reset();
+      if (joins_apart(all, task_.choices)) return;
+      remember_merger(group);
+      group.components = {all};
+    }
+    std::vector<Fate> fate = eliminate(tets, lower, upper);
+    finish(group, tets, fate, std::vector<bool>(tets.size(), true), lower, upper);
+  }
+
+  /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
+  bool carve(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {
+    std::vector<std::size_t> of_lower(task_.lower.regions(), 0), of_upper(task_.upper.regions(), 0);
+    for (std::size_t c = 0; c < group.components.size(); ++c) {
+      for (const std::uint32_t r : group.components[c].lower) of_lower[r] = c;
+      for (const std::uint32_t r : group.components[c].upper) of_upper[r] = c;
+    }
+    std::vector<Fate> fate = eliminate(tets, lower, upper);
+    std::vector<bool> own(tets.size(), true);
+    for (std::size_t t = 0; t < tets.size(); ++t) {
+      const auto owner = [&](std::uint32_t v) {
+        return v < lower.points.size() ? of_lower[lower.region_of[v]] : of_upper[upper.region_of[v - lower.points.size()]];
+      };
+      const auto& v = tets[t].v;
+      own[t] = owner(v[0]) == owner(v[1]) && owner(v[0]) == owner(v[2]) && owner(v[0]) == owner(v[3]);
+      if (own[t] || fate[t] == Fate::removed) continue;
+      if (tets[t].lower_count != 2) return false;   // part of a region would go uncovered
+      fate[t] = Fate::removed;
+    }
+    return finish(group, tets, fate, own, lower, upper);
+  }
+
+  bool finish(Group& group, const std::vector<SlabTetrahedron>& tets, std::vector<Fate>& fate,
+              const std::vector<bool>& may_restore, const Planar& lower, const Planar& upper) {
+    SlabSolid solid;
+    if (!repair(tets, lower.points.size() + upper.points.size(), may_restore, fate)) return false;
+    if (!lift(tets, fate, lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid))
+      return false;
+    group.solid = std::move(solid);
+    return true;
+  }
+
+  static std::uint32_t points(const ConformedSlice& slice) { return static_cast<std::uint32_t>(slice.planar.points.size()); }
+
+  /// Written so that the same links, given by the user, make the same component.
+  static void remember_merger(Group& group) {
+    for (std::size_t c = 1; c < group.components.size(); ++c)
+      group.merged.push_back({group.components[0].lower.front(), group.components[c].upper.front(), LinkCriterion::crossing});
+  }
+
+  // ---- groups among each other ----------------------------------------------------------------------------------------
+
+  /// Puts groups that cross or touch into one; false when none do.
+  bool separate() {
+    if (groups_.size() < 2) return false;
+    std::vector<Boundary> boundaries;
+    for (const Group& group : groups_)
+      boundaries.push_back(group.solid ? boundary_of(group.solid->tetrahedra, slab_points(task_.lower, task_.upper, *group.solid))
+                                       : Boundary{});
+    const auto pairs = crossing_pairs(boundaries);
+    if (pairs.empty()) return false;
+    std::vector<std::size_t> head(groups_.size());
+    for (std::size_t g = 0; g < head.size(); ++g) head[g] = g;
+    for (const auto& [i, j] : pairs) {
+      const std::size_t from = std::max(head[i], head[j]), to = std::min(head[i], head[j]);
+      std::replace(head.begin(), head.end(), from, to);
+    }
+    std::vector<Group> next;
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      if (head[g] != g) continue;
+      Group group = std::move(groups_[g]);
+      bool grew = false;
+      for (std::size_t other = g + 1; other < groups_.size(); ++other) {
+        if (head[other] != g) continue;
+        for (Component& c : groups_[other].components) group.components.push_back(std::move(c));
+        group.merged.insert(group.merged.end(), groups_[other].merged.begin(), groups_[other].merged.end());
+        grew = true;
+      }
+      if (grew) {
+        group.solid.reset();
+        solve(group);
+      }
+      next.push_back(std::move(group));
+    }
+    groups_ = std::move(next);
+    return true;
+  }
+
+  SolvedSlab collect(std::vector<RegionLink> links) {
+    SolvedSlab result;
+    result.lower_linked.assign(task_.lower.regions(), false);
+    result.upper_linked.assign(task_.upper.regions(), false);
+    for (Group& group : groups_) {
+      if (!group.solid) continue;
+      links.insert(links.end(), group.merged.begin(), group.merged.end());
+      const Component all = united(group.components);
+      for (const std::uint32_t r : all.lower) result.lower_linked[r] = true;
+      for (const std::uint32_t r : all.upper) result.upper_linked[r] = true;
+      result.pieces.push_back(std::move(*group.solid));
+    }
+    for (const RegionLink& link : links) {
+      if (result.lower_linked[link.lower] && result.upper_linked[link.upper]) {
+        result.links.push_back(link);
+      } else if (link.criterion == LinkCriterion::user) {
+        throw InputError("link-impossible", task_.place,
+                         "a link cannot be built: its solid would cross another one that it must stay apart from",
+                         "Drop this link, or allow the regions that it crosses to be joined");
+      } else {
+        ++result.cut_links;
+      }
+    }
+    std::stable_sort(result.links.begin(), result.links.end(), [](const RegionLink& a, const RegionLink& b) {
+      return std::pair(a.lower, a.upper) < std::pair(b.lower, b.upper);
+    });
+    return result;
+  }
+
+  const SlabTask& task_;
+  const Progress& progress_;
+  std::vector<SlabTetrahedron> whole_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace
+
+SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
+  if (task.lower.regions() == 0 || task.upper.regions() == 0) {
+    SolvedSlab flat;
+    flat.lower_linked.assign(task.lower.regions(), false);
+    flat.upper_linked.assign(task.upper.regions(), false);
+    return flat;
+  }
+  return SlabSolver(task, progress).run();
+}
+
+std::vector<Point3> slab_points(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {
+  std::vector<Point3> points;
+  points.reserve(lower.planar.points.size() + upper.planar.points.size() + solid.added.size());
+  for (const Point2 p : lower.planar.points) points.push_back({p.x, p.y, lower.z});
+  for (const Point2 p : upper.planar.points) points.push_back({p.x, p.y, upper.z});
+  points.insert(points.end(), solid.added.begin(), solid.added.end());
+  return points;
+}
+
+}  // namespace odontoscope::delaunay

@@ -1,0 +1,38 @@
+#pragma once
+// One slab from its two slices to disjoint, embedded solid pieces. A value that depends on nothing but its arguments, so that slabs can be
+// solved in any order, on any thread, and again alone when a link changes.
+
+#include <vector>
+
+#include "recon/delaunay/conform.h"
+#include "recon/delaunay/correspond.h"
+#include "recon/delaunay/lift.h"
+
+namespace odontoscope::delaunay {
+
+struct SolvedSlab {
+  /// Pieces that have no point in common, one for each component, in the order of their lowest region.
+  std::vector<SlabSolid> pieces;
+  std::vector<RegionLink> links;        // those that hold in the result
+  std::size_t cut_links = 0;            // witnessed, but given up by case 3 below
+  std::vector<bool> lower_linked, upper_linked;   // of each region: does it carry a piece in this slab?
+};
+
+struct SlabTask {
+  const ConformedSlice& lower;
+  const ConformedSlice& upper;
+  Correspondence correspondence;
+  Choices choices;
+  Place place;   // for messages
+};
+
+/// Steps 2 to 6. Components are triangulated apart from each other. Where two would then cross or touch, they are
+///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their regions; else
+///   2. made one component (links with criterion `crossing`), unless the user keeps a pair of their regions apart; else
+///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: InputError link-impossible.
+SolvedSlab solve_slab(const SlabTask& task, const Progress& progress);
+
+/// All points of a slab's solid in the numbering of SlabSolid.
+std::vector<Point3> slab_points(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid);
+
+}  // namespace odontoscope::delaunay
