@@ -23,6 +23,14 @@ inline constexpr std::size_t structures = 1'000;
 inline constexpr std::size_t name_length = 200;
 /// Bytes of a name that a message repeats.
 inline constexpr std::size_t quoted_length = 40;
+/// Bytes of a single text, number or gap in a JSON file: bounds what its parser holds.
+inline constexpr std::size_t json_token = 1 << 20;
+/// Levels of brackets in notes ("x-..." keys) that are skipped.
+inline constexpr std::size_t json_depth = 64;
+/// Bytes that are read from a file at once.
+inline constexpr std::size_t read_piece = 1 << 16;
+/// Links in a links file: more than any stack within the limits above has use for.
+inline constexpr std::size_t links = 10'000'000;
 /// Bytes of a text or mesh file that is read whole.
 inline constexpr std::size_t file_bytes = 4ull << 30;
 /// Voxels of a volume: 2 GiB of 16 bit.
@@ -84,8 +92,8 @@ inline constexpr std::size_t header_bytes = 1u << 20;
 
 // --- sample teeth ------------------------------------------------------------------------------------------------
 namespace odontoscope::limits {
-/// Grid that a slice is sampled on, mm: an eighth of the narrowest canal.
-inline constexpr double sample_grid = 0.05;
+/// Grid that a slice is sampled on, mm: a fifth of the narrowest canal.
+inline constexpr double sample_grid = 0.06;
 /// Half the side of that grid, mm: the largest tooth and a little more.
 inline constexpr double sample_half_width = 6.3;
 /// Contours of a smaller area, mm^2, are left out: the first touch of a fissure's bottom.

@@ -1,0 +1,176 @@
+#include "recon/volume/contour_levels.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+
+namespace odontoscope {
+namespace {
+
+/// Shoelace formula around the first point, which keeps it accurate far from the origin.
+double area_within(const std::vector<Point2>& points) {
+  const Point2 o = points.front();
+  double twice = 0;
+  for (std::size_t n = 1; n + 1 < points.size(); ++n) {
+    twice += (points[n].x - o.x) * (points[n + 1].y - o.y) - (points[n].y - o.y) * (points[n + 1].x - o.x);
+  }
+  return std::abs(twice) / 2;
+}
+
+void check_options(const std::vector<LevelTracer>& tracers, const TraceOptions& options) {
+  if (!(options.min_area >= 0) || !std::isfinite(options.min_area)) {
+    throw UsageError(fmt::format("the smallest area {} is not a finite number of at least 0", options.min_area),
+                     "give an area in square millimetres (--min-area A)");
+  }
+  if (tracers.empty()) {
+    throw UsageError("no level is given to take contours at", "give --iso T[=NAME] or --label N[=NAME]");
+  }
+  std::set<std::string> names;
+  for (const LevelTracer& tracer : tracers) {
+    if (!names.insert(tracer.structure).second) {
+      throw UsageError(fmt::format("two levels are both named \"{}\"", tracer.structure),
+                       "give each its own name, as in --iso 120=dentine --iso 195=enamel");
+    }
+  }
+}
+
+struct TracedSlice {
+  std::vector<Contour> contours;
+  std::vector<LevelReport> levels;
+  bool too_many = false;
+};
+
+/// Counts points over all slices and says when to give up, so that memory stays bounded on noise.
+class PointBudget {
+ public:
+  bool take(std::size_t points) { return used_.fetch_add(points) + points <= limits::points; }
+  bool exceeded() const { return used_.load() > limits::points; }
+
+ private:
+  std::atomic<std::size_t> used_{0};
+};
+
+TracedSlice trace_slice(std::size_t k, const std::vector<LevelTracer>& tracers, const TraceOptions& options,
+                        PointBudget& budget) {
+  TracedSlice result;
+  for (const LevelTracer& tracer : tracers) {
+    LevelReport report{tracer.structure};
+    tracer.trace(k, [&](std::vector<Point2>&& points) {
+      if (area_within(points) < options.min_area) {
+        ++report.dropped;
+        return true;
+      }
+      if (!budget.take(points.size())) return false;
+      if (result.contours.size() == limits::contours_per_slice) {
+        result.too_many = true;
+        return false;
+      }
+      ++report.contours;
+      report.points += points.size();
+      result.contours.push_back({tracer.structure, std::move(points)});
+      return true;
+    });
+    result.levels.push_back(std::move(report));
+  }
+  return result;
+}
+
+double height(const Volume& volume, std::size_t k) {
+  return volume.origin.z + static_cast<double>(k) * volume.spacing[2];
+}
+
+void check_counts(const Volume& volume, const std::vector<TracedSlice>& slices, const PointBudget& budget) {
+  Place place;
+  place.file = volume.source;
+  if (budget.exceeded()) {
+    throw InputError("too-many-points", place, fmt::format("the contours have more than {} points", limits::points),
+                     "crop the volume, smooth it, or drop small contours (--min-area A)");
+  }
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    if (!slices[k].too_many) continue;
+    place.slice = k;
+    place.z = height(volume, k);
+    throw InputError("too-many-contours", place,
+                     fmt::format("the slice has more than {} contours", limits::contours_per_slice),
+                     "smooth the volume, choose another iso value, or drop small contours (--min-area A)");
+  }
+}
+
+std::vector<LevelReport> summed(const std::vector<LevelTracer>& tracers, const std::vector<TracedSlice>& slices) {
+  std::vector<LevelReport> levels;
+  for (std::size_t n = 0; n < tracers.size(); ++n) {
+    LevelReport level{tracers[n].structure};
+    for (const TracedSlice& slice : slices) {
+      level.contours += slice.levels[n].contours;
+      level.points += slice.levels[n].points;
+      level.dropped += slice.levels[n].dropped;
+    }
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+void check_levels(const Volume& volume, const std::vector<LevelTracer>& tracers, const std::vector<LevelReport>& levels,
+                  const TraceOptions& options) {
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    if (levels[n].contours > 0) continue;
+    Place place;
+    place.file = volume.source;
+    throw InputError("min-area-drops-all", place,
+                     fmt::format("all {} contours of {} enclose less than {} mm^2", levels[n].dropped,
+                                 tracers[n].in_words, options.min_area),
+                     "give a smaller --min-area");
+  }
+}
+
+ContourStack stacked(const Volume& volume, std::vector<TracedSlice>& slices) {
+  std::size_t first = 0;
+  while (slices[first].contours.empty()) ++first;
+  std::size_t last = slices.size() - 1;
+  while (slices[last].contours.empty()) --last;
+  if (first == last) {
+    Place place;
+    place.file = volume.source;
+    place.slice = first;
+    place.z = height(volume, first);
+    throw InputError("single-slice", place, "all contours lie in this one slice", "choose a level that two slices reach");
+  }
+  ContourStack stack;
+  stack.source = volume.source;
+  for (std::size_t k = first; k <= last; ++k) stack.slices.push_back({height(volume, k), std::move(slices[k].contours)});
+  return stack;
+}
+
+}  // namespace
+
+TracedContours trace_levels(const Volume& volume, const std::vector<LevelTracer>& tracers, const TraceOptions& options,
+                            const Progress& progress) {
+  check_options(tracers, options);
+  std::vector<TracedSlice> slices(volume.size[2]);
+  PointBudget budget;
+  std::mutex telling;
+  std::size_t done = 0;
+  tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t k) {
+    progress.check();
+    if (budget.exceeded()) return;
+    slices[k] = trace_slice(k, tracers, options, budget);
+    const std::scoped_lock lock(telling);
+    progress.tell("contours", static_cast<double>(++done) / static_cast<double>(slices.size()));
+  });
+  check_counts(volume, slices, budget);
+  TracedContours result;
+  result.levels = summed(tracers, slices);
+  check_levels(volume, tracers, result.levels, options);
+  result.stack = stacked(volume, slices);
+  return result;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,91 @@
+#include "recon/volume/label_contours.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+#include "recon/volume/trace.h"
+
+namespace odontoscope {
+namespace {
+
+using trace::Vertex;
+
+class LabelField {
+ public:
+  LabelField(const Volume& volume, std::size_t k, float label)
+      : pixels_(volume.slice(k)),
+        width_(static_cast<std::ptrdiff_t>(volume.size[0])),
+        height_(static_cast<std::ptrdiff_t>(volume.size[1])),
+        label_(label),
+        grid_({volume.origin.x, volume.origin.y}, {volume.spacing[0], volume.spacing[1]}) {}
+
+  bool inside(Vertex v) const {
+    return v.i >= 0 && v.j >= 0 && v.i < width_ && v.j < height_ && pixels_[v.j * width_ + v.i] == label_;
+  }
+  /// Never: joining one label across a cell's corner could cross another's join over the other diagonal.
+  bool joined(Vertex, Vertex, Vertex, Vertex) const { return false; }
+
+  Point2 crossing(Vertex in, Vertex out) const {
+    constexpr double middle = 0.5;
+    return grid_.between(in, out, middle);
+  }
+
+ private:
+  const float* pixels_;
+  std::ptrdiff_t width_, height_;
+  float label_;
+  trace::Grid grid_;
+};
+
+/// "0, 1, 2, ..." for the message; looks only as far as it needs to.
+std::string some_values(const Volume& volume) {
+  constexpr std::size_t enough = 12;
+  std::set<float> seen;
+  for (const float value : volume.values) {
+    if (seen.insert(value).second && seen.size() > enough) break;
+  }
+  const bool more = seen.size() > enough;
+  if (more) seen.erase(std::prev(seen.end()));
+  std::string words;
+  for (const float value : seen) words += fmt::format("{}{}", words.empty() ? "" : ", ", value);
+  return more ? words + " and more" : words;
+}
+
+void check_label(const Volume& volume, std::int64_t label) {
+  if (label > limits::largest_label || label < -limits::largest_label) {
+    throw UsageError(fmt::format("the label {} is beyond {}", label, limits::largest_label), "number the labels from 1 up");
+  }
+  if (std::find(volume.values.begin(), volume.values.end(), static_cast<float>(label)) != volume.values.end()) return;
+  Place place;
+  place.file = volume.source;
+  throw InputError("label-not-found", place,
+                   fmt::format("no voxel has the label {}; the volume has {}", label, some_values(volume)),
+                   "give a label that is there (--label N[=NAME])");
+}
+
+}  // namespace
+
+std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels) {
+  std::vector<LevelTracer> tracers;
+  for (const LabelLevel& level : labels) {
+    check_label(volume, level.label);
+    const auto trace_slice = [&volume, label = static_cast<float>(level.label)](std::size_t k,
+                                                                                const LevelTracer::Take& take) {
+      trace::contours(LabelField(volume, k, label), volume.size[0], volume.size[1], take);
+    };
+    tracers.push_back({level.structure, trace_slice, fmt::format("label {}", level.label)});
+  }
+  return tracers;
+}
+
+TracedContours label_contours(const Volume& volume, const std::vector<LabelLevel>& labels, const TraceOptions& options,
+                              const Progress& progress) {
+  validate_volume(volume);
+  return trace_levels(volume, label_tracers(volume, labels), options, progress);
+}
+
+}  // namespace odontoscope

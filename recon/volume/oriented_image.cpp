@@ -1,0 +1,128 @@
+#include "recon/volume/oriented_image.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+
+namespace odontoscope {
+namespace {
+
+/// File axis n runs along coordinate axis `along[n]`, downwards where `reversed[n]`.
+struct AxisMap {
+  std::array<std::size_t, 3> along{0, 1, 2};
+  std::array<bool, 3> reversed{false, false, false};
+  double tilt_degrees = 0;
+  bool is_identity() const {
+    return along == std::array<std::size_t, 3>{0, 1, 2} && reversed == std::array<bool, 3>{false, false, false};
+  }
+};
+
+double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+double determinant(const std::array<Vector3, 3>& m) {
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) - m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+void check_square(const FileImage& image) {
+  const auto& d = image.direction;
+  bool square = true;
+  for (std::size_t n = 0; n < 3; ++n) {
+    for (std::size_t m = 0; m <= n; ++m) {
+      square = square && std::abs(dot(d[n], d[m]) - (n == m ? 1 : 0)) <= limits::axes_out_of_square;
+    }
+  }
+  if (square) return;
+  Place place;
+  place.file = image.source;
+  throw InputError("sheared-volume", place,
+                   fmt::format("the image's axes are not at right angles: ({}, {}, {}), ({}, {}, {}), ({}, {}, {})", d[0][0],
+                               d[0][1], d[0][2], d[1][0], d[1][1], d[1][2], d[2][0], d[2][1], d[2][2]),
+                   "resample it onto a rectangular grid, or correct the header");
+}
+
+/// Of the 24 maps with the image's own handedness, the one with the smallest turn left over: only a rotation is ever dropped.
+AxisMap nearest_axes(const std::array<Vector3, 3>& direction) {
+  const bool left_handed = determinant(direction) < 0;
+  AxisMap best;
+  double best_trace = -4;  // below the least possible, -3
+  std::array<std::size_t, 3> along{0, 1, 2};
+  do {
+    for (unsigned signs = 0; signs < 8; ++signs) {
+      std::array<Vector3, 3> axes{};
+      AxisMap map{along, {(signs & 1) != 0, (signs & 2) != 0, (signs & 4) != 0}};
+      for (std::size_t n = 0; n < 3; ++n) axes[n][along[n]] = map.reversed[n] ? -1 : 1;
+      if ((determinant(axes) < 0) != left_handed) continue;
+      const double trace = dot(axes[0], direction[0]) + dot(axes[1], direction[1]) + dot(axes[2], direction[2]);
+      if (trace > best_trace) {
+        best_trace = trace;
+        best = map;
+      }
+    }
+  } while (std::next_permutation(along.begin(), along.end()));
+  const double cosine = std::clamp((best_trace - 1) / 2, -1.0, 1.0);
+  const double degrees = std::acos(cosine) * 180 / std::numbers::pi;
+  best.tilt_degrees = degrees > limits::tilt_unspoken ? degrees : 0;
+  return best;
+}
+
+Volume grid_along(const FileImage& image, const AxisMap& map) {
+  Volume volume;
+  volume.source = image.source;
+  volume.tilt_degrees = map.tilt_degrees;
+  Vector3 origin = image.origin;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t axis = map.along[n];
+    volume.size[axis] = image.size[n];
+    volume.spacing[axis] = image.spacing[n];
+    if (map.reversed[n] && image.size[n] > 0) {
+      origin[axis] -= static_cast<double>(image.size[n] - 1) * image.spacing[n];
+    }
+  }
+  volume.origin = {origin[0], origin[1], origin[2]};
+  validate_grid(volume);
+  return volume;
+}
+
+std::vector<float> reordered(const FileImage& image, const Volume& grid, const AxisMap& map) {
+  const std::array<std::size_t, 3> stride{1, image.size[0], image.size[0] * image.size[1]};
+  std::array<std::ptrdiff_t, 3> step{};  // in the file, along x, y and z
+  std::ptrdiff_t first = 0;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const auto length = static_cast<std::ptrdiff_t>(stride[n]);
+    step[map.along[n]] = map.reversed[n] ? -length : length;
+    if (map.reversed[n]) first += length * static_cast<std::ptrdiff_t>(image.size[n] - 1);
+  }
+  std::vector<float> values(image.values.size());
+  tbb::parallel_for(std::size_t{0}, grid.size[2], [&](std::size_t k) {
+    float* to = values.data() + k * grid.pixels_per_slice();
+    for (std::size_t j = 0; j < grid.size[1]; ++j) {
+      std::ptrdiff_t from = first + static_cast<std::ptrdiff_t>(k) * step[2] + static_cast<std::ptrdiff_t>(j) * step[1];
+      for (std::size_t i = 0; i < grid.size[0]; ++i, from += step[0]) *to++ = image.values[static_cast<std::size_t>(from)];
+    }
+  });
+  return values;
+}
+
+}  // namespace
+
+Volume oriented_grid(const FileImage& image) {
+  check_square(image);
+  return grid_along(image, nearest_axes(image.direction));
+}
+
+Volume oriented(FileImage&& image) {
+  check_square(image);
+  const AxisMap map = nearest_axes(image.direction);
+  Volume volume = grid_along(image, map);
+  volume.values = map.is_identity() ? std::move(image.values) : reordered(image, volume, map);
+  return volume;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,33 @@
+#pragma once
+// From an image in a file's own axes to a Volume along x, y and z. Inner part of read_volume.h, which states the rules.
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recon/volume/volume.h"
+
+namespace odontoscope {
+
+using Vector3 = std::array<double, 3>;
+
+/// An image as its file has it: axis 0 runs fastest.
+struct FileImage {
+  std::array<std::size_t, 3> size{1, 1, 1};
+  Vector3 spacing{1, 1, 1};
+  /// Centre of the first voxel.
+  Vector3 origin{0, 0, 0};
+  /// Unit vector along which axis n runs.
+  std::array<Vector3, 3> direction{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  std::vector<float> values;
+  std::string source;
+};
+
+/// The grid of `image` along x, y, z without values. Throws InputError sheared-volume and what validate_grid throws.
+Volume oriented_grid(const FileImage& image);
+
+/// The same with its values, which are moved or reordered.
+Volume oriented(FileImage&& image);
+
+}  // namespace odontoscope
