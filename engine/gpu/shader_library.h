@@ -1,0 +1,31 @@
+#pragma once
+// Where the text of shaders comes from: embedded in the program, or a folder while developing.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace odontoscope {
+
+struct EmbeddedShader {
+  std::string_view name;     // "surface.frag"
+  std::string_view source;
+};
+
+/// The files of shaders/ as they were when the program was built.
+const std::vector<EmbeddedShader>& embedded_shaders();
+
+struct ShaderLibrary {
+  /// Empty: the embedded shaders. Otherwise files of this folder, read again each time.
+  std::filesystem::path folder;
+
+  /// The text of a shader with lines `#include "other.glsl"` replaced by that file. Throws FileError, or InternalError
+  /// for a name that is not embedded or files that include each other.
+  std::string source(std::string_view name) const;
+};
+
+/// The folder named by the environment variable ODONTOSCOPE_SHADERS, if it is set; otherwise the embedded shaders.
+ShaderLibrary shaders_from_environment();
+
+}  // namespace odontoscope

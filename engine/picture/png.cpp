@@ -1,0 +1,70 @@
+#include "engine/picture/png.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string_view>
+
+#include "recon/core/atomic_file.h"
+#include "recon/core/error.h"
+#include "recon/core/read_file.h"
+
+#define STBI_ONLY_PNG
+#define STBI_NO_STDIO
+#define STB_IMAGE_STATIC
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+namespace odontoscope {
+
+namespace {
+
+// stb counts bytes in int.
+constexpr std::size_t most_png_bytes = 1u << 30;
+constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
+
+void append(void* bytes, void* data, int size) {
+  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+}  // namespace
+
+void write_png(const Image& image, const std::string& file) {
+  std::string bytes;
+  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(), 4 * image.width))
+    throw InternalError(fmt::format("a picture of {} x {} pixels cannot be encoded", image.width, image.height));
+  AtomicFile target(file);
+  target.write(bytes);
+  target.commit();
+}
+
+Image read_png(const std::string& file) {
+  const std::string bytes = read_file(file, most_png_bytes);
+  Place place;
+  place.file = file;
+  if (!std::string_view(bytes).starts_with(png_signature))
+    throw InputError("not-a-png", place, "this is no PNG", "Give a PNG file.");
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = static_cast<int>(bytes.size());
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
+    throw InputError("not-a-png", place, "the PNG's header is broken", "Give an intact PNG file.");
+  if (width > most_picture_side || height > most_picture_side)
+    throw InputError("picture-too-large", place, fmt::format("{} x {} pixels", width, height),
+                     fmt::format("At most {} a side can be read.", most_picture_side));
+  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+  if (!pixels) throw InputError("not-a-png", place, stbi_failure_reason(), "Give an intact PNG file.");
+  Image image(width, height);
+  image.rgba.assign(pixels.get(), pixels.get() + image.rgba.size());
+  return image;
+}
+
+}  // namespace odontoscope

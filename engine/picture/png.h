@@ -1,0 +1,17 @@
+#pragma once
+// PNG in and out.
+
+#include <string>
+
+#include "engine/picture/image.h"
+
+namespace odontoscope {
+
+/// Writes the whole file or nothing. The same picture gives the same bytes. Throws FileError.
+void write_png(const Image& image, const std::string& file);
+
+/// Reads a PNG of at most `most_picture_side` pixels a side as 8 bit RGBA; 16 bits are reduced, grey and palettes expanded.
+/// Throws FileError (cannot be read) or InputError: not-a-png, picture-too-large.
+Image read_png(const std::string& file);
+
+}  // namespace odontoscope

@@ -1,0 +1,60 @@
+#include "engine/render/cap_pass.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace odontoscope {
+
+CapPass::CapPass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl),
+      count_(gl, shaders, {"surface.vert", "cap_count.frag"}),
+      cover_(gl, shaders, {"cap.vert", "surface.frag"}),
+      no_vertices_(make_vertex_array(gl)) {}
+
+void CapPass::draw(const FramePlan& plan) const {
+  if (plan.capped.empty()) return;
+  gl_->Enable(GL_STENCIL_TEST);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->Disable(GL_BLEND);
+  for (const DrawnPart& part : plan.capped) {
+    count(plan, part);
+    cover(plan, part);
+  }
+  gl_->Disable(GL_STENCIL_TEST);
+}
+
+void CapPass::count(const FramePlan& plan, const DrawnPart& part) const {
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl_->StencilFunc(GL_ALWAYS, 0, 0xff);
+  gl_->StencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_DECR_WRAP);
+  gl_->StencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_INCR_WRAP);
+  count_.use();
+  set_view(count_, plan);
+  part.part->draw();
+  gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+void CapPass::cover(const FramePlan& plan, const DrawnPart& part) const {
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_LEQUAL);
+  gl_->StencilFunc(GL_NOTEQUAL, 0, 0xff);
+  gl_->StencilOp(GL_ZERO, GL_ZERO, GL_ZERO);
+  const glm::vec3 normal(plan.section);
+  const glm::vec3 other = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+  const glm::vec3 across = glm::normalize(glm::cross(other, normal));
+  cover_.use();
+  set_view(cover_, plan);
+  cover_.set("section", glm::vec4(0, 0, 0, 1));
+  cover_.set("centre", plan.centre + (plan.section.w - glm::dot(normal, plan.centre)) * normal);
+  cover_.set("across", plan.radius * across);
+  cover_.set("along", plan.radius * glm::cross(normal, across));
+  cover_.set("normal", normal);
+  cover_.set("colour", part.colour);
+  cover_.set("back_colour", part.colour);
+  cover_.set("opacity", 1.0f);
+  gl_->BindVertexArray(no_vertices_.id());
+  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace odontoscope

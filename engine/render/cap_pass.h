@@ -1,0 +1,30 @@
+#pragma once
+// Closes what the section plane opened, so that a solid looks solid.
+//
+// Behind every point of the plane the surface that is left is counted: a back face adds one, a front face takes one away. What
+// remains is how often the solid goes round the point, exactly, since the rasteriser draws each shared edge once. No
+// triangulation of the section is needed, and moving the plane costs nothing. Structures that are not closed get caps
+// with gaps or streaks.
+
+#include "engine/gpu/program.h"
+#include "engine/render/frame_plan.h"
+
+namespace odontoscope {
+
+class CapPass {
+ public:
+  CapPass(const Gl& gl, const ShaderLibrary& shaders);
+
+  /// Into the layer that is bound, whose stencil is 0 and stays so.
+  void draw(const FramePlan& plan) const;
+
+ private:
+  void count(const FramePlan& plan, const DrawnPart& part) const;
+  void cover(const FramePlan& plan, const DrawnPart& part) const;
+
+  const Gl* gl_;
+  Program count_, cover_;
+  GlObject no_vertices_;
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,61 @@
+#include "engine/render/frame_plan.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace odontoscope {
+
+namespace {
+
+glm::vec4 plane_of(const Section& section, const GpuModel& model) {
+  const glm::dvec3 normal = glm::normalize(section.normal);
+  const double distance = metres_per_mm * glm::dot(normal, section.point_mm - model.origin_mm);
+  return glm::vec4(glm::vec3(normal), static_cast<float>(distance));
+}
+
+/// A cap faces the side that was cut away; from the other side it is a back face like any other.
+bool cap_faces_eye(const glm::vec4& plane, const FramePlan& plan) {
+  const glm::mat4 eye_to_world = glm::inverse(plan.view.world_to_eye);
+  if (plan.parallel) return glm::dot(glm::vec3(plane), glm::vec3(eye_to_world[2])) > 0;
+  return glm::dot(glm::vec3(plane), glm::vec3(eye_to_world[3])) > plane.w;
+}
+
+}  // namespace
+
+FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side) {
+  FramePlan plan;
+  plan.view = view;
+  plan.size = {side * size.width, side * size.height};
+  plan.side = side;
+  plan.centre = model.centre;
+  plan.radius = model.radius;
+  plan.back_faces = scene.back_faces;
+  plan.wire = scene.wire;
+  plan.parallel = view.eye_to_clip[2][3] == 0;
+  plan.occlusion = scene.occlusion;
+  if (scene.section) plan.section = plane_of(*scene.section, model);
+  const bool capped = scene.section && cap_faces_eye(plan.section, plan);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const GpuPart& part = model.parts[i];
+    const Look* found = scene.look_of(part.structure);
+    const Look look = found ? *found : Look{part.structure, usual_colour(part.structure, i)};
+    if (!look.visible) continue;
+    const DrawnPart drawn{&part, linear(look.colour), look.opacity};
+    if (look.opacity >= 1) plan.opaque.push_back(drawn);
+    else if (look.opacity > 0) plan.translucent.push_back(drawn);
+    if (capped) plan.capped.push_back(drawn);
+  }
+  std::stable_sort(plan.capped.begin(), plan.capped.end(),
+                   [](const DrawnPart& a, const DrawnPart& b) { return a.part->box_volume > b.part->box_volume; });
+  return plan;
+}
+
+void set_view(const Program& program, const FramePlan& plan) {
+  program.set("world_to_eye", plan.view.world_to_eye);
+  program.set("eye_to_clip", plan.view.eye_to_clip);
+  program.set("section", plan.section);
+  program.set("parallel", plan.parallel ? 1 : 0);
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,58 @@
+#include "engine/render/gpu_model.h"
+
+#include <glm/common.hpp>
+
+namespace odontoscope {
+
+namespace {
+
+template <class Element>
+void fill(const Gl& gl, GLenum target, const GlObject& buffer, const std::vector<Element>& data) {
+  gl.BindBuffer(target, buffer.id());
+  gl.BufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(Element)), data.data(), GL_STATIC_DRAW);
+}
+
+double box_volume(const std::vector<glm::vec3>& positions) {
+  glm::dvec3 low(positions.front()), high(positions.front());
+  for (const glm::vec3& position : positions) {
+    low = glm::min(low, glm::dvec3(position));
+    high = glm::max(high, glm::dvec3(position));
+  }
+  const glm::dvec3 size = high - low;
+  return size.x * size.y * size.z;
+}
+
+GpuPart upload(const Gl& gl, const ModelPart& part) {
+  GpuPart uploaded{part.structure, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
+                   static_cast<GLsizei>(part.indices.size()), box_volume(part.positions)};
+  gl.BindVertexArray(uploaded.vertex_array.id());
+  fill(gl, GL_ARRAY_BUFFER, uploaded.positions, part.positions);
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+  gl.EnableVertexAttribArray(0);
+  fill(gl, GL_ARRAY_BUFFER, uploaded.normals, part.normals);
+  gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
+  gl.EnableVertexAttribArray(1);
+  fill(gl, GL_ELEMENT_ARRAY_BUFFER, uploaded.indices, part.indices);
+  gl.BindVertexArray(0);
+  return uploaded;
+}
+
+}  // namespace
+
+void GpuPart::draw() const {
+  const Gl& gl = vertex_array.gl();
+  gl.BindVertexArray(vertex_array.id());
+  gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+}
+
+GpuModel upload(const Gl& gl, const Model& model) {
+  GpuModel uploaded;
+  uploaded.origin_mm = model.origin_mm;
+  uploaded.centre = glm::vec3(metres_per_mm * (model.bounds_mm.centre() - model.origin_mm));
+  uploaded.radius = static_cast<float>(metres_per_mm * model.radius_mm);
+  for (const ModelPart& part : model.parts)
+    if (!part.indices.empty()) uploaded.parts.push_back(upload(gl, part));
+  return uploaded;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,30 @@
+#pragma once
+// A model in the graphics processor's memory. Uploading never compiles a shader.
+
+#include <string>
+#include <vector>
+
+#include "engine/gpu/gl_object.h"
+#include "engine/scene/model.h"
+
+namespace odontoscope {
+
+struct GpuPart {
+  std::string structure;
+  GlObject vertex_array, positions, normals, indices;
+  GLsizei index_count = 0;
+  double box_volume = 0;    // m^3; caps of larger structures lie under those of smaller ones
+
+  void draw() const;
+};
+
+struct GpuModel {
+  std::vector<GpuPart> parts;   // those with at least one triangle
+  glm::dvec3 origin_mm{0};
+  glm::vec3 centre{0};          // metres, of the model's box
+  float radius = 1;             // metres, around `centre`
+};
+
+GpuModel upload(const Gl& gl, const Model& model);
+
+}  // namespace odontoscope

@@ -1,0 +1,60 @@
+#include "engine/render/renderer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/gpu/graphics_error.h"
+
+namespace odontoscope {
+
+Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), surfaces_(gl, shaders), caps_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
+
+void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options) {
+  for (const Pane& pane : panes)
+    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side), scene.background, pane.target);
+}
+
+void Renderer::draw(const FramePlan& plan, const Background& background, const Target& target) {
+  const Buffers& buffers = buffers_for(plan);
+  buffers.opaque.begin();
+  surfaces_.draw_opaque(plan);
+  caps_.draw(plan);
+
+  constexpr GLfloat nothing[4] = {0, 0, 0, 0};
+  buffers.picture.bind();
+  gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  const Layer* before = nullptr;
+  for (int i = 0; i < most_layers && !plan.translucent.empty(); ++i) {
+    const Layer& layer = buffers.peeled[i % 2];
+    if (!surfaces_.peel(plan, buffers.opaque, before, layer)) break;
+    add_layer(plan, buffers, layer);
+    before = &layer;
+  }
+  add_layer(plan, buffers, buffers.opaque);
+  resolve_.draw(plan, buffers.picture, background, target);
+}
+
+void Renderer::add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const {
+  if (plan.occlusion.on) occlusion_.draw(plan, layer, buffers.occlusion);
+  compose_.draw(plan, layer, plan.occlusion.on ? &buffers.occlusion : nullptr, buffers.picture);
+}
+
+const Renderer::Buffers& Renderer::buffers_for(const FramePlan& plan) {
+  if (buffers_ && buffers_->size == plan.size) return *buffers_;
+  GLint most = 0;
+  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+  if (std::max(plan.size.width, plan.size.height) > most)
+    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples are more than this OpenGL draws ({} a side)", plan.size.width, plan.size.height, most),
+                        "Ask for a smaller picture or fewer samples.");
+  buffers_.reset();
+  buffers_ = std::make_unique<Buffers>(Buffers{Layer(*gl_, plan.size),
+                                               {Layer(*gl_, plan.size), Layer(*gl_, plan.size)},
+                                               Framebuffer(*gl_, {plan.size, {GL_RG32F}}),
+                                               Framebuffer(*gl_, {plan.size, {GL_RGBA16F}}),
+                                               plan.size});
+  return *buffers_;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,62 @@
+#pragma once
+// Draws a scene as seen by any number of eyes. The only state kept between frames are programs and buffers.
+
+#include <map>
+#include <memory>
+#include <span>
+
+#include "engine/gpu/shader_library.h"
+#include "engine/render/cap_pass.h"
+#include "engine/render/compose_pass.h"
+#include "engine/render/gpu_model.h"
+#include "engine/render/occlusion_pass.h"
+#include "engine/render/resolve_pass.h"
+#include "engine/render/surface_pass.h"
+#include "engine/scene/scene.h"
+
+namespace odontoscope {
+
+/// One eye and the part of the picture that shows what it sees.
+struct Pane {
+  View view;
+  Target target;
+};
+
+struct RenderOptions {
+  /// Samples a pixel along one axis: 1, 2 (4 samples), 3 (9), 4 (16).
+  int side = 2;
+};
+
+/// Translucent surfaces that are drawn one behind the other at a pixel; the rest are left out. Seen from outside, a tooth of three
+/// structures has six.
+inline constexpr int most_layers = 16;
+
+class Renderer {
+ public:
+  /// The context of `gl` is current now and at every call, and outlives this.
+  Renderer(const Gl& gl, const ShaderLibrary& shaders);
+
+  /// Two panes are a headset, four a split screen. Throws GraphicsError if a pane with its samples is larger than the driver can draw.
+  void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {});
+
+ private:
+  /// What the passes of one size draw into.
+  struct Buffers {
+    Layer opaque, peeled[2];
+    Framebuffer occlusion, picture;
+    PixelSize size;
+  };
+  const Buffers& buffers_for(const FramePlan& plan);
+  void draw(const FramePlan& plan, const Background& background, const Target& target);
+  void add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const;
+
+  const Gl* gl_;
+  SurfacePass surfaces_;
+  CapPass caps_;
+  OcclusionPass occlusion_;
+  ComposePass compose_;
+  ResolvePass resolve_;
+  std::unique_ptr<Buffers> buffers_;
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,77 @@
+#include "engine/render/surface_pass.h"
+
+namespace odontoscope {
+
+namespace {
+
+// Magenta occurs in no tissue, and every kind of colour vision sees it against ivory.
+const Colour alarm{1.0f, 0.0f, 0.75f};
+constexpr float alarm_opacity = 0.9f;
+constexpr float wire_pixels = 1.1f;
+
+GlObject make_query(const Gl& gl) {
+  GLuint id = 0;
+  gl.GenQueries(1, &id);
+  return {gl, id, [](const Gl& table, GLuint dead) { table.DeleteQueries(1, &dead); }};
+}
+
+}  // namespace
+
+void set_culling(const Gl& gl, BackFaces back_faces) {
+  gl.FrontFace(GL_CCW);
+  gl.CullFace(GL_BACK);
+  if (back_faces == BackFaces::cull) gl.Enable(GL_CULL_FACE);
+  else gl.Disable(GL_CULL_FACE);
+}
+
+SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl),
+      opaque_(gl, shaders, {"surface.vert", "surface.frag"}),
+      opaque_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"WIRE"}}),
+      peel_(gl, shaders, {"surface.vert", "surface.frag", {}, {"PEEL"}}),
+      peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}),
+      any_drawn_(make_query(gl)) {}
+
+void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program) const {
+  gl_->Enable(GL_DEPTH_TEST);
+  gl_->DepthFunc(GL_LESS);
+  gl_->Disable(GL_BLEND);
+  gl_->Disable(GL_STENCIL_TEST);
+  set_culling(*gl_, plan.back_faces);
+  set_view(program, plan);
+  program.set("pixels", glm::vec2(plan.size.width, plan.size.height));
+  program.set("wire_width", wire_pixels * static_cast<float>(plan.side));
+  const bool tint = plan.back_faces == BackFaces::tint;
+  program.set("least_back_opacity", tint ? alarm_opacity : 0.0f);
+  for (const DrawnPart& part : parts) {
+    program.set("colour", part.colour);
+    program.set("back_colour", tint ? linear(alarm) : part.colour);
+    program.set("opacity", part.opacity);
+    part.part->draw();
+  }
+}
+
+void SurfacePass::draw_opaque(const FramePlan& plan) const {
+  const Program& program = plan.wire ? opaque_wire_ : opaque_;
+  program.use();
+  draw(plan, plan.opaque, program);
+}
+
+bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const {
+  layer.begin();
+  const Program& program = plan.wire ? peel_wire_ : peel_;
+  program.use();
+  program.set("first_layer", before ? 0 : 1);
+  program.set("opaque_depth", 0);
+  program.set("layer_before", 1);
+  opaque.bind_depth(0);
+  (before ? *before : opaque).bind_depth(1);
+  gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, any_drawn_.id());
+  draw(plan, plan.translucent, program);
+  gl_->EndQuery(GL_ANY_SAMPLES_PASSED);
+  GLuint any = 0;
+  gl_->GetQueryObjectuiv(any_drawn_.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,33 @@
+#pragma once
+// The structures' surfaces, lit: the opaque ones, or one layer of the translucent ones.
+
+#include "engine/gpu/program.h"
+#include "engine/render/frame_plan.h"
+#include "engine/render/layer.h"
+
+namespace odontoscope {
+
+class SurfacePass {
+ public:
+  SurfacePass(const Gl& gl, const ShaderLibrary& shaders);
+
+  /// Into the layer that is bound.
+  void draw_opaque(const FramePlan& plan) const;
+
+  /// Empties `layer` and draws the nearest translucent surface behind `before` (null: behind the eye) and in front of
+  /// `opaque` (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001). Surfaces at exactly equal depth become one
+  /// layer, the first structure's. false: there was none left.
+  bool peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const;
+
+ private:
+  void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program) const;
+
+  const Gl* gl_;
+  Program opaque_, opaque_wire_, peel_, peel_wire_;
+  GlObject any_drawn_;
+};
+
+/// The rasteriser's culling for a way to treat back faces.
+void set_culling(const Gl& gl, BackFaces back_faces);
+
+}  // namespace odontoscope

@@ -1,0 +1,137 @@
+#include "engine/scene/camera.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <string>
+
+#include "recon/core/error.h"
+
+namespace odontoscope {
+
+namespace {
+
+constexpr std::array all_views = {NamedView::three_quarter, NamedView::buccal,   NamedView::lingual, NamedView::mesial,
+                                  NamedView::distal,        NamedView::occlusal, NamedView::apical};
+/// Room left around a fitted model, as a factor on its size.
+constexpr double margin = 1.06;
+/// The nearest that the near plane comes, in radii of the model: 32 bit depth is exact enough from there.
+constexpr double least_near = 2e-3;
+constexpr double widest_angle_deg = 170;
+/// Sine of the smallest angle between `up` and the line of sight.
+constexpr double least_sine = 1e-6;
+
+struct Direction {
+  glm::dvec3 towards_eye, up;
+};
+
+Direction direction_of(NamedView view, const AnatomicalFrame& frame) {
+  switch (view) {
+    case NamedView::buccal: return {frame.buccal, frame.occlusal};
+    case NamedView::lingual: return {-frame.buccal, frame.occlusal};
+    case NamedView::mesial: return {frame.mesial, frame.occlusal};
+    case NamedView::distal: return {-frame.mesial, frame.occlusal};
+    case NamedView::occlusal: return {frame.occlusal, -frame.buccal};
+    case NamedView::apical: return {-frame.occlusal, frame.buccal};
+    case NamedView::three_quarter: break;
+  }
+  return {glm::normalize(0.80 * frame.buccal - 0.45 * frame.mesial + 0.40 * frame.occlusal), frame.occlusal};
+}
+
+
+std::array<glm::dvec3, 8> corners(const Box& box) {
+  std::array<glm::dvec3, 8> all;
+  for (unsigned i = 0; i < 8; ++i)
+    all[i] = {i & 1u ? box.high.x : box.low.x, i & 2u ? box.high.y : box.low.y, i & 4u ? box.high.z : box.low.z};
+  return all;
+}
+
+}  // namespace
+
+const char* name(NamedView view) {
+  switch (view) {
+    case NamedView::three_quarter: return "three-quarter";
+    case NamedView::buccal: return "buccal";
+    case NamedView::lingual: return "lingual";
+    case NamedView::mesial: return "mesial";
+    case NamedView::distal: return "distal";
+    case NamedView::occlusal: return "occlusal";
+    case NamedView::apical: return "apical";
+  }
+  return "unknown";
+}
+
+NamedView view_named(std::string_view wanted) {
+  std::string names;
+  for (const NamedView view : all_views) {
+    if (wanted == name(view)) return view;
+    names += names.empty() ? name(view) : std::string(", ") + name(view);
+  }
+  throw UsageError(fmt::format("there is no view \"{}\"", wanted), fmt::format("Choose one of {}.", names));
+}
+
+Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection, const AnatomicalFrame& frame) {
+  const Direction direction = direction_of(view, frame);
+  Camera camera;
+  camera.projection = projection;
+  camera.target = model.bounds_mm.centre();
+  camera.up = direction.up;
+  const glm::dvec3 right = glm::normalize(glm::cross(direction.up, direction.towards_eye));
+  const glm::dvec3 up = glm::cross(direction.towards_eye, right);
+  const double slope = std::tan(glm::radians(camera.field_of_view_deg) / 2);
+  double distance = 0, half_height = 0;
+  for (const glm::dvec3& corner : corners(model.bounds_mm)) {
+    const glm::dvec3 offset = corner - camera.target;
+    const double half = std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
+    distance = std::max(distance, glm::dot(offset, direction.towards_eye) + margin * half / slope);
+    half_height = std::max(half_height, margin * half);
+  }
+  camera.position = camera.target + distance * direction.towards_eye;
+  camera.height_mm = 2 * half_height;
+  return camera;
+}
+
+View view_of(const Camera& camera, const Model& model, double aspect) {
+  const auto shifted = [&](const glm::dvec3& place) { return metres_per_mm * (place - model.origin_mm); };
+  const glm::dvec3 eye = shifted(camera.position), target = shifted(camera.target);
+  const glm::dvec3 sight = glm::normalize(target - eye);
+  const double radius = metres_per_mm * model.radius_mm;
+  const double depth_of_centre = glm::dot(shifted(model.bounds_mm.centre()) - eye, sight);
+  const double far_distance = std::max(depth_of_centre + 1.01 * radius, 4 * least_near * radius);
+  View view;
+  view.world_to_eye = glm::mat4(glm::lookAt(eye, target, camera.up));
+  if (camera.projection == Camera::Projection::parallel) {
+    const double half = 0.5 * metres_per_mm * camera.height_mm;
+    view.eye_to_clip = glm::mat4(glm::ortho(-half * aspect, half * aspect, -half, half, depth_of_centre - 1.01 * radius, far_distance));
+  } else {
+    const double near_distance = std::max(depth_of_centre - 1.01 * radius, least_near * radius);
+    view.eye_to_clip = glm::mat4(glm::perspective(glm::radians(camera.field_of_view_deg), aspect, near_distance, far_distance));
+  }
+  return view;
+}
+
+void validate(const Camera& camera, std::string_view file) {
+  Place place;
+  place.file = file;
+  const auto refuse = [&](std::string_view wrong) {
+    throw InputError("bad-camera", place, wrong, "Take a camera that `odontoscope` saved as a pattern.");
+  };
+  for (const glm::dvec3& v : {camera.position, camera.target, camera.up})
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) refuse("the camera has a coordinate that is no number");
+  const glm::dvec3 sight = camera.target - camera.position;
+  if (!(glm::length(sight) > 0)) refuse("the camera stands on what it looks at");
+  if (!(glm::length(camera.up) > 0) ||
+      glm::length(glm::cross(glm::normalize(sight), glm::normalize(camera.up))) < least_sine)
+    refuse("the camera's up points along its line of sight");
+  if (!(camera.field_of_view_deg > 0 && camera.field_of_view_deg < widest_angle_deg))
+    refuse("the camera's angle of view is not between 0 and 170 degrees");
+  if (!(camera.height_mm > 0) || !std::isfinite(camera.height_mm)) refuse("the camera's height is not positive");
+}
+
+}  // namespace odontoscope

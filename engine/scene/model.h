@@ -1,0 +1,48 @@
+#pragma once
+// The geometry that a scene shows, as the graphics processor wants it: float, metres, relative to an origin of its own.
+//
+// This is the one place where millimetres become metres. `origin_mm` keeps float exact enough however far from zero the user's
+// coordinates lie; cameras and section planes stay in the user's millimetres and are shifted by the same origin.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "recon/mesh/meshes.h"
+
+namespace odontoscope {
+
+inline constexpr double metres_per_mm = 0.001;
+/// Edges sharper than this stay sharp. Molar fissures are round at the resolution of a scan; the rim of a flat cap is not.
+inline constexpr double default_crease_deg = 50;
+
+struct NamedSurface {
+  std::string structure;
+  SurfaceMesh surface;
+};
+
+/// A structure's triangles, counter-clockwise seen from outside the material. A vertex on a crease appears once per side.
+struct ModelPart {
+  std::string structure;
+  std::vector<glm::vec3> positions;    // metres, relative to the model's origin
+  std::vector<glm::vec3> normals;      // unit length, one a position
+  std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles
+};
+
+struct Box {
+  glm::dvec3 low{0}, high{0};
+  glm::dvec3 centre() const { return 0.5 * (low + high); }
+};
+
+struct Model {
+  std::vector<ModelPart> parts;
+  glm::dvec3 origin_mm{0};
+  Box bounds_mm;          // of all parts, in the user's coordinates
+  double radius_mm = 1;   // of the ball around bounds_mm's centre that holds everything; never 0
+};
+
+/// Precondition: indices in range, coordinates finite. Throws InputError "nothing-to-show" if no surface has a triangle.
+Model make_model(const std::vector<NamedSurface>& surfaces, double crease_deg = default_crease_deg);
+
+}  // namespace odontoscope

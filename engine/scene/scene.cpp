@@ -1,0 +1,64 @@
+#include "engine/scene/scene.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
+namespace odontoscope {
+
+namespace {
+
+/// The outermost tissue is clearest; each further in is denser, and the innermost opaque.
+constexpr float outermost_opacity = 0.30f;
+constexpr float middle_opacity = 0.45f;
+
+Box box_of(const ModelPart& part) {
+  Box box;
+  if (part.positions.empty()) return box;
+  box.low = box.high = part.positions.front();
+  for (const glm::vec3& position : part.positions) {
+    box.low = glm::min(box.low, glm::dvec3(position));
+    box.high = glm::max(box.high, glm::dvec3(position));
+  }
+  return box;
+}
+
+bool holds(const Box& outer, const Box& inner) {
+  return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::greaterThanEqual(outer.high, inner.high));
+}
+
+bool hides(const ModelPart& outer, const ModelPart& inner) {
+  const auto outer_depth = depth_in_tooth(outer.structure), inner_depth = depth_in_tooth(inner.structure);
+  if (outer_depth && inner_depth) return *outer_depth < *inner_depth;
+  return holds(box_of(outer), box_of(inner));
+}
+
+float usual_opacity(const Model& model, const ModelPart& part) {
+  const auto hides_it = [](const ModelPart& outer, const ModelPart& inner) { return &outer != &inner && hides(outer, inner); };
+  const bool hides_some = std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(part, p); });
+  const bool hidden = std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(p, part); });
+  if (!hides_some) return 1;
+  return hidden ? middle_opacity : outermost_opacity;
+}
+
+}  // namespace
+
+Look* Scene::look_of(std::string_view structure) {
+  const auto found = std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.structure == structure; });
+  return found == looks.end() ? nullptr : &*found;
+}
+
+const Look* Scene::look_of(std::string_view structure) const { return const_cast<Scene*>(this)->look_of(structure); }
+
+Scene usual_scene(const Model& model, double aspect) {
+  Scene scene;
+  scene.camera = fit(NamedView::three_quarter, model, aspect);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const ModelPart& part = model.parts[i];
+    if (scene.look_of(part.structure)) continue;
+    scene.looks.push_back({part.structure, usual_colour(part.structure, i), usual_opacity(model, part)});
+  }
+  return scene;
+}
+
+}  // namespace odontoscope

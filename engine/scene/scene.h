@@ -1,0 +1,70 @@
+#pragma once
+// What is shown and how: a plain value that can be compared, saved as JSON and drawn again.
+//
+// The geometry is not part of it (see model.h); looks are matched to the model's parts by structure name.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/camera.h"
+#include "engine/scene/colour.h"
+#include "engine/scene/model.h"
+
+namespace odontoscope {
+
+struct Look {
+  std::string structure;
+  Colour colour;
+  float opacity = 1;      // 0 to 1; less than 1 is translucent
+  bool visible = true;
+  friend bool operator==(const Look&, const Look&) = default;
+};
+
+/// Everything on the side that `normal` points to is cut away; closed solids are capped in their own colour.
+struct Section {
+  glm::dvec3 point_mm{0};
+  glm::dvec3 normal{0, 1, 0};   // of any length but 0
+  friend bool operator==(const Section&, const Section&) = default;
+};
+
+/// What happens to triangles seen from behind, that is clockwise: left out as game engines and web viewers do, drawn
+/// like any other, or drawn in an alarming colour.
+enum class BackFaces { cull, show, tint };
+
+struct Background {
+  enum class Kind { plain, gradient, transparent };
+  Kind kind = Kind::gradient;
+  Colour top{1.0f, 1.0f, 1.0f};         // `plain` has only this one
+  Colour bottom{0.86f, 0.89f, 0.92f};
+  friend bool operator==(const Background&, const Background&) = default;
+};
+
+/// Screen-space ambient occlusion: how much darker it is where little sky is seen.
+struct Occlusion {
+  bool on = true;
+  float strength = 1.0f;     // 0 none, 1 natural, more for emphasis
+  /// How far away things still darken, as part of the model's radius: about the width of a fissure.
+  float reach = 0.12f;
+  friend bool operator==(const Occlusion&, const Occlusion&) = default;
+};
+
+struct Scene {
+  Camera camera;
+  std::vector<Look> looks;
+  std::optional<Section> section;
+  BackFaces back_faces = BackFaces::cull;
+  bool wire = false;
+  Background background;
+  Occlusion occlusion;
+
+  Look* look_of(std::string_view structure);
+  const Look* look_of(std::string_view structure) const;
+  friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// A good first look at the model: every structure in its usual colour, from three quarters. What hides another structure is
+/// translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another structure.
+Scene usual_scene(const Model& model, double aspect);
+
+}  // namespace odontoscope

@@ -1,0 +1,265 @@
+#include "engine/scene/scene_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <nlohmann/json.hpp>
+
+#include "recon/core/error.h"
+#include "recon/core/read_file.h"
+
+namespace odontoscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "odontoscope.scene";
+constexpr int format_version = 1;
+constexpr std::size_t most_scene_bytes = 1u << 20;
+constexpr float most_emphasis = 4;
+
+Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+const char* name(Background::Kind kind) {
+  switch (kind) {
+    case Background::Kind::plain: return "plain";
+    case Background::Kind::gradient: return "gradient";
+    case Background::Kind::transparent: return "transparent";
+  }
+  return "unknown";
+}
+
+/// Reads members of one object; each call leaves `value` alone if the member is missing.
+class Reader {
+ public:
+  Reader(const Json& object, std::string path, const std::string& file) : object_(object), path_(std::move(path)), file_(file) {
+    if (!object.is_object()) refuse("wrong-type", path_, "is no object");
+  }
+
+  const Json* member(const char* key) const {
+    const auto found = object_.find(key);
+    return found == object_.end() || found->is_null() ? nullptr : &*found;
+  }
+
+  void read(const char* key, bool& value) const {
+    if (const Json* json = member(key)) {
+      if (!json->is_boolean()) refuse("wrong-type", key, "is neither true nor false");
+      value = json->get<bool>();
+    }
+  }
+
+  void read(const char* key, double& value) const {
+    if (const Json* json = member(key)) value = number(*json, key);
+  }
+
+  void read(const char* key, float& value, float low, float high) const {
+    double wide = value;
+    read(key, wide);
+    if (wide < low || wide > high) refuse("bad-value", key, fmt::format("is not between {} and {}", low, high));
+    value = static_cast<float>(wide);
+  }
+
+  void read(const char* key, glm::dvec3& value) const {
+    if (const Json* json = member(key)) {
+      if (!json->is_array() || json->size() != 3) refuse("wrong-type", key, "is no list of three numbers");
+      value = {number((*json)[0], key), number((*json)[1], key), number((*json)[2], key)};
+    }
+  }
+
+  void read(const char* key, std::string& value) const {
+    if (const Json* json = member(key)) {
+      if (!json->is_string()) refuse("wrong-type", key, "is no text");
+      value = json->get<std::string>();
+    }
+  }
+
+  void read(const char* key, Colour& value) const {
+    std::string text;
+    read(key, text);
+    if (text.empty()) return;
+    try {
+      value = colour_from_hex(text);
+    } catch (const UsageError& error) {
+      refuse("bad-value", key, error.what());
+    }
+  }
+
+  /// One of a few words, `named` of which gives the value or throws UsageError.
+  template <class Value, class Named>
+  void read_word(const char* key, Value& value, Named named) const {
+    std::string text;
+    read(key, text);
+    if (text.empty()) return;
+    try {
+      value = named(text);
+    } catch (const UsageError& error) {
+      refuse("bad-value", key, error.what());
+    }
+  }
+
+  [[noreturn]] void refuse(std::string_view cause, std::string_view key, std::string_view wrong) const {
+    Place place;
+    place.file = file_;
+    throw InputError(cause, place, fmt::format("\"{}\" {}", path_.empty() ? key : fmt::format("{}.{}", path_, key), wrong),
+                     "See engine/scene/scene_json.h for the form of a scene.");
+  }
+
+ private:
+  double number(const Json& json, const char* key) const {
+    if (!json.is_number()) refuse("wrong-type", key, "is no number");
+    const double value = json.get<double>();
+    if (!std::isfinite(value)) refuse("not-finite", key, "is not finite");
+    return value;
+  }
+
+  const Json& object_;
+  std::string path_;
+  const std::string& file_;
+};
+
+Camera::Projection projection_named(std::string_view wanted) {
+  if (wanted == "perspective") return Camera::Projection::perspective;
+  if (wanted == "parallel") return Camera::Projection::parallel;
+  throw UsageError(fmt::format("there is no projection \"{}\"", wanted), "Choose perspective or parallel.");
+}
+
+Background::Kind background_named(std::string_view wanted) {
+  for (const auto kind : {Background::Kind::plain, Background::Kind::gradient, Background::Kind::transparent})
+    if (wanted == name(kind)) return kind;
+  throw UsageError(fmt::format("there is no background \"{}\"", wanted), "Choose plain, gradient or transparent.");
+}
+
+void read_camera(const Reader& scene, const std::string& file, Camera& camera) {
+  const Json* json = scene.member("camera");
+  if (!json) return;
+  const Reader reader(*json, "camera", file);
+  reader.read_word("projection", camera.projection, projection_named);
+  reader.read("position", camera.position);
+  reader.read("target", camera.target);
+  reader.read("up", camera.up);
+  reader.read("field_of_view_deg", camera.field_of_view_deg);
+  reader.read("height_mm", camera.height_mm);
+  validate(camera, file);
+}
+
+void read_looks(const Reader& scene, const std::string& file, Scene& result) {
+  const Json* json = scene.member("structures");
+  if (!json) return;
+  if (!json->is_array()) scene.refuse("wrong-type", "structures", "is no list");
+  for (std::size_t i = 0; i < json->size(); ++i) {
+    const Reader reader((*json)[i], fmt::format("structures[{}]", i), file);
+    std::string structure;
+    reader.read("name", structure);
+    if (structure.empty()) reader.refuse("bad-value", "name", "is missing");
+    Look* look = result.look_of(structure);
+    if (!look) look = &result.looks.emplace_back(Look{structure, usual_colour(structure, i)});
+    reader.read("colour", look->colour);
+    reader.read("opacity", look->opacity, 0, 1);
+    reader.read("visible", look->visible);
+  }
+}
+
+void read_section(const Reader& scene, const std::string& file, Scene& result) {
+  const Json* json = scene.member("section");
+  if (!json) return;
+  const Reader reader(*json, "section", file);
+  Section section;
+  reader.read("point", section.point_mm);
+  reader.read("normal", section.normal);
+  if (!(glm::length(section.normal) > 0)) reader.refuse("bad-value", "normal", "has no length");
+  result.section = section;
+}
+
+void read_surroundings(const Reader& scene, const std::string& file, Scene& result) {
+  if (const Json* json = scene.member("background")) {
+    const Reader reader(*json, "background", file);
+    reader.read_word("kind", result.background.kind, background_named);
+    reader.read("top", result.background.top);
+    reader.read("bottom", result.background.bottom);
+  }
+  if (const Json* json = scene.member("ambient_occlusion")) {
+    const Reader reader(*json, "ambient_occlusion", file);
+    reader.read("on", result.occlusion.on);
+    reader.read("strength", result.occlusion.strength, 0, most_emphasis);
+    reader.read("reach", result.occlusion.reach, 0, 1);
+  }
+}
+
+Json camera_json(const Camera& camera) {
+  return Json{{"projection", camera.projection == Camera::Projection::parallel ? "parallel" : "perspective"},
+              {"position", to_json(camera.position)},
+              {"target", to_json(camera.target)},
+              {"up", to_json(camera.up)},
+              {"field_of_view_deg", camera.field_of_view_deg},
+              {"height_mm", camera.height_mm}};
+}
+
+/// As a person would have typed it: 0.3, not 0.30000001192092896.
+double short_number(float value) { return std::stod(fmt::format("{}", value)); }
+
+}  // namespace
+
+const char* name(BackFaces mode) {
+  switch (mode) {
+    case BackFaces::cull: return "cull";
+    case BackFaces::show: return "show";
+    case BackFaces::tint: return "tint";
+  }
+  return "unknown";
+}
+
+BackFaces back_faces_named(std::string_view wanted) {
+  for (const auto mode : {BackFaces::cull, BackFaces::show, BackFaces::tint})
+    if (wanted == name(mode)) return mode;
+  throw UsageError(fmt::format("there is no way \"{}\" to draw back faces", wanted), "Choose cull, show or tint.");
+}
+
+std::string to_json(const Scene& scene) {
+  Json json{{"format", format_name}, {"version", format_version}, {"camera", camera_json(scene.camera)}};
+  json["structures"] = Json::array();
+  for (const Look& look : scene.looks)
+    json["structures"].push_back({{"name", look.structure},
+                                  {"colour", hex(look.colour)},
+                                  {"opacity", short_number(look.opacity)},
+                                  {"visible", look.visible}});
+  if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
+  json["back_faces"] = name(scene.back_faces);
+  json["wire"] = scene.wire;
+  json["background"] = {{"kind", name(scene.background.kind)},
+                        {"top", hex(scene.background.top)},
+                        {"bottom", hex(scene.background.bottom)}};
+  json["ambient_occlusion"] = {{"on", scene.occlusion.on},
+                               {"strength", short_number(scene.occlusion.strength)},
+                               {"reach", short_number(scene.occlusion.reach)}};
+  return json.dump(2) + "\n";
+}
+
+Scene scene_from_json(const std::string& text, const Scene& start, const std::string& file) {
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  Place place;
+  place.file = file;
+  if (json.is_discarded()) throw InputError("unparsable", place, "this is no JSON", "Save a scene from the viewer as a pattern.");
+  const Reader reader(json, "", file);
+  std::string format;
+  double version = 0;
+  reader.read("format", format);
+  reader.read("version", version);
+  if (format != format_name) reader.refuse("wrong-format", "format", fmt::format("is not \"{}\"", format_name));
+  if (version != format_version) reader.refuse("wrong-version", "version", fmt::format("is not {}", format_version));
+  Scene scene = start;
+  read_camera(reader, file, scene.camera);
+  read_looks(reader, file, scene);
+  read_section(reader, file, scene);
+  reader.read_word("back_faces", scene.back_faces, back_faces_named);
+  reader.read("wire", scene.wire);
+  read_surroundings(reader, file, scene);
+  return scene;
+}
+
+Scene read_scene(const std::string& file, const Scene& start) {
+  return scene_from_json(read_file(file, most_scene_bytes), start, file);
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,34 @@
+#pragma once
+// Scenes as files: saved from the viewer, given to `render`, tied to golden pictures.
+//
+//   {"format":"odontoscope.scene","version":1,
+//    "camera":{"projection":"perspective","position":[0,60,10],"target":[0,0,10],"up":[0,0,1],
+//              "field_of_view_deg":24,"height_mm":25},
+//    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true}],
+//    "section":{"point":[0,0,10],"normal":[0,1,0]},
+//    "back_faces":"cull","wire":false,
+//    "background":{"kind":"gradient","top":"#ffffff","bottom":"#dbe3eb"},
+//    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12}}
+//
+// Every member but format and version may be missing and then keeps its value; unknown members are ignored. Lengths in mm.
+
+#include <string>
+
+#include "engine/scene/scene.h"
+
+namespace odontoscope {
+
+std::string to_json(const Scene& scene);
+
+/// `start` with what the file's text says changed. `file` is for messages. Throws InputError: unparsable, wrong-format,
+/// wrong-version, wrong-type, not-finite, bad-camera, bad-value.
+Scene scene_from_json(const std::string& text, const Scene& start, const std::string& file = {});
+
+/// Reads such a file (FileError if it cannot be read, InputError as above).
+Scene read_scene(const std::string& file, const Scene& start);
+
+/// The vocabulary of the command line and the file: "cull", "show", "tint".
+const char* name(BackFaces mode);
+BackFaces back_faces_named(std::string_view name);
+
+}  // namespace odontoscope

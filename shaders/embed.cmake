@@ -1,0 +1,10 @@
+# Writes the shader files as one C++ table of name and text, so that the program finds them wherever it is installed.
+set(text "#include \"engine/gpu/shader_library.h\"\n\nnamespace odontoscope {\n\n")
+string(APPEND text "const std::vector<EmbeddedShader>& embedded_shaders() {\n  static const std::vector<EmbeddedShader> all = {\n")
+foreach(file IN LISTS FILES)
+  get_filename_component(name ${file} NAME)
+  file(READ ${file} source)
+  string(APPEND text "    {\"${name}\", R\"GLSL(${source})GLSL\"},\n")
+endforeach()
+string(APPEND text "  };\n  return all;\n}\n\n}  // namespace odontoscope\n")
+file(WRITE ${OUTPUT} "${text}")

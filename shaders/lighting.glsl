@@ -1,0 +1,47 @@
+// Three lights that travel with the eye, and the sky above them. Everything is linear and in eye space.
+struct Light {
+  vec3 towards;    // unit length
+  vec3 strength;
+};
+
+const Light key = Light(vec3(-0.477, 0.620, 0.623), vec3(0.74, 0.71, 0.66));
+const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.16, 0.18, 0.21));
+const Light rim = Light(vec3(0.331, 0.563, -0.757), vec3(0.30, 0.31, 0.34));
+const vec3 sky = vec3(0.36, 0.38, 0.41);
+const vec3 ground = vec3(0.17, 0.15, 0.135);
+
+/// Light that a surface throws back: what ambient occlusion darkens is kept apart from what it does not.
+struct Reflected {
+  vec3 diffuse;
+  vec3 ambient;
+  vec3 gloss;
+};
+
+/// Reflection of a rough dielectric (Walter, Marschner, Li, Torrance, EGSR 2007), its Fresnel term after Schlick.
+float gloss_of(vec3 normal, vec3 to_eye, vec3 to_light, float roughness) {
+  vec3 half_way = normalize(to_eye + to_light);
+  float n_h = max(dot(normal, half_way), 0.0), n_l = max(dot(normal, to_light), 0.0);
+  float n_v = max(dot(normal, to_eye), 1e-3), v_h = max(dot(to_eye, half_way), 0.0);
+  float a2 = roughness * roughness * roughness * roughness;
+  float spread = n_h * n_h * (a2 - 1.0) + 1.0;
+  float k = 0.5 * roughness * roughness;
+  float visible = 0.25 / ((n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k));
+  float fresnel = 0.04 + 0.96 * pow(1.0 - v_h, 5.0);
+  return n_l * fresnel * visible * a2 / (spread * spread);
+}
+
+/// Light wraps a little around the terminator, as it does in tissue that scatters it inside.
+float wrapped(vec3 normal, vec3 towards) {
+  const float wrap = 0.25;
+  return max((dot(normal, towards) + wrap) / (1.0 + wrap), 0.0);
+}
+
+Reflected reflected(vec3 normal, vec3 to_eye, vec3 colour, float roughness) {
+  Reflected light;
+  light.diffuse = colour * (key.strength * wrapped(normal, key.towards) + fill.strength * wrapped(normal, fill.towards) +
+                            rim.strength * max(dot(normal, rim.towards), 0.0));
+  light.ambient = colour * mix(ground, sky, 0.5 + 0.5 * normal.y);
+  light.gloss = key.strength * gloss_of(normal, to_eye, key.towards, roughness) +
+                rim.strength * gloss_of(normal, to_eye, rim.towards, roughness);
+  return light;
+}

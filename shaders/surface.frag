@@ -1,0 +1,60 @@
+// A lit fragment, premultiplied, with its ambient light and its depth in targets of their own.
+// PEEL: only what lies behind the layer before and in front of the opaque surfaces. WIRE: the triangles' edges are drawn.
+#include "lighting.glsl"
+
+in Vertex {
+  vec3 world_position;
+  vec3 eye_position;
+  vec3 eye_normal;
+} from;
+#ifdef WIRE
+noperspective in vec3 edge_distance;
+uniform float wire_width;
+#endif
+
+uniform vec3 colour;             // linear
+uniform float opacity;
+uniform vec3 back_colour;        // of triangles seen from behind
+uniform float least_back_opacity;
+uniform vec4 section;            // cut away where dot(section.xyz, position) > section.w
+uniform int parallel;
+#ifdef PEEL
+uniform sampler2D layer_before;
+uniform sampler2D opaque_depth;
+uniform int first_layer;
+#endif
+
+layout(location = 0) out vec4 out_light;
+layout(location = 1) out vec4 out_ambient;
+layout(location = 2) out float out_depth;
+
+const float roughness = 0.38;
+const vec3 wire_colour = vec3(0.02, 0.025, 0.035);
+
+void main() {
+  if (dot(section.xyz, from.world_position) > section.w) discard;
+#ifdef PEEL
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (gl_FragCoord.z >= texelFetch(opaque_depth, pixel, 0).r) discard;
+  if (first_layer == 0 && gl_FragCoord.z <= texelFetch(layer_before, pixel, 0).r) discard;
+#endif
+  vec3 to_eye = parallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-from.eye_position);
+  vec3 normal = normalize(from.eye_normal);
+  if (!gl_FrontFacing) normal = -normal;
+
+  // Seen edge-on a translucent wall is looked through lengthwise, so it is denser there.
+  float slant = 1.0 - abs(dot(normal, to_eye));
+  float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
+  alpha = gl_FrontFacing ? alpha : max(alpha, least_back_opacity);
+  vec3 base = gl_FrontFacing ? colour : back_colour;
+#ifdef WIRE
+  float nearest = min(min(edge_distance.x, edge_distance.y), edge_distance.z);
+  float line = 1.0 - smoothstep(0.5 * wire_width - 0.5, 0.5 * wire_width + 0.5, nearest);
+  base = mix(base, wire_colour, 0.85 * line);
+  alpha = mix(alpha, 1.0, 0.8 * line);
+#endif
+  Reflected light = reflected(normal, to_eye, base, roughness);
+  out_light = vec4(alpha * light.diffuse + light.gloss, alpha);
+  out_ambient = vec4(alpha * light.ambient, alpha);
+  out_depth = gl_FragCoord.z;
+}
