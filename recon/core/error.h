@@ -21,6 +21,7 @@ enum class ExitCode : int {
   usage = 2,
   bad_input = 3,
   file = 4,            // could not read or write
+  graphics = 5,        // no display, no OpenGL, or too old a one
   internal = 70,       // our bug
 };
 
