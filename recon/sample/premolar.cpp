@@ -33,6 +33,7 @@ Occlusal occlusal() {
               {{{-2.6, 1.8, 20.6}, {-2.95, 0.3, 19.9}, {-2.85, -0.9, 19.9}, {-2.2, -2.2, 20.4}}, 0.8, 0.3}};
   o.fissure_depth = 0.45;
   o.fissure_width = 0.4;
+  o.supplemental_depth = 0.08;
   o.blend = 0.15;
   o.edge_blend = 0.6;
   return o;
@@ -70,7 +71,7 @@ ToothShape premolar() {
   t.root_blend = 0.8;
   t.trunk_low_z = 12.2;
   t.trunk_high_z = 14.4;
-  t.chamber = {{-0.75, -2.4, 12.4}, {0.75, 2.4, 15.6}, 2.6};
+  t.chamber = {{-0.75, -2.4, 12.4}, {0.75, 2.4, 15.6}, 2.6, 0.8};
   t.horns = {{"buccal", {-0.05, 1.7, 14.8}, {-0.15, 2.15, 17.9}, 0.6, 0.2}, {"lingual", {0.1, -1.7, 14.8}, {0.3, -2.15, 17.1}, 0.6, 0.2}};
   const Profile radius{{0.5, 0.19}, {4, 0.3}, {9, 0.42}, {13, 0.6}};
   t.canals = {{"buccal", 0, 0, radius, radius}, {"lingual", 1, 0, radius, radius}};

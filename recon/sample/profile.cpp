@@ -22,7 +22,7 @@ Profile::Profile(std::initializer_list<Knot> knots) : knots_(knots), slopes_(kno
   slopes_.back() = secant(knots_.size() - 2);
 }
 
-double Profile::operator()(double at) const {
+double Profile::cubic(double at) const {
   if (at <= knots_.front().at) return knots_.front().value;
   if (at >= knots_.back().at) return knots_.back().value;
   const auto next = std::upper_bound(knots_.begin(), knots_.end(), at, [](double a, const Knot& k) { return a < k.at; });
@@ -31,6 +31,18 @@ double Profile::operator()(double at) const {
   const double t = (at - knots_[i].at) / width, u = 1 - t;
   return u * u * (1 + 2 * t) * knots_[i].value + t * t * (3 - 2 * t) * knots_[i + 1].value +
          t * u * width * (u * slopes_[i] - t * slopes_[i + 1]);
+}
+
+double Profile::operator()(double at) const {
+  if (knots_.size() < 2) return knots_.front().value;
+  constexpr int samples = 6;   // to either side
+  double sum = 0, weights = 0;
+  for (int i = -samples; i <= samples; ++i) {
+    const double share = static_cast<double>(i) / (samples + 1), weight = 1 - share * share;
+    sum += weight * cubic(at + share * window);
+    weights += weight;
+  }
+  return sum / weights;
 }
 
 }  // namespace odontoscope::sample

@@ -6,8 +6,9 @@
 
 namespace odontoscope::sample {
 
-/// Piecewise cubic that keeps the monotony of its knots (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5, 1984): it never
-/// leaves the range of the two knots around it, so a crown never gets wider than its table says. Constant outside.
+/// Piecewise cubic that keeps the monotony of its knots (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5, 1984), constant
+/// outside, then averaged over a window of `window` to either side so that no edge shows in the shading. It never leaves the range of its
+/// knots, so a crown never gets wider than its table says.
 class Profile {
  public:
   struct Knot {
@@ -20,7 +21,11 @@ class Profile {
 
   double operator()(double at) const;
 
+  static constexpr double window = 0.9;   // mm
+
  private:
+  double cubic(double at) const;
+
   std::vector<Knot> knots_;
   std::vector<double> slopes_;
 };

@@ -47,12 +47,13 @@ class Sampler {
   }
 
   void go_to(double z) {
+    const ToothSection section(shape_, z);
     for (std::size_t row = 0; row < grid_.rows; ++row) {
       for (std::size_t column = 0; column < grid_.columns; ++column) {
         const std::size_t i = row * grid_.columns + column;
         const Point2 at = grid_.at(column, row);
-        tissue_[i] = hard_tissue(shape_, heights_[i], {at.x, at.y, z});
-        pulp_[i] = sample::pulp(shape_, {at.x, at.y, z});
+        tissue_[i] = section.hard_tissue(heights_[i], at);
+        pulp_[i] = section.pulp(at);
       }
     }
   }
@@ -106,14 +107,15 @@ double furcation(const ToothShape& shape) {
   constexpr double step = 0.01;
   const double low = std::max(shape.roots[0].apex_z, shape.roots[1].apex_z);
   for (double z = low; z < shape.cervical_line.z; z += step) {
+    const ToothSection section(shape, z);
     const Root &a = shape.roots[0], &b = shape.roots[1];
     bool joined = true;
     constexpr int samples = 40;
     const OcclusalHeights above{shape.top_z, shape.top_z};
     for (int i = 0; i <= samples && joined; ++i) {
       const double t = static_cast<double>(i) / samples;
-      const Point3 at{a.x(z) + t * (b.x(z) - a.x(z)), a.y(z) + t * (b.y(z) - a.y(z)), z};
-      joined = hard_tissue(shape, above, at).tooth < 0;
+      const Point2 at{a.x(z) + t * (b.x(z) - a.x(z)), a.y(z) + t * (b.y(z) - a.y(z))};
+      joined = section.hard_tissue(above, at).tooth < 0;
     }
     if (joined) return z;
   }

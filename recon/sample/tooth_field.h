@@ -1,6 +1,8 @@
 #pragma once
 // A sample tooth as implicit functions: negative inside, near the surface about the distance in mm.
 
+#include <vector>
+
 #include "recon/sample/tooth_shape.h"
 
 namespace odontoscope::sample {
@@ -17,17 +19,45 @@ OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at);
 struct HardTissue {
   double tooth = 0, dentine = 0;
 };
-HardTissue hard_tissue(const ToothShape& shape, const OcclusalHeights& heights, const Point3& at);
 
-double pulp(const ToothShape& shape, const Point3& at);
+/// The tooth in one plane z = const; what depends on z alone is worked out once. `shape` must outlive it.
+class ToothSection {
+ public:
+  ToothSection(const ToothShape& shape, double z);
 
-/// Where the cervical line lies in the direction of `at` from the crown's middle.
+  /// `heights` as occlusal_heights gives them for `at`.
+  HardTissue hard_tissue(const OcclusalHeights& heights, Point2 at) const;
+  double pulp(Point2 at) const;
+
+ private:
+  struct Ellipse {
+    Point2 centre;
+    double a = 0, b = 0, exponent = 2;
+    double lobe_offset = 0;
+  };
+  struct Groove {
+    Side side = Side::buccal;
+    double place = 0, width = 0, depth = 0;
+  };
+
+  static double root(const Ellipse& section, Point2 at);
+  double crown(Point2 at) const;
+  double side(Point2 at) const;
+  double enamel_side_thickness(Point2 at) const;
+  double chamber(Point2 at) const;
+
+  const ToothShape& shape_;
+  double z_ = 0;
+  double crown_share_ = 0;             // 0 among the roots, 1 in the crown
+  Point2 crown_middle_, crown_half_;
+  std::vector<Groove> grooves_;
+  std::vector<Ellipse> roots_, canals_;
+};
+
+/// Where the cervical line lies in the direction of `at` from the tooth's axis.
 double cervical_height(const ToothShape& shape, Point2 at);
 
 /// Centre of a canal at height z.
 Point3 canal_centre(const ToothShape& shape, const Canal& canal, double z);
-
-/// Factor by which the section of a rounded end has shrunk `above` mm above its tip: 0 to 1 over `length`.
-double blunt_end(double above, double length);
 
 }  // namespace odontoscope::sample

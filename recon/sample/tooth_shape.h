@@ -30,14 +30,15 @@ struct CrownSides {
   std::vector<Furrow> furrows = {};
 };
 
-/// A four-sided pyramid with rounded tip and edges; its edges are the cusp's four ridges: the triangular ridge to the fossa, the
-/// outer ridge away from it, and the two cusp ridges at right angles.
+/// A four-sided pyramid with rounded tip and edges; its edges are the cusp's four ridges: the triangular ridge down to the fossa, the outer
+/// ridge away from it, and the two cusp ridges along the margin of the crown.
 struct Cusp {
   std::string name;
   Point3 tip;
   Point2 inward;        // a point that the triangular ridge runs to
-  double slope_in = 0.6, slope_out = 1.6, slope_side = 0.5;   // fall of the ridges, mm/mm
-  double rounding = 0.3;
+  double slope_in = 0.6, slope_out = 1.6, slope_along = 0.5;   // fall of the ridges, mm/mm
+  double rounding = 0.6;          // height over which the tip is round
+  Point2 along = {1, 0};          // direction of the cusp ridges, unit
 };
 
 /// A crest along a polyline that falls to both sides: marginal ridges and the incisal edge.
@@ -51,6 +52,7 @@ struct Occlusal {
   std::vector<Cusp> cusps;
   std::vector<Ridge> ridges;
   double fissure_depth = 0, fissure_width = 0.3;   // the width is counted in height above the fissure's bottom
+  double supplemental_depth = 0;   // of the shallow grooves on both sides of each triangular ridge
   double blend = 0.2;          // over which neighbouring cusps flow together, mm of height
   double edge_blend = 0.6;     // over which the top rounds into the sides
 };
@@ -94,7 +96,8 @@ struct Horn {
 
 struct PulpChamber {
   Point3 low, high;            // corners of the box that it fills
-  double exponent = 2.6;
+  double exponent = 2.6;       // of its horizontal section
+  double rounding = 0.8;       // of the edges of floor and roof
 };
 
 struct ToothShape {
