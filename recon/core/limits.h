@@ -67,6 +67,10 @@ inline constexpr double radius_edge_histogram_high = 10;
 /// A shape ratio that is larger, or not finite after rounding, counts as this.
 inline constexpr double largest_aspect_ratio = 1e15;
 
+// --- simplifying ------------------------------------------------------------------------------------------------
+/// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
+inline constexpr double kept_margin = 0.25;
+
 }  // namespace odontoscope::limits
 
 // --- volume images -----------------------------------------------------------------------------------------------
@@ -88,6 +92,8 @@ inline constexpr double slice_unevenness = 0.02;
 inline constexpr std::size_t compression_ratio = 1100;
 /// Bytes of a text header in front of a volume's pixels.
 inline constexpr std::size_t header_bytes = 1u << 20;
+/// Characters in a line of it: readers of old have buffers of 1,024 and more.
+inline constexpr std::size_t header_line = 1000;
 }  // namespace odontoscope::limits
 
 // --- sample teeth ------------------------------------------------------------------------------------------------

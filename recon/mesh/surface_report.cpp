@@ -1,8 +1,8 @@
 #include "recon/mesh/surface_report.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -11,18 +11,10 @@
 #include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/half_edges.h"
 #include "recon/mesh/spread.h"
+#include "recon/mesh/vector.h"
 
 namespace odontoscope {
 namespace {
-
-struct Vector {
-  double x, y, z;
-};
-Vector operator-(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-double dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Vector cross(const Vector& u, const Vector& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
 
 constexpr std::uint32_t no_shell = std::numeric_limits<std::uint32_t>::max();
 
@@ -172,10 +164,10 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
                       std::vector<double>& angles, std::vector<double>& aspects, std::size_t& degenerate) {
   const auto [i, j, k] = mesh.triangles[t];
   const Point3 &a = mesh.points[i], &b = mesh.points[j], &c = mesh.points[k];
-  const Vector ab = b - a, ac = c - a, bc = c - b;
-  const Vector normal = cross(ab, ac);
-  const double twice_area = std::sqrt(dot(normal, normal));
-  const Vector from_origin = a - mesh.points[sums.origin];
+  const Vector3 ab = b - a, ac = c - a, bc = c - b;
+  const Vector3 normal = cross(ab, ac);
+  const double twice_area = length(normal);
+  const Vector3 from_origin = a - mesh.points[sums.origin];
   const double six_volumes = dot(from_origin, normal);
   shell.area += twice_area / 2;
   sums.six_volumes += six_volumes;
@@ -185,7 +177,7 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
     ++degenerate;
     return;
   }
-  double sides[3] = {std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)), std::sqrt(dot(bc, bc))};
+  double sides[3] = {length(ab), length(ac), length(bc)};
   std::sort(sides, sides + 3);
   // The smallest angle lies between the two longer sides and is at most 60 degrees, so its sine tells it.
   const double sine = std::min(twice_area / (sides[1] * sides[2]), 1.0);

@@ -1,0 +1,36 @@
+#pragma once
+// How far two surfaces are apart, measured by samples.
+
+#include <cstddef>
+#include <optional>
+
+#include "recon/core/progress.h"
+#include "recon/mesh/meshes.h"
+
+namespace odontoscope {
+
+struct DistanceOptions {
+  /// Sample points on each surface, spread evenly over its area.
+  std::size_t samples = 200'000;
+};
+
+/// From points of one surface to the nearest point of the other, mm.
+struct OneWayDistance {
+  double largest = 0;   // over all samples and all vertices of the one: at most the true one
+  double mean = 0;      // over the samples, and so over the area
+};
+
+struct SurfaceDistance {
+  OneWayDistance there, back;   // from `a` to `b`, from `b` to `a`
+  double largest() const { return there.largest > back.largest ? there.largest : back.largest; }
+  /// The larger of the two means: the safe one to quote.
+  double mean() const { return there.mean > back.mean ? there.mean : back.mean; }
+};
+
+/// Samples are placed at equal steps of accumulated area, triangle after triangle, and within a triangle by a low-discrepancy
+/// sequence: the same points each time. Nothing for a mesh without a triangle that has area (then there is no distance).
+/// Runs in the caller's TBB arena; the result does not depend on the number of threads. Stage: "measure distance".
+std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const SurfaceMesh& b,
+                                                const DistanceOptions& options = {}, const Progress& progress = {});
+
+}  // namespace odontoscope
