@@ -45,23 +45,23 @@ void check_structure_name(std::string_view name, const Place& place) {
   if (name.empty()) throw InputError("bad-name", place, "the structure's name is empty", remedy);
   if (name.size() > limits::name_length) {
     throw InputError("bad-name", place,
-                     fmt::format("the structure's name {} is {} bytes long, more than {}", quoted(name), name.size(),
+                     fmt::format("the structure's name {} is {} bytes long, more than {}", in_quotes(name), name.size(),
                                  limits::name_length),
                      remedy);
   }
   for (std::string_view rest = name; !rest.empty();) {
     char32_t character = 0;
     if (!take_character(rest, character)) {
-      throw InputError("bad-name", place, fmt::format("the structure's name {} is not UTF-8", quoted(name)), remedy);
+      throw InputError("bad-name", place, fmt::format("the structure's name {} is not UTF-8", in_quotes(name)), remedy);
     }
     if (is_control(character)) {
       throw InputError("bad-name", place,
-                       fmt::format("the structure's name {} contains a control character", quoted(name)), remedy);
+                       fmt::format("the structure's name {} contains a control character", in_quotes(name)), remedy);
     }
   }
 }
 
-std::string quoted(std::string_view name) {
+std::string in_quotes(std::string_view name) {
   std::string text = "\"";
   for (std::string_view rest = name; !rest.empty();) {
     if (text.size() > limits::quoted_length) return text + "...\"";

@@ -11,6 +11,6 @@ namespace odontoscope {
 void check_structure_name(std::string_view name, const Place& place);
 
 /// `name` in quotes, shortened and with control characters replaced, fit for a message.
-std::string quoted(std::string_view name);
+std::string in_quotes(std::string_view name);
 
 }  // namespace odontoscope

@@ -2,9 +2,9 @@
 // Do the contours of one structure in one slice cross or touch, and how are they nested? Exact, in O(n log n).
 //
 // A plane sweep over the vertices in lexicographic order (M. I. Shamos, D. Hoey, "Geometric intersection problems",
-// FOCS 1976), with one event for each vertex: it opens two edges, hands over from one edge to the next, or closes two. The sweep's
-// list of edges is checked against the vertex at each event, so it stops at the first event that contradicts it. Signs
-// come from exact predicates; only the place of a crossing that is told to the user is rounded.
+// FOCS 1976), with one event for each vertex: it opens two edges, hands over from one edge to the next, or closes two.
+// The sweep's list of edges is checked against the vertex at each event, so it stops at the first event that
+// contradicts it. Signs come from exact predicates; only the place of a crossing that is told to the user is rounded.
 
 #include <cstddef>
 #include <optional>
@@ -43,8 +43,8 @@ struct SweepResult {
   std::vector<Nesting> nesting;
 };
 
-/// Sweeps the contours `contours[members[i]]`, which should be all those of one structure in a slice. Numbers in the result
-/// are those of `contours`. Preconditions: coordinates finite; three or more points in each.
+/// Sweeps the contours `contours[members[i]]`, which should be all those of one structure in a slice. Numbers in the
+/// result are those of `contours`. Preconditions: coordinates finite; three or more points in each.
 SweepResult sweep(const std::vector<Contour>& contours, std::span<const std::size_t> members);
 
 /// Do all points lie on one line (or coincide)? Exact. Precondition: coordinates finite.

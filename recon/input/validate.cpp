@@ -13,13 +13,12 @@
 #include <unordered_set>
 
 #include "recon/core/limits.h"
+#include "recon/input/counts.h"
 #include "recon/input/names.h"
 #include "recon/input/planar_sweep.h"
 
 namespace odontoscope {
 namespace {
-
-constexpr std::string_view split_remedy = "Thin the stack out, or split it into parts";
 
 Place place_of_slice(const ContourStack& stack, std::size_t slice) {
   Place place;
@@ -35,37 +34,21 @@ Place place_of_contour(const ContourStack& stack, std::size_t slice, std::size_t
   return place;
 }
 
-std::string in_words(const Point2& p) { return fmt::format("({}, {})", p.x, p.y); }
-
 // --- the stack as a whole ----------------------------------------------------------------------------------------
 
 void check_counts(const ContourStack& stack) {
   Place whole;
   whole.file = stack.source;
-  if (stack.slices.size() > limits::slices) {
-    throw InputError("too-many-slices", whole,
-                     fmt::format("{} slices, more than {}", stack.slices.size(), limits::slices), split_remedy);
-  }
+  check_slice_count(stack.slices.size(), whole);
   std::size_t contours = 0, points = 0;
   for (std::size_t s = 0; s < stack.slices.size(); ++s) {
     const Slice& slice = stack.slices[s];
-    if (slice.contours.size() > limits::contours_per_slice) {
-      throw InputError(
-          "too-many-contours", place_of_slice(stack, s),
-          fmt::format("{} contours in one slice, more than {}", slice.contours.size(), limits::contours_per_slice),
-          "Drop the smallest ones, or smooth the image that they come from");
-    }
+    check_contours_in_slice(slice.contours.size(), place_of_slice(stack, s));
     contours += slice.contours.size();
     for (const Contour& contour : slice.contours) points += contour.points.size();
   }
-  if (contours > limits::contours) {
-    throw InputError("too-many-contours", whole, fmt::format("{} contours, more than {}", contours, limits::contours),
-                     split_remedy);
-  }
-  if (points > limits::points) {
-    throw InputError("too-many-points", whole, fmt::format("{} points, more than {}", points, limits::points),
-                     split_remedy);
-  }
+  check_contour_count(contours, whole);
+  check_point_count(points, whole);
   if (contours == 0) {
     throw InputError("empty-stack", whole,
                      stack.slices.empty() ? "the stack has no slices" : "no slice of the stack has a contour",
@@ -79,15 +62,7 @@ void check_counts(const ContourStack& stack) {
 
 void check_heights(const ContourStack& stack) {
   for (std::size_t s = 0; s < stack.slices.size(); ++s) {
-    const double z = stack.slices[s].z;
-    if (!std::isfinite(z)) {
-      throw InputError("not-finite", place_of_slice(stack, s), fmt::format("the slice's z is {}", z),
-                       "Give every slice a height in millimetres");
-    }
-    if (std::abs(z) > limits::largest_coordinate) {
-      throw InputError("too-large", place_of_slice(stack, s),
-                       fmt::format("z is beyond {} mm", limits::largest_coordinate), "Check the unit");
-    }
+    check_magnitude(stack.slices[s].z, "z", place_of_slice(stack, s));
   }
   std::vector<std::size_t> by_height(stack.slices.size());
   std::iota(by_height.begin(), by_height.end(), std::size_t{0});
@@ -132,12 +107,8 @@ void check_points(const ContourStack& stack, std::size_t s, std::size_t c) {
     if (std::abs(p.x) <= limits::largest_coordinate && std::abs(p.y) <= limits::largest_coordinate) continue;
     Place place = place_of_contour(stack, s, c);
     place.point = i;
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw InputError("not-finite", place, fmt::format("{} is no point of the plane", in_words(p)),
-                       "Remove the point, or find out where the number was lost");
-    }
-    place.at = p;
-    throw InputError("too-large", place, fmt::format("beyond {} mm", limits::largest_coordinate), "Check the unit");
+    check_magnitude(p.x, "x", place);
+    check_magnitude(p.y, "y", place);
   }
   if (points.size() < 3) {
     throw InputError("too-few-points", place_of_contour(stack, s, c),
@@ -160,8 +131,9 @@ void check_points(const ContourStack& stack, std::size_t s, std::size_t c) {
   Place place = place_of_contour(stack, s, breach.contour);
   place.point = breach.point;
   place.at = breach.at;
-  const std::string structure = quoted(contours[breach.contour].structure);
+  const std::string structure = in_quotes(contours[breach.contour].structure);
   const bool itself = breach.contour == breach.other_contour;
+  const bool at_point = contours[breach.other_contour].points[breach.other_point] == breach.at;
   switch (breach.kind) {
     case Breach::Kind::repeated_point:
       throw_repeated(std::move(place), breach, contours[breach.contour].points.size());
@@ -175,8 +147,8 @@ void check_points(const ContourStack& stack, std::size_t s, std::size_t c) {
                          "Move the point off the edge, or split the contour there");
       }
       throw InputError("contours-touch", place,
-                       fmt::format("touches contour {} at point {} or the edge after it; both belong to {}",
-                                   breach.other_contour, breach.other_point, structure),
+                       fmt::format("touches contour {} {} point {}; both belong to {}", breach.other_contour,
+                                   at_point ? "at its" : "on the edge after its", breach.other_point, structure),
                        "Contours of one structure keep apart: merge the two, or move one");
     case Breach::Kind::crossing:
       break;
@@ -298,8 +270,8 @@ ContourStack together(const ContourStack& stack, const std::vector<std::string>&
   for (std::size_t i = 0; i < structures.size(); ++i) {
     if (!contains(known, structures[i])) {
       std::vector<std::string> names;
-      for (const std::string& name : known) names.push_back(quoted(name));
-      throw InputError("unknown-structure", place, fmt::format("there is no structure {}", quoted(structures[i])),
+      for (const std::string& name : known) names.push_back(in_quotes(name));
+      throw InputError("unknown-structure", place, fmt::format("there is no structure {}", in_quotes(structures[i])),
                        fmt::format("The stack has {}", fmt::join(names, ", ")));
     }
     const bool named_before = std::find(structures.begin(), structures.begin() + static_cast<std::ptrdiff_t>(i),
@@ -307,7 +279,7 @@ ContourStack together(const ContourStack& stack, const std::vector<std::string>&
     if (!named_before) joint += (joint.empty() ? "" : "+") + structures[i];
   }
   if (contains(known, joint) && !contains(structures, joint)) {
-    throw InputError("bad-name", place, fmt::format("the joint name {} is already taken", quoted(joint)),
+    throw InputError("bad-name", place, fmt::format("the joint name {} is already taken", in_quotes(joint)),
                      "Rename that structure");
   }
   ContourStack result = stack;

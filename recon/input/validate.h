@@ -18,9 +18,9 @@ namespace odontoscope {
 void validate(const ContourStack& stack, const Progress& progress = {});
 
 /// The same stack in the order the engines want: slices by ascending z; in each structure's slice, outer contours
-/// counter-clockwise seen from +z, holes clockwise (nesting depth decides). Contours keep their order within the slice, and
-/// points keep their first point. Precondition: `validate` passed.
-/// `original_slice[i]` is the number that sorted slice i had in `stack`.
+/// counter-clockwise seen from +z, holes clockwise (nesting depth decides). Contours keep their order within the slice,
+/// and points keep their first point. Precondition: `validate` passed. `original_slice[i]` is the number that sorted
+/// slice i had in `stack`.
 struct OrderedStack {
   ContourStack stack;
   std::vector<std::size_t> original_slice;
@@ -28,8 +28,8 @@ struct OrderedStack {
 OrderedStack ordered(const ContourStack& stack);
 
 /// `stack` with every contour of the named structures renamed to their joint name "a+b", so that they are
-/// reconstructed together (a pulp inside a tooth becomes its cavity). Throws InputError unknown-structure if a name is not there.
-/// The result must be validated again: contours that belonged to different structures may cross or touch.
+/// reconstructed together (a pulp inside a tooth becomes its cavity). Throws InputError unknown-structure if a name is
+/// not there. The result must be validated again: contours that belonged to different structures may cross or touch.
 ContourStack together(const ContourStack& stack, const std::vector<std::string>& structures);
 
 /// Names of the structures in order of first appearance.

@@ -1,0 +1,77 @@
+#include "recon/input/json_source.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "recon/core/limits.h"
+
+namespace odontoscope {
+
+JsonSource JsonSource::from_file(const std::string& file) {
+  JsonSource source;
+  source.name_ = file;
+  source.file_.reset(std::fopen(file.c_str(), "rb"));
+  if (!source.file_) {
+    throw FileError(file, fmt::format("cannot be read: {}", std::strerror(errno)),
+                    "Check its name and your rights to it");
+  }
+  std::setvbuf(source.file_.get(), nullptr, _IONBF, 0);  // it is read in large pieces anyway
+  source.buffer_.resize(limits::read_piece);
+  return source;
+}
+
+JsonSource JsonSource::from_bytes(std::string_view bytes, std::string name) {
+  JsonSource source;
+  source.name_ = std::move(name);
+  source.piece_ = bytes;
+  return source;
+}
+
+bool JsonSource::fetch() {
+  if (!file_) {
+    ended_ = true;
+    return false;
+  }
+  if (offset() - marked_ > limits::json_token) {
+    throw InputError("too-large", place(),
+                     fmt::format("a single text, number or gap of more than {} bytes", limits::json_token),
+                     "Check that this is the file you mean");
+  }
+  const Place end = place();
+  const std::size_t column_of_end = column() - 1;
+  taken_before_ = offset();
+  lines_before_ = *end.line - 1;
+  line_start_ = taken_before_ - column_of_end;
+  position_ = 0;
+  piece_ = {};
+  const std::size_t got = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
+  if (got == 0 && std::ferror(file_.get())) {
+    throw FileError(name_, fmt::format("cannot be read: {}", std::strerror(errno)), "Check that it is a file");
+  }
+  if (taken_before_ + got > limits::file_bytes) {
+    throw InputError("file-too-large", end, fmt::format("the file holds more than {} bytes", limits::file_bytes),
+                     "Split it, or check that it is the file you mean");
+  }
+  piece_ = {buffer_.data(), got};
+  ended_ = got == 0;
+  return got > 0;
+}
+
+Place JsonSource::place() const {
+  Place place;
+  place.file = name_;
+  const std::string_view taken = piece_.substr(0, position_);
+  place.line = lines_before_ + static_cast<std::size_t>(std::count(taken.begin(), taken.end(), '\n')) + 1;
+  return place;
+}
+
+std::size_t JsonSource::column() const {
+  const std::size_t last_end = piece_.substr(0, position_).rfind('\n');
+  const std::size_t start = last_end == std::string_view::npos ? line_start_ : taken_before_ + last_end + 1;
+  return offset() - start + 1;
+}
+
+}  // namespace odontoscope
