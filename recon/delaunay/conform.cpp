@@ -48,12 +48,12 @@ std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points) {
   std::vector<Kernel::Point_2> sites;
   sites.reserve(points.size());
   for (const Point2 p : points) sites.emplace_back(p.x, p.y);
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
   using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
   CGAL::spatial_sort(order.begin(), order.end(),
                      CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(sites)));
-  return order;
+  return {order.begin(), order.end()};
 }
 
 std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order) {
