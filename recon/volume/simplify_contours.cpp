@@ -281,7 +281,7 @@ std::size_t count_points(const ContourStack& stack) {
 
 }  // namespace
 
-SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyOptions& options, const Progress& progress) {
+SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options, const Progress& progress) {
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
     throw UsageError(fmt::format("the tolerance {} is not a finite number of at least 0", options.tolerance),
                      "give a distance in millimetres (--simplify E)");

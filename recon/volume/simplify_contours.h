@@ -18,7 +18,7 @@
 
 namespace odontoscope {
 
-struct SimplifyOptions {
+struct SimplifyContoursOptions {
   /// Largest distance between a contour and its simplification, either way, mm. 0 removes only points on straight lines.
   double tolerance = 0;
 };
@@ -34,7 +34,7 @@ struct SimplifiedContours {
 
 /// Precondition: `validate` passed. Slices run in parallel; the result depends neither on the number of threads nor on which point a contour
 /// starts at. Stage "simplify". Throws UsageError for a tolerance that is negative or not finite.
-SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyOptions& options,
+SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options,
                                      const Progress& progress = {});
 
 }  // namespace odontoscope

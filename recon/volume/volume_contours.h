@@ -22,7 +22,7 @@ struct VolumeContourOptions {
   std::vector<LabelLevel> labels;
   TraceOptions trace;
   /// Simplify the contours with this tolerance.
-  std::optional<SimplifyOptions> simplify;
+  std::optional<SimplifyContoursOptions> simplify;
   /// Spacing instead of the header's, see ReadVolumeOptions.
   std::optional<std::array<double, 3>> spacing;
 };
