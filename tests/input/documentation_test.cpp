@@ -4,8 +4,13 @@
 #include <filesystem>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "recon/core/read_file.h"
+#include "recon/input/links.h"
+#include "recon/input/stack_json.h"
+#include "recon/input/validate.h"
+#include "tests/input/corpus.h"
 
 namespace odontoscope {
 namespace {
@@ -29,10 +34,19 @@ std::set<std::string> thrown_causes() {
   return causes;
 }
 
-/// Rows of the tables of causes: "| `cause` | ...".
+/// First column of the tables that are headed "cause".
 std::set<std::string> documented_causes() {
-  return all_matches(read_file((source_folder() / "docs/formats.md").string()),
-                     std::regex("\\n\\| `([a-z0-9-]+)` \\|"));
+  std::istringstream text(read_file((source_folder() / "docs/formats.md").string()));
+  const std::regex row("^\\| `([a-z0-9-]+)` \\|");
+  std::set<std::string> causes;
+  bool in_table = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("| cause |")) in_table = true;
+    if (line.empty()) in_table = false;
+    std::smatch match;
+    if (in_table && std::regex_search(line, match, row)) causes.insert(match[1]);
+  }
+  return causes;
 }
 
 TEST(Documentation, ListsEveryCause) {
@@ -48,6 +62,31 @@ TEST(Documentation, ListsNoCauseThatIsNotThrown) {
   for (const std::string& cause : documented_causes()) {
     EXPECT_TRUE(thrown.contains(cause)) << "in docs/formats.md but thrown nowhere: " << cause;
   }
+}
+
+/// Examples are "`name.json...: message [cause]`", with the name of a file of the corpus: each must be what is said
+/// today.
+TEST(Documentation, QuotesRealMessages) {
+  const std::regex example("`([a-z0-9-]+\\.[a-z0-9-]+\\.json)(:[^`]*\\[[a-z0-9-]+\\])`");
+  const std::string text = read_file((source_folder() / "docs/formats.md").string());
+  const ContourStack linked = ordered(read_stack((corpus::folder() / "links_stack.json").string())).stack;
+  int examples = 0;
+  for (std::sregex_iterator it(text.begin(), text.end(), example), end; it != end; ++it, ++examples) {
+    const std::string name = (*it)[1];
+    const bool links = !std::filesystem::exists(corpus::folder() / "bad" / name);
+    const std::string file = (corpus::folder() / (links ? "bad_links" : "bad") / name).string();
+    try {
+      if (links) {
+        validate_links(read_links(file), linked, file);
+      } else {
+        validate(read_stack(file));
+      }
+      ADD_FAILURE() << name << " was accepted";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(), file + (*it)[2].str());
+    }
+  }
+  EXPECT_GE(examples, 25);
 }
 
 }  // namespace
