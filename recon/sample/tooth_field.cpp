@@ -20,12 +20,14 @@ CuspHeight cusp_height(const Cusp& cusp, Point2 at) {
   const Point2 s = cusp.along;
   const double inward_of_ridge = s.x * iy - s.y * ix;   // of the triangular ridge's far end
   const double inward = (s.x * dy - s.y * dx) * (inward_of_ridge > 0 ? 1 : -1);
-  double fall_across = cusp.slope_out * std::max(-inward, 0.0);
+  constexpr double crest_rounding = 0.2;   // mm across the cusp ridges
+  const double across = std::hypot(inward, crest_rounding) - crest_rounding;
+  double fall_across = cusp.slope_out * across;
   double along = s.x * dx + s.y * dy;
   if (inward > 0) {
     // The triangular ridge may run aslant of the cusp ridges: measure along it, and sideways from it.
     const double share = inward / std::abs(inward_of_ridge);
-    fall_across = cusp.slope_in * share * std::hypot(ix, iy);
+    fall_across = cusp.slope_in * across * std::hypot(ix, iy) / std::abs(inward_of_ridge);
     along -= share * (s.x * ix + s.y * iy);
   }
   // An exponent between 1 (sharp edges) and 2 (a cone) rounds the four ridges.
