@@ -19,7 +19,8 @@ std::vector<Fate> eliminate(const std::vector<SlabTetrahedron>& tetrahedra, cons
 /// vertex both the kept and the removed part connected (what lies beyond the hull and the slices counts as removed). Then takes out
 /// again those that turned out not to be needed. Always ends where everything may be restored, since the hull is a ball.
 /// `may_restore[t]` false forbids a tetrahedron; returns false if a singularity can then not be repaired.
-bool repair(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<bool>& may_restore,
-            std::vector<Fate>& fate);
+/// Precondition: every internal triangle of both slices carries a kept tetrahedron.
+bool repair(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper,
+            const std::vector<bool>& may_restore, std::vector<Fate>& fate);
 
 }  // namespace odontoscope::delaunay

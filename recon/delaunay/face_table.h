@@ -1,9 +1,8 @@
 #pragma once
 // Matches the faces of tetrahedra by their three point numbers: an open-addressing table, since this runs for every slab.
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace odontoscope::delaunay {
@@ -28,15 +27,18 @@ class FaceTable {
     hash ^= hash >> 29;
     for (std::size_t i = hash & mask_;; i = (i + 1) & mask_) {
       Slot& slot = slots_[i];
-      if (slot.value == vacant) slot.key = {a, b, c};
-      if (slot.key == std::array{a, b, c}) return slot.value;
+      if (slot.value == vacant) {
+        slot.a = a;
+        slot.b = b;
+        slot.c = c;
+      }
+      if (slot.a == a && slot.b == b && slot.c == c) return slot.value;
     }
   }
 
  private:
   struct Slot {
-    std::array<std::uint32_t, 3> key{vacant, vacant, vacant};
-    std::uint32_t value = vacant;
+    std::uint32_t a = vacant, b = vacant, c = vacant, value = vacant;
   };
   std::vector<Slot> slots_;
   std::size_t mask_ = 0;

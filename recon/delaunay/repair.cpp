@@ -19,14 +19,16 @@ int index_of(const SlabTetrahedron& tet, std::uint32_t v) {
 
 class Repair {
  public:
+  /// `suspects`: the vertices to look at first.
   Repair(const std::vector<SlabTetrahedron>& tets, std::size_t points, const std::vector<bool>& may_restore,
-         std::vector<Fate>& fate)
-      : tets_(tets), may_restore_(may_restore), fate_(fate), queued_(points, true), seen_vertex_(points, 0), seen_tet_(tets.size(), 0) {
+         const std::vector<std::uint32_t>& suspects, std::vector<Fate>& fate)
+      : tets_(tets), may_restore_(may_restore), fate_(fate), queue_(suspects.begin(), suspects.end()), queued_(points, false),
+        seen_vertex_(points, 0), seen_tet_(tets.size(), 0) {
     collect_stars(points);
+    for (const std::uint32_t v : suspects) queued_[v] = true;
   }
 
   bool run() {
-    for (std::uint32_t v = 0; v < queued_.size(); ++v) queue_.push_back(v);
     while (!queue_.empty()) {
       const std::uint32_t v = queue_.front();
       queue_.pop_front();
@@ -284,11 +286,67 @@ class Repair {
   Ring ring_;
 };
 
+/// The faces between the kept tetrahedra and anything else, except those that lie in a region.
+std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate) {
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for (std::size_t t = 0; t < tets.size(); ++t) {
+    if (fate[t] == Fate::removed) continue;
+    const SlabTetrahedron& tet = tets[t];
+    // What elimination keeps of a 3-1 stands on an internal triangle; the face opposite its apex is that triangle.
+    const int in_plane = tet.lower_count == 3 ? 3 : tet.lower_count == 1 ? 0 : -1;
+    for (int i = 0; i < 4; ++i) {
+      if (i == in_plane || (tet.nb[i] != none && fate[tet.nb[i]] != Fate::removed)) continue;
+      faces.push_back({tet.v[(i + 1) % 4], tet.v[(i + 2) % 4], tet.v[(i + 3) % 4]});
+    }
+  }
+  return faces;
+}
+
+/// Vertices around which the kept tetrahedra may be singular. Around a regular one the interface is a single strip of faces, from the
+/// contour edge on one side of the vertex to that on the other: then the kept part of its link is a disc. So the graph that the faces leave
+/// on the vertex's neighbours is one simple path between its two contour neighbours, through points of the other slice only (a point of
+/// its own slice would be the far end of an internal edge with a gap above it). Precondition: nothing is restored yet.
+std::vector<std::uint32_t> suspects(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
+                                    const std::vector<Fate>& fate) {
+  const auto faces = interface_of(tets, fate);
+  const auto offset = static_cast<std::uint32_t>(lower.points.size());
+  const auto points = static_cast<std::uint32_t>(lower.points.size() + upper.points.size());
+  std::vector<std::uint32_t> first(points + 1, 0);
+  for (const auto& face : faces)
+    for (const std::uint32_t v : face) ++first[v + 1];
+  for (std::uint32_t v = 0; v < points; ++v) first[v + 1] += first[v];
+  std::vector<std::array<std::uint32_t, 2>> strip(first[points]);
+  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
+  for (const auto& face : faces)
+    for (int i = 0; i < 3; ++i) strip[fill[face[i]]++] = {face[(i + 1) % 3], face[(i + 2) % 3]};
+
+  std::vector<std::uint32_t> found, passed(points, none);
+  for (std::uint32_t v = 0; v < points; ++v) {
+    const std::uint32_t start = v < offset ? lower.previous[v] : offset + upper.previous[v - offset];
+    const std::uint32_t end = v < offset ? lower.next[v] : offset + upper.next[v - offset];
+    std::uint32_t at = start, left = first[v + 1] - first[v];
+    const std::uint32_t from = first[v];
+    while (left > 0 && at != end) {   // eat the strip from its start; each step takes one face out
+      std::uint32_t s = from;
+      while (s < from + left && strip[s][0] != at && strip[s][1] != at) ++s;
+      if (s == from + left) break;
+      at = strip[s][0] == at ? strip[s][1] : strip[s][0];
+      std::swap(strip[s], strip[from + --left]);
+      if (at != end && ((at < offset) == (v < offset) || passed[at] == v)) break;
+      passed[at] = v;
+    }
+    if (left > 0 || at != end) found.push_back(v);
+  }
+  return found;
+}
+
 }  // namespace
 
-bool repair(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<bool>& may_restore,
-            std::vector<Fate>& fate) {
-  return Repair(tetrahedra, points, may_restore, fate).run();
+bool repair(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper,
+            const std::vector<bool>& may_restore, std::vector<Fate>& fate) {
+  const std::vector<std::uint32_t> doubtful = suspects(tetrahedra, lower, upper, fate);
+  if (doubtful.empty()) return true;
+  return Repair(tetrahedra, lower.points.size() + upper.points.size(), may_restore, doubtful, fate).run();
 }
 
 }  // namespace odontoscope::delaunay

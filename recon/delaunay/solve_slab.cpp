@@ -111,7 +111,7 @@ class SlabSolver {
   bool finish(Group& group, const std::vector<SlabTetrahedron>& tets, std::vector<Fate>& fate,
               const std::vector<bool>& may_restore, const Planar& lower, const Planar& upper) {
     SlabSolid solid;
-    if (!repair(tets, lower.points.size() + upper.points.size(), may_restore, fate)) return false;
+    if (!repair(tets, lower, upper, may_restore, fate)) return false;
     if (!lift(tets, fate, lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid))
       return false;
     group.solid = std::move(solid);
