@@ -31,6 +31,12 @@ inline constexpr std::size_t json_depth = 64;
 inline constexpr std::size_t read_piece = 1 << 16;
 /// Links in a links file: more than any stack within the limits above has use for.
 inline constexpr std::size_t links = 10'000'000;
+/// Triangles of a mesh that is read: 32-bit half-edge numbers stay safe.
+inline constexpr std::size_t triangles = 100'000'000;
+/// Bytes of the JSON part of a GLB, which takes some twenty times that when parsed.
+inline constexpr std::size_t gltf_json_bytes = 64u << 20;
+/// Characters in a line of a text header.
+inline constexpr std::size_t text_line = 10'000;
 /// Bytes of a text or mesh file that is read whole.
 inline constexpr std::size_t file_bytes = 4ull << 30;
 /// Voxels of a volume: 2 GiB of 16 bit.
@@ -67,6 +73,10 @@ inline constexpr double radius_edge_histogram_high = 10;
 /// A shape ratio that is larger, or not finite after rounding, counts as this.
 inline constexpr double largest_aspect_ratio = 1e15;
 
+// --- files that are written --------------------------------------------------------------------------------------
+/// Bytes of a GLB's binary part: tinygltf counts in signed 32 bits.
+inline constexpr std::size_t glb_bytes = (1ull << 31) - 1;
+
 // --- simplifying ------------------------------------------------------------------------------------------------
 /// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
 inline constexpr double kept_margin = 0.25;
@@ -94,6 +104,8 @@ inline constexpr std::size_t compression_ratio = 1100;
 inline constexpr std::size_t header_bytes = 1u << 20;
 /// Characters in a line of it: readers of old have buffers of 1,024 and more.
 inline constexpr std::size_t header_line = 1000;
+/// Sequences of DICOM within each other: real objects have four or so.
+inline constexpr int dicom_nesting = 16;
 }  // namespace odontoscope::limits
 
 // --- sample teeth ------------------------------------------------------------------------------------------------

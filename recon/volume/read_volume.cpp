@@ -12,10 +12,11 @@
 #include <optional>
 
 #include "recon/core/error.h"
+#include "recon/volume/dicom_header.h"
 #include "recon/volume/oriented_image.h"
 #include "recon/volume/read_volume_dicom.h"
 #include "recon/volume/read_volume_itk.h"
-#include "recon/volume/volume_data_file.h"
+#include "recon/volume/volume_header.h"
 
 namespace odontoscope {
 namespace {
@@ -40,13 +41,13 @@ class Quiet {
 
 struct Reader {
   itk::ImageIOBase::Pointer io;
-  VolumeFormat format;
+  PixelClaim (*read_header)(const std::string& path);
 };
 
 std::optional<Reader> reader_for(const std::string& path) {
-  const std::array<Reader, 3> readers{{{itk::NrrdImageIO::New().GetPointer(), VolumeFormat::nrrd},
-                                       {itk::MetaImageIO::New().GetPointer(), VolumeFormat::meta_image},
-                                       {itk::NiftiImageIO::New().GetPointer(), VolumeFormat::nifti}}};
+  const std::array<Reader, 3> readers{{{itk::NrrdImageIO::New().GetPointer(), read_nrrd_header},
+                                       {itk::MetaImageIO::New().GetPointer(), read_meta_image_header},
+                                       {itk::NiftiImageIO::New().GetPointer(), read_nifti_header}}};
   for (const Reader& reader : readers) {
     if (reader.io->CanReadFile(path.c_str())) return reader;
   }
@@ -63,11 +64,13 @@ void check_openable(const std::string& path) {
 }
 
 Volume read_file_volume(const Reader& reader, const std::string& path, const ReadVolumeOptions& options) {
+  const PixelClaim claim = reader.read_header(path);
+  check_pixel_file(claim.file, claim.bytes.value_or(0), claim.floats);
   OpenedImage opened = open_image(reader.io, path);
   FileImage& image = opened.image;
   if (options.spacing) image.spacing = *options.spacing;
   oriented_grid(image);  // throws what is wrong with it before memory is asked for
-  check_data_file(path, reader.format, bytes_of_pixels(opened));
+  if (!claim.bytes) check_pixel_file(claim.file, bytes_of_pixels(opened));
   image.values.resize(image.size[0] * image.size[1] * image.size[2]);
   read_pixels(opened, image.values.data());
   return oriented(std::move(image));

@@ -7,7 +7,7 @@
 // **Axes.** Coordinates are the patient's as ITK has them: x to the left, y to the back, z up (LPS), millimetres; files in another
 // convention (NIfTI, "right-anterior-superior") are converted. The image's axes are reordered and reversed to run along x, y and
 // z, so every voxel is put where the file says that it lies: a volume that is stored upside down or left-handed comes out as it is, never
-// mirrored. Slices are those across z. A file without orientation is taken as it stands.
+// mirrored. Slices are those across z. A file without orientation is taken as it stands; without spacing (NRRD: nan) it is 1 mm.
 // An oblique image (axes at right angles, but turned against the coordinate axes) is read in its own frame: the nearest axes
 // are taken, the first voxel stays in place, and the turn that is dropped is told in Volume::tilt_degrees. That is a rotation, so
 // shape and handedness are untouched. Axes that are not at right angles (gantry tilt) are refused.
@@ -33,7 +33,7 @@ struct ReadVolumeOptions {
 ///
 /// The header is checked before memory is asked for. Throws FileError (missing, not a file or folder, cannot be opened);
 /// InputError with what validate_volume throws, or unknown-volume-format, unreadable-volume (header or pixels; ITK's words follow),
-/// truncated-volume (the file is too short for its header's sizes), many-data-files, not-scalar, not-3d, pixel-type (complex
+/// truncated-volume (the file is too short for its header's sizes), damaged-volume (compressed pixels), many-data-files, not-scalar, not-3d, pixel-type (complex
 /// and the like), sheared-volume; DICOM: no-dicom-images, several-series, mixed-series (sizes or orientations differ),
 /// uneven-slices.
 ///

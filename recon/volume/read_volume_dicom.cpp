@@ -1,21 +1,17 @@
 #include "recon/volume/read_volume_dicom.h"
 
 #include <fmt/format.h>
-#include <gdcmReader.h>
-#include <gdcmStringFilter.h>
 #include <itkGDCMImageIO.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <string_view>
 #include <vector>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/dicom_header.h"
 #include "recon/volume/read_volume_itk.h"
 
 namespace odontoscope {
@@ -27,23 +23,6 @@ Place in_file(const std::string& file) {
   Place place;
   place.file = file;
   return place;
-}
-
-/// What a DICOM file says of itself before its pixels.
-struct DicomHeader {
-  bool is_image = false;
-  std::string series;
-};
-
-DicomHeader dicom_header(const std::string& file) {
-  const gdcm::Tag series(0x0020, 0x000e), rows(0x0028, 0x0010), pixels(0x7fe0, 0x0010);
-  gdcm::Reader reader;
-  reader.SetFileName(file.c_str());
-  if (!reader.ReadUpToTag(pixels)) throw_unreadable(file, "header", "it is no well-formed DICOM data set");
-  gdcm::StringFilter filter;
-  filter.SetFile(reader.GetFile());
-  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
-  return {data.FindDataElement(rows), data.FindDataElement(series) ? filter.ToString(series) : std::string()};
 }
 
 /// Plain files of a folder that are DICOM images, by series; names sorted.
@@ -64,7 +43,7 @@ std::map<std::string, std::vector<std::string>> images_by_series(const std::stri
   std::map<std::string, std::vector<std::string>> series;
   for (const std::string& file : files) {
     progress.check();
-    const DicomHeader header = dicom_header(file);
+    const DicomHeader header = read_dicom_header(file);
     if (header.is_image) series[header.series].push_back(file);
   }
   return series;
@@ -87,7 +66,7 @@ std::vector<std::string> files_of_series(const std::string& path, const Progress
     }
     return all.begin()->second;
   }
-  const DicomHeader own = dicom_header(path);
+  const DicomHeader own = read_dicom_header(path);
   const auto found = own.is_image ? all.find(own.series) : all.end();
   if (found == all.end()) {
     throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image", "give a file of an image series");
@@ -187,17 +166,8 @@ Volume stacked(const std::vector<OpenedImage>& slices, const std::string& source
 
 }  // namespace
 
-bool is_dicom_file(const std::string& path) {
-  constexpr std::size_t preamble = 128;
-  constexpr std::string_view mark = "DICM";
-  std::array<char, preamble + mark.size()> head{};
-  std::ifstream in(path, std::ios::binary);
-  return in.read(head.data(), head.size()) && std::string_view(head.data() + preamble, mark.size()) == mark;
-}
-
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
   const std::vector<std::string> files = files_of_series(path, progress);
-  std::vector<OpenedImage> several_frames;
   if (!fs::is_directory(path) || files.size() == 1) {
     const std::string& file = fs::is_directory(path) ? files.front() : path;
     OpenedImage opened = open_image(itk::GDCMImageIO::New().GetPointer(), file);

@@ -12,7 +12,4 @@ namespace odontoscope {
 /// Files that are no DICOM images are passed over.
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress);
 
-/// Has `path` the mark of a DICOM file ("DICM" after 128 bytes)?
-bool is_dicom_file(const std::string& path);
-
 }  // namespace odontoscope

@@ -64,8 +64,14 @@ void convert_as(Component type, const std::vector<std::byte>& raw, float* to) {
 }  // namespace
 
 void throw_unreadable(const std::string& file, const std::string& part, const std::string& what) {
+  // The last line of several tells the root of it; "Class(address): " in front changes from run to run.
   constexpr std::size_t enough = 200;
-  std::string words = what.substr(0, enough);
+  std::string words = what.substr(0, what.find_last_not_of(" \n") + 1);
+  words.erase(0, words.rfind('\n') + 1);
+  if (const std::size_t address = words.find("(0x"); address != std::string::npos) {
+    words.erase(0, std::min(words.find("): ", address), words.size() - 3) + 3);
+  }
+  words.resize(std::min(words.size(), enough));
   std::replace_if(words.begin(), words.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, ' ');
   Place place;
   place.file = file;
