@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/options.h"
 #include "engine/app/spelling.h"
 #include "engine/app/version.h"
 
@@ -46,7 +47,7 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
   root.add_flag("-q,--quiet", options.quiet, "Say nothing but errors");
   root.add_option("--threads", options.threads, "Threads to use; the result does not depend on it (default: all)")
       ->type_name("N")
-      ->check(CLI::Range(1, most_threads));
+      ->check(whole_number_from_one_to(most_threads));
 }
 
 std::vector<Command> add_commands(CLI::App& root) {

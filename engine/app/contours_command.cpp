@@ -14,19 +14,19 @@ namespace {
 
 struct Options {
   std::string volume;
-  VolumeOptions from_volume;
+  VolumeWords words;
   std::string output;
 };
 
 ExitCode make_contours(const Options& options, Session& session) {
   known_ending(options.output, {".json"});
-  if (!options.from_volume.any_level()) {
+  if (!options.words.any_level()) {
     throw UsageError("nothing says where in the volume the surface lies",
                      "Give --iso T for an image, --label N for a label map");
   }
-  understood(options.from_volume);
+  const VolumeContourOptions wanted = understood(options.words);
   refuse_unwritable({.inputs = {options.volume}, .outputs = {options.output}});
-  const ContourStack stack = contours_of_volume(options.volume, options.from_volume, session);
+  const ContourStack stack = contours_told(options.volume, wanted, session);
   const std::string text = to_json(stack);
   session.progress().check();
   write_all({{options.output, text}}, session.interrupts);
@@ -43,7 +43,7 @@ Command contours_command(CLI::App& root) {
       ->required()
       ->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
-  add_volume_options(*parser, options->from_volume);
+  add_volume_options(*parser, options->words);
   parser->footer(
       "Examples:\n"
       "  odontoscope contours tooth.nrrd --iso 120 -o tooth.json\n"

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/command.h"
+#include "engine/app/model.h"
+#include "engine/app/options.h"
+#include "engine/app/outputs.h"
+#include "engine/app/volume_options.h"
+#include "recon/delaunay/reconstruct.h"
+#include "recon/input/links_json.h"
+#include "recon/input/stack_json.h"
+#include "recon/input/validate.h"
+#include "recon/output/model_file.h"
+#include "recon/output/report_json.h"
+
+namespace odontoscope::app {
+namespace {
+
+struct Options {
+  std::string input;
+  VolumeWords words;
+  Correspondence correspondence = Correspondence::medial;
+  std::string links;
+  std::vector<std::string> together;   // "A,B"
+  std::optional<int> triangles;
+  std::vector<std::string> outputs;
+  std::string report;
+};
+
+std::vector<std::string> names_in(const std::string& list) {
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    names.push_back(list.substr(from, comma - from));
+    from = comma + 1;
+  }
+  if (names.size() >= 2) return names;
+  throw UsageError(fmt::format("--together {}: that is no list of two or more structures", list),
+                   "For example --together dentine,pulp");
+}
+
+void refuse_senseless(const Options& options) {
+  for (const std::string& output : options.outputs) known_ending(output, model_endings());
+  if (!options.report.empty()) known_ending(options.report, {".json"});
+  for (const std::string& list : options.together) names_in(list);
+  if (options.words.any_level()) return;
+  if (options.words.min_area || !options.words.spacing.empty()) {
+    throw UsageError("--min-area and --spacing are about volumes, and nothing says where in a volume the surface lies",
+                     "Give --iso T for an image, --label N for a label map");
+  }
+  if (named_like_a_volume(options.input)) {
+    throw UsageError(fmt::format("{} looks like a volume, and nothing says where in it the surface lies", options.input),
+                     "Give --iso T for an image, --label N for a label map");
+  }
+}
+
+PlannedFiles planned_files(const Options& options) {
+  PlannedFiles files{.inputs = {options.input}, .outputs = options.outputs};
+  if (!options.links.empty()) files.inputs.push_back(options.links);
+  if (!options.report.empty()) files.outputs.push_back(options.report);
+  return files;
+}
+
+ContourStack contours_of(const Options& options, Session& session) {
+  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session);
+  ContourStack stack = read_stack(options.input);
+  if (options.words.simplify) {
+    validate(stack, session.progress());
+    stack = simplify_told(stack, {*options.words.simplify}, session);
+  }
+  return stack;
+}
+
+/// The links file, checked here so that messages name it.
+std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
+  if (options.links.empty()) return {};
+  const std::vector<Link> links = read_links(options.links);
+  validate(stack);
+  validate_links(links, ordered(stack).stack, options.links);
+  return links;
+}
+
+ExitCode make_model(const Options& options, Session& session) {
+  refuse_senseless(options);
+  if (options.words.any_level()) understood(options.words);
+  refuse_unwritable(planned_files(options));
+
+  const auto start = std::chrono::steady_clock::now();
+  ContourStack stack = contours_of(options, session);
+  for (const std::string& list : options.together) stack = together(stack, names_in(list));
+  ReconstructOptions engine;
+  engine.correspondence = options.correspondence;
+  engine.links = links_for(stack, options);
+  engine.threads = session.threads;
+  Model model{.reconstruction = reconstruct(stack, engine, session.progress()), .simplifications = {}};
+  if (options.triangles) simplify_model(model, static_cast<std::size_t>(*options.triangles), session.progress());
+
+  std::vector<FileContent> files;
+  for (const std::string& output : options.outputs) files.push_back(model_file(model.reconstruction, output));
+  if (!options.report.empty()) {
+    files.push_back({options.report, report_json(model.reconstruction, {.simplifications = model.simplifications})});
+  }
+  session.progress().check();
+  write_all(files, session.interrupts);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  tell_model(model, taken.count(), session.console);
+  for (const FileContent& file : files) session.console.say(fmt::format("Wrote {}", file.file.string()));
+  return ExitCode::done;
+}
+
+void add_options(CLI::App& parser, Options& options) {
+  const std::map<std::string, Correspondence> criteria{{"reverse", Correspondence::reverse},
+                                                       {"medial", Correspondence::medial},
+                                                       {"overlap", Correspondence::overlap}};
+  parser.add_option("INPUT", options.input, "Contour stack (.json), or with --iso or --label a volume")
+      ->required()
+      ->type_name("");
+  repeatable(parser.add_option("-o,--output", options.outputs, "Model to write, .glb, .stl, .ply or .vtu; repeatable"))
+      ->required()
+      ->type_name("FILE");
+  parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
+  parser.add_option("--correspondence", options.correspondence,
+                    "When regions of neighbouring slices connect: reverse, medial (default) or overlap")
+      ->type_name("NAME")
+      ->transform(CLI::CheckedTransformer(criteria, CLI::ignore_case).description(""));
+  parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
+  repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
+      ->type_name("A,B");
+  constexpr int most_triangles = 100'000'000;
+  parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_triangles));
+  add_volume_options(parser, options.words);
+}
+
+}  // namespace
+
+Command reconstruct_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("reconstruct", "Contours or a CT volume to a solid, certified model");
+  const auto options = std::make_shared<Options>();
+  add_options(*parser, *options);
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope reconstruct molar.json -o molar.glb --report molar-report.json\n"
+      "  odontoscope reconstruct molar.json -o molar.stl -o molar.vtu --triangles 8000\n"
+      "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
+      "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
+      "\n"
+      ".glb for viewers and the web, .stl for printers, .ply without loss, .vtu the tetrahedra.\n"
+      "The report lists every connection that was made, in the form that --links reads.\n");
+  return {parser, [options](Session& session) { return make_model(*options, session); }};
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,71 @@
+// Wrong command lines: exit code 2, a message that helps, and nothing written.
+
+#include "tests/app/program.h"
+
+namespace odontoscope::testing_support {
+namespace {
+
+struct Mistake {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* answer;   // part of the message
+};
+
+class Usage : public ProgramTest, public ::testing::WithParamInterface<Mistake> {};
+
+TEST_P(Usage, IsRefusedWithAnAnswer) {
+  given("cube.json", cube_stack());
+  given("scan.nrrd", "never read");
+  const Ending ending = odontoscope(GetParam().arguments);
+  EXPECT_EQ(ending.exit_code, 2) << ending.err;
+  EXPECT_TRUE(ending.complains(GetParam().answer)) << ending.err;
+  EXPECT_TRUE(ending.complains("--help")) << ending.err;
+  EXPECT_EQ(ending.out, "");
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"cube.json", "scan.nrrd"}));
+  EXPECT_EQ(bytes_of("cube.json"), cube_stack());
+}
+
+const Mistake mistakes[] = {
+    {"MistypedSubcommand", {"reconstuct", "cube.json", "-o", "a.glb"}, "reconstruct"},
+    {"ShortenedSubcommand", {"recon", "cube.json", "-o", "a.glb"}, "reconstruct"},
+    {"FileInsteadOfSubcommand", {"cube.json"}, "odontoscope reconstruct cube.json -o"},
+    {"TwoSubcommands", {"sample", "molar", "-o", "a.json", "check", "a.json"}, "not expected"},
+    {"UnknownOption", {"reconstruct", "cube.json", "-o", "a.glb", "--colour"}, "--colour"},
+    {"MistypedOption", {"reconstruct", "cube.json", "-o", "a.glb", "--triangels", "9"}, "--triangles"},
+    {"NoOutput", {"reconstruct", "cube.json"}, "--output"},
+    {"NoInput", {"reconstruct", "-o", "a.glb"}, "INPUT"},
+    {"UnknownEnding", {"reconstruct", "cube.json", "-o", "a.obj"}, ".glb"},
+    {"NoEnding", {"reconstruct", "cube.json", "-o", "model"}, ".glb"},
+    {"OneBadEndingOfTwo", {"reconstruct", "cube.json", "-o", "a.glb", "-o", "a.obj"}, ".obj"},
+    {"ReportEnding", {"reconstruct", "cube.json", "-o", "a.glb", "--report", "a.txt"}, ".json"},
+    {"SameOutputTwice", {"reconstruct", "cube.json", "-o", "a.glb", "-o", "./a.glb"}, "twice"},
+    {"ReportIsOutput", {"contours", "scan.nrrd", "--iso", "1", "-o", "scan.nrrd"}, ".json"},
+    {"OutputIsInput", {"reconstruct", "cube.json", "-o", "a.glb", "--report", "cube.json"}, "both input and output"},
+    {"VolumeWithoutIso", {"reconstruct", "scan.nrrd", "-o", "a.glb"}, "--iso"},
+    {"ContoursWithoutIso", {"contours", "scan.nrrd", "-o", "a.json"}, "--iso"},
+    {"IsoIsNoNumber", {"contours", "scan.nrrd", "--iso", "bone", "-o", "a.json"}, "--iso bone"},
+    {"IsoIsNan", {"contours", "scan.nrrd", "--iso", "nan", "-o", "a.json"}, "--iso nan"},
+    {"IsoWithoutName", {"contours", "scan.nrrd", "--iso", "12=", "-o", "a.json"}, "T=NAME"},
+    {"TwoIsoOfOneName", {"contours", "scan.nrrd", "--iso", "1", "--iso", "2", "-o", "a.json"}, "same name"},
+    {"LabelIsNoNumber", {"contours", "scan.nrrd", "--label", "1.5", "-o", "a.json"}, "--label 1.5"},
+    {"SpacingOfTwo", {"contours", "scan.nrrd", "--iso", "1", "--spacing", "1,1", "-o", "a.json"}, "--spacing"},
+    {"SpacingOfFour", {"contours", "scan.nrrd", "--iso", "1", "--spacing", "1,1,1,1", "-o", "a.json"}, "--spacing"},
+    {"SpacingNegative", {"contours", "scan.nrrd", "--iso", "1", "--spacing", "1,-1,1", "-o", "a.json"}, "--spacing"},
+    {"MinAreaNegative", {"contours", "scan.nrrd", "--iso", "1", "--min-area", "-1", "-o", "a.json"}, "--min-area"},
+    {"VolumeOptionWithoutIso", {"reconstruct", "cube.json", "--min-area", "4", "-o", "a.glb"}, "--iso"},
+    {"UnknownCriterion", {"reconstruct", "cube.json", "--correspondence", "guess", "-o", "a.glb"}, "medial"},
+    {"NoTriangles", {"reconstruct", "cube.json", "--triangles", "0", "-o", "a.glb"}, "--triangles"},
+    {"TogetherWithItself", {"reconstruct", "cube.json", "--together", "tooth", "-o", "a.glb"}, "--together"},
+    {"NoThreads", {"--threads", "0", "reconstruct", "cube.json", "-o", "a.glb"}, "--threads"},
+    {"ThreadsInWords", {"reconstruct", "cube.json", "-o", "a.glb", "--threads", "many"}, "--threads"},
+    {"UnknownTooth", {"sample", "canine", "-o", "a.json"}, "molar"},
+    {"SampleEnding", {"sample", "molar", "-o", "a.glb"}, ".json"},
+    {"SampleSpacing", {"sample", "molar", "--slice-spacing", "0", "-o", "a.json"}, "spacing"},
+    {"CheckNothing", {"check"}, "FILE"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Mistakes, Usage, ::testing::ValuesIn(mistakes),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace odontoscope::testing_support
