@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/app/command.h"
+#include "engine/app/outputs.h"
+#include "engine/app/sniff.h"
+#include "engine/app/words.h"
+#include "recon/core/read_file.h"
+#include "recon/input/stack_json.h"
+#include "recon/input/validate.h"
+#include "recon/mesh/read_mesh.h"
+#include "recon/output/report_json.h"
+
+namespace odontoscope::app {
+namespace {
+
+struct Options {
+  std::string file;
+  std::string report;
+};
+
+/// What is wrong with a surface, each defect with its count; empty if it is a closed oriented manifold.
+std::vector<std::string> defects_of(const SurfaceReport& report) {
+  std::vector<std::string> defects;
+  const auto add = [&defects](std::size_t count, std::string_view singular, std::string_view plural) {
+    if (count > 0) defects.push_back(counted(count, singular, plural));
+  };
+  add(report.boundary_edges, "boundary edge", "boundary edges");
+  add(report.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
+  add(report.misoriented_edges, "misoriented edge", "misoriented edges");
+  add(report.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
+  add(report.degenerate_triangles, "degenerate triangle", "degenerate triangles");
+  return defects;
+}
+
+void tell_shells(const std::vector<Shell>& shells, Console& console) {
+  constexpr std::size_t most_lines = 10;
+  for (std::size_t i = 0; i < std::min(shells.size(), most_lines); ++i) console.say("  " + shell_in_words(shells[i]));
+  if (shells.size() > most_lines) console.say(fmt::format("  and {} smaller ones", shells.size() - most_lines));
+}
+
+void tell_surface(const NamedSurfaceReport& mesh, Console& console) {
+  const SurfaceReport& report = mesh.report;
+  console.say(fmt::format("{}: {}, {}", mesh.name.empty() ? "surface" : mesh.name, counted(report.triangles, "triangle"),
+                          counted(report.vertices, "vertex", "vertices")));
+  tell_shells(report.shells, console);
+  console.say(fmt::format("  smallest angle {} degrees (median {}), aspect ratio at most {} (median {})",
+                          measured(report.smallest_angle_deg.min), measured(report.smallest_angle_deg.median),
+                          measured(report.aspect_ratio.max), measured(report.aspect_ratio.median)));
+  const std::vector<std::string> defects = defects_of(report);
+  if (defects.empty()) console.say("  closed, oriented and manifold");
+  else console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
+}
+
+ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const Options& options, Session& session) {
+  std::vector<NamedSurfaceReport> reports;
+  for (const NamedMesh& mesh : meshes) {
+    session.progress().check();
+    reports.push_back({mesh.name, inspect(mesh.surface)});
+    tell_surface(reports.back(), session.console);
+  }
+  if (!options.report.empty()) {
+    write_all({{options.report, surface_report_json(options.file, reports)}}, session.interrupts);
+  }
+  const bool sound = std::all_of(reports.begin(), reports.end(),
+                                 [](const NamedSurfaceReport& mesh) { return mesh.report.closed_oriented_manifold(); });
+  session.console.say(fmt::format("{}: {}", options.file, sound ? "sound" : "found wanting"));
+  return sound ? ExitCode::done : ExitCode::found_wanting;
+}
+
+ExitCode check_stack(const ContourStack& stack, const Options& options, Session& session) {
+  validate(stack, session.progress());
+  session.console.say(fmt::format("{}: {}", options.file, stack_in_words(stack)));
+  std::vector<double> heights;
+  for (const Slice& slice : stack.slices) heights.push_back(slice.z);
+  std::sort(heights.begin(), heights.end());
+  double narrowest = heights[1] - heights[0], widest = narrowest;
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    narrowest = std::min(narrowest, heights[i] - heights[i - 1]);
+    widest = std::max(widest, heights[i] - heights[i - 1]);
+  }
+  session.console.say(fmt::format("  slices {} to {} mm apart", measured(narrowest), measured(widest)));
+  session.console.say("  every contour is simple, and those of a structure are disjoint: sound");
+  return ExitCode::done;
+}
+
+[[noreturn]] void refuse(FileKind kind, const std::string& file) {
+  if (kind == FileKind::volume) {
+    throw UsageError(fmt::format("{} is a volume image; check judges contour stacks and meshes", file),
+                     fmt::format("Contours of it: odontoscope contours {} --iso T -o FILE.json", file));
+  }
+  Place place;
+  place.file = file;
+  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL or PLY mesh",
+                   "Give a file of one of these formats");
+}
+
+ExitCode check(const Options& options, Session& session) {
+  if (!options.report.empty()) {
+    known_ending(options.report, {".json"});
+    refuse_unwritable({.inputs = {options.file}, .outputs = {options.report}});
+  }
+  const std::string bytes = read_file(options.file);
+  const FileKind kind = kind_of(bytes);
+  switch (kind) {
+    case FileKind::glb: return check_meshes(parse_glb(bytes, options.file), options, session);
+    case FileKind::ply: return check_meshes(parse_ply(bytes, options.file), options, session);
+    case FileKind::stl: return check_meshes(parse_stl(bytes, options.file), options, session);
+    case FileKind::contour_stack:
+      if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
+      return check_stack(parse_stack(bytes, options.file), options, session);
+    default: refuse(kind, options.file);
+  }
+}
+
+}  // namespace
+
+Command check_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("check", "Judge a mesh or a contour stack; exit code 1 if found wanting");
+  const auto options = std::make_shared<Options>();
+  parser->add_option("FILE", options->file, "GLB, STL or PLY mesh, or contour stack; told by its content")
+      ->required()
+      ->type_name("");
+  parser->add_option("--report", options->report, "What was found in a mesh, for scripts")->type_name("FILE.json");
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope check molar.glb\n"
+      "  odontoscope check scan.stl --report scan-report.json\n"
+      "  odontoscope check --quiet model.stl && echo closed and oriented\n"
+      "\n"
+      "A mesh is sound if it is closed, oriented and manifold everywhere; a contour stack if every\n"
+      "contour is simple and those of one structure are disjoint.\n");
+  return {parser, [options](Session& session) { return check(*options, session); }};
+}
+
+}  // namespace odontoscope::app
