@@ -3,10 +3,6 @@ add_library(odontoscope_options INTERFACE)
 # Exact predicates rely on IEEE arithmetic as written: no fused multiply-add, no fast-math.
 target_compile_options(odontoscope_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
                        -ffp-contract=off)
-# GCC 12 sees overlaps in std::string that are not there (its bug 105651).
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-  target_compile_options(odontoscope_options INTERFACE -Wno-restrict)
-endif()
 if(ODONTOSCOPE_WARNINGS_AS_ERRORS)
   target_compile_options(odontoscope_options INTERFACE -Werror)
 endif()
