@@ -1,0 +1,217 @@
+#include "recon/mesh/gltf_accessors.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "recon/core/limits.h"
+#include "recon/mesh/parsing.h"
+
+namespace odontoscope::gltf {
+namespace {
+
+using nlohmann::json;
+using parsing::fail_at_byte;
+using parsing::little_endian;
+
+constexpr std::size_t header_size = 12, chunk_header_size = 8;
+constexpr std::uint32_t json_chunk = 0x4E4F534A, buffer_chunk = 0x004E4942;
+
+struct Chunk {
+  std::uint32_t type = 0;
+  std::string_view bytes;
+  std::size_t offset = 0;
+};
+
+void check_header(std::string_view bytes, const std::string& file) {
+  if (bytes.size() < 4 || bytes.substr(0, 4) != "glTF") {
+    fail_at_byte(file, 0, "bad-header", "the file does not begin with \"glTF\"", "Export it as binary glTF (.glb)");
+  }
+  if (bytes.size() < header_size) fail_at_byte(file, bytes.size(), "truncated", "the file ends within its header");
+  const auto version = little_endian<std::uint32_t>(bytes, 4);
+  if (version != 2) fail_at_byte(file, 4, "bad-header", fmt::format("glTF version {} is not known, only 2", version));
+  const std::size_t announced = little_endian<std::uint32_t>(bytes, 8);
+  if (announced == bytes.size()) return;
+  fail_at_byte(file, 8, bytes.size() < announced ? "truncated" : "trailing-bytes",
+               fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+               "Copy or export it again");
+}
+
+Chunk next_chunk(std::string_view bytes, std::size_t at, const std::string& file) {
+  if (bytes.size() - at < chunk_header_size) fail_at_byte(file, at, "truncated", "the file ends within the head of a chunk");
+  const std::size_t length = little_endian<std::uint32_t>(bytes, at);
+  const std::size_t offset = at + chunk_header_size;
+  if (length > bytes.size() - offset) {
+    fail_at_byte(file, at, "truncated", fmt::format("a chunk announces {} bytes, and {} are left", length, bytes.size() - offset));
+  }
+  return {little_endian<std::uint32_t>(bytes, at + 4), bytes.substr(offset, length), offset};
+}
+
+/// Where the bytes of an accessor lie.
+struct View {
+  std::string_view bytes;    // from the accessor's first byte to the view's last
+  std::size_t count = 0, stride = 0;
+  std::uint64_t component_type = 0;
+};
+
+constexpr std::uint64_t unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
+
+std::size_t component_size(std::uint64_t type) {
+  switch (type) {
+    case unsigned_byte: return 1;
+    case unsigned_short: return 2;
+    case unsigned_int: case single: return 4;
+    default: return 0;
+  }
+}
+
+/// The bytes of a buffer view; only the file's own buffer can be meant.
+std::string_view view_bytes(const Glb& glb, const json& view) {
+  if (index_into(glb, view, "buffer", "buffers") != 0) glb.fail("unsupported", "a buffer lies outside the file");
+  const json& buffer = entry(glb, "buffers", 0);
+  if (buffer.contains("uri")) glb.fail("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
+  const std::uint64_t offset = whole(glb, view, "byteOffset", 0), length = whole(glb, view, "byteLength", 0);
+  if (offset > glb.buffer.size() || length > glb.buffer.size() - offset) {
+    glb.fail("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset, glb.buffer.size()));
+  }
+  return glb.buffer.substr(offset, length);
+}
+
+View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::size_t components) {
+  const json& accessor = entry(glb, "accessors", index);
+  const auto type = accessor.find("type");
+  if (type == accessor.end() || *type != wanted_type) {
+    glb.fail("unsupported", fmt::format("accessor {} is no {}", index, wanted_type));
+  }
+  if (accessor.contains("sparse")) glb.fail("unsupported", fmt::format("accessor {} is sparse", index));
+  const json& view = entry(glb, "bufferViews", index_into(glb, accessor, "bufferView", "bufferViews"));
+  View resolved;
+  resolved.component_type = whole(glb, accessor, "componentType", 0);
+  const std::size_t size = component_size(resolved.component_type) * components;
+  if (size == 0) {
+    glb.fail("unsupported", fmt::format("accessor {} has component type {}", index, resolved.component_type));
+  }
+  resolved.bytes = view_bytes(glb, view);
+  resolved.stride = whole(glb, view, "byteStride", size);
+  const std::uint64_t offset = whole(glb, accessor, "byteOffset", 0);
+  resolved.count = whole(glb, accessor, "count", 0);
+  constexpr std::size_t largest_stride = 252;
+  if (resolved.stride < size || resolved.stride > largest_stride) {
+    glb.fail("unparsable", fmt::format("a buffer view has a stride of {} bytes", resolved.stride));
+  }
+  const bool fits = resolved.count == 0 ||
+                    (offset <= resolved.bytes.size() && size <= resolved.bytes.size() - offset &&
+                     resolved.count - 1 <= (resolved.bytes.size() - offset - size) / resolved.stride);
+  if (!fits) {
+    glb.fail("truncated", fmt::format("accessor {} announces {} elements, more than its buffer view holds", index, resolved.count));
+  }
+  resolved.bytes = resolved.count == 0 ? std::string_view() : resolved.bytes.substr(offset);
+  return resolved;
+}
+
+}  // namespace
+
+void Glb::fail(std::string_view cause, std::string_view wrong, std::string_view remedy) const {
+  fail_at_byte(file, json_offset, cause, wrong, remedy);
+}
+
+Glb parse_container(std::string_view bytes, const std::string& file) {
+  check_header(bytes, file);
+  Glb glb;
+  glb.file = file;
+  const Chunk first = next_chunk(bytes, header_size, file);
+  if (first.type != json_chunk) fail_at_byte(file, header_size, "bad-header", "the first chunk is not JSON");
+  if (first.bytes.size() > limits::gltf_json_bytes) {
+    fail_at_byte(file, header_size, "too-large", fmt::format("the JSON part has more than {} bytes", limits::gltf_json_bytes));
+  }
+  glb.json_offset = first.offset;
+  for (std::size_t at = first.offset + first.bytes.size(); at < bytes.size();) {
+    const Chunk chunk = next_chunk(bytes, at, file);
+    if (chunk.type == buffer_chunk && glb.buffer_offset == 0) {
+      glb.buffer = chunk.bytes;
+      glb.buffer_offset = chunk.offset;
+    }
+    at = chunk.offset + chunk.bytes.size();
+  }
+  glb.document = json::parse(first.bytes, nullptr, false);
+  if (glb.document.is_discarded() || !glb.document.is_object()) glb.fail("unparsable", "the JSON part is no JSON object");
+  for (const json& extension : list(glb, "extensionsRequired")) {
+    glb.fail("unsupported",
+             fmt::format("the extension {} is required", extension.is_string() ? parsing::tame(extension.get<std::string>()) : "?"),
+             "Export it without compression or extensions");
+  }
+  return glb;
+}
+
+std::uint64_t whole(const Glb& glb, const json& value, const char* name) {
+  constexpr double largest_exact = 9007199254740992.0;   // 2^53
+  if (!value.is_number()) glb.fail("unparsable", fmt::format("\"{}\" is no number", name));
+  const double number = value.get<double>();
+  if (!(number >= 0) || number > largest_exact || number != std::floor(number)) {
+    glb.fail("unparsable", fmt::format("\"{}\" is no whole number from 0", name));
+  }
+  return static_cast<std::uint64_t>(number);
+}
+
+std::uint64_t whole(const Glb& glb, const json& object, const char* key, std::uint64_t otherwise) {
+  const auto found = object.find(key);
+  return found == object.end() ? otherwise : whole(glb, *found, key);
+}
+
+std::size_t index_into(const Glb& glb, const json& value, const char* of) {
+  const std::uint64_t index = whole(glb, value, of);
+  if (index >= list(glb, of).size()) {
+    glb.fail("index-out-of-range", fmt::format("number {} is named of {} {}", index, list(glb, of).size(), of));
+  }
+  return index;
+}
+
+std::size_t index_into(const Glb& glb, const json& object, const char* key, const char* of) {
+  const auto found = object.find(key);
+  if (found == object.end()) glb.fail("unparsable", fmt::format("\"{}\" is missing", key));
+  return index_into(glb, *found, of);
+}
+
+const json& list(const Glb& glb, const char* key) {
+  static const json empty = json::array();
+  const auto found = glb.document.find(key);
+  if (found == glb.document.end()) return empty;
+  if (!found->is_array()) glb.fail("unparsable", fmt::format("\"{}\" is no list", key));
+  return *found;
+}
+
+const json& entry(const Glb& glb, const char* key, std::size_t index) {
+  const json& all = list(glb, key);
+  if (index >= all.size()) glb.fail("index-out-of-range", fmt::format("there is no number {} in \"{}\"", index, key));
+  if (!all[index].is_object()) glb.fail("unparsable", fmt::format("number {} in \"{}\" is no object", index, key));
+  return all[index];
+}
+
+std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor) {
+  const View view = resolve(glb, accessor, "VEC3", 3);
+  if (view.component_type != single) glb.fail("unsupported", "positions are not single-precision numbers");
+  std::vector<std::array<float, 3>> positions;
+  positions.reserve(view.count);
+  for (std::size_t i = 0; i < view.count; ++i) {
+    positions.push_back(little_endian<std::array<float, 3>>(view.bytes, i * view.stride));
+  }
+  return positions;
+}
+
+std::vector<std::uint32_t> read_indices(const Glb& glb, std::size_t accessor) {
+  const View view = resolve(glb, accessor, "SCALAR", 1);
+  if (view.component_type == single) glb.fail("unsupported", "indices are not whole numbers");
+  std::vector<std::uint32_t> indices;
+  indices.reserve(view.count);
+  for (std::size_t i = 0; i < view.count; ++i) {
+    const std::size_t at = i * view.stride;
+    switch (view.component_type) {
+      case unsigned_byte: indices.push_back(little_endian<std::uint8_t>(view.bytes, at)); break;
+      case unsigned_short: indices.push_back(little_endian<std::uint16_t>(view.bytes, at)); break;
+      default: indices.push_back(little_endian<std::uint32_t>(view.bytes, at));
+    }
+  }
+  return indices;
+}
+
+}  // namespace odontoscope::gltf

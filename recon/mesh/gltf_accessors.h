@@ -1,0 +1,44 @@
+#pragma once
+// The numbers of a GLB: its two parts told apart, and accessors read with every bound checked. For the .cpp files of this room only.
+
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace odontoscope::gltf {
+
+struct Glb {
+  nlohmann::json document;
+  std::string_view buffer;          // of the file's bytes; empty if there is none
+  std::string file;
+  std::size_t json_offset = 0, buffer_offset = 0;
+
+  /// InputError at the JSON part.
+  [[noreturn]] void fail(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) const;
+};
+
+/// Splits and parses; causes truncated, trailing-bytes, bad-header, unparsable, too-large, unsupported.
+Glb parse_container(std::string_view bytes, const std::string& file);
+
+/// `object[key]` as a whole number from 0 to 2^53; `otherwise` where it is missing. InputError unparsable if it is something else.
+std::uint64_t whole(const Glb& glb, const nlohmann::json& object, const char* key, std::uint64_t otherwise);
+/// `value` itself, which is called `name` in messages.
+std::uint64_t whole(const Glb& glb, const nlohmann::json& value, const char* name);
+/// The same, required, and below the length of the document's array `of`. InputError index-out-of-range.
+std::size_t index_into(const Glb& glb, const nlohmann::json& object, const char* key, const char* of);
+/// `value` itself. Never copies it: a copy of deeply nested JSON would overflow the stack.
+std::size_t index_into(const Glb& glb, const nlohmann::json& value, const char* of);
+/// document[key], an array; an empty one where it is missing.
+const nlohmann::json& list(const Glb& glb, const char* key);
+/// document[key][index], an object.
+const nlohmann::json& entry(const Glb& glb, const char* key, std::size_t index);
+
+/// A VEC3 of floats.
+std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor);
+/// A SCALAR of unsigned bytes, shorts or ints.
+std::vector<std::uint32_t> read_indices(const Glb& glb, std::size_t accessor);
+
+}  // namespace odontoscope::gltf

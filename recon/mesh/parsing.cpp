@@ -1,0 +1,87 @@
+#include "recon/mesh/parsing.h"
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+#include "recon/core/limits.h"
+
+namespace odontoscope::parsing {
+
+static_assert(std::endian::native == std::endian::little, "binary readers copy memory as it is");
+
+void fail_at_byte(const std::string& file, std::size_t byte, std::string_view cause, std::string_view wrong,
+                  std::string_view remedy) {
+  Place place;
+  place.file = file;
+  place.byte = byte;
+  throw InputError(cause, place, wrong, remedy);
+}
+
+void fail_at_line(const std::string& file, std::size_t line, std::string_view cause, std::string_view wrong,
+                  std::string_view remedy) {
+  Place place;
+  place.file = file;
+  place.line = line;
+  throw InputError(cause, place, wrong, remedy);
+}
+
+std::string_view coordinate_fault(const Point3& point) {
+  std::string_view fault;
+  for (const double coordinate : {point.x, point.y, point.z}) {
+    if (!std::isfinite(coordinate)) return "not-finite";
+    if (std::abs(coordinate) > limits::largest_coordinate) fault = "too-large";
+  }
+  return fault;
+}
+
+std::string tame(std::string_view name) {
+  std::string tamed;
+  for (const char c : name.substr(0, limits::name_length)) {
+    tamed += static_cast<unsigned char>(c) < ' ' || c == 0x7f ? '?' : c;
+  }
+  return tamed;
+}
+
+bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+bool same_word(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  if (a.size() != b.size()) return false;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (lower(a[i]) != lower(b[i])) return false;
+  }
+  return true;
+}
+
+bool parse_number(std::string_view word, double& number) {
+  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (end != word.data() + word.size()) return false;
+  if (error == std::errc::result_out_of_range) {
+    // Too small to tell from zero, or too large to be true.
+    const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
+    number = tiny ? 0 : HUGE_VAL;
+    return true;
+  }
+  return error == std::errc();
+}
+
+std::string_view Words::next() {
+  while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
+  const std::size_t first = at_;
+  while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+  word_line_ = line_;
+  return text_.substr(first, at_ - first);
+}
+
+std::string_view Words::rest_of_line() {
+  const std::size_t first = at_;
+  while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+  std::string_view rest = text_.substr(first, at_ - first);
+  while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
+  while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);
+  return rest;
+}
+
+}  // namespace odontoscope::parsing

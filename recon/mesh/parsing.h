@@ -1,0 +1,58 @@
+#pragma once
+// What the three mesh readers have in common. For the .cpp files of this room only.
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "recon/core/error.h"
+#include "recon/mesh/meshes.h"
+
+namespace odontoscope::parsing {
+
+[[noreturn]] void fail_at_byte(const std::string& file, std::size_t byte, std::string_view cause,
+                               std::string_view wrong, std::string_view remedy = {});
+[[noreturn]] void fail_at_line(const std::string& file, std::size_t line, std::string_view cause,
+                               std::string_view wrong, std::string_view remedy = {});
+
+/// What is wrong with a coordinate: "not-finite", "too-large" or nothing (empty).
+std::string_view coordinate_fault(const Point3& point);
+
+/// Fit for a message or a list: control characters replaced, length bounded.
+std::string tame(std::string_view name);
+
+bool is_space(char c);
+/// The same, letters A to Z aside from their case.
+bool same_word(std::string_view a, std::string_view b);
+
+/// Numbers as text have them; "nan" and "inf" are understood (and refused later). False if `word` is not wholly a number.
+bool parse_number(std::string_view word, double& number);
+
+/// `bytes` must hold sizeof(Number) from `at` on.
+template <typename Number>
+Number little_endian(std::string_view bytes, std::size_t at) {
+  Number number;
+  std::memcpy(&number, bytes.data() + at, sizeof(Number));
+  return number;
+}
+
+/// Words of a text, with their line.
+class Words {
+ public:
+  Words(std::string_view text, std::size_t first_line) : text_(text), line_(first_line) {}
+
+  /// The next word; empty at the end.
+  std::string_view next();
+  /// Line of the word that next() gave last.
+  std::size_t line() const { return word_line_; }
+  /// What is left of that line, without the line end.
+  std::string_view rest_of_line();
+  std::size_t left() const { return text_.size() - at_; }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0, line_, word_line_ = 1;
+};
+
+}  // namespace odontoscope::parsing

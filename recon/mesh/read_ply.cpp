@@ -1,0 +1,338 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "recon/core/limits.h"
+#include "recon/mesh/parsing.h"
+#include "recon/mesh/read_mesh.h"
+
+namespace odontoscope {
+namespace {
+
+using namespace parsing;
+
+enum class Encoding { ascii, little, big };
+enum class Type { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+constexpr std::size_t size_of(Type type) {
+  constexpr std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+constexpr bool is_whole(Type type) { return type != Type::f32 && type != Type::f64; }
+
+std::optional<Type> type_named(std::string_view word) {
+  constexpr std::pair<std::string_view, Type> names[] = {
+      {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},  {"uint8", Type::u8},
+      {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
+      {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},  {"uint32", Type::u32},
+      {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
+  for (const auto& [name, type] : names) {
+    if (name == word) return type;
+  }
+  return std::nullopt;
+}
+
+struct Property {
+  std::string name;
+  Type type = Type::f32;
+  std::optional<Type> count_type;   // of a list
+};
+
+struct Element {
+  std::string name;
+  std::size_t count = 0, line = 0;
+  std::vector<Property> properties;
+  /// Bytes that one row takes at least: in text a digit and a blank a value (the very last may lack the blank).
+  std::size_t least_size(Encoding encoding) const {
+    std::size_t size = 0;
+    for (const Property& p : properties) {
+      size += encoding == Encoding::ascii ? 2 : size_of(p.count_type.value_or(p.type));
+    }
+    return size;
+  }
+};
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements;
+  std::size_t size = 0, lines = 0;
+};
+
+/// Line after line of the header.
+class HeaderReader {
+ public:
+  HeaderReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
+
+  Header read() {
+    if (next_line() != "ply") fail("bad-header", "the file does not begin with the line \"ply\"");
+    bool has_format = false;
+    for (;;) {
+      const std::string_view line = next_line();
+      Words words(line, header_.lines);
+      const std::string_view keyword = words.next();
+      if (keyword == "end_header") break;
+      if (keyword == "format") {
+        read_format(words);
+        has_format = true;
+      } else if (keyword == "element") {
+        read_element(words);
+      } else if (keyword == "property") {
+        read_property(words);
+      } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+        fail("bad-header", fmt::format("\"{}\" means nothing in a PLY header", tame(keyword.substr(0, limits::quoted_length))));
+      }
+    }
+    if (!has_format) fail("bad-header", "the header has no format line");
+    return std::move(header_);
+  }
+
+ private:
+  std::string_view next_line() {
+    const std::size_t first = header_.size, end = bytes_.find('\n', first);
+    if (end == bytes_.npos || end - first > limits::text_line) {
+      ++header_.lines;
+      const bool ply = first != 0;
+      fail(ply && end == bytes_.npos ? "truncated" : "bad-header",
+           ply ? "the header does not end" : "the file does not begin with the line \"ply\"");
+    }
+    header_.size = end + 1;
+    ++header_.lines;
+    std::string_view line = bytes_.substr(first, end - first);
+    while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
+    return line;
+  }
+
+  void read_format(Words& words) {
+    const std::string_view name = words.next(), version = words.next();
+    if (name == "ascii") header_.encoding = Encoding::ascii;
+    else if (name == "binary_little_endian") header_.encoding = Encoding::little;
+    else if (name == "binary_big_endian") header_.encoding = Encoding::big;
+    else fail("bad-header", fmt::format("\"{}\" is no PLY format", tame(name.substr(0, limits::quoted_length))));
+    if (version != "1.0") fail("bad-header", "the PLY version is not 1.0");
+  }
+
+  void read_element(Words& words) {
+    Element element;
+    element.line = header_.lines;
+    element.name = words.next();
+    double count = -1;
+    const bool number = parse_number(words.next(), count);
+    if (element.name.empty() || !number || !(count >= 0) || count > 9e15 || count != std::floor(count)) {
+      fail("bad-header", "an element needs a name and a count");
+    }
+    element.count = static_cast<std::size_t>(count);
+    header_.elements.push_back(std::move(element));
+  }
+
+  void read_property(Words& words) {
+    if (header_.elements.empty()) fail("bad-header", "a property comes before any element");
+    Property property;
+    std::string_view word = words.next();
+    if (word == "list") {
+      property.count_type = type_named(words.next());
+      if (!property.count_type || !is_whole(*property.count_type)) fail("bad-header", "a list needs a whole-number count type");
+      word = words.next();
+    }
+    const std::optional<Type> type = type_named(word);
+    property.name = words.next();
+    if (!type || property.name.empty()) fail("bad-header", "a property needs a type and a name");
+    property.type = *type;
+    header_.elements.back().properties.push_back(std::move(property));
+  }
+
+  [[noreturn]] void fail(std::string_view cause, std::string_view wrong) {
+    fail_at_line(file_, header_.lines, cause, wrong, "Export it again as PLY 1.0");
+  }
+
+  std::string_view bytes_;
+  const std::string& file_;
+  Header header_;
+};
+
+/// The numbers behind the header, whatever their encoding.
+class Body {
+ public:
+  Body(std::string_view bytes, const Header& header, const std::string& file)
+      : bytes_(bytes), file_(file), encoding_(header.encoding), at_(header.size),
+        words_(bytes.substr(header.size), header.lines + 1) {}
+
+  double number(Type type) {
+    if (encoding_ == Encoding::ascii) return word(type);
+    const std::size_t size = size_of(type);
+    if (size > bytes_.size() - at_) truncated();
+    std::array<char, 8> raw{};
+    std::memcpy(raw.data(), bytes_.data() + at_, size);
+    if (encoding_ == Encoding::big) std::reverse(raw.begin(), raw.begin() + static_cast<std::ptrdiff_t>(size));
+    at_ += size;
+    return decoded(std::string_view(raw.data(), raw.size()), type);
+  }
+
+  /// Of a list; never more than can be there.
+  std::size_t list_length(const Property& property) {
+    const double length = number(*property.count_type);
+    if (!(length >= 0) || length != std::floor(length)) fail("unparsable", "a list has no sensible length");
+    const std::size_t least = encoding_ == Encoding::ascii ? 1 : size_of(property.type);
+    if (length > static_cast<double>(left() / least)) truncated();
+    return static_cast<std::size_t>(length);
+  }
+
+  void skip(const Property& property) {
+    const std::size_t values = property.count_type ? list_length(property) : 1;
+    for (std::size_t i = 0; i < values; ++i) number(property.type);
+  }
+
+  std::size_t left() const { return encoding_ == Encoding::ascii ? words_.left() : bytes_.size() - at_; }
+
+  [[noreturn]] void fail(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) {
+    if (encoding_ == Encoding::ascii) fail_at_line(file_, words_.line(), cause, wrong, remedy);
+    fail_at_byte(file_, at_, cause, wrong, remedy);
+  }
+  [[noreturn]] void truncated() {
+    fail("truncated", "the file ends before the elements that its header announces", "Copy or export it again");
+  }
+  void expect_end() {
+    const bool at_end = encoding_ == Encoding::ascii ? words_.next().empty() : at_ == bytes_.size();
+    if (!at_end) fail("trailing-bytes", "the file goes on after the elements that its header announces");
+  }
+
+ private:
+  double word(Type type) {
+    const std::string_view text = words_.next();
+    if (text.empty()) truncated();
+    double value = 0;
+    if (!parse_number(text, value) || (is_whole(type) && value != std::floor(value))) {
+      fail("unparsable", fmt::format("\"{}\" is no number of the announced type", tame(text.substr(0, limits::quoted_length))));
+    }
+    return value;
+  }
+
+  static double decoded(std::string_view raw, Type type) {
+    switch (type) {
+      case Type::i8: return little_endian<std::int8_t>(raw, 0);
+      case Type::u8: return little_endian<std::uint8_t>(raw, 0);
+      case Type::i16: return little_endian<std::int16_t>(raw, 0);
+      case Type::u16: return little_endian<std::uint16_t>(raw, 0);
+      case Type::i32: return little_endian<std::int32_t>(raw, 0);
+      case Type::u32: return little_endian<std::uint32_t>(raw, 0);
+      case Type::f32: return little_endian<float>(raw, 0);
+      case Type::f64: return little_endian<double>(raw, 0);
+    }
+    throw InternalError("no such PLY type");
+  }
+
+  std::string_view bytes_;
+  const std::string& file_;
+  Encoding encoding_;
+  std::size_t at_;
+  Words words_;
+};
+
+std::vector<Point3> read_vertices(Body& body, const Element& element) {
+  int axis_of[3] = {-1, -1, -1};
+  constexpr std::string_view axes[] = {"x", "y", "z"};
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const Property& p = element.properties[i];
+      if (p.name == axes[axis] && !p.count_type) axis_of[axis] = static_cast<int>(i);
+    }
+  }
+  if (std::count(axis_of, axis_of + 3, -1) != 0) body.fail("bad-header", "the vertices have no x, y and z");
+  std::vector<Point3> points;
+  points.reserve(element.count);
+  for (std::size_t row = 0; row < element.count; ++row) {
+    Point3 point;
+    for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
+      const Property& p = element.properties[static_cast<std::size_t>(i)];
+      if (i == axis_of[0]) point.x = body.number(p.type);
+      else if (i == axis_of[1]) point.y = body.number(p.type);
+      else if (i == axis_of[2]) point.z = body.number(p.type);
+      else body.skip(p);
+    }
+    const std::string_view fault = coordinate_fault(point);
+    if (!fault.empty()) body.fail(fault, fmt::format("vertex {} has no usable coordinates", row));
+    points.push_back(point);
+  }
+  return points;
+}
+
+Triangle read_triangle(Body& body, const Property& property, std::size_t row, std::size_t points) {
+  const std::size_t corners = body.list_length(property);
+  if (corners != 3) {
+    body.fail("not-triangles", fmt::format("face {} has {} corners", row, corners), "Export it with triangles only");
+  }
+  Triangle triangle{};
+  for (PointIndex& corner : triangle) {
+    const double index = body.number(property.type);
+    if (!(index >= 0) || !(index < static_cast<double>(points))) {
+      body.fail("index-out-of-range", fmt::format("face {} names vertex {} of {}", row, index, points));
+    }
+    corner = static_cast<PointIndex>(index);
+  }
+  return triangle;
+}
+
+std::vector<Triangle> read_faces(Body& body, const Element& element, std::size_t points) {
+  const auto list = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
+    return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
+  });
+  if (list == element.properties.end()) body.fail("bad-header", "the faces have no list vertex_indices");
+  std::vector<Triangle> triangles;
+  triangles.reserve(element.count);
+  for (std::size_t row = 0; row < element.count; ++row) {
+    for (auto p = element.properties.begin(); p != element.properties.end(); ++p) {
+      if (p == list) triangles.push_back(read_triangle(body, *p, row, points));
+      else body.skip(*p);
+    }
+  }
+  return triangles;
+}
+
+void check_count(const Element& element, const Header& header, const Body& body, const std::string& file) {
+  const std::size_t least = element.least_size(header.encoding);
+  if (least == 0) {
+    if (element.count != 0) fail_at_line(file, element.line, "bad-header", "an element has no property");
+    return;
+  }
+  // One more for the blank that the last value of a text may lack.
+  if (element.count > (body.left() + 1) / least) {
+    fail_at_line(file, element.line, "truncated",
+                 fmt::format("{} rows of \"{}\" do not fit into the {} bytes that are left", element.count,
+                             tame(element.name), body.left()),
+                 "Copy or export it again");
+  }
+  if (element.count > limits::triangles) {
+    fail_at_line(file, element.line, "too-large", fmt::format("more than {} rows", limits::triangles));
+  }
+}
+
+}  // namespace
+
+std::vector<NamedMesh> parse_ply(std::string_view bytes, const std::string& file) {
+  const Header header = HeaderReader(bytes, file).read();
+  Body body(bytes, header, file);
+  SurfaceMesh surface;
+  for (const Element& element : header.elements) {
+    check_count(element, header, body, file);
+    if (element.name == "vertex" && surface.points.empty()) {
+      surface.points = read_vertices(body, element);
+    } else if (element.name == "face" && surface.triangles.empty()) {
+      surface.triangles = read_faces(body, element, surface.points.size());
+    } else {
+      for (std::size_t row = 0; row < element.count; ++row) {
+        for (const Property& p : element.properties) body.skip(p);
+      }
+    }
+  }
+  body.expect_end();
+  if (surface.triangles.empty()) fail_at_byte(file, header.size, "empty-mesh", "the file holds no triangle");
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({"", std::move(surface)});
+  return meshes;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "recon/core/limits.h"
+#include "recon/mesh/parsing.h"
+#include "recon/mesh/read_mesh.h"
+#include "recon/mesh/surface_report.h"
+
+namespace odontoscope {
+namespace {
+
+using namespace parsing;
+
+constexpr std::size_t header_size = 80, count_size = 4, record_size = 50, normal_size = 12;
+
+void add_triangle(SurfaceMesh& soup, const Point3 (&corners)[3]) {
+  const auto first = static_cast<PointIndex>(soup.points.size());
+  soup.points.insert(soup.points.end(), corners, corners + 3);
+  soup.triangles.push_back({first, first + 1, first + 2});
+}
+
+std::vector<NamedMesh> parse_binary(std::string_view bytes, const std::string& file) {
+  const std::size_t count = little_endian<std::uint32_t>(bytes, header_size);
+  if (count > limits::triangles) {
+    fail_at_byte(file, header_size, "too-large", fmt::format("{} triangles are more than {}", count, limits::triangles));
+  }
+  SurfaceMesh soup;
+  soup.points.reserve(3 * count);
+  soup.triangles.reserve(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const std::size_t record = header_size + count_size + t * record_size;
+    Point3 corners[3];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t at = record + normal_size + k * 3 * sizeof(float);
+      corners[k] = {little_endian<float>(bytes, at), little_endian<float>(bytes, at + sizeof(float)),
+                    little_endian<float>(bytes, at + 2 * sizeof(float))};
+      const std::string_view fault = coordinate_fault(corners[k]);
+      if (!fault.empty()) {
+        fail_at_byte(file, at, fault, fmt::format("corner {} of triangle {} has no usable coordinates", k, t));
+      }
+    }
+    add_triangle(soup, corners);
+  }
+  std::vector<NamedMesh> meshes;
+  meshes.push_back({"", weld(soup)});
+  return meshes;
+}
+
+/// The words of a facet, one expected after the other.
+class Reader {
+ public:
+  Reader(std::string_view text, const std::string& file) : words_(text, 1), file_(file) {}
+
+  std::vector<NamedMesh> solids() {
+    std::vector<NamedMesh> meshes;
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+      if (!same_word(word, "solid")) unexpected(word, "solid");
+      const std::string name = tame(words_.rest_of_line());
+      SurfaceMesh soup = facets();
+      words_.rest_of_line();   // the name again
+      if (!soup.triangles.empty()) meshes.push_back({name, weld(soup)});
+    }
+    return meshes;
+  }
+
+ private:
+  SurfaceMesh facets() {
+    SurfaceMesh soup;
+    for (;;) {
+      const std::string_view word = words_.next();
+      if (same_word(word, "endsolid")) return soup;
+      if (!same_word(word, "facet")) unexpected(word, "facet or endsolid");
+      if (triangles_++ == limits::triangles) {
+        fail_at_line(file_, words_.line(), "too-large", fmt::format("there are more than {} triangles", limits::triangles));
+      }
+      expect("normal");
+      for (int i = 0; i < 3; ++i) number();
+      expect("outer");
+      expect("loop");
+      Point3 corners[3];
+      for (Point3& corner : corners) corner = vertex();
+      expect("endloop");
+      expect("endfacet");
+      add_triangle(soup, corners);
+    }
+  }
+
+  Point3 vertex() {
+    expect("vertex");
+    Point3 point;
+    point.x = number();
+    point.y = number();
+    point.z = number();
+    const std::string_view fault = coordinate_fault(point);
+    if (!fault.empty()) fail_at_line(file_, words_.line(), fault, "a vertex has no usable coordinates");
+    return point;
+  }
+
+  double number() {
+    const std::string_view word = words_.next();
+    double value = 0;
+    if (!parse_number(word, value)) unexpected(word, "a number");
+    return value;
+  }
+
+  void expect(std::string_view wanted) {
+    const std::string_view word = words_.next();
+    if (!same_word(word, wanted)) unexpected(word, wanted);
+  }
+
+  [[noreturn]] void unexpected(std::string_view word, std::string_view wanted) {
+    if (word.empty()) {
+      fail_at_line(file_, words_.line(), "truncated", fmt::format("the file ends where {} should come", wanted),
+                   "Copy or export it again");
+    }
+    fail_at_line(file_, words_.line(), "unparsable",
+                 fmt::format("\"{}\" stands where {} should", tame(word.substr(0, limits::quoted_length)), wanted));
+  }
+
+  Words words_;
+  const std::string& file_;
+  std::size_t triangles_ = 0;
+};
+
+bool begins_as_text(std::string_view bytes) {
+  Words words(bytes.substr(0, header_size), 1);
+  return same_word(words.next(), "solid");
+}
+
+[[noreturn]] void wrong_size(std::string_view bytes, std::size_t announced, const std::string& file) {
+  const bool short_of = bytes.size() < announced;
+  fail_at_byte(file, std::min(bytes.size(), announced), short_of ? "truncated" : "trailing-bytes",
+               fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+               "Copy or export it again");
+}
+
+}  // namespace
+
+std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file) {
+  // The size tells a binary file for sure; many begin with "solid", as an ASCII file must.
+  const bool has_count = bytes.size() >= header_size + count_size;
+  const std::size_t announced =
+      has_count ? header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, header_size)} : 0;
+  const bool text = begins_as_text(bytes) && bytes.size() != announced;
+  if (!text && !has_count) {
+    fail_at_byte(file, bytes.size(), bytes.empty() ? "empty-mesh" : "truncated", "the file is too short to be an STL file",
+                 "Copy or export it again");
+  }
+  if (!text && bytes.size() != announced) wrong_size(bytes, announced, file);
+  std::vector<NamedMesh> meshes = text ? Reader(bytes, file).solids() : parse_binary(bytes, file);
+  std::size_t triangles = 0;
+  for (const NamedMesh& mesh : meshes) triangles += mesh.surface.triangles.size();
+  if (triangles == 0) fail_at_byte(file, 0, "empty-mesh", "the file holds no triangle");
+  return meshes;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,136 @@
+#include "recon/output/report_json.h"
+
+#include <algorithm>
+
+#include "recon/mesh/tetra_report.h"
+#include "recon/output/json_values.h"
+
+namespace odontoscope {
+namespace {
+
+Json input_json(const ReconstructCounts& counts) {
+  return {{"slices", counts.slices},
+          {"contours", counts.contours},
+          {"points", counts.points},
+          {"steiner_points", counts.steiner_points}};
+}
+
+Json tetrahedra_json(const ReconstructCounts& counts, const std::vector<TetraReport>& reports) {
+  double volume = 0, smallest = 0, largest = 0;
+  std::size_t non_positive = 0;
+  bool any = false;
+  for (const TetraReport& report : reports) {
+    if (report.tetrahedra == 0) continue;
+    volume += report.volume;
+    non_positive += report.non_positive;
+    smallest = any ? std::min(smallest, report.smallest_dihedral_deg.min) : report.smallest_dihedral_deg.min;
+    largest = any ? std::max(largest, report.largest_dihedral_deg.max) : report.largest_dihedral_deg.max;
+    any = true;
+  }
+  return {{"kept", counts.kept},
+          {"restored", counts.restored},
+          {"lifted_points", counts.lifted_points},
+          {"isolated_regions", counts.isolated_regions},
+          {"largest_sideways", counts.largest_sideways},
+          {"non_positive", non_positive},
+          {"volume", volume},
+          {"dihedral_min_deg", smallest},
+          {"dihedral_max_deg", largest}};
+}
+
+Json structures_json(const Reconstruction& reconstruction, const std::vector<TetraReport>& tetrahedra) {
+  Json structures = Json::array();
+  for (std::size_t i = 0; i < reconstruction.solids.size(); ++i) {
+    const TetraReport& report = tetrahedra[i];
+    structures.push_back({{"structure", reconstruction.solids[i].structure},
+                          {"surface", quality_json(reconstruction.solids[i].report)},
+                          {"tetrahedra",
+                           {{"count", report.tetrahedra},
+                            {"volume", report.volume},
+                            {"smallest_dihedral_deg", json_of(report.smallest_dihedral_deg)},
+                            {"largest_dihedral_deg", json_of(report.largest_dihedral_deg)},
+                            {"radius_edge_ratio", json_of(report.radius_edge_ratio)}}}});
+  }
+  return structures;
+}
+
+Json links_json(const std::vector<MadeLink>& links) {
+  Json list = Json::array();
+  for (const MadeLink& made : links) {
+    list.push_back({{"structure", made.link.structure},
+                    {"slice", made.link.slice},
+                    {"lower", made.link.lower},
+                    {"upper", made.link.upper},
+                    {"connect", made.link.connect},
+                    {"criterion", name(made.criterion)}});
+  }
+  return list;
+}
+
+Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
+
+Json simplification_json(const std::vector<StructureSimplification>& simplifications) {
+  Json list = Json::array();
+  for (const StructureSimplification& one : simplifications) {
+    list.push_back({{"structure", one.structure},
+                    {"triangles_before", one.triangles_before},
+                    {"triangles", one.triangles},
+                    {"largest_distance", one.distance.largest()},
+                    {"mean_distance", one.distance.mean()},
+                    {"simplified_to_full", json_of(one.distance.there)},
+                    {"full_to_simplified", json_of(one.distance.back)},
+                    {"self_intersections", one.self_intersections},
+                    {"restarts", one.restarts},
+                    {"kept_vertices", one.kept_vertices}});
+  }
+  return list;
+}
+
+Json seconds_json(const std::vector<StageTime>& times) {
+  Json seconds = Json::object();
+  for (const StageTime& time : times) seconds[time.stage] = seconds.value(time.stage, 0.0) + time.seconds;
+  return seconds;
+}
+
+}  // namespace
+
+std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options) {
+  std::vector<TetraReport> tetrahedra;
+  std::vector<const SurfaceReport*> surfaces;
+  bool manifold = true;
+  for (const Solid& solid : reconstruction.solids) {
+    tetrahedra.push_back(inspect(solid.tetrahedra));
+    surfaces.push_back(&solid.report);
+    manifold = manifold && solid.report.closed_oriented_manifold();
+  }
+  Json report;
+  report["input"] = input_json(reconstruction.counts);
+  report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
+  report["surface"] = json_of(surfaces);
+  report["structures"] = structures_json(reconstruction, tetrahedra);
+  // The engine proves the section of every slice that it counts here, or returns nothing.
+  report["resampling"] = {{"exact", reconstruction.certified}, {"slices_checked", reconstruction.slices_checked}};
+  report["links"] = links_json(reconstruction.links);
+  if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
+  report["seconds"] = seconds_json(reconstruction.seconds);
+  report["threads"] = reconstruction.threads;
+  report["certified"] = reconstruction.certified && manifold;
+  return text_of(report);
+}
+
+std::string surface_report_json(const std::string& file, const std::vector<NamedSurfaceReport>& meshes) {
+  std::vector<const SurfaceReport*> all;
+  bool manifold = !meshes.empty();
+  Json list = Json::array();
+  for (const NamedSurfaceReport& mesh : meshes) {
+    all.push_back(&mesh.report);
+    manifold = manifold && mesh.report.closed_oriented_manifold();
+    Json entry{{"name", mesh.name}, {"closed_oriented_manifold", mesh.report.closed_oriented_manifold()}};
+    entry.update(json_of(std::vector{&mesh.report}));
+    entry.update(quality_json(mesh.report));
+    list.push_back(std::move(entry));
+  }
+  return text_of({{"file", file}, {"closed_oriented_manifold", manifold}, {"surface", json_of(all)}, {"meshes", list}});
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,40 @@
+#pragma once
+// What is known of a result, as JSON for people and scripts. docs/formats.md describes every key.
+
+#include <string>
+#include <vector>
+
+#include "recon/delaunay/reconstruct.h"
+#include "recon/mesh/simplify_surface.h"
+
+namespace odontoscope {
+
+/// How a structure's surface was made coarser after the reconstruction.
+struct StructureSimplification {
+  std::string structure;
+  std::size_t triangles_before = 0, triangles = 0;
+  SurfaceDistance distance;    // `there`: from the simplified surface to the full one
+  std::size_t self_intersections = 0, restarts = 0, kept_vertices = 0;
+};
+
+struct ReportOptions {
+  /// If not empty, those surfaces of the reconstruction are the simplified ones.
+  std::vector<StructureSimplification> simplifications;
+};
+
+/// One JSON object, keys in a fixed order, two spaces a level: input, tetrahedra, surface, structures, resampling, links,
+/// simplification (only if there was one), seconds, threads, certified. `certified` is true if the reconstruction is and every
+/// surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in mm^3, angles in degrees. Measures the
+/// tetrahedra, which takes a moment. Only `seconds` and `threads` differ between two runs on the same input.
+std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
+
+struct NamedSurfaceReport {
+  std::string name;
+  SurfaceReport report;
+};
+
+/// What `odontoscope check` says of a mesh file: {"file", "closed_oriented_manifold", "surface" (all meshes together), "meshes":
+/// [{"name", ...}]}.
+std::string surface_report_json(const std::string& file, const std::vector<NamedSurfaceReport>& meshes);
+
+}  // namespace odontoscope

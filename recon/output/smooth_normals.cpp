@@ -1,0 +1,96 @@
+#include "recon/output/smooth_normals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "recon/mesh/half_edges.h"
+
+namespace odontoscope {
+namespace {
+
+Vector3 unit(const Vector3& v) {
+  const double l = length(v);
+  return l > 0 ? (1 / l) * v : Vector3{};
+}
+
+std::vector<Vector3> face_normals(const SurfaceMesh& surface) {
+  std::vector<Vector3> normals;
+  normals.reserve(surface.triangles.size());
+  for (const auto& [a, b, c] : surface.triangles) {
+    const Point3& p = surface.points[a];
+    normals.push_back(unit(cross(surface.points[b] - p, surface.points[c] - p)));
+  }
+  return normals;
+}
+
+double angle_at(const SurfaceMesh& surface, HalfEdge corner) {
+  const Point3& p = surface.points[start(surface, corner)];
+  const Vector3 u = surface.points[start(surface, next(corner))] - p;
+  const Vector3 v = surface.points[start(surface, previous(corner))] - p;
+  return std::atan2(length(cross(u, v)), dot(u, v));
+}
+
+HalfEdge root(std::vector<HalfEdge>& parent, HalfEdge i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/// Corners of a vertex that can be reached from each other without crossing a crease have one root, the first of them.
+std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vector<Vector3>& normals,
+                                     double crease_angle_deg) {
+  const EdgeMates edges = edge_mates(surface);
+  const double least_cosine = std::cos(crease_angle_deg * std::numbers::pi / 180);
+  std::vector<HalfEdge> parent(edges.mate.size());
+  std::iota(parent.begin(), parent.end(), HalfEdge{0});
+  const auto join = [&](HalfEdge a, HalfEdge b) {
+    a = root(parent, a);
+    b = root(parent, b);
+    parent[std::max(a, b)] = std::min(a, b);
+  };
+  for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
+    const HalfEdge m = edges.mate[h];
+    if (m >= EdgeMates::no_edge || m < h) continue;
+    if (start(surface, m) == start(surface, h)) continue;   // misoriented: the normals contradict each other
+    if (dot(normals[h / 3], normals[m / 3]) < least_cosine) continue;
+    join(h, next(m));
+    join(next(h), m);
+  }
+  for (HalfEdge h = 0; h < parent.size(); ++h) parent[h] = root(parent, h);
+  return parent;
+}
+
+}  // namespace
+
+ShadedVertices smooth_normals(const SurfaceMesh& surface, double crease_angle_deg) {
+  const std::vector<Vector3> normals = face_normals(surface);
+  const std::vector<HalfEdge> joined = joined_corners(surface, normals, crease_angle_deg);
+  constexpr PointIndex unnumbered = std::numeric_limits<PointIndex>::max();
+  ShadedVertices shaded;
+  shaded.triangles.resize(surface.triangles.size());
+  std::vector<PointIndex> number(joined.size(), unnumbered);
+  std::vector<HalfEdge> first_corner;
+  for (HalfEdge h = 0; h < joined.size(); ++h) {
+    PointIndex& vertex = number[joined[h]];
+    if (vertex == unnumbered) {
+      vertex = static_cast<PointIndex>(shaded.point.size());
+      shaded.point.push_back(start(surface, h));
+      shaded.normals.push_back({});
+      first_corner.push_back(h);
+    }
+    shaded.triangles[h / 3][h % 3] = vertex;
+    shaded.normals[vertex] = shaded.normals[vertex] + angle_at(surface, h) * normals[h / 3];
+  }
+  for (std::size_t v = 0; v < shaded.normals.size(); ++v) {
+    Vector3& normal = shaded.normals[v];
+    normal = unit(normal);
+    // Triangles that cancel each other, or have no area: any unit vector will do.
+    if (!(dot(normal, normal) > 0)) normal = normals[first_corner[v] / 3];
+    if (!(dot(normal, normal) > 0)) normal = {0, 0, 1};
+  }
+  return shaded;
+}
+
+}  // namespace odontoscope

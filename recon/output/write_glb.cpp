@@ -1,0 +1,248 @@
+#include "recon/output/write_glb.h"
+
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+#include "recon/output/json_values.h"
+#include "recon/output/single_precision.h"
+#include "recon/output/smooth_normals.h"
+
+namespace odontoscope {
+namespace {
+
+constexpr double metres_per_millimetre = 1e-3;
+
+tinygltf::Value gltf_value(const Json& json) {
+  if (json.is_object()) {
+    tinygltf::Value::Object object;
+    for (const auto& [key, value] : json.items()) object[key] = gltf_value(value);
+    return tinygltf::Value(std::move(object));
+  }
+  if (json.is_array()) {
+    tinygltf::Value::Array array;
+    for (const Json& value : json) array.push_back(gltf_value(value));
+    return tinygltf::Value(std::move(array));
+  }
+  if (json.is_boolean()) return tinygltf::Value(json.get<bool>());
+  if (json.is_string()) return tinygltf::Value(json.get<std::string>());
+  // tinygltf's whole numbers have 32 bits.
+  if (json.is_number_integer() && json.get<double>() <= std::numeric_limits<int>::max() &&
+      json.get<double>() >= std::numeric_limits<int>::min()) {
+    return tinygltf::Value(json.get<int>());
+  }
+  if (json.is_number()) return tinygltf::Value(json.get<double>());
+  return tinygltf::Value(std::string());
+}
+
+/// What proves the surfaces; without times and threads, so that the same input gives the same bytes.
+Json certificate(const Reconstruction& reconstruction) {
+  std::vector<const SurfaceReport*> reports;
+  bool manifold = true;
+  for (const Solid& solid : reconstruction.solids) {
+    reports.push_back(&solid.report);
+    manifold = manifold && solid.report.closed_oriented_manifold();
+  }
+  return {{"certified", reconstruction.certified && manifold},
+          {"slices_checked", reconstruction.slices_checked},
+          {"surface_in_mm", json_of(reports)}};
+}
+
+struct Paint {
+  std::string_view name;
+  std::array<double, 3> colour;   // linear
+  double roughness;
+};
+
+/// The colours of an anatomy atlas. A joint structure "tooth+pulp" goes by its first name, a cavity is taken for the pulp's.
+const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
+  static constexpr Paint enamel{"enamel", {0.90, 0.86, 0.74}, 0.3}, dentine{"dentine", {0.80, 0.62, 0.33}, 0.6},
+      pulp{"pulp", {0.55, 0.06, 0.06}, 0.5}, other{"other", {0.55, 0.58, 0.62}, 0.6},
+      tooth{"tooth", {0.87, 0.80, 0.64}, 0.4};
+  if (kind == Shell::Kind::cavity) return pulp;
+  const std::string first = structure.substr(0, structure.find('+'));
+  for (const Paint* paint : {&enamel, &dentine, &pulp, &tooth}) {
+    if (paint->name == first) return *paint;
+  }
+  return other;
+}
+
+/// The shells of one kind of one structure: what becomes a node.
+struct Group {
+  std::string name, structure;
+  Shell::Kind kind = Shell::Kind::open;
+  std::size_t shells = 0;
+  double volume = 0;
+  std::vector<std::uint32_t> triangles;
+};
+
+std::vector<Group> groups_of(const Solid& solid) {
+  std::vector<Group> groups;
+  for (const Shell::Kind kind : {Shell::Kind::external, Shell::Kind::cavity, Shell::Kind::open}) {
+    Group group{solid.structure + " " + name(kind), solid.structure, kind, 0, 0, {}};
+    for (const Shell& shell : solid.report.shells) {
+      if (shell.kind != kind) continue;
+      ++group.shells;
+      group.volume += shell.volume;
+    }
+    for (std::uint32_t t = 0; t < solid.surface.triangles.size(); ++t) {
+      if (solid.report.shells[solid.report.shell_of[t]].kind == kind) group.triangles.push_back(t);
+    }
+    if (!group.triangles.empty()) groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// Builds the model piece by piece: one buffer, one view an accessor.
+class Builder {
+ public:
+  explicit Builder(const Reconstruction& reconstruction) {
+    model_.asset.version = "2.0";
+    model_.asset.generator = "odontoscope";
+    model_.asset.extras = gltf_value(certificate(reconstruction));
+    model_.buffers.emplace_back();
+    tinygltf::Node root;
+    root.name = "z up";
+    root.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};   // by columns: (x, y, z) to (x, z, -y)
+    model_.nodes.push_back(std::move(root));
+    model_.scenes.emplace_back();
+    model_.scenes.front().nodes = {0};
+    model_.defaultScene = 0;
+  }
+
+  void add_solid(const Solid& solid, const GlbOptions& options) {
+    if (solid.report.shell_of.size() != solid.surface.triangles.size()) {
+      throw InternalError("a surface and its report do not belong together");
+    }
+    const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, metres_per_millimetre);
+    const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
+    for (const Group& group : groups_of(solid)) add_group(group, points, shaded);
+  }
+
+  std::string bytes() {
+    if (model_.meshes.empty()) {   // an empty list or buffer is not allowed
+      model_.buffers.clear();
+    }
+    std::ostringstream stream;
+    tinygltf::TinyGLTF writer;
+    if (!writer.WriteGltfSceneToStream(&model_, stream, false, true)) throw InternalError("tinygltf wrote no GLB");
+    return std::move(stream).str();
+  }
+
+ private:
+  void add_group(const Group& group, const std::vector<FloatPoint>& points, const ShadedVertices& shaded) {
+    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(shaded.point.size(), unused), indices;
+    std::vector<FloatPoint> positions, normals;
+    for (const std::uint32_t t : group.triangles) {
+      for (const PointIndex v : shaded.triangles[t]) {
+        if (number[v] == unused) {
+          number[v] = static_cast<std::uint32_t>(positions.size());
+          positions.push_back(points[shaded.point[v]]);
+          const Vector3& n = shaded.normals[v];
+          normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
+        }
+        indices.push_back(number[v]);
+      }
+    }
+    tinygltf::Primitive primitive;
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+    primitive.attributes["POSITION"] = add_vectors(positions);
+    primitive.attributes["NORMAL"] = add_vectors(normals);
+    primitive.indices = add_indices(indices);
+    primitive.material = material(paint_for(group.structure, group.kind));
+    bound(model_.accessors[static_cast<std::size_t>(primitive.attributes["POSITION"])], positions);
+
+    tinygltf::Mesh mesh;
+    mesh.name = group.name;
+    mesh.primitives.push_back(std::move(primitive));
+    tinygltf::Node node;
+    node.name = group.name;
+    node.mesh = static_cast<int>(model_.meshes.size());
+    node.extras = gltf_value({{"structure", group.structure},
+                              {"kind", name(group.kind)},
+                              {"shells", group.shells},
+                              {"volume_mm3", group.volume}});
+    model_.meshes.push_back(std::move(mesh));
+    model_.nodes.front().children.push_back(static_cast<int>(model_.nodes.size()));
+    model_.nodes.push_back(std::move(node));
+  }
+
+  static void bound(tinygltf::Accessor& accessor, const std::vector<FloatPoint>& positions) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto [low, high] = std::minmax_element(
+          positions.begin(), positions.end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+      accessor.minValues.push_back((*low)[axis]);
+      accessor.maxValues.push_back((*high)[axis]);
+    }
+  }
+
+  int add_vectors(const std::vector<FloatPoint>& vectors) {
+    return add_accessor(vectors.data(), sizeof(FloatPoint) * vectors.size(), vectors.size(),
+                        {TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
+  }
+  int add_indices(const std::vector<std::uint32_t>& indices) {
+    return add_accessor(indices.data(), sizeof(std::uint32_t) * indices.size(), indices.size(),
+                        {TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+                         TINYGLTF_TYPE_SCALAR});
+  }
+
+  struct Layout {
+    int target, component, type;
+  };
+  /// All components have four bytes, so that every view starts aligned.
+  int add_accessor(const void* data, std::size_t bytes, std::size_t count, const Layout& layout) {
+    std::vector<unsigned char>& buffer = model_.buffers.front().data;
+    if (buffer.size() + bytes > limits::glb_bytes) {
+      throw UsageError("the model is too large for GLB", "Simplify it with --triangles, or write .ply");
+    }
+    tinygltf::BufferView view;
+    view.buffer = 0;
+    view.byteOffset = buffer.size();
+    view.byteLength = bytes;
+    view.target = layout.target;
+    const auto* first = static_cast<const unsigned char*>(data);
+    buffer.insert(buffer.end(), first, first + bytes);
+    tinygltf::Accessor accessor;
+    accessor.bufferView = static_cast<int>(model_.bufferViews.size());
+    accessor.componentType = layout.component;
+    accessor.type = layout.type;
+    accessor.count = count;
+    model_.bufferViews.push_back(std::move(view));
+    model_.accessors.push_back(std::move(accessor));
+    return static_cast<int>(model_.accessors.size()) - 1;
+  }
+
+  int material(const Paint& paint) {
+    const auto known = std::find_if(model_.materials.begin(), model_.materials.end(),
+                                    [&](const tinygltf::Material& m) { return m.name == paint.name; });
+    if (known != model_.materials.end()) return static_cast<int>(known - model_.materials.begin());
+    tinygltf::Material fresh;
+    fresh.name = paint.name;
+    fresh.doubleSided = false;
+    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], 1};
+    fresh.pbrMetallicRoughness.metallicFactor = 0;
+    fresh.pbrMetallicRoughness.roughnessFactor = paint.roughness;
+    model_.materials.push_back(std::move(fresh));
+    return static_cast<int>(model_.materials.size()) - 1;
+  }
+
+  tinygltf::Model model_;
+};
+
+}  // namespace
+
+std::string glb_bytes(const Reconstruction& reconstruction, const GlbOptions& options) {
+  Builder builder(reconstruction);
+  for (const Solid& solid : reconstruction.solids) builder.add_solid(solid, options);
+  return builder.bytes();
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,49 @@
+#include "recon/output/write_ply.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+
+#include "recon/core/error.h"
+#include "recon/output/little_endian.h"
+
+namespace odontoscope {
+
+std::string ply_bytes(const Reconstruction& reconstruction) {
+  std::size_t points = 0, triangles = 0;
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment made by odontoscope; millimetres\n";
+  for (std::size_t i = 0; i < reconstruction.solids.size(); ++i) {
+    const Solid& solid = reconstruction.solids[i];
+    points += solid.surface.points.size();
+    triangles += solid.surface.triangles.size();
+    bytes += fmt::format("comment structure {} {}\n", i + 1, solid.structure);
+  }
+  if (points > std::numeric_limits<std::uint32_t>::max()) {
+    throw UsageError("the model has too many points for PLY", "Simplify it with --triangles");
+  }
+  bytes += fmt::format(
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list uchar uint vertex_indices\nproperty ushort structure\nend_header\n",
+      points, triangles);
+  bytes.reserve(bytes.size() + 24 * points + 15 * triangles);
+  for (const Solid& solid : reconstruction.solids) {
+    for (const Point3& p : solid.surface.points) {
+      for (const double coordinate : {p.x, p.y, p.z}) append(bytes, coordinate);
+    }
+  }
+  std::uint32_t first = 0;
+  std::uint16_t structure = 0;
+  for (const Solid& solid : reconstruction.solids) {
+    ++structure;
+    for (const Triangle& t : solid.surface.triangles) {
+      append(bytes, std::uint8_t{3});
+      for (const PointIndex v : t) append(bytes, static_cast<std::uint32_t>(first + v));
+      append(bytes, structure);
+    }
+    first += static_cast<std::uint32_t>(solid.surface.points.size());
+  }
+  return bytes;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,367 @@
+// Mesh files as anybody may write them: what is right is read, what is wrong is named.
+
+#include "recon/mesh/read_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "recon/core/error.h"
+#include "recon/mesh/surface_report.h"
+#include "tests/mesh/shapes.h"
+
+namespace odontoscope {
+namespace {
+
+using Parser = std::vector<NamedMesh> (*)(std::string_view, const std::string&);
+
+/// The cause that `bytes` is refused for; "accepted" if it is not.
+std::string cause_of(Parser parse, const std::string& bytes) {
+  try {
+    parse(bytes, "file");
+    return "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(error.place().line || error.place().byte) << error.what();
+    return error.cause();
+  }
+}
+
+template <typename Number>
+void add(std::string& bytes, Number number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof(Number));
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t at = text.find(what);
+  EXPECT_NE(at, text.npos) << what;
+  return text.replace(at, what.size(), with);
+}
+
+// --- STL -----------------------------------------------------------------------------------------------------------
+
+std::string binary_stl(const SurfaceMesh& mesh, const std::string& header = "binary") {
+  std::string bytes = header;
+  bytes.resize(80, ' ');
+  add(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const Triangle& t : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) add(bytes, 0.0f);
+    for (const PointIndex v : t) {
+      for (const double c : {mesh.points[v].x, mesh.points[v].y, mesh.points[v].z}) add(bytes, static_cast<float>(c));
+    }
+    add(bytes, std::uint16_t{7});
+  }
+  return bytes;
+}
+
+std::string ascii_stl(const SurfaceMesh& mesh, const std::string& name) {
+  std::string text = "solid " + name + "\n";
+  for (const Triangle& t : mesh.triangles) {
+    text += "facet normal 0 0 0\n  outer loop\n";
+    for (const PointIndex v : t) {
+      const Point3& p = mesh.points[v];
+      text += "    vertex " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+    }
+    text += "  endloop\nendfacet\n";
+  }
+  return text + "endsolid " + name + "\n";
+}
+
+TEST(ReadStl, BinaryEvenWhenItBeginsWithSolid) {
+  for (const std::string header : {"binary", "solid but binary"}) {
+    const auto meshes = parse_stl(binary_stl(shapes::cube(), header), "file");
+    ASSERT_EQ(meshes.size(), 1u);
+    EXPECT_EQ(meshes[0].surface.points.size(), 8u);
+    EXPECT_TRUE(inspect(meshes[0].surface).closed_oriented_manifold());
+    EXPECT_DOUBLE_EQ(inspect(meshes[0].surface).shells[0].volume, 1);
+  }
+}
+
+TEST(ReadStl, AsciiWithSeveralSolids) {
+  std::string text = ascii_stl(shapes::cube(), "one two") + ascii_stl(shapes::tetrahedron(), "");
+  text = replaced(text, "facet normal 0 0 0", "FACET  NORMAL +0 -0 1e-400");
+  const auto meshes = parse_stl(text, "file");
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].name, "one two");
+  EXPECT_EQ(meshes[1].name, "");
+  EXPECT_EQ(meshes[0].surface.triangles.size(), 12u);
+  EXPECT_TRUE(inspect(meshes[1].surface).closed_oriented_manifold());
+}
+
+TEST(ReadStl, EveryTruncationIsRefused) {
+  const std::string binary = binary_stl(shapes::tetrahedron()), text = ascii_stl(shapes::tetrahedron(), "t");
+  for (std::size_t n = 1; n < binary.size(); ++n) {
+    EXPECT_EQ(cause_of(parse_stl, binary.substr(0, n)), "truncated") << n;
+  }
+  const std::size_t complete_at = text.size() - std::string(" t\n").size();   // the name may be missing
+  for (std::size_t n = std::string("solid").size(); n < complete_at; ++n) {
+    EXPECT_NE(cause_of(parse_stl, text.substr(0, n)), "accepted") << n;
+  }
+}
+
+TEST(ReadStl, WrongFilesAreNamed) {
+  const std::string binary = binary_stl(shapes::tetrahedron()), text = ascii_stl(shapes::tetrahedron(), "t");
+  EXPECT_EQ(cause_of(parse_stl, ""), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_stl, binary_stl({})), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_stl, "solid\nendsolid\n"), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_stl, binary + "x"), "trailing-bytes");
+  std::string lying = binary;
+  const std::uint32_t huge = 0xffffffff;
+  std::memcpy(lying.data() + 80, &huge, 4);
+  EXPECT_EQ(cause_of(parse_stl, lying), "truncated");
+  std::string nan = binary;
+  const float not_a_number = std::numeric_limits<float>::quiet_NaN(), large = 1e30f;
+  std::memcpy(nan.data() + 84 + 12, &not_a_number, 4);
+  EXPECT_EQ(cause_of(parse_stl, nan), "not-finite");
+  std::memcpy(nan.data() + 84 + 12, &large, 4);
+  EXPECT_EQ(cause_of(parse_stl, nan), "too-large");
+  EXPECT_EQ(cause_of(parse_stl, replaced(text, "vertex 0.000000", "vertex nan")), "not-finite");
+  EXPECT_EQ(cause_of(parse_stl, replaced(text, "vertex 0.000000", "vertex 1e999")), "not-finite");
+  EXPECT_EQ(cause_of(parse_stl, replaced(text, "vertex 0.000000", "vertex 1e7")), "too-large");
+  EXPECT_EQ(cause_of(parse_stl, replaced(text, "vertex 0.000000", "vertex 0,5")), "unparsable");
+  EXPECT_EQ(cause_of(parse_stl, replaced(text, "endloop", "vertex 1 2 3 endloop")), "unparsable");
+}
+
+TEST(ReadStl, TextErrorsNameTheLine) {
+  try {
+    parse_stl(replaced(ascii_stl(shapes::tetrahedron(), "t"), "endloop", "endlop"), "tooth.stl");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().line, 7u);
+    EXPECT_NE(std::string(error.what()).find("tooth.stl:7"), std::string::npos) << error.what();
+  }
+}
+
+// --- PLY -----------------------------------------------------------------------------------------------------------
+
+const std::string ply_text =
+    "ply\r\nformat ascii 1.0\ncomment hello\nobj_info x\nelement vertex 4\nproperty float x\nproperty double y\n"
+    "property uchar red\nproperty int z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
+    "element face 4\nproperty float quality\nproperty list uchar int vertex_index\nproperty list uchar float uv\nend_header\n"
+    "0 0 255 0\n1 0 1 0\n0 1 2 0\n0 0 3 1\n0 1\n"
+    "0.5 3 0 2 1 0\n0.5 3 0 1 3 2 1 1\n1 3 1 2 3 0\n1 3 0 3 2 0\n";
+
+template <typename Number>
+void add_as(std::string& bytes, Number number, bool big) {
+  std::string raw;
+  add(raw, number);
+  if (big) raw.assign(raw.rbegin(), raw.rend());
+  bytes += raw;
+}
+
+std::string binary_ply(const SurfaceMesh& mesh, bool big) {
+  std::string bytes = "ply\nformat " + std::string(big ? "binary_big_endian" : "binary_little_endian") +
+                      " 1.0\nelement vertex " + std::to_string(mesh.points.size()) +
+                      "\nproperty double x\nproperty double y\nproperty float z\nelement face " +
+                      std::to_string(mesh.triangles.size()) +
+                      "\nproperty list uchar uint vertex_indices\nproperty short tag\nend_header\n";
+  for (const Point3& p : mesh.points) {
+    add_as(bytes, p.x, big);
+    add_as(bytes, p.y, big);
+    add_as(bytes, static_cast<float>(p.z), big);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    add_as(bytes, std::uint8_t{3}, big);
+    for (const PointIndex v : t) add_as(bytes, v, big);
+    add_as(bytes, std::int16_t{-2}, big);
+  }
+  return bytes;
+}
+
+TEST(ReadPly, AsciiWithMoreThanIsNeeded) {
+  const auto meshes = parse_ply(ply_text, "file");
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].surface.points, shapes::tetrahedron().points);
+  EXPECT_EQ(meshes[0].surface.triangles, shapes::tetrahedron().triangles);
+}
+
+TEST(ReadPly, BinaryOfBothByteOrders) {
+  for (const bool big : {false, true}) {
+    const auto meshes = parse_ply(binary_ply(shapes::sphere(3, 2), big), "file");
+    EXPECT_EQ(meshes.at(0).surface.triangles, shapes::sphere(3, 2).triangles);
+    EXPECT_NEAR(meshes[0].surface.points[17].z, shapes::sphere(3, 2).points[17].z, 1e-6);
+    EXPECT_EQ(meshes[0].surface.points[17].x, shapes::sphere(3, 2).points[17].x);
+  }
+}
+
+TEST(ReadPly, EveryTruncationIsRefused) {
+  const std::string binary = binary_ply(shapes::tetrahedron(), false);
+  for (std::size_t n = 0; n < binary.size(); ++n) EXPECT_NE(cause_of(parse_ply, binary.substr(0, n)), "accepted") << n;
+  for (std::size_t n = 0; n + 2 < ply_text.size(); ++n) {   // without the last digit it is no number, without the line end it is whole
+    EXPECT_NE(cause_of(parse_ply, ply_text.substr(0, n)), "accepted") << n;
+  }
+}
+
+TEST(ReadPly, WrongFilesAreNamed) {
+  const auto cause = [](const std::string& what, const std::string& with) {
+    return cause_of(parse_ply, replaced(ply_text, what, with));
+  };
+  EXPECT_EQ(cause("ply\r\n", "plx\n"), "bad-header");
+  EXPECT_EQ(cause("ascii 1.0", "ascii 2.0"), "bad-header");
+  EXPECT_EQ(cause("ascii", "middle_endian"), "bad-header");
+  EXPECT_EQ(cause("format ascii 1.0\n", ""), "bad-header");
+  EXPECT_EQ(cause("property int z", "property int w"), "bad-header");
+  EXPECT_EQ(cause("property int z", "property long z"), "bad-header");
+  EXPECT_EQ(cause("vertex_index\n", "vertices\n"), "bad-header");
+  EXPECT_EQ(cause("element vertex 4", "element vertex -4"), "bad-header");
+  EXPECT_EQ(cause("element vertex 4", "element vertex 4.5"), "bad-header");
+  EXPECT_EQ(cause("element vertex 4", "element vertex 4000000000000"), "truncated");
+  EXPECT_EQ(cause("element vertex 4", "element nothing 4000000000000\nelement vertex 4"), "bad-header");
+  EXPECT_EQ(cause("1 0 1 0\n", "nan 0 1 0\n"), "not-finite");
+  EXPECT_EQ(cause("1 0 1 0\n", "1 -inf 1 0\n"), "not-finite");
+  EXPECT_EQ(cause("1 0 1 0\n", "1 2e6 1 0\n"), "too-large");
+  EXPECT_EQ(cause("1 0 1 0\n", "1 0 1 0.5\n"), "unparsable");
+  EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3 0 2 4 0\n"), "index-out-of-range");
+  EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3 0 2 -1 0\n"), "index-out-of-range");
+  EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 4 0 2 1 3 0\n"), "not-triangles");
+  EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3000000 0 2 1 0\n"), "truncated");
+  EXPECT_EQ(cause_of(parse_ply, ply_text + "1"), "trailing-bytes");
+  EXPECT_EQ(cause_of(parse_ply, "ply\nformat ascii 1.0\nend_header\n"), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_ply, std::string(100'000, 'a')), "bad-header");
+}
+
+TEST(ReadPly, ErrorsNameLineOrByte) {
+  try {
+    parse_ply(replaced(ply_text, "0 1 2 0\n", "0 one 2 0\n"), "tooth.ply");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().line, 20u);
+  }
+}
+
+// --- GLB -----------------------------------------------------------------------------------------------------------
+
+std::string glb(const std::string& json, const std::string& buffer) {
+  std::string document = json, bytes = "glTF";
+  while (document.size() % 4 != 0) document += ' ';
+  add(bytes, std::uint32_t{2});
+  add(bytes, static_cast<std::uint32_t>(12 + 8 + document.size() + 8 + buffer.size()));
+  add(bytes, static_cast<std::uint32_t>(document.size()));
+  add(bytes, std::uint32_t{0x4E4F534A});
+  bytes += document;
+  add(bytes, static_cast<std::uint32_t>(buffer.size()));
+  add(bytes, std::uint32_t{0x004E4942});
+  return bytes + buffer;
+}
+
+/// A tetrahedron of 1 m, with 16-bit indices and every vertex twice, as seams make them.
+std::string tetrahedron_buffer() {
+  std::string buffer;
+  const SurfaceMesh mesh = shapes::tetrahedron();
+  for (int copy = 0; copy < 2; ++copy) {
+    for (const Point3& p : mesh.points) {
+      for (const double c : {p.x, p.y, p.z}) add(buffer, static_cast<float>(c));
+    }
+  }
+  for (std::size_t t = 0; t < 4; ++t) {
+    for (const PointIndex v : mesh.triangles[t]) add(buffer, static_cast<std::uint16_t>(v + (t % 2 ? 4 : 0)));
+  }
+  return buffer;   // 96 + 24 bytes
+}
+
+const std::string tetrahedron_json =
+    R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"children":[1],"translation":[0,0,0]},)"
+    R"({"name":"a tooth","mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":4}]}],)"
+    R"("accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3"},)"
+    R"({"bufferView":1,"componentType":5123,"count":12,"type":"SCALAR"}],)"
+    R"("bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":24}],)"
+    R"("buffers":[{"byteLength":120}]})";
+
+TEST(ReadGlb, WeldsScalesAndTurns) {
+  const auto meshes = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "file");
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].name, "a tooth");
+  const SurfaceMesh& mesh = meshes[0].surface;
+  ASSERT_EQ(mesh.points.size(), 4u);
+  // Metres to millimetres; glTF's +y is our +z, its +z our -y.
+  EXPECT_EQ(mesh.points[1], (Point3{1000, 0, 0}));
+  EXPECT_EQ(mesh.points[2], (Point3{0, 0, 1000}));
+  EXPECT_EQ(mesh.points[3], (Point3{0, -1000, 0}));
+  EXPECT_TRUE(inspect(mesh).closed_oriented_manifold());
+  EXPECT_GT(inspect(mesh).shells[0].volume, 0);
+}
+
+TEST(ReadGlb, TransformsApplyFromTheLeafUp) {
+  // Scaled by 2 and turned by 90 degrees about z, then moved.
+  const std::string with = replaced(tetrahedron_json, R"("mesh":0})",
+                                    R"("mesh":0,"scale":[2,2,2],"rotation":[0,0,0.7071067811865476,0.7071067811865476]})");
+  const auto meshes = parse_glb(glb(replaced(with, "\"translation\":[0,0,0]", "\"translation\":[10,0,0]"), tetrahedron_buffer()), "f");
+  const Point3 p = meshes.at(0).surface.points.at(1);   // (1,0,0) to (0,2,0) to (10,2,0) m
+  EXPECT_NEAR(p.x, 10'000, 1e-9);
+  EXPECT_NEAR(p.y, 0, 1e-9);
+  EXPECT_NEAR(p.z, 2000, 1e-9);
+}
+
+TEST(ReadGlb, MirroringTurnsTheTrianglesAround) {
+  for (const std::string how : {R"("scale":[-1,1,1])", R"("matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"}) {
+    const auto meshes = parse_glb(glb(replaced(tetrahedron_json, R"("mesh":0})", R"("mesh":0,)" + how + "}"), tetrahedron_buffer()), "f");
+    EXPECT_GT(inspect(meshes.at(0).surface).shells.at(0).volume, 0);
+  }
+}
+
+TEST(ReadGlb, EveryTruncationIsRefused) {
+  const std::string whole = glb(tetrahedron_json, tetrahedron_buffer());
+  for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(cause_of(parse_glb, whole.substr(0, n)), "accepted") << n;
+}
+
+TEST(ReadGlb, WrongFilesAreNamed) {
+  const std::string buffer = tetrahedron_buffer();
+  const auto cause = [&](const std::string& what, const std::string& with) {
+    return cause_of(parse_glb, glb(replaced(tetrahedron_json, what, with), buffer));
+  };
+  EXPECT_EQ(cause("\"asset\"", "asset"), "unparsable");
+  EXPECT_EQ(cause("\"nodes\":[0]", "\"nodes\":[7]"), "index-out-of-range");
+  EXPECT_EQ(cause("\"nodes\":[0]", "\"nodes\":0"), "unparsable");
+  EXPECT_EQ(cause("\"nodes\":[0]", "\"nodes\":[-1]"), "unparsable");
+  EXPECT_EQ(cause("\"nodes\":[0]", "\"nodes\":[0.5]"), "unparsable");
+  EXPECT_EQ(cause("\"nodes\":[0]", "\"nodes\":[]"), "empty-mesh");
+  EXPECT_EQ(cause("\"children\":[1]", "\"children\":[1,1]"), "bad-node-tree");
+  EXPECT_EQ(cause("\"children\":[1]", "\"children\":[0]"), "bad-node-tree");
+  EXPECT_EQ(cause("[0,0,0]", "[0,0]"), "unparsable");
+  EXPECT_EQ(cause("[0,0,0]", "[0,0,\"a\"]"), "unparsable");
+  EXPECT_EQ(cause("[0,0,0]", "[0,0,1e5]"), "too-large");
+  EXPECT_EQ(cause("\"mesh\":0", "\"mesh\":1"), "index-out-of-range");
+  EXPECT_EQ(cause("\"mesh\":0", "\"mesh\":0,\"skin\":0"), "unsupported");
+  EXPECT_EQ(cause("\"mode\":4", "\"mode\":5"), "unsupported");
+  EXPECT_EQ(cause("\"count\":8", "\"count\":9"), "truncated");
+  EXPECT_EQ(cause("\"count\":8", "\"count\":9007199254740991"), "truncated");
+  EXPECT_EQ(cause("\"count\":8", "\"count\":1e300"), "unparsable");
+  EXPECT_EQ(cause("\"count\":8", "\"count\":7"), "index-out-of-range");
+  EXPECT_EQ(cause("\"count\":12", "\"count\":11"), "not-triangles");
+  EXPECT_EQ(cause("5126", "5123"), "unsupported");
+  EXPECT_EQ(cause("5123", "5122"), "unsupported");
+  EXPECT_EQ(cause("\"VEC3\"", "\"VEC4\""), "unsupported");
+  EXPECT_EQ(cause("\"type\":\"VEC3\"", "\"type\":\"VEC3\",\"sparse\":{}"), "unsupported");
+  EXPECT_EQ(cause("\"byteLength\":96", "\"byteLength\":96,\"byteStride\":8"), "unparsable");
+  EXPECT_EQ(cause("\"byteOffset\":96", "\"byteOffset\":97"), "truncated");
+  EXPECT_EQ(cause("\"byteOffset\":96", "\"byteOffset\":9007199254740991"), "truncated");
+  EXPECT_EQ(cause("{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"/etc/passwd\"}"), "unsupported");
+  EXPECT_EQ(cause("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"), "unsupported");
+  std::string bytes = glb(tetrahedron_json, buffer);
+  EXPECT_EQ(cause_of(parse_glb, bytes + "abcd"), "trailing-bytes");
+  bytes[4] = 1;
+  EXPECT_EQ(cause_of(parse_glb, bytes), "bad-header");
+  std::string nan = buffer;
+  const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(nan.data(), &not_a_number, 4);
+  EXPECT_EQ(cause_of(parse_glb, glb(tetrahedron_json, nan)), "not-finite");
+}
+
+TEST(ReadGlb, DeepNestingIsNoHarm) {
+  constexpr std::size_t depth = 2'000'000;
+  const std::string nest = std::string(depth, '[') + std::string(depth, ']');
+  EXPECT_EQ(cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"children\":[1]", "\"children\":" + nest), tetrahedron_buffer())),
+            "unparsable");
+  EXPECT_EQ(cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0", "\"extras\":" + nest), tetrahedron_buffer())),
+            "accepted");
+}
+
+TEST(ReadMesh, TheEndingDecides) {
+  EXPECT_THROW(read_mesh("tooth.obj"), UsageError);
+  EXPECT_THROW(read_mesh("/nowhere/tooth.STL"), FileError);
+}
+
+}  // namespace
+}  // namespace odontoscope

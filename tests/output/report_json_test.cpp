@@ -1,0 +1,89 @@
+#include "recon/output/report_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/mesh/shapes.h"
+#include "tests/output/models.h"
+
+namespace odontoscope {
+namespace {
+
+using nlohmann::json;
+
+TEST(ReportJson, HasEveryPromisedKeyInOrder) {
+  const auto report = nlohmann::ordered_json::parse(report_json(models::tooth_and_enamel()));
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links", "seconds",
+                                            "threads", "certified"}));
+  for (const char* key : {"slices", "contours", "points", "steiner_points"}) EXPECT_TRUE(report["input"].contains(key)) << key;
+  for (const char* key : {"kept", "restored", "lifted_points", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
+    EXPECT_TRUE(report["tetrahedra"].contains(key)) << key;
+  }
+  for (const char* key : {"vertices", "triangles", "boundary_edges", "nonmanifold_edges", "misoriented_edges",
+                          "nonmanifold_vertices", "degenerate_triangles", "shells"}) {
+    EXPECT_TRUE(report["surface"].contains(key)) << key;
+  }
+  for (const char* key : {"kind", "structure", "triangles", "genus", "volume"}) {
+    EXPECT_TRUE(report["surface"]["shells"][0].contains(key)) << key;
+  }
+}
+
+TEST(ReportJson, TellsWhatTheModelIs) {
+  const json report = json::parse(report_json(models::tooth_and_enamel()));
+  EXPECT_EQ(report["certified"], true);
+  EXPECT_EQ(report["threads"], 2);
+  EXPECT_EQ(report["input"]["points"], 812);
+  EXPECT_EQ(report["input"]["steiner_points"], 17);
+  EXPECT_EQ(report["seconds"]["validate"], 1.0);   // both of its parts
+  EXPECT_EQ(report["resampling"], (json{{"exact", true}, {"slices_checked", 4}}));
+  EXPECT_EQ(report["links"][1],
+            (json{{"structure", "enamel"}, {"slice", 2}, {"lower", 3}, {"upper", 4}, {"connect", true}, {"criterion", "user"}}));
+  const json& shells = report["surface"]["shells"];
+  ASSERT_EQ(shells.size(), 3u);
+  EXPECT_EQ(shells[1]["kind"], "cavity");
+  EXPECT_EQ(shells[2]["structure"], "enamel");
+  EXPECT_EQ(shells[2]["genus"], 1);
+  EXPECT_NEAR(report["tetrahedra"]["volume"], 2, 1e-12);   // two cubes
+  EXPECT_NEAR(report["tetrahedra"]["dihedral_max_deg"], 90, 1e-6);
+  EXPECT_FALSE(report.contains("simplification"));
+}
+
+TEST(ReportJson, ABrokenSurfaceIsNotCertified) {
+  Reconstruction model = models::tooth_and_enamel();
+  model.solids[1] = models::solid("enamel", shapes::holed(shapes::cube()));
+  EXPECT_EQ(json::parse(report_json(model))["certified"], false);
+}
+
+TEST(ReportJson, TellsOfSimplifying) {
+  ReportOptions options;
+  options.simplifications.push_back({"tooth", 1000, 80, {{0.5, 0.1}, {0.4, 0.2}}, 0, 1, 12});
+  const json one = json::parse(report_json(models::tooth_and_enamel(), options))["simplification"].at(0);
+  EXPECT_EQ(one["largest_distance"], 0.5);
+  EXPECT_EQ(one["mean_distance"], 0.2);
+  EXPECT_EQ(one["simplified_to_full"]["mean"], 0.1);
+  EXPECT_EQ(one["triangles_before"], 1000);
+}
+
+TEST(ReportJson, TheSameBytesButForTimes) {
+  const Reconstruction model = models::tooth_and_enamel();
+  EXPECT_EQ(report_json(model), report_json(model));
+}
+
+TEST(SurfaceReportJson, JudgesAFile) {
+  const json good = json::parse(surface_report_json("a.stl", {{"", inspect(shapes::cube())}}));
+  EXPECT_EQ(good["closed_oriented_manifold"], true);
+  EXPECT_EQ(good["surface"]["triangles"], 12);
+  EXPECT_TRUE(good["meshes"][0].contains("smallest_angle_deg"));
+  const json bad = json::parse(
+      surface_report_json("a.stl", {{"whole", inspect(shapes::cube())}, {"open", inspect(shapes::holed(shapes::cube()))}}));
+  EXPECT_EQ(bad["closed_oriented_manifold"], false);
+  EXPECT_EQ(bad["surface"]["boundary_edges"], 3);
+  EXPECT_TRUE(bad["meshes"][1]["shells"][0]["genus"].is_null());
+  EXPECT_EQ(json::parse(surface_report_json("a.stl", {}))["closed_oriented_manifold"], false);
+}
+
+}  // namespace
+}  // namespace odontoscope
