@@ -66,7 +66,7 @@ ToothShape premolar() {
   t.cervical_line = {14.0, 1.0, 0.15, 0.2};
   t.sides = sides();
   t.occlusal = occlusal();
-  t.enamel = {1.3, 5.0, 1.6};
+  t.enamel = {1.45, 4.0, 1.6};
   t.roots = roots();
   t.root_blend = 1.6;
   t.trunk_low_z = 10.5;

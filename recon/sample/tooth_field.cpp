@@ -142,8 +142,9 @@ double ToothSection::side(Point2 at) const {
 double ToothSection::enamel_side_thickness(Point2 at) const {
   const double above = z_ - cervical_height(shape_, at);
   if (above <= 0) return 0;
-  // Square root: a blunt margin, thick enough for the sections of neighbouring slices to overlap.
-  return shape_.enamel.side * std::sqrt(above / (above + shape_.enamel.side_height));
+  // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
+  constexpr double margin_exponent = 0.7;
+  return shape_.enamel.side * std::pow(above / (above + shape_.enamel.side_height), margin_exponent);
 }
 
 HardTissue ToothSection::hard_tissue(const OcclusalHeights& heights, Point2 at) const {
