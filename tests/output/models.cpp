@@ -18,7 +18,11 @@ Reconstruction tooth_and_enamel() {
   Reconstruction made;
   made.solids.push_back(solid("tooth", shapes::together(shapes::sphere(10, 4), shapes::inside_out(shapes::sphere(3, 3)))));
   made.solids.push_back(solid("enamel", shapes::moved(shapes::torus(8, 2, 40, 20), 0.1, 0.2, 20)));
-  made.counts = {4, 9, 812, 17, 5, 2, 1, 0, 0.25};
+  made.counts.slices = 4;
+  made.counts.contours = 9;
+  made.counts.points = 812;
+  made.counts.steiner_points = 17;
+  made.counts.kept = 10;
   made.links = {{{"tooth", 0, 0, 1, true}, LinkCriterion::medial}, {{"enamel", 2, 3, 4, true}, LinkCriterion::user}};
   made.seconds = {{"validate", 0.5}, {"triangulate", 0.25}, {"validate", 0.5}};
   made.threads = 2;
