@@ -50,8 +50,8 @@ namespace odontoscope::limits {
 /// need one for each gap's width along them, without bound.
 inline constexpr std::size_t steiner_factor = 50;
 inline constexpr std::size_t steiner_free = 10'000;
-/// Rounds of refining and checking: a second is needed only where a rounded midpoint folded a triangle.
-inline constexpr int conform_rounds = 8;
+/// Rounds of splitting contour edges: each halves what is too long, so this spans the whole precision of a double.
+inline constexpr int conform_rounds = 64;
 /// Height of a lifted point over the slab's height: below half, so that points lifted from both slices stay apart.
 inline constexpr double lift_height = 1.0 / 3;
 /// Times that the step of a lifted point is halved before the next direction is tried.

@@ -3,14 +3,13 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/Triangulation_conformer_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
-#include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "recon/core/limits.h"
@@ -67,6 +66,7 @@ std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, c
   return vertices;
 }
 
+/// No point of the two triangles beside the edge lies within its diametral circle; in a constrained Delaunay triangulation no other then does.
 bool gabriel(const Cdt& cdt, Face face, int i) {
   const auto& a = face->vertex(Cdt::ccw(i))->point();
   const auto& b = face->vertex(Cdt::cw(i))->point();
@@ -75,126 +75,108 @@ bool gabriel(const Cdt& cdt, Face face, int i) {
   return true;
 }
 
-bool all_gabriel(const Cdt& cdt) {
-  for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge)
-    if (edge->first->is_constrained(edge->second) && !gabriel(cdt, edge->first, edge->second)) return false;
-  return true;
-}
-
-// Rounded midpoints lie beside their edge; the triangulation that they were inserted into may then hold folded triangles.
-bool sound(const Cdt& cdt) {
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    const auto& a = face->vertex(0)->point();
-    const auto& b = face->vertex(1)->point();
-    const auto& c = face->vertex(2)->point();
-    if (CGAL::orientation(a, b, c) != CGAL::LEFT_TURN) return false;
-    for (int i = 0; i < 3; ++i) {
-      const Face other = face->neighbor(i);
-      if (cdt.is_infinite(other)) continue;
-      const auto& d = other->vertex(cdt.mirror_index(face, i))->point();
-      if (CGAL::side_of_oriented_circle(a, b, c, d) == CGAL::ON_POSITIVE_SIDE) return false;
-    }
-  }
-  return all_gabriel(cdt);
-}
-
+/// Splits contour edges until all are Gabriel. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
+/// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
+/// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever.
 class Conformer {
  public:
   Conformer(const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
       : slice_(slice), number_(number), source_(source), progress_(progress) {}
 
-  /// Refines `rings` and leaves its triangulation in `cdt`, both sound.
+  /// Refines `rings` and leaves its triangulation in `cdt`, points numbered as in `rings`.
   void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
-    const std::size_t most = limits::steiner_factor * rings.points.size() + limits::steiner_free;
+    const Rings given = rings;
+    std::vector<Spot> spots;   // of each point of `rings`: where on the given contours it lies
+    for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0});
+    const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
     for (int round = 0; round < limits::conform_rounds; ++round) {
+      progress_.check();
       cdt.clear();
       order = spatial_order(rings.points);
-      const std::vector<Vertex> vertices = triangulate(rings, cdt, order);
-      if (all_gabriel(cdt)) return;
-      refine(cdt, most);
-      read_back(rings, vertices);
-      if (sound(cdt)) {
-        order = spatial_order(rings.points);
-        return;
-      }
+      triangulate(rings, cdt, order);
+      const std::vector<bool> split = encroached(cdt, rings);
+      const auto splits = static_cast<std::size_t>(std::count(split.begin(), split.end(), true));
+      if (splits == 0) return;
+      if (rings.points.size() + splits > most)
+        too_close(rings.points[static_cast<std::size_t>(std::find(split.begin(), split.end(), true) - split.begin())]);
+      refine(rings, spots, given, split);
     }
     too_close(rings.points.front());
   }
 
  private:
-  std::vector<Vertex> triangulate(const Rings& rings, Cdt& cdt, const std::vector<std::uint32_t>& order) const {
-    std::vector<Vertex> vertices = insert_points(cdt, rings.points, order);
+  /// A share t of the way along the given contour edge that starts at point `from`.
+  struct Spot {
+    std::uint32_t from;
+    double t;
+  };
+
+  void triangulate(const Rings& rings, Cdt& cdt, const std::vector<std::uint32_t>& order) const {
+    const std::vector<Vertex> vertices = insert_points(cdt, rings.points, order);
     const std::vector<std::uint32_t> next = rings.next();
     for (std::uint32_t p = 0; p < next.size(); ++p) {
-      if (vertices[p] == vertices[next[p]]) too_close(rings.points[p]);
+      if (vertices[p]->info().value != p) too_close(rings.points[p]);   // rounded onto another point
       try {
         cdt.insert_constraint(vertices[p], vertices[next[p]]);
       } catch (const Cdt::Intersection_of_constraints_exception&) {
         too_close(rings.points[p]);
       }
     }
-    return vertices;
   }
 
-  void refine(Cdt& cdt, std::size_t most) const {
-    CGAL::Triangulation_conformer_2<Cdt> conformer(cdt);
-    conformer.init_Gabriel();
-    while (!conformer.is_conforming_done()) {
-      const auto before = cdt.number_of_vertices();
-      conformer.try_one_step_conforming_Gabriel();
-      if (cdt.number_of_vertices() > most) {
-        const auto& last = cdt.finite_vertices_begin()->point();
-        too_close({last.x(), last.y()});
-      }
-      if (before % 1024 == 0) progress_.check();
-    }
-  }
-
-  // Follows the constrained edges from each point to its follower and takes up the points added between.
-  void read_back(Rings& rings, const std::vector<Vertex>& vertices) const {
+  /// For each point: must the contour edge that starts there be split?
+  static std::vector<bool> encroached(const Cdt& cdt, const Rings& rings) {
     const std::vector<std::uint32_t> next = rings.next();
+    std::vector<bool> split(rings.points.size(), false);
+    for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge) {
+      if (!edge->first->is_constrained(edge->second) || gabriel(cdt, edge->first, edge->second)) continue;
+      const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
+      const std::uint32_t b = edge->first->vertex(Cdt::cw(edge->second))->info().value;
+      split[next[a] == b ? a : b] = true;
+    }
+    return split;
+  }
+
+  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given, const std::vector<bool>& split) const {
+    const std::vector<std::uint32_t> next = rings.next(), given_next = given.next();
     Rings refined;
+    std::vector<Spot> refined_spots;
+    const auto add = [&](Point2 at, Spot spot) {
+      refined.points.push_back(at);
+      refined_spots.push_back(spot);
+    };
     for (std::size_t c = 0; c + 1 < rings.first_point.size(); ++c) {
       for (std::uint32_t p = rings.first_point[c]; p < rings.first_point[c + 1]; ++p) {
-        vertices[p]->info().value = static_cast<std::uint32_t>(refined.points.size());
-        refined.points.push_back(rings.points[p]);
-        for (const Vertex added : between(vertices[p], vertices[next[p]])) {
-          added->info().value = static_cast<std::uint32_t>(refined.points.size());
-          refined.points.push_back({added->point().x(), added->point().y()});
-        }
+        add(rings.points[p], spots[p]);
+        if (!split[p]) continue;
+        const Point2 a = given.points[spots[p].from], b = given.points[given_next[spots[p].from]];
+        const double from = spots[p].t, to = spots[next[p]].t == 0 ? 1 : spots[next[p]].t;
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double t = split_share(from, to, length, sharp(given, given_next, spots[p].from),
+                                     sharp(given, given_next, given_next[spots[p].from]));
+        // Always taken from the given edge, so that errors of rounding never add up.
+        add({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, {spots[p].from, t});
       }
       refined.first_point.push_back(static_cast<std::uint32_t>(refined.points.size()));
     }
     rings = std::move(refined);
+    spots = std::move(refined_spots);
   }
 
-  static std::vector<Vertex> constrained_neighbours(Vertex v) {
-    std::vector<Vertex> ends;
-    Face face = v->face();
-    const Face start = face;
-    do {   // the face's edge from v to its next vertex clockwise is opposite ccw
-      const int i = face->index(v);
-      if (face->is_constrained(Cdt::cw(i))) ends.push_back(face->vertex(Cdt::ccw(i)));
-      face = face->neighbor(Cdt::ccw(i));
-    } while (face != start);
-    return ends;
+  /// Where between `from` and `to`, shares of an edge of this length, to split: on a circle around a sharp end, else in the middle.
+  static double split_share(double from, double to, double length, bool sharp_start, bool sharp_end) {
+    const bool at_start = sharp_start && from == 0, at_end = sharp_end && to == 1;
+    if (at_start == at_end) return from + (to - from) / 2;
+    const double radius = std::exp2(std::round(std::log2((to - from) * length / 2)));
+    return at_start ? radius / length : 1 - radius / length;
   }
 
-  static std::vector<Vertex> between(Vertex from, Vertex to) {
-    for (Vertex step : constrained_neighbours(from)) {
-      std::vector<Vertex> path;
-      Vertex behind = from;
-      while (step->info().value == none) {
-        path.push_back(step);
-        const std::vector<Vertex> ends = constrained_neighbours(step);
-        if (ends.size() != 2) throw InternalError("a refined contour forks");
-        const Vertex ahead = ends[0] == behind ? ends[1] : ends[0];
-        behind = step;
-        step = ahead;
-      }
-      if (step == to) return path;
-    }
-    throw InternalError("a refined contour lost an edge");
+  static bool sharp(const Rings& given, const std::vector<std::uint32_t>& next, std::uint32_t p) {
+    // The point before p on its contour: contours are contiguous.
+    const auto c = std::upper_bound(given.first_point.begin(), given.first_point.end(), p);
+    const std::uint32_t first = *(c - 1), end = *c;
+    const Point2 before = given.points[p == first ? end - 1 : p - 1], at = given.points[p], after = given.points[next[p]];
+    return (before.x - at.x) * (after.x - at.x) + (before.y - at.y) * (after.y - at.y) > 0;
   }
 
   [[noreturn]] void too_close(Point2 at) const {
