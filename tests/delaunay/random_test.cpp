@@ -1,0 +1,62 @@
+// Random stacks, each also seen differently. ODONTOSCOPE_RANDOM_STACKS says how many (default 500), ODONTOSCOPE_RANDOM_FIRST_SEED where to
+// begin (default 0). A failing seed is printed with a smallest stack that fails alike, ready for tests/corpus/engine.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/delaunay/engine_checks.h"
+#include "tests/support/random_stacks.h"
+#include "tests/support/variants.h"
+
+namespace odontoscope::test {
+namespace {
+
+constexpr int shards = 4;          // so that ctest -j has something to spread
+constexpr int shrunk_failures = 3;  // of each shard; further ones are only listed
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+ReconstructOptions options_for(std::uint64_t seed) {
+  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::reverse};
+  return {.correspondence = all[seed / 5 % 3], .links = {}, .threads = 1};
+}
+
+/// Empty if all is well with this stack; else what is wrong, in words that do not depend on its size.
+std::string trouble_with(const ContourStack& stack, std::uint64_t seed, bool general_position) {
+  const ReconstructOptions options = options_for(seed);
+  const Outcome usual = outcome_of(stack, options);
+  if (!usual.failure.empty()) return usual.failure;
+  for (const Variant& variant : variants_of(stack, seed)) {
+    const Outcome seen = outcome_of(variant.stack, options);
+    if (!seen.failure.empty()) return std::string(variant.name) + ": " + seen.failure;
+    if ((general_position || variant.keeps_order_of_points) && seen.topology != usual.topology)
+      return std::string("another topology when ") + variant.name;
+  }
+  return {};
+}
+
+class RandomStackShard : public testing::TestWithParam<int> {};
+
+TEST_P(RandomStackShard, IsCertifiedFromEverySide) {
+  const std::uint64_t count = from_environment("ODONTOSCOPE_RANDOM_STACKS", 500);
+  const std::uint64_t first = from_environment("ODONTOSCOPE_RANDOM_FIRST_SEED", 0);
+  int failures = 0;
+  for (std::uint64_t seed = first + std::uint64_t(GetParam()); seed < first + count; seed += shards) {
+    const RandomStack random = random_stack(seed);
+    const auto trouble = [&](const ContourStack& stack) { return trouble_with(stack, seed, random.general_position); };
+    const std::string what = trouble(random.stack);
+    if (what.empty()) continue;
+    ADD_FAILURE() << "seed " << seed << " (" << random.kind << "): " << what;
+    if (++failures <= shrunk_failures)
+      ADD_FAILURE() << "seed " << seed << " shrunk: " << smallest_failing(random.stack, trouble);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RandomStackShard, testing::Range(0, shards));
+
+}  // namespace
+}  // namespace odontoscope::test
