@@ -20,10 +20,47 @@ constexpr std::string_view mark = "DICM";
 constexpr std::uint32_t undefined_length = 0xffffffff;
 
 constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element) { return group << 16 | element; }
-constexpr std::uint32_t transfer_syntax = tag(0x0002, 0x0010), series_uid = tag(0x0020, 0x000e);
+constexpr std::uint32_t storage_class = tag(0x0002, 0x0002), transfer_syntax = tag(0x0002, 0x0010), series_uid = tag(0x0020, 0x000e);
 constexpr std::uint32_t samples_per_pixel = tag(0x0028, 0x0002), frames = tag(0x0028, 0x0008), rows = tag(0x0028, 0x0010),
                         columns = tag(0x0028, 0x0011), bits_allocated = tag(0x0028, 0x0100), pixel_data = tag(0x7fe0, 0x0010);
 constexpr std::uint32_t item = tag(0xfffe, 0xe000), item_end = tag(0xfffe, 0xe00d), sequence_end = tag(0xfffe, 0xe0dd);
+
+/// Elements that GDCM reads without asking how they are represented.
+struct Expected {
+  std::uint32_t tag;
+  std::string_view vr;
+};
+constexpr std::array<Expected, 19> expected_representations{{{samples_per_pixel, "US"},
+                                                             {tag(0x0028, 0x0004), "CS"},
+                                                             {tag(0x0028, 0x0006), "US"},
+                                                             {frames, "IS"},
+                                                             {rows, "US"},
+                                                             {columns, "US"},
+                                                             {tag(0x0028, 0x0030), "DS"},
+                                                             {bits_allocated, "US"},
+                                                             {tag(0x0028, 0x0101), "US"},
+                                                             {tag(0x0028, 0x0102), "US"},
+                                                             {tag(0x0028, 0x0103), "US"},
+                                                             {tag(0x0028, 0x1052), "DS"},
+                                                             {tag(0x0028, 0x1053), "DS"},
+                                                             {tag(0x0018, 0x0050), "DS"},
+                                                             {tag(0x0018, 0x0088), "DS"},
+                                                             {tag(0x0018, 0x1164), "DS"},
+                                                             {tag(0x0020, 0x0032), "DS"},
+                                                             {tag(0x0020, 0x0037), "DS"},
+                                                             {series_uid, "UI"}}};
+
+/// Classes of objects that are slices or volumes, whole families of them (CT, MR, secondary capture, 3D X-ray, PET): one without
+/// pixels has lost them.
+constexpr std::array<std::string_view, 5> image_classes{"1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.4",
+                                                        "1.2.840.10008.5.1.4.1.1.7", "1.2.840.10008.5.1.4.1.1.13.1",
+                                                        "1.2.840.10008.5.1.4.1.1.128"};
+
+bool is_image_class(std::string_view name) {
+  return std::any_of(image_classes.begin(), image_classes.end(), [name](std::string_view family) {
+    return name.starts_with(family) && (name.size() == family.size() || name[family.size()] == '.');
+  });
+}
 
 enum class Coding { explicit_vr, implicit_vr };
 
@@ -126,6 +163,8 @@ class Walk {
       source_.require(element.length, source_.size());
       if (element.tag == transfer_syntax) {
         syntax = text(element);
+      } else if (element.tag == storage_class) {
+        is_image_class_ = is_image_class(text(element));
       } else {
         skip(element);
       }
@@ -162,7 +201,17 @@ class Walk {
     return element;
   }
 
+  void check_representation(const Element& element) const {
+    if (coding_ == Coding::implicit_vr) return;
+    for (const Expected& expected : expected_representations) {
+      if (element.tag != expected.tag || element.is(expected.vr)) continue;
+      source_.refuse(fmt::format("element ({:04x},{:04x}) is not represented as {}", element.tag >> 16, element.tag & 0xffff,
+                                 expected.vr));
+    }
+  }
+
   void walk_top_element(const Element& element) {
+    check_representation(element);
     if (!element.is_undefined()) source_.require(element.length, source_.size());
     switch (element.tag) {
       case series_uid: series_ = text(element); return;
@@ -249,9 +298,19 @@ class Walk {
   }
 
   void check_pixels() const {
-    if (pixels_.rows == 0) return;
-    if (!pixels_.there) source_.throw_truncated();
-    if (pixels_.columns == 0 || pixels_.bits == 0) source_.refuse("it does not tell its columns or bits");
+    if (pixels_.rows == 0 && !is_image_class_) return;
+    if (pixels_.rows == 0 || !pixels_.there) {
+      throw InputError("truncated-volume", source_.place(), "the image's pixels are missing", "get a whole copy of the file");
+    }
+    if (pixels_.samples != 1) {
+      throw InputError("not-scalar", source_.place(), fmt::format("each pixel has {} numbers (a colour)", pixels_.samples),
+                       "give a grey-scale series");
+    }
+    constexpr std::array<std::uint64_t, 4> whole_bytes{8, 16, 32, 64};
+    if (std::find(whole_bytes.begin(), whole_bytes.end(), pixels_.bits) == whole_bytes.end()) {
+      source_.refuse(fmt::format("its pixels have {} bits", pixels_.bits));
+    }
+    if (pixels_.columns == 0) source_.refuse("it has no columns");
     if (pixels_.compressed) return;
     // At most 2^16 * 2^16 * 2^32 * 2^16 * 2^16: in floating point, since it overflows 64 bits.
     const double needed = static_cast<double>(pixels_.rows * pixels_.columns) * static_cast<double>(pixels_.frames) *
@@ -266,6 +325,7 @@ class Walk {
   Source source_;
   Coding coding_ = Coding::explicit_vr;
   std::string series_;
+  bool is_image_class_ = false;
   Pixels pixels_;
 };
 

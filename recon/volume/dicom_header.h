@@ -16,7 +16,7 @@ struct DicomHeader {
 };
 
 /// Walks all elements, nested ones too. Throws InputError truncated-volume where one reaches beyond its file or sequence, or the pixels are
-/// fewer than rows, columns, frames and bits make; unreadable-volume for what is no data set, for sequences nested deeper than
+/// missing or fewer than rows, columns, frames and bits make; not-scalar for colours; unreadable-volume for what is no data set, for sequences nested deeper than
 /// limits::dicom_nesting, and for the transfer syntaxes deflated and big-endian, which are not supported. Compressed pixels (JPEG ...)
 /// are only seen to be there.
 DicomHeader read_dicom_header(const std::string& file);

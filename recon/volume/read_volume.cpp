@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <optional>
+#include <streambuf>
 
 #include "recon/core/error.h"
 #include "recon/volume/dicom_header.h"
@@ -23,20 +25,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The libraries' messages off, and back to what they were at the end.
+/// The libraries' messages off, and back to what they were at the end. What they say that matters comes as an exception.
 class Quiet {
  public:
-  Quiet() : itk_(itk::Object::GetGlobalWarningDisplay()) {
+  Quiet() : itk_(itk::Object::GetGlobalWarningDisplay()), cerr_(std::cerr.rdbuf(&nowhere_)) {
     itk::Object::GlobalWarningDisplayOff();
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
   }
-  ~Quiet() { itk::Object::SetGlobalWarningDisplay(itk_); }
+  ~Quiet() {
+    std::cerr.rdbuf(cerr_);
+    std::cerr.clear();
+    itk::Object::SetGlobalWarningDisplay(itk_);
+  }
   Quiet(const Quiet&) = delete;
   Quiet& operator=(const Quiet&) = delete;
 
  private:
+  /// Takes everything and keeps nothing.
+  class Nowhere : public std::streambuf {
+    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
+    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
+  };
+  Nowhere nowhere_;
   bool itk_;
+  std::streambuf* cerr_;
 };
 
 struct Reader {

@@ -37,7 +37,8 @@ struct ReadVolumeOptions {
 /// and the like), sheared-volume; DICOM: no-dicom-images, several-series, mixed-series (sizes or orientations differ),
 /// uneven-slices.
 ///
-/// While it runs, ITK's, GDCM's and NIfTI's global message switches are off; they are the libraries' only ones.
+/// While it runs, std::cerr and ITK's and GDCM's messages are switched off for the whole program, since the libraries write there as
+/// they please: call it from one thread at a time, and do not write to std::cerr meanwhile.
 Volume read_volume(const std::string& path, const ReadVolumeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace odontoscope

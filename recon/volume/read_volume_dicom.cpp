@@ -107,6 +107,10 @@ double slice_spacing(const std::vector<OpenedImage>& slices, const Vector3& norm
   const Vector3 first = slices.front().image.origin, last = slices.back().image.origin;
   const Vector3 way{last[0] - first[0], last[1] - first[1], last[2] - first[2]};
   const double spacing = dot(way, normal) / static_cast<double>(slices.size() - 1);
+  if (!(spacing > 0)) {
+    throw InputError("uneven-slices", in_file(slices.back().image.source), "all slices lie in one place",
+                     "complete the series, or resample it evenly");
+  }
   for (std::size_t k = 0; k < slices.size(); ++k) {
     const FileImage& image = slices[k].image;
     double sideways = 0, uneven = 0;
