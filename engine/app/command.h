@@ -33,5 +33,7 @@ Command sample_command(CLI::App& root);
 Command contours_command(CLI::App& root);
 Command reconstruct_command(CLI::App& root);
 Command check_command(CLI::App& root);
+Command render_command(CLI::App& root);
+Command compare_images_command(CLI::App& root);
 
 }  // namespace odontoscope::app

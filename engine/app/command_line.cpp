@@ -115,15 +115,22 @@ std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv
   }
 }
 
-int run_chosen(const std::vector<Command>& commands, Session& session) {
+const Command& chosen_of(const std::vector<Command>& commands) {
   const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.parser->parsed(); });
   if (chosen == commands.end()) throw InternalError("no subcommand was chosen");
+  return *chosen;
+}
+
+int run_command(const Command& command, Session& session) try {
   const int threads = session.threads > 0 ? session.threads : tbb::this_task_arena::max_concurrency();
   const tbb::global_control no_more(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
-  const ExitCode code = arena.execute([&] { return chosen->run(session); });
+  const ExitCode code = arena.execute([&] { return command.run(session); });
   session.console.finish();
   return static_cast<int>(code);
+} catch (const UsageError& error) {
+  session.console.complain(fmt::format("{}\nSee odontoscope {} --help.", error.what(), command.parser->get_name()));
+  return static_cast<int>(error.exit_code());
 }
 
 int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** argv) {
@@ -137,7 +144,7 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
   if (const auto over = parse(root, console, argc, argv)) return *over;
   if (options.quiet) console.be_quiet();
   Session session{console, interrupts, options.threads};
-  return run_chosen(commands, session);
+  return run_command(chosen_of(commands), session);
 }
 
 }  // namespace
@@ -154,8 +161,6 @@ int run(int argc, char** argv) {
   } catch (const Cancelled&) {
     console.complain("stopped; no file was touched.");
     return interrupted_exit_code;
-  } catch (const UsageError& error) {
-    return end(error.exit_code(), fmt::format("{}\nSee odontoscope --help.", error.what()));
   } catch (const Error& error) {
     return end(error.exit_code(), error.what());
   } catch (const std::bad_alloc&) {

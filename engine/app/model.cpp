@@ -83,8 +83,8 @@ void tell_model(const Model& model, double seconds, Console& console) {
                             counted(made.counts.isolated_regions, "region is", "regions are")));
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
-  console.say(fmt::format("           {}, each of the {} slices gives back exactly its contours.",
-                          model.simplifications.empty() ? "Cut by its plane" : "Before it was simplified and cut by its plane",
+  console.say(fmt::format("           {} the model gives back exactly the contours of that slice, for all {} slices.",
+                          model.simplifications.empty() ? "Cut at a slice," : "Before it was simplified and cut at a slice,",
                           made.slices_checked));
 }
 

@@ -127,7 +127,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("FILE");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   parser.add_option("--correspondence", options.correspondence,
-                    "When regions of neighbouring slices connect: reverse, medial (default) or overlap")
+                    "When regions connect: reverse, medial (default) or overlap")
       ->type_name("NAME")
       ->transform(CLI::CheckedTransformer(criteria, CLI::ignore_case).description(""));
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");

@@ -38,7 +38,7 @@ TEST_P(HelpOf, TeachesByExample) {
   EXPECT_TRUE(help.says(std::string("odontoscope ") + GetParam()));
   EXPECT_TRUE(help.says("--threads") || help.says("--help"));
   std::size_t start = 0;
-  while (start < help.out.size()) {   // fits a terminal of 100 columns
+  while (start < help.out.size()) {   // fits a terminal that is not too narrow
     const std::size_t end = std::min(help.out.find('\n', start), help.out.size());
     EXPECT_LE(end - start, 110u) << help.out.substr(start, end - start);
     start = end + 1;

@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/app/command.h"
+#include "engine/app/options.h"
+#include "engine/app/outputs.h"
+#include "engine/app/scene_words.h"
+#include "engine/app/shown_input.h"
+#include "engine/picture/png.h"
+#include "engine/scene/scene_json.h"
+#include "engine/view/offscreen.h"
+
+namespace odontoscope::app {
+namespace {
+
+constexpr int most_frames = 3600;
+
+struct Options {
+  std::string input;
+  VolumeWords volume;
+  SceneWords scene;
+  std::string output, save_scene;
+  std::string size = "1200x900";
+  std::string backend = "auto";
+  int samples = 4;
+  int turntable = 0;
+};
+
+/// x.png, or x-000.png, x-001.png, ... for a turntable.
+std::vector<std::string> picture_files(const Options& options) {
+  if (options.turntable == 0) return {options.output};
+  const std::filesystem::path path(options.output);
+  std::vector<std::string> files;
+  for (int i = 0; i < options.turntable; ++i)
+    files.push_back((path.parent_path() / fmt::format("{}-{:03}{}", path.stem().string(), i, path.extension().string())).string());
+  return files;
+}
+
+PlannedFiles planned_files(const Options& options) {
+  PlannedFiles files{.inputs = {}, .outputs = picture_files(options)};
+  for (const std::string& input : {options.input, options.scene.scene_file, options.scene.camera_file})
+    if (!input.empty()) files.inputs.push_back(input);
+  if (!options.save_scene.empty()) files.outputs.push_back(options.save_scene);
+  return files;
+}
+
+/// The camera led round the axis of the tooth, through its target.
+Camera turned(const Camera& camera, double degrees) {
+  const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(degrees), AnatomicalFrame().occlusal);
+  Camera result = camera;
+  result.position = camera.target + glm::dvec3(turn * glm::dvec4(camera.position - camera.target, 0));
+  result.up = glm::dvec3(turn * glm::dvec4(camera.up, 0));
+  return result;
+}
+
+std::vector<FileContent> draw(const Options& options, GlContext& context, const odontoscope::Model& model, const Scene& scene, Session& session) {
+  PictureOptions picture;
+  picture.size = size_from(options.size);
+  while (picture.render.side * picture.render.side != options.samples) ++picture.render.side;
+  Renderer renderer(context.gl(), shaders_from_environment());
+  const GpuModel gpu_model = upload(context.gl(), model);
+  const std::vector<std::string> names = picture_files(options);
+  std::vector<FileContent> files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    session.progress().check();
+    session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
+    Scene frame = scene;
+    if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
+    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, model, frame, picture))});
+  }
+  return files;
+}
+
+ExitCode render(const Options& options, Session& session) {
+  known_ending(options.output, {".png"});
+  if (!options.save_scene.empty()) known_ending(options.save_scene, {".json"});
+  const PixelSize size = size_from(options.size);
+  if (!options.scene.view.empty()) view_named(options.scene.view);
+  const ContextOptions context_options{.backend = backend_named(options.backend)};
+  refuse_unwritable(planned_files(options));
+  const std::unique_ptr<GlContext> context = make_context(context_options);
+
+  const odontoscope::Model model = model_from(options.input, options.volume, session);
+  const Scene scene = scene_from(options.scene, model, size);
+  std::vector<FileContent> files = draw(options, *context, model, scene, session);
+  if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
+  session.progress().check();
+  write_all(files, session.interrupts);
+  session.console.say(fmt::format("Drawn with {}.", context->in_words()));
+  session.console.say(files.size() <= 2 ? fmt::format("Wrote {}", files[0].file.string())
+                                        : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
+  return ExitCode::done;
+}
+
+void add_options(CLI::App& parser, Options& options) {
+  parser.add_option("INPUT", options.input, "Contour stack, GLB, STL or PLY, or with --iso or --label a volume; none: the sample molar")
+      ->type_name("");
+  parser.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("FILE.png");
+  parser.add_option("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
+  parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4, 9, 16}).description(""))
+      ->capture_default_str();
+  parser.add_option("--backend", options.backend, "auto, egl or osmesa; none needs a display")->type_name("NAME")->capture_default_str();
+  parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_frames));
+  parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
+  add_scene_options(parser, options.scene);
+  add_volume_options(parser, options.volume);
+}
+
+}  // namespace
+
+Command render_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("render", "A picture of a model, with no display");
+  const auto options = std::make_shared<Options>();
+  add_options(*parser, *options);
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope render -o molar.png\n"
+      "  odontoscope render molar.json -o cut.png --section buccal --opacity enamel=1 --opacity dentine=1\n"
+      "  odontoscope render scan.stl -o holes.png --cull tint\n"
+      "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n");
+  return {parser, [options](Session& session) { return render(*options, session); }};
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,197 @@
+#include "engine/app/scene_words.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string_view>
+#include <utility>
+
+#include "engine/app/options.h"
+#include "engine/picture/image.h"
+#include "engine/scene/scene_json.h"
+#include "recon/core/error.h"
+
+namespace odontoscope::app {
+namespace {
+
+double number_in(std::string_view text, std::string_view option) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+    throw UsageError(fmt::format("{}: \"{}\" is no number", option, text));
+  return number;
+}
+
+Look& look_called(Scene& scene, std::string_view structure, std::string_view option) {
+  if (Look* look = scene.look_of(structure)) return *look;
+  std::vector<std::string> names;
+  for (const Look& look : scene.looks) names.push_back(look.structure);
+  throw UsageError(fmt::format("{}: there is no structure \"{}\"", option, structure),
+                   fmt::format("There are: {}.", fmt::join(names, ", ")));
+}
+
+/// "S=VALUE"; a structure's name may hold a "=", a value may not.
+std::pair<std::string, std::string> name_and_value(const std::string& text, std::string_view option) {
+  const std::size_t sign = text.rfind('=');
+  if (sign == std::string::npos || sign == 0)
+    throw UsageError(fmt::format("{} {}: say which structure", option, text), fmt::format("For example {} enamel=VALUE", option));
+  return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+void change_looks(const SceneWords& words, Scene& scene) {
+  for (const std::string& structure : words.hide) look_called(scene, structure, "--hide").visible = false;
+  for (const std::string& text : words.opacity) {
+    const auto [structure, value] = name_and_value(text, "--opacity");
+    const double opacity = number_in(value, "--opacity");
+    if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text));
+    look_called(scene, structure, "--opacity").opacity = static_cast<float>(opacity);
+  }
+  for (const std::string& text : words.colour) {
+    const auto [structure, value] = name_and_value(text, "--colour");
+    look_called(scene, structure, "--colour").colour = colour_from_hex(value);
+  }
+}
+
+Background background_from(const std::string& text) {
+  Background background;
+  if (text == "transparent") background.kind = Background::Kind::transparent;
+  else if (text == "white") background = {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
+  else if (text == "black") background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
+  else if (const std::size_t comma = text.find(','); comma != std::string::npos)
+    background = {Background::Kind::gradient, colour_from_hex(text.substr(0, comma)), colour_from_hex(text.substr(comma + 1))};
+  else background = {Background::Kind::plain, colour_from_hex(text), colour_from_hex(text)};
+  return background;
+}
+
+void place_camera(const SceneWords& words, const odontoscope::Model& model, double aspect, Scene& scene) {
+  if (!words.camera_file.empty()) scene.camera = read_scene(words.camera_file, scene).camera;
+  const auto projection = words.parallel ? Camera::Projection::parallel : scene.camera.projection;
+  if (!words.view.empty()) scene.camera = fit(view_named(words.view), model, aspect, projection);
+  scene.camera.projection = projection;
+  // Nearer rather than with a longer lens; a parallel camera has only its height.
+  scene.camera.position = scene.camera.target + (scene.camera.position - scene.camera.target) / words.zoom;
+  scene.camera.height_mm /= words.zoom;
+}
+
+struct NamedDirection {
+  std::string_view name;
+  glm::dvec3 direction;
+};
+
+const std::array<NamedDirection, 15>& named_directions() {
+  static const AnatomicalFrame tooth;
+  static const std::array<NamedDirection, 15> all = {{{"x", {1, 0, 0}},
+                                                      {"+x", {1, 0, 0}},
+                                                      {"-x", {-1, 0, 0}},
+                                                      {"y", {0, 1, 0}},
+                                                      {"+y", {0, 1, 0}},
+                                                      {"-y", {0, -1, 0}},
+                                                      {"z", {0, 0, 1}},
+                                                      {"+z", {0, 0, 1}},
+                                                      {"-z", {0, 0, -1}},
+                                                      {"buccal", tooth.buccal},
+                                                      {"lingual", -tooth.buccal},
+                                                      {"mesial", tooth.mesial},
+                                                      {"distal", -tooth.mesial},
+                                                      {"occlusal", tooth.occlusal},
+                                                      {"apical", -tooth.occlusal}}};
+  return all;
+}
+
+glm::dvec3 direction_in(const std::string& text) {
+  for (const NamedDirection& named : named_directions())
+    if (text == named.name) return named.direction;
+  glm::dvec3 direction(0);
+  std::size_t from = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = axis < 2 ? text.find(',', from) : text.size();
+    if (comma == std::string::npos)
+      throw UsageError(fmt::format("--section {}: that is no direction", text),
+                       "Give +x, -x, +y, -y, +z, -z, buccal, lingual, mesial, distal, occlusal, apical, or three numbers: 1,1,0.");
+    direction[axis] = number_in(std::string_view(text).substr(from, comma - from), "--section");
+    from = comma + 1;
+  }
+  if (!(glm::length(direction) > 0)) throw UsageError(fmt::format("--section {}: that points nowhere", text));
+  return glm::normalize(direction);
+}
+
+}  // namespace
+
+Section section_from(const std::string& text, const odontoscope::Model& model) {
+  const std::size_t at = text.find('@');
+  Section section;
+  section.normal = direction_in(text.substr(0, at));
+  section.point_mm = model.bounds_mm.centre();
+  if (at == std::string::npos) return section;
+  const double place = number_in(std::string_view(text).substr(at + 1), "--section");
+  // "-x@2.5" is the plane x = 2.5: for the six axes the place is a coordinate, whichever side is cut away.
+  const glm::dvec3 n = section.normal;
+  const bool against_axis = std::min({n.x, n.y, n.z}) == -1;
+  section.point_mm = (against_axis ? -place : place) * n;
+  return section;
+}
+
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, PixelSize size) {
+  const double aspect = static_cast<double>(size.width) / size.height;
+  Scene scene = usual_scene(model, aspect);
+  if (!words.scene_file.empty()) scene = read_scene(words.scene_file, scene);
+  place_camera(words, model, aspect, scene);
+  change_looks(words, scene);
+  if (!words.section.empty()) scene.section = section_from(words.section, model);
+  if (!words.back_faces.empty()) scene.back_faces = back_faces_named(words.back_faces);
+  if (!words.background.empty()) scene.background = background_from(words.background);
+  if (words.occlusion) {
+    scene.occlusion.on = *words.occlusion > 0;
+    scene.occlusion.strength = static_cast<float>(*words.occlusion);
+  }
+  if (words.wire) scene.wire = true;
+  return scene;
+}
+
+PixelSize size_from(const std::string& text) {
+  PixelSize size;
+  const char* const end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  const bool both = width.ec == std::errc() && width.ptr != end && *width.ptr == 'x' &&
+                    std::from_chars(width.ptr + 1, end, size.height).ptr == end;
+  if (!both || std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > most_picture_side)
+    throw UsageError(fmt::format("--size {}: that is no size of a picture", text),
+                     fmt::format("Give width and height in pixels, 1 to {}: 1200x900.", most_picture_side));
+  return size;
+}
+
+void add_scene_options(CLI::App& parser, SceneWords& words) {
+  constexpr const char* looking = "Looking";
+  constexpr const char* showing = "Showing";
+  CLI::Option* view = parser.add_option("--view", words.view,
+                                        "three-quarter (default), buccal, lingual, mesial, distal, occlusal, apical");
+  view->type_name("NAME")->group(looking);
+  parser.add_option("--camera", words.camera_file, "The camera of a saved scene")->type_name("FILE.json")->group(looking)->excludes(view);
+  parser.add_option("--scene", words.scene_file, "A saved scene; other options change it")->type_name("FILE.json")->group(looking);
+  parser.add_flag("--parallel", words.parallel, "Parallel instead of perspective projection")->group(looking);
+  parser.add_option("--zoom", words.zoom, "So many times nearer")->type_name("F")->check(CLI::Range(0.01, 100.0).description(""))->group(looking);
+  repeatable(parser.add_option("--hide", words.hide, "Leave a structure out; repeatable"))->type_name("S")->group(showing);
+  repeatable(parser.add_option("--opacity", words.opacity, "0 clear to 1 solid, e.g. enamel=0.3; repeatable"))->type_name("S=F")->group(showing);
+  repeatable(parser.add_option("--colour", words.colour, "e.g. pulp=#c9332e; repeatable"))->type_name("S=#RRGGBB")->group(showing);
+  parser.add_option("--section", words.section, "Cut away: +x to -z, buccal, ..., or X,Y,Z; @MM says where, e.g. -x@2.5")
+      ->type_name("SIDE[@MM]")
+      ->group(showing);
+  parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")
+      ->type_name("MODE")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, std::string>{{"on", "cull"}, {"off", "show"}, {"tint", "tint"}}).description(""))
+      ->group(showing);
+  parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
+  parser.add_option("--occlusion", words.occlusion, "Darkening of hollows: 0 none, 1 natural (default), up to 4")
+      ->type_name("F")
+      ->check(CLI::Range(0.0, 4.0).description(""))
+      ->group(showing);
+  parser.add_option("--background", words.background, "white, black, transparent, #RRGGBB, or two colours from top to bottom")
+      ->type_name("COLOUR")
+      ->group(showing);
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,40 @@
+#pragma once
+// How a scene is told on the command line.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/scene/scene.h"
+
+namespace odontoscope::app {
+
+/// As typed; not yet understood.
+struct SceneWords {
+  std::string scene_file, camera_file, view;
+  bool parallel = false;
+  double zoom = 1;
+  std::vector<std::string> hide;       // "S"
+  std::vector<std::string> opacity;    // "S=0.3"
+  std::vector<std::string> colour;     // "S=#rrggbb"
+  std::string section, back_faces, background;
+  std::optional<double> occlusion;
+  bool wire = false;
+};
+
+void add_scene_options(CLI::App& parser, SceneWords& words);
+
+/// The model's usual scene, then what the scene file says, then the words. Throws UsageError for words that make no sense
+/// (a structure that the model has not, a view that there is none), FileError and InputError for the files.
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, PixelSize size);
+
+/// "1200x900"; UsageError unless both are from 1 to `most_picture_side`.
+PixelSize size_from(const std::string& text);
+
+/// "+y", "-x@2.5", "buccal", "1,1,0@3": what is cut away, and where the plane lies (mm along that axis; the model's middle
+/// if not told). Public for tests.
+Section section_from(const std::string& text, const odontoscope::Model& model);
+
+}  // namespace odontoscope::app

@@ -1,0 +1,71 @@
+#include "engine/app/shown_input.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "engine/app/sniff.h"
+#include "recon/core/read_file.h"
+#include "recon/delaunay/reconstruct.h"
+#include "recon/input/stack_json.h"
+#include "recon/mesh/read_mesh.h"
+#include "recon/sample/sample_tooth.h"
+
+namespace odontoscope::app {
+namespace {
+
+std::vector<NamedSurface> surfaces_of(const ContourStack& stack, Session& session) {
+  ReconstructOptions engine;
+  engine.threads = session.threads;
+  Reconstruction made = reconstruct(stack, engine, session.progress());
+  std::vector<NamedSurface> surfaces;
+  for (Solid& solid : made.solids) surfaces.push_back({solid.structure, std::move(solid.surface)});
+  return surfaces;
+}
+
+/// A mesh without a name is called after its file.
+std::vector<NamedSurface> surfaces_of(std::vector<NamedMesh> meshes, const std::string& file) {
+  std::vector<NamedSurface> surfaces;
+  for (NamedMesh& mesh : meshes) {
+    const std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
+    surfaces.push_back({name, std::move(mesh.surface)});
+  }
+  return surfaces;
+}
+
+[[noreturn]] void refuse(FileKind kind, const std::string& file) {
+  if (kind == FileKind::volume)
+    throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
+                     "Give --iso T for an image, --label N for a label map");
+  Place place;
+  place.file = file;
+  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL or PLY mesh",
+                   "Give a file of one of these formats, or a volume with --iso");
+}
+
+std::vector<NamedSurface> surfaces_from(const std::string& file, const VolumeWords& words, Session& session) {
+  if (file.empty()) return surfaces_of(sample_tooth(ToothKind::molar), session);
+  if (words.any_level()) return surfaces_of(contours_told(file, understood(words), session), session);
+  if (named_like_a_volume(file)) refuse(FileKind::volume, file);
+  const std::string bytes = read_file(file);
+  const FileKind kind = kind_of(bytes);
+  switch (kind) {
+    case FileKind::contour_stack: return surfaces_of(parse_stack(bytes, file), session);
+    case FileKind::glb: return surfaces_of(parse_glb(bytes, file), file);
+    case FileKind::ply: return surfaces_of(parse_ply(bytes, file), file);
+    case FileKind::stl: return surfaces_of(parse_stl(bytes, file), file);
+    default: refuse(kind, file);
+  }
+}
+
+}  // namespace
+
+odontoscope::Model model_from(const std::string& file, const VolumeWords& words, Session& session) {
+  const std::vector<NamedSurface> surfaces = surfaces_from(file, words, session);
+  session.progress().check();
+  return odontoscope::make_model(surfaces);
+}
+
+}  // namespace odontoscope::app
