@@ -139,16 +139,27 @@ TEST(Validate, NamesSliceContourPointAndPlace) {
   EXPECT_EQ(place.at, (Point2{1, 1}));
 }
 
+TEST(Validate, ReportsTheFirstOfTwoRepeatedHeights) {
+  ContourStack stack;
+  for (const double z : {2.0, 1.0, 3.0, 2.0, 1.0}) stack.slices.push_back({z, {tooth(square(0, 0, 1))}});
+  const auto error = error_of(stack);
+  ASSERT_TRUE(error);
+  EXPECT_EQ(error->cause(), "repeated-z");
+  EXPECT_EQ(error->place().slice, 3u);
+}
+
+/// Slice 5 is quickly found broken while another thread is still busy with a large one further up.
 TEST(Validate, ReportsTheFirstBrokenSliceOnAnyNumberOfThreads) {
   ContourStack stack;
   for (int s = 0; s < 400; ++s) {
-    stack.slices.push_back(
-        {double(s), {s % 7 == 5 ? tooth({{0, 0}, {2, 2}, {2, 0}, {0, 2}}) : tooth(circle(0, 0, 1, 300))}});
+    shapes::Points points = circle(0, 0, 1, s < 100 ? 10 : 20'000);
+    if (s % 7 == 5) std::swap(points[0], points[1]);
+    stack.slices.push_back({double(s), {tooth(points)}});
   }
   std::string first;
   for (const std::size_t threads : {1, 2, 7}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    for (int again = 0; again < 20; ++again) {
+    for (int again = 0; again < 10; ++again) {
       const auto error = error_of(stack);
       ASSERT_TRUE(error);
       EXPECT_EQ(error->place().slice, 5u);
@@ -249,10 +260,15 @@ TEST(Validate, RandomSlicesKeepTheirVerdict) {
 
 // --- cost --------------------------------------------------------------------------------------------------------
 
+/// The best of three: other work on the machine only ever makes it slower.
 double seconds_to_validate(const ContourStack& stack) {
-  const auto start = std::chrono::steady_clock::now();
-  validate(stack);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  double best = infinity;
+  for (int run = 0; run < 3; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    validate(stack);
+    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return best;
 }
 
 /// Teeth of a comb: all long edges are above each other, the worst case of simpler methods.
