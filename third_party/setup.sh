@@ -10,6 +10,13 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 say() { printf '%s\n' "$*" >&2; }
 fail() { say "$(basename "$0"): $*"; exit 1; }
 
+# Runs a command; shows what it said only if it failed.
+quietly() {
+  local why=$1 log
+  shift
+  log=$("$@" 2>&1 </dev/null) || { say "$log"; fail "$why Its words are above."; }
+}
+
 listed_packages() {
   sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/third_party/packages.debian"
 }
@@ -41,12 +48,11 @@ install_packages() {
   apt-get install --no-install-recommends $missing"
     as_root=(sudo env)
   fi
-  say "Installing with apt: $missing"
-  local quiet=(-qq -o=Dpkg::Use-Pty=0)
-  "${as_root[@]}" apt-get update "${quiet[@]}" >&2 || fail "apt-get update failed; its reason is above. Is the network up?"
+  say "Installing with apt, which takes minutes the first time: $missing"
+  quietly "apt-get update failed. Is the network up?" "${as_root[@]}" apt-get update
   # shellcheck disable=SC2086
-  "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${quiet[@]}" $missing >&2 ||
-    fail "apt-get could not install the packages; its reason is above. The list is written for Debian 12."
+  quietly "apt-get could not install the packages. The list is written for Debian 12." "${as_root[@]}" \
+    DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
 }
 
 # One job for each processor, but no more than the free memory carries: a file with CGAL's triangulations takes 1 GB.
@@ -69,8 +75,7 @@ configure() {
   local launcher=()
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   say "Configuring $folder"
-  local log
-  log=$(cmake --fresh --preset "$preset" "${launcher[@]}" 2>&1) || { say "$log"; fail "CMake failed; its reason is above."; }
+  quietly "CMake failed." cmake --fresh --preset "$preset" "${launcher[@]}"
 }
 
 build() {
@@ -81,5 +86,5 @@ build() {
   local jobs
   jobs=$(jobs_that_fit)
   say "Building $folder ($target, $jobs at a time; the first time takes minutes)"
-  ninja -C "$folder" -j "$jobs" "$target" >&2 || fail "the build failed; its reason is above."
+  ninja -C "$folder" -j "$jobs" "$target" >&2 || fail "the build failed. Its words are above."
 }

@@ -83,9 +83,8 @@ void tell_model(const Model& model, double seconds, Console& console) {
                             counted(made.counts.isolated_regions, "region is", "regions are")));
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
-  console.say(fmt::format("           {} the model gives back exactly the contours of that slice, for all {} slices.",
-                          model.simplifications.empty() ? "Cut at a slice," : "Before it was simplified and cut at a slice,",
-                          made.slices_checked));
+  console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
+                          model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
 }
 
 }  // namespace odontoscope::app
