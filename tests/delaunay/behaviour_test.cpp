@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -38,7 +39,7 @@ TEST(Threads, DoNotChangeAByte) {
 }
 
 TEST(Threads, AreCountedInTheResult) {
-  EXPECT_EQ(reconstruct(long_tube(4), {.correspondence = {}, .links = {}, .threads = 2}).threads, 2);
+  EXPECT_EQ(reconstruct(long_tube(4), {.correspondence = Correspondence::medial, .links = {}, .threads = 2}).threads, 2);
   EXPECT_GE(reconstruct(long_tube(4)).threads, 1);
 }
 
@@ -68,7 +69,7 @@ TEST(Cancellation, FromAnotherThreadInTheMiddle) {
                               changed.wait(lock, [&] { return source.stop_requested(); });
                             },
                             source.get_token()};
-    EXPECT_THROW(reconstruct(long_tube(200), {.correspondence = {}, .links = {}, .threads = threads}, progress),
+    EXPECT_THROW(reconstruct(long_tube(200), {.correspondence = Correspondence::medial, .links = {}, .threads = threads}, progress),
                  Cancelled);
     user.join();
     EXPECT_TRUE(started) << "no progress was ever told";
