@@ -2,6 +2,7 @@
 // From a slab's Delaunay tetrahedra to a solid piece: which stay, and which must be put back to make it a manifold.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "recon/delaunay/slab.h"
@@ -16,11 +17,18 @@ enum class Fate : std::uint8_t { removed, kept, restored };
 std::vector<Fate> eliminate(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
 
 /// Step 5, repair: puts removed tetrahedra back until the kept ones form a PL 3-manifold: around each edge one fan, and in the link of each
-/// vertex both the kept and the removed part connected (what lies beyond the hull and the slices counts as removed). Then takes out
-/// again those that turned out not to be needed. Always ends where everything may be restored, since the hull is a ball.
-/// `may_restore[t]` false forbids a tetrahedron; returns false if a singularity can then not be repaired.
+/// vertex both the kept and the removed part connected (what lies beyond the hull and the slices counts as removed). Then, where
+/// nothing was restored before the call, takes out again those that turned out not to be needed. Always ends where everything
+/// may be restored, since the hull is a ball.
+/// `owner[t]` none forbids a tetrahedron; returns false if a singularity can then not be repaired.
 /// Precondition: every internal triangle of both slices carries a kept tetrahedron.
 bool repair(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper,
-            const std::vector<bool>& may_restore, std::vector<Fate>& fate);
+            const std::vector<std::uint32_t>& owner, std::vector<Fate>& fate);
+
+/// Puts back the shortest ways through faces that make the kept tetrahedra of each owner one piece: regions that are linked but whose
+/// tetrahedra never meet (the user can link what lies far apart). `owner[t]` none: t belongs to nobody and stays out. Returns how many
+/// were put back; the result has to be repaired again. Empty if there is no way.
+std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper,
+                                   const std::vector<std::uint32_t>& owner, std::vector<Fate>& fate);
 
 }  // namespace odontoscope::delaunay

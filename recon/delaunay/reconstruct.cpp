@@ -1,5 +1,7 @@
 #include "recon/delaunay/reconstruct.h"
 
+#include <tbb/global_control.h>
+
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -191,6 +193,8 @@ Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& 
   validate_links(options.links, input.stack);
   watch.lap("validate");
   const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  // Lets a caller ask for more threads than the machine has (the bytes must not depend on it, and this shows it).
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   Reconstruction result = Reconstructor(input, options, threads, progress).run();
   result.seconds.insert(result.seconds.begin(), preparation.begin(), preparation.end());
   return result;

@@ -83,35 +83,41 @@ class SlabSolver {
       group.components = {all};
     }
     std::vector<Fate> fate = eliminate(tets, lower, upper);
-    finish(group, tets, fate, std::vector<bool>(tets.size(), true), lower, upper);
+    finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper);
   }
 
   /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
   bool carve(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {
-    std::vector<std::size_t> of_lower(task_.lower.regions(), 0), of_upper(task_.upper.regions(), 0);
-    for (std::size_t c = 0; c < group.components.size(); ++c) {
+    std::vector<std::uint32_t> of_lower(task_.lower.regions(), 0), of_upper(task_.upper.regions(), 0);
+    for (std::uint32_t c = 0; c < group.components.size(); ++c) {
       for (const std::uint32_t r : group.components[c].lower) of_lower[r] = c;
       for (const std::uint32_t r : group.components[c].upper) of_upper[r] = c;
     }
     std::vector<Fate> fate = eliminate(tets, lower, upper);
-    std::vector<bool> own(tets.size(), true);
+    std::vector<std::uint32_t> owner(tets.size(), none);
     for (std::size_t t = 0; t < tets.size(); ++t) {
-      const auto owner = [&](std::uint32_t v) {
+      const auto component = [&](std::uint32_t v) {
         return v < lower.points.size() ? of_lower[lower.region_of[v]] : of_upper[upper.region_of[v - lower.points.size()]];
       };
       const auto& v = tets[t].v;
-      own[t] = owner(v[0]) == owner(v[1]) && owner(v[0]) == owner(v[2]) && owner(v[0]) == owner(v[3]);
-      if (own[t] || fate[t] == Fate::removed) continue;
+      if (std::all_of(v.begin() + 1, v.end(), [&](std::uint32_t w) { return component(w) == component(v[0]); }))
+        owner[t] = component(v[0]);
+      if (owner[t] != none || fate[t] == Fate::removed) continue;
       if (tets[t].lower_count != 2) return false;   // part of a region would go uncovered
       fate[t] = Fate::removed;
     }
-    return finish(group, tets, fate, own, lower, upper);
+    return finish(group, tets, fate, owner, lower, upper);
   }
 
   bool finish(Group& group, const std::vector<SlabTetrahedron>& tets, std::vector<Fate>& fate,
-              const std::vector<bool>& may_restore, const Planar& lower, const Planar& upper) {
+              const std::vector<std::uint32_t>& owner, const Planar& lower, const Planar& upper) {
     SlabSolid solid;
-    if (!repair(tets, lower, upper, may_restore, fate)) return false;
+    for (;;) {
+      if (!repair(tets, lower, upper, owner, fate)) return false;
+      const std::optional<std::size_t> joined = connect(tets, lower, upper, owner, fate);
+      if (!joined) return false;
+      if (*joined == 0) break;
+    }
     if (!lift(tets, fate, lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid))
       return false;
     group.solid = std::move(solid);

@@ -1,0 +1,68 @@
+#pragma once
+// The cheapest way from one part of a slab's triangulation to another, through faces: Dijkstra.
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <vector>
+
+#include "recon/delaunay/slab.h"
+
+namespace odontoscope::delaunay {
+
+using TetList = std::vector<std::uint32_t>;
+
+/// Cost of putting tetrahedra back: how many, then how large. Geometric, so that the choice does not hang on the order of the input.
+struct Cost {
+  std::size_t count = 0;
+  double volume = 0;
+  friend auto operator<=>(const Cost&, const Cost&) = default;
+};
+
+/// |det| of each tetrahedron for a slab of height 1: six times its volume.
+std::vector<double> volumes(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
+
+/// The cheapest way through faces from a tetrahedron of `from` to one that `is_target`, over those that `may_pass`; neither end
+/// included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none. `cost` receives its cost.
+template <class Leave, class MayPass, class IsTarget>
+TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<double>& volume, const TetList& from,
+                     Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost) {
+  struct Step {
+    Cost cost;
+    std::uint32_t tet;
+    bool operator<(const Step& other) const { return std::tie(other.cost, other.tet) < std::tie(cost, tet); }   // cheapest on top
+  };
+  std::priority_queue<Step> open;
+  std::map<std::uint32_t, std::pair<Cost, std::uint32_t>> best;   // and the tetrahedron behind
+  for (const std::uint32_t t : from) {
+    best[t] = {Cost{}, none};
+    open.push({Cost{}, t});
+  }
+  while (!open.empty()) {
+    const Step step = open.top();
+    open.pop();
+    if (best[step.tet].first < step.cost) continue;
+    if (best[step.tet].second != none && is_target(step.tet)) {
+      TetList way;
+      for (std::uint32_t t = best[step.tet].second; best[t].second != none; t = best[t].second) way.push_back(t);
+      cost = step.cost;
+      return way;
+    }
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t other = tetrahedra[step.tet].nb[i];
+      if (other == none || !leave(step.tet, i)) continue;
+      const bool target = is_target(other);
+      if (!target && !may_pass(other)) continue;
+      const Cost next = target ? step.cost : Cost{step.cost.count + 1, step.cost.volume + volume[other]};
+      const auto known = best.find(other);
+      if (known != best.end() && known->second.first <= next) continue;
+      best[other] = {next, step.tet};
+      open.push({next, other});
+    }
+  }
+  return {};
+}
+
+}  // namespace odontoscope::delaunay

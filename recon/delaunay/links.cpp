@@ -1,0 +1,153 @@
+#include "recon/delaunay/links.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odontoscope::delaunay {
+namespace {
+
+int index_of(const SlabTetrahedron& tet, std::uint32_t v) {
+  return tet.v[0] == v ? 0 : tet.v[1] == v ? 1 : tet.v[2] == v ? 2 : 3;
+}
+
+/// From tetrahedron `t` turns around edge (a, b), leaving first through the face opposite `away`; true if it comes back to t.
+bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std::uint32_t b, std::uint32_t t, std::uint32_t away,
+                 TetList& ring) {
+  const std::uint32_t start = t;
+  for (;;) {
+    const std::uint32_t next = tets[t].nb[index_of(tets[t], away)];
+    if (next == none) return false;
+    if (next == start) return true;
+    // The vertex shared with the tetrahedron behind is the one to turn away from next.
+    away = *std::find_if(tets[t].v.begin(), tets[t].v.end(), [&](std::uint32_t w) { return w != a && w != b && w != away; });
+    t = next;
+    ring.push_back(t);
+  }
+}
+
+}  // namespace
+
+std::vector<double> volumes(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper) {
+  std::vector<double> volume;
+  volume.reserve(tetrahedra.size());
+  const auto offset = static_cast<std::uint32_t>(lower.points.size());
+  const auto cross = [](Point2 a, Point2 b, Point2 c, Point2 d) {
+    return std::abs((b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x));
+  };
+  for (const SlabTetrahedron& tet : tetrahedra) {
+    const auto point = [&](int i) { return tet.v[i] < offset ? lower.points[tet.v[i]] : upper.points[tet.v[i] - offset]; };
+    if (tet.lower_count == 3) volume.push_back(cross(point(0), point(1), point(0), point(2)));
+    else if (tet.lower_count == 1) volume.push_back(cross(point(1), point(2), point(1), point(3)));
+    else volume.push_back(cross(point(0), point(1), point(2), point(3)));
+  }
+  return volume;
+}
+
+Links::Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<Fate>& fate)
+    : tets_(tetrahedra), fate_(fate), first_(points + 1, 0), star_(4 * tetrahedra.size()), seen_vertex_(points, 0),
+      seen_tet_(tetrahedra.size(), 0) {
+  for (const SlabTetrahedron& tet : tets_)
+    for (const std::uint32_t v : tet.v) ++first_[v + 1];
+  for (std::size_t v = 0; v < points; ++v) first_[v + 1] += first_[v];
+  TetList fill(first_.begin(), first_.end() - 1);
+  for (std::uint32_t t = 0; t < tets_.size(); ++t)
+    for (const std::uint32_t v : tets_[t].v) star_[fill[v]++] = t;
+}
+
+std::vector<std::array<std::uint32_t, 2>> Links::mixed_edges(std::uint32_t v) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  ++vertex_epoch_;
+  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
+    const std::uint32_t t = star_[s];
+    if (!in(t)) continue;
+    const SlabTetrahedron& tet = tets_[t];
+    for (int i = 0; i < 4; ++i) {
+      if (tet.v[i] == v || tet.nb[i] == none || in(tet.nb[i])) continue;
+      for (const std::uint32_t w : tet.v) {
+        if (w == v || w == tet.v[i] || seen_vertex_[w] == vertex_epoch_) continue;
+        seen_vertex_[w] = vertex_epoch_;
+        edges.push_back({w, t});
+      }
+    }
+  }
+  return edges;
+}
+
+Links::Gaps Links::gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const {
+  TetList ring;
+  std::array<std::uint32_t, 2> others{};
+  int count = 0;
+  for (const std::uint32_t w : tets_[t].v)
+    if (w != a && w != b) others[count++] = w;
+  Gaps found;
+  found.closed = turn_around(tets_, a, b, t, others[0], ring);
+  std::reverse(ring.begin(), ring.end());
+  ring.push_back(t);
+  if (!found.closed) turn_around(tets_, a, b, t, others[1], ring);
+
+  const std::size_t n = ring.size();
+  std::size_t first = 0;
+  while (first < n && !in(ring[first])) ++first;
+  TetList run;
+  for (std::size_t i = first + 1; first < n && i < n + (found.closed ? first + 1 : 0); ++i) {
+    const std::uint32_t here = ring[i % n];
+    if (!in(here)) {
+      run.push_back(here);
+    } else if (!run.empty()) {
+      found.runs.push_back(std::move(run));
+      run.clear();
+    }
+  }
+  return found;
+}
+
+/// Adds to `seeds` what can be reached from them within v's star through faces at v, staying on the side `kept`, and marks all of it.
+void Links::flood(std::uint32_t v, TetList& seeds, bool kept) {
+  for (const std::uint32_t t : seeds) seen_tet_[t] = tet_epoch_;
+  for (std::size_t at = 0; at < seeds.size(); ++at) {
+    const SlabTetrahedron& tet = tets_[seeds[at]];
+    for (int i = 0; i < 4; ++i) {
+      const std::uint32_t other = tet.nb[i];
+      if (tet.v[i] == v || other == none || in(other) != kept || seen_tet_[other] == tet_epoch_) continue;
+      seen_tet_[other] = tet_epoch_;
+      seeds.push_back(other);
+    }
+  }
+}
+
+std::vector<TetList> Links::fans(std::uint32_t v) {
+  ++tet_epoch_;
+  std::vector<TetList> found;
+  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
+    if (!in(star_[s]) || seen_tet_[star_[s]] == tet_epoch_) continue;
+    found.push_back({star_[s]});
+    flood(v, found.back(), true);
+  }
+  return found;
+}
+
+TetList Links::shut_in(std::uint32_t v) {
+  ++tet_epoch_;
+  TetList at_border, enclosed;
+  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
+    const SlabTetrahedron& tet = tets_[star_[s]];
+    if (in(star_[s])) continue;
+    for (int i = 0; i < 4; ++i)
+      if (tet.v[i] != v && tet.nb[i] == none) {
+        at_border.push_back(star_[s]);
+        break;
+      }
+  }
+  flood(v, at_border, false);
+  for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s)
+    if (!in(star_[s]) && seen_tet_[star_[s]] != tet_epoch_) enclosed.push_back(star_[s]);
+  return enclosed;
+}
+
+bool Links::regular(std::uint32_t v) {
+  for (const auto& [w, t] : mixed_edges(v))
+    if (gaps(v, w, t).singular()) return false;
+  return fans(v).size() <= 1 && shut_in(v).empty();
+}
+
+}  // namespace odontoscope::delaunay
