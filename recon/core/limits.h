@@ -124,6 +124,6 @@ inline constexpr double sample_gap = 0.03;
 inline constexpr double sample_clearance = 1e-4;
 inline constexpr double sample_grain = 1e-5;
 /// Ranges of the options, mm: sections of neighbouring slices must overlap, and a stack stays below a million points.
-inline constexpr double sample_least_slice_spacing = 0.05, sample_most_slice_spacing = 0.5;
+inline constexpr double sample_least_slice_spacing = 0.05, sample_most_slice_spacing = 0.35;
 inline constexpr double sample_least_point_spacing = 0.05, sample_most_point_spacing = 1.0;
 }  // namespace odontoscope::limits

@@ -46,7 +46,7 @@ ToothShape incisor() {
   t.cervical_line = {13.0, 3.5, 2.5, 0.0};
   t.sides = sides();
   t.occlusal = occlusal();
-  t.enamel = {1.0, 3.5, 1.5};
+  t.enamel = {1.0, 3.5, 1.6, 21.3};
   t.roots = {{.name = "root", .apex_z = 0, .blunt = 2.0,
               .x = {{0, -0.45}, {4, -0.15}, {9, 0.0}, {13, 0.0}},
               .y = {{0, -0.1}, {13, 0.0}},

@@ -60,7 +60,9 @@ class Sampler {
 
   // Contours of the slice gone to; the gap is taken from the outer of two structures.
   std::vector<Loop> enamel() {
-    return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine); });
+    return loops([this](std::size_t i) {
+      return std::max({tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine, tissue_[i].below_margin});
+    });
   }
   std::vector<Loop> dentine(bool hollow) {
     if (!hollow) return loops([this](std::size_t i) { return tissue_[i].dentine; });

@@ -32,8 +32,8 @@ enum class ToothKind { molar, premolar, incisor };
 const char* name(ToothKind kind);
 
 struct SampleOptions {
-  /// Distance of neighbouring slices, mm; the first lies half of it above the lowest apex. 0.05 to 0.5: beyond, neighbouring sections
-  /// of a curved canal would no longer overlap.
+  /// Distance of neighbouring slices, mm; the first lies half of it above the lowest apex. 0.05 to 0.35: beyond, the ends of
+  /// canals and horns would come off.
   double slice_spacing = 0.25;
   /// Largest distance of neighbouring points of a contour, mm, 0.05 to 1. Small contours and sharp bends get closer points.
   double point_spacing = 0.22;
@@ -47,7 +47,9 @@ struct SampleOptions {
 /// dentine and dentine off pulp. Outer contours are counter-clockwise seen from +z, holes clockwise. Coordinates are
 /// rounded to limits::sample_grain.
 ///
-/// Topology: enamel one shell of genus 0 (a cap), dentine one of genus 0 with one cavity (none if not hollow), pulp one of genus 0.
+/// Topology: enamel one shell of genus 0 (a cap), dentine one of genus 0 with one cavity of genus 0 (none if not hollow), pulp one of genus 0; so
+/// they come out of `reconstruct` at the default spacing. Not promised at every other: between two slices a fissure's bottom or
+/// the edge of the chamber's floor may be narrower than a slab can hold, which adds a small handle to the enamel or the cavity.
 /// The same options give the same stack, byte for byte. Throws UsageError for options out of range.
 ContourStack sample_tooth(ToothKind kind, const SampleOptions& options = {});
 
@@ -80,7 +82,7 @@ struct SampleFacts {
   Proportions proportions;        // what the shape was modelled on
   double cervix_z = 0;            // of the cervical line where it is lowest
   double top_z = 0;               // of the highest cusp or edge
-  double furcation_z = 0;         // where the roots part, to half a slice of the default spacing; cervix_z if there is one root
+  double furcation_z = 0;         // roof of the furcation between the roots; cervix_z if there is one root
   double chamber_low_z = 0, chamber_high_z = 0;   // floor and roof of the pulp chamber, without horns
   std::vector<NamedPoint> roots;  // with their apex
   std::vector<NamedPoint> cusps;  // with their tip; the ends of the incisal edge for the incisor

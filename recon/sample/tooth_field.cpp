@@ -43,6 +43,13 @@ double supplemental_groove(const CuspHeight& cusp) {
   return smooth_step(begin, full, cusp.inward) * std::exp(-away * away);
 }
 
+/// Thickness of the enamel on the sides, at a height above the cervical line.
+double side_thickness(const Enamel& enamel, double above) {
+  // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
+  constexpr double margin_exponent = 0.7;
+  return above > 0 ? enamel.side * std::pow(above / (above + enamel.side_height), margin_exponent) : 0.0;
+}
+
 double ridge_height(const Ridge& ridge, Point2 at) {
   double best = -far_outside;
   for (std::size_t i = 0; i + 1 < ridge.crest.size(); ++i) {
@@ -77,7 +84,7 @@ OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at) {
   constexpr double fade_begin = -0.3, fade_end = -1.1;   // mm
   const double inside = smooth_step(fade_end, fade_begin, std::min(highest.inward, second.inward));
   const double closeness = std::clamp(1 - (outer - second.z) / occlusal.fissure_width, 0.0, 1.0);
-  return {outer - inside * occlusal.fissure_depth * closeness * std::sqrt(closeness), smoother - shape.enamel.top};
+  return {outer - inside * occlusal.fissure_depth * closeness * std::sqrt(closeness), std::min(smoother - shape.enamel.top, shape.enamel.highest_dentine)};
 }
 
 ToothSection::ToothSection(const ToothShape& shape, double z)
@@ -139,20 +146,16 @@ double ToothSection::side(Point2 at) const {
   return crown_share_ * crown_here + (1 - crown_share_) * roots;
 }
 
-double ToothSection::enamel_side_thickness(Point2 at) const {
-  const double above = z_ - cervical_height(shape_, at);
-  if (above <= 0) return 0;
-  // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
-  constexpr double margin_exponent = 0.7;
-  return shape_.enamel.side * std::pow(above / (above + shape_.enamel.side_height), margin_exponent);
-}
-
 HardTissue ToothSection::hard_tissue(const OcclusalHeights& heights, Point2 at) const {
   const double side_distance = side(at), blend = shape_.occlusal.edge_blend;
   // Vertical distances overstate the distance to slopes; this brings those of the usual cusp slope to scale.
   constexpr double to_distance = 0.8;
+  // Enamel starts where it is thick enough for the sampling grid to hold it in one piece.
+  constexpr double margin = 0.1;   // mm along z
+  const double above = z_ - cervical_height(shape_, at);
   return {smooth_max(side_distance, to_distance * (z_ - heights.enamel), blend),
-          smooth_max(side_distance + enamel_side_thickness(at), to_distance * (z_ - heights.dentine), blend)};
+          smooth_max(side_distance + side_thickness(shape_.enamel, above), to_distance * (z_ - heights.dentine), blend),
+          margin - above};
 }
 
 double ToothSection::chamber(Point2 at) const {

@@ -15,9 +15,11 @@ struct OcclusalHeights {
 
 OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at);
 
-/// Outer surface of the tooth, its crown with enamel; and of the dentine, equal to it below the cervical line.
+/// Outer surface of the tooth, its crown with enamel; of the dentine, equal to it below the cervical line; and the height below which
+/// there is no enamel.
 struct HardTissue {
   double tooth = 0, dentine = 0;
+  double below_margin = 0;   // mm along z, positive below the enamel's margin
 };
 
 /// The tooth in one plane z = const; what depends on z alone is worked out once. `shape` must outlive it.
@@ -43,7 +45,6 @@ class ToothSection {
   static double root(const Ellipse& section, Point2 at);
   double crown(Point2 at) const;
   double side(Point2 at) const;
-  double enamel_side_thickness(Point2 at) const;
   double chamber(Point2 at) const;
 
   const ToothShape& shape_;

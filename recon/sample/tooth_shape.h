@@ -66,6 +66,7 @@ struct Enamel {
   double side = 1.4;         // thickness that the sides approach far above the cervical line
   double side_height = 5;    // the larger, the slower they do
   double top = 1.6;          // vertical thickness under cusps and fossae
+  double highest_dentine = 1e3;   // z at which the dentine is cut off flat: an edge too thin to be followed from slice to slice
 };
 
 /// A root: a section swept along a curved axis down to a blunt apex. With an offset it has two lobes, buccal and lingual of the axis: the hourglass

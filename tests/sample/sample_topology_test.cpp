@@ -113,7 +113,7 @@ TEST_P(SampleTopology, DentineEndsInItsRootsBelow) { EXPECT_EQ(ends(stack, "dent
 
 // Canals are thin and curved: their sections in neighbouring slices must overlap well, or a reconstruction tears them.
 TEST_P(SampleTopology, CanalSectionsOverlapFromSliceToSliceEvenAtTheWidestSpacing) {
-  const ContourStack coarse = sample_tooth(GetParam(), {.slice_spacing = 0.5});
+  const ContourStack coarse = sample_tooth(GetParam(), {.slice_spacing = 0.35});
   const double ends_z = highest(facts.canals, [](const CanalFact& canal) { return canal.low_z; });
   for (std::size_t i = 0; i + 1 < coarse.slices.size(); ++i) {
     const Slice &lower = coarse.slices[i], &upper = coarse.slices[i + 1];
