@@ -27,6 +27,7 @@ constexpr const char* first_steps =
     "First steps:\n"
     "  odontoscope sample molar -o molar.json                contours of a generated tooth\n"
     "  odontoscope reconstruct molar.json -o molar.glb       contours to a solid model\n"
+    "  odontoscope render molar.glb -o molar.png             a picture of it\n"
     "  odontoscope check molar.glb                           is it closed and oriented?\n"
     "  odontoscope reconstruct scan.nrrd --iso 120 -o t.stl  straight from a CT volume\n"
     "\n"
@@ -51,9 +52,9 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
 }
 
 std::vector<Command> add_commands(CLI::App& root) {
-  const std::initializer_list<Command (*)(CLI::App&)> makers{ODONTOSCOPE_COMMANDS};
   std::vector<Command> commands;
-  for (const auto make : makers) {
+  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command,
+                          compare_images_command}) {
     commands.push_back(make(root));
     // --quiet and --threads may stand behind the subcommand too.
     commands.back().parser->fallthrough();

@@ -12,7 +12,7 @@ TEST_F(Help, OfTheProgramTellsFirstStepsAndExitCodes) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_TRUE(help.says("First steps"));
   EXPECT_TRUE(help.says("Exit codes"));
-  for (const char* subcommand : {"sample", "contours", "reconstruct", "check"}) EXPECT_TRUE(help.says(subcommand));
+  for (const char* subcommand : {"sample", "contours", "reconstruct", "check", "render"}) EXPECT_TRUE(help.says(subcommand));
   EXPECT_EQ(help.err, "");
 }
 
@@ -45,7 +45,7 @@ TEST_P(HelpOf, TeachesByExample) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check"),
+INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
