@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
   throw FileError(file.string(), fmt::format("cannot be written: {}", why), remedy);
 }
 
-/// A name that no other temporary file of this program has; short, since the target's own may be as long as the system allows.
+/// A name that no other temporary file of this program has; short, since the target's own may be as long as the system
+/// allows.
 fs::path temporary_name(const fs::path& folder) {
   static std::atomic<unsigned> count{0};
   return folder / fmt::format(".odontoscope-{}-{}.tmp", ::getpid(), count++);
@@ -141,7 +142,7 @@ class Rollback {
     std::error_code ignored;
     if (replaced_ && backup_.empty()) fs::remove(target_, ignored);
     if (replaced_ && !backup_.empty()) fs::rename(backup_, target_, ignored);
-    if (!backup_.empty()) fs::remove(backup_, ignored);   // renaming a link onto itself leaves both names
+    if (!backup_.empty()) fs::remove(backup_, ignored);  // renaming a link onto itself leaves both names
   }
 
   void target_was_replaced() { replaced_ = true; }

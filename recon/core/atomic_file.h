@@ -2,8 +2,8 @@
 // Files that are written whole or not at all.
 //
 // The bytes go to a temporary file in the target's own folder, which a rename then puts in the target's place: at
-// no moment does the target's name show a half-written file. POSIX. Nothing is forced to the disk (no fsync): this guards
-// against errors and interruption of the program, not against loss of power.
+// no moment does the target's name show a half-written file. POSIX. Nothing is forced to the disk (no fsync): this
+// guards against errors and interruption of the program, not against loss of power.
 
 #include <filesystem>
 #include <span>
@@ -47,8 +47,8 @@ struct FileContent {
 };
 
 /// Writes all files or none: every byte is on the disk before the first target is touched, and should putting one of
-/// them in place then fail, those before it are put back as they were. Throws FileError, or UsageError if two of the names are
-/// the same file. Not safe against another program that writes the same targets at that moment.
+/// them in place then fail, those before it are put back as they were. Throws FileError, or UsageError if two of the
+/// names are the same file. Not safe against another program that writes the same targets at that moment.
 void write_files(std::span<const FileContent> files);
 
 }  // namespace odontoscope

@@ -1,5 +1,6 @@
 #pragma once
-// Our surfaces as CGAL's half-edge meshes and back. For the .cpp files of this room only: CGAL's headers are slow to compile.
+// Our surfaces as CGAL's half-edge meshes and back. For the .cpp files of this room only: CGAL's headers are slow to
+// compile.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -11,8 +11,9 @@ namespace odontoscope::gltf {
 namespace {
 
 using nlohmann::json;
-using parsing::fail_at_byte;
+using parsing::at_byte;
 using parsing::little_endian;
+using parsing::refuse;
 
 constexpr std::size_t header_size = 12, chunk_header_size = 8;
 constexpr std::uint32_t json_chunk = 0x4E4F534A, buffer_chunk = 0x004E4942;
@@ -25,31 +26,34 @@ struct Chunk {
 
 void check_header(std::string_view bytes, const std::string& file) {
   if (bytes.size() < 4 || bytes.substr(0, 4) != "glTF") {
-    fail_at_byte(file, 0, "bad-header", "the file does not begin with \"glTF\"", "Export it as binary glTF (.glb)");
+    refuse("bad-header", at_byte(file, 0), "the file does not begin with \"glTF\"", "Export it as binary glTF (.glb)");
   }
-  if (bytes.size() < header_size) fail_at_byte(file, bytes.size(), "truncated", "the file ends within its header");
+  if (bytes.size() < header_size) refuse("truncated", at_byte(file, bytes.size()), "the file ends within its header");
   const auto version = little_endian<std::uint32_t>(bytes, 4);
-  if (version != 2) fail_at_byte(file, 4, "bad-header", fmt::format("glTF version {} is not known, only 2", version));
+  if (version != 2)
+    refuse("bad-header", at_byte(file, 4), fmt::format("glTF version {} is not known, only 2", version));
   const std::size_t announced = little_endian<std::uint32_t>(bytes, 8);
   if (announced == bytes.size()) return;
-  fail_at_byte(file, 8, bytes.size() < announced ? "truncated" : "trailing-bytes",
-               fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
-               "Copy or export it again");
+  refuse(bytes.size() < announced ? "truncated" : "trailing-bytes", at_byte(file, 8),
+         fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+         "Copy or export it again");
 }
 
 Chunk next_chunk(std::string_view bytes, std::size_t at, const std::string& file) {
-  if (bytes.size() - at < chunk_header_size) fail_at_byte(file, at, "truncated", "the file ends within the head of a chunk");
+  if (bytes.size() - at < chunk_header_size)
+    refuse("truncated", at_byte(file, at), "the file ends within the head of a chunk");
   const std::size_t length = little_endian<std::uint32_t>(bytes, at);
   const std::size_t offset = at + chunk_header_size;
   if (length > bytes.size() - offset) {
-    fail_at_byte(file, at, "truncated", fmt::format("a chunk announces {} bytes, and {} are left", length, bytes.size() - offset));
+    refuse("truncated", at_byte(file, at),
+           fmt::format("a chunk announces {} bytes, and {} are left", length, bytes.size() - offset));
   }
   return {little_endian<std::uint32_t>(bytes, at + 4), bytes.substr(offset, length), offset};
 }
 
 /// Where the bytes of an accessor lie.
 struct View {
-  std::string_view bytes;    // from the accessor's first byte to the view's last
+  std::string_view bytes;  // from the accessor's first byte to the view's last
   std::size_t count = 0, stride = 0;
   std::uint64_t component_type = 0;
 };
@@ -58,21 +62,28 @@ constexpr std::uint64_t unsigned_byte = 5121, unsigned_short = 5123, unsigned_in
 
 std::size_t component_size(std::uint64_t type) {
   switch (type) {
-    case unsigned_byte: return 1;
-    case unsigned_short: return 2;
-    case unsigned_int: case single: return 4;
-    default: return 0;
+    case unsigned_byte:
+      return 1;
+    case unsigned_short:
+      return 2;
+    case unsigned_int:
+    case single:
+      return 4;
+    default:
+      return 0;
   }
 }
 
 /// The bytes of a buffer view; only the file's own buffer can be meant.
 std::string_view view_bytes(const Glb& glb, const json& view) {
-  if (index_into(glb, view, "buffer", "buffers") != 0) glb.fail("unsupported", "a buffer lies outside the file");
+  if (index_into(glb, view, "buffer", "buffers") != 0) glb.refuse("unsupported", "a buffer lies outside the file");
   const json& buffer = entry(glb, "buffers", 0);
-  if (buffer.contains("uri")) glb.fail("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
+  if (buffer.contains("uri"))
+    glb.refuse("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
   const std::uint64_t offset = whole(glb, view, "byteOffset", 0), length = whole(glb, view, "byteLength", 0);
   if (offset > glb.buffer.size() || length > glb.buffer.size() - offset) {
-    glb.fail("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset, glb.buffer.size()));
+    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset,
+                                        glb.buffer.size()));
   }
   return glb.buffer.substr(offset, length);
 }
@@ -81,15 +92,15 @@ View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::si
   const json& accessor = entry(glb, "accessors", index);
   const auto type = accessor.find("type");
   if (type == accessor.end() || *type != wanted_type) {
-    glb.fail("unsupported", fmt::format("accessor {} is no {}", index, wanted_type));
+    glb.refuse("unsupported", fmt::format("accessor {} is no {}", index, wanted_type));
   }
-  if (accessor.contains("sparse")) glb.fail("unsupported", fmt::format("accessor {} is sparse", index));
+  if (accessor.contains("sparse")) glb.refuse("unsupported", fmt::format("accessor {} is sparse", index));
   const json& view = entry(glb, "bufferViews", index_into(glb, accessor, "bufferView", "bufferViews"));
   View resolved;
   resolved.component_type = whole(glb, accessor, "componentType", 0);
   const std::size_t size = component_size(resolved.component_type) * components;
   if (size == 0) {
-    glb.fail("unsupported", fmt::format("accessor {} has component type {}", index, resolved.component_type));
+    glb.refuse("unsupported", fmt::format("accessor {} has component type {}", index, resolved.component_type));
   }
   resolved.bytes = view_bytes(glb, view);
   resolved.stride = whole(glb, view, "byteStride", size);
@@ -97,13 +108,14 @@ View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::si
   resolved.count = whole(glb, accessor, "count", 0);
   constexpr std::size_t largest_stride = 252;
   if (resolved.stride < size || resolved.stride > largest_stride) {
-    glb.fail("unparsable", fmt::format("a buffer view has a stride of {} bytes", resolved.stride));
+    glb.refuse("unparsable", fmt::format("a buffer view has a stride of {} bytes", resolved.stride));
   }
-  const bool fits = resolved.count == 0 ||
-                    (offset <= resolved.bytes.size() && size <= resolved.bytes.size() - offset &&
-                     resolved.count - 1 <= (resolved.bytes.size() - offset - size) / resolved.stride);
+  const bool fits =
+      resolved.count == 0 || (offset <= resolved.bytes.size() && size <= resolved.bytes.size() - offset &&
+                              resolved.count - 1 <= (resolved.bytes.size() - offset - size) / resolved.stride);
   if (!fits) {
-    glb.fail("truncated", fmt::format("accessor {} announces {} elements, more than its buffer view holds", index, resolved.count));
+    glb.refuse("truncated", fmt::format("accessor {} announces {} elements, more than its buffer view holds", index,
+                                        resolved.count));
   }
   resolved.bytes = resolved.count == 0 ? std::string_view() : resolved.bytes.substr(offset);
   return resolved;
@@ -111,8 +123,8 @@ View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::si
 
 }  // namespace
 
-void Glb::fail(std::string_view cause, std::string_view wrong, std::string_view remedy) const {
-  fail_at_byte(file, json_offset, cause, wrong, remedy);
+void Glb::refuse(std::string_view cause, std::string_view wrong, std::string_view remedy) const {
+  parsing::refuse(cause, at_byte(file, json_offset), wrong, remedy);
 }
 
 Glb parse_container(std::string_view bytes, const std::string& file) {
@@ -120,9 +132,10 @@ Glb parse_container(std::string_view bytes, const std::string& file) {
   Glb glb;
   glb.file = file;
   const Chunk first = next_chunk(bytes, header_size, file);
-  if (first.type != json_chunk) fail_at_byte(file, header_size, "bad-header", "the first chunk is not JSON");
+  if (first.type != json_chunk) refuse("bad-header", at_byte(file, header_size), "the first chunk is not JSON");
   if (first.bytes.size() > limits::gltf_json_bytes) {
-    fail_at_byte(file, header_size, "too-large", fmt::format("the JSON part has more than {} bytes", limits::gltf_json_bytes));
+    refuse("too-large", at_byte(file, header_size),
+           fmt::format("the JSON part has more than {} bytes", limits::gltf_json_bytes));
   }
   glb.json_offset = first.offset;
   for (std::size_t at = first.offset + first.bytes.size(); at < bytes.size();) {
@@ -134,21 +147,23 @@ Glb parse_container(std::string_view bytes, const std::string& file) {
     at = chunk.offset + chunk.bytes.size();
   }
   glb.document = json::parse(first.bytes, nullptr, false);
-  if (glb.document.is_discarded() || !glb.document.is_object()) glb.fail("unparsable", "the JSON part is no JSON object");
+  if (glb.document.is_discarded() || !glb.document.is_object())
+    glb.refuse("unparsable", "the JSON part is no JSON object");
   for (const json& extension : list(glb, "extensionsRequired")) {
-    glb.fail("unsupported",
-             fmt::format("the extension {} is required", extension.is_string() ? parsing::tame(extension.get<std::string>()) : "?"),
-             "Export it without compression or extensions");
+    glb.refuse("unsupported",
+               fmt::format("the extension {} is required",
+                           extension.is_string() ? parsing::tame(extension.get<std::string>()) : "?"),
+               "Export it without compression or extensions");
   }
   return glb;
 }
 
 std::uint64_t whole(const Glb& glb, const json& value, const char* name) {
-  constexpr double largest_exact = 9007199254740992.0;   // 2^53
-  if (!value.is_number()) glb.fail("unparsable", fmt::format("\"{}\" is no number", name));
+  constexpr double largest_exact = 9007199254740992.0;  // 2^53
+  if (!value.is_number()) glb.refuse("unparsable", fmt::format("\"{}\" is no number", name));
   const double number = value.get<double>();
   if (!(number >= 0) || number > largest_exact || number != std::floor(number)) {
-    glb.fail("unparsable", fmt::format("\"{}\" is no whole number from 0", name));
+    glb.refuse("unparsable", fmt::format("\"{}\" is no whole number from 0", name));
   }
   return static_cast<std::uint64_t>(number);
 }
@@ -161,14 +176,14 @@ std::uint64_t whole(const Glb& glb, const json& object, const char* key, std::ui
 std::size_t index_into(const Glb& glb, const json& value, const char* of) {
   const std::uint64_t index = whole(glb, value, of);
   if (index >= list(glb, of).size()) {
-    glb.fail("index-out-of-range", fmt::format("number {} is named of {} {}", index, list(glb, of).size(), of));
+    glb.refuse("index-out-of-range", fmt::format("number {} is named of {} {}", index, list(glb, of).size(), of));
   }
   return index;
 }
 
 std::size_t index_into(const Glb& glb, const json& object, const char* key, const char* of) {
   const auto found = object.find(key);
-  if (found == object.end()) glb.fail("unparsable", fmt::format("\"{}\" is missing", key));
+  if (found == object.end()) glb.refuse("unparsable", fmt::format("\"{}\" is missing", key));
   return index_into(glb, *found, of);
 }
 
@@ -176,20 +191,20 @@ const json& list(const Glb& glb, const char* key) {
   static const json empty = json::array();
   const auto found = glb.document.find(key);
   if (found == glb.document.end()) return empty;
-  if (!found->is_array()) glb.fail("unparsable", fmt::format("\"{}\" is no list", key));
+  if (!found->is_array()) glb.refuse("unparsable", fmt::format("\"{}\" is no list", key));
   return *found;
 }
 
 const json& entry(const Glb& glb, const char* key, std::size_t index) {
   const json& all = list(glb, key);
-  if (index >= all.size()) glb.fail("index-out-of-range", fmt::format("there is no number {} in \"{}\"", index, key));
-  if (!all[index].is_object()) glb.fail("unparsable", fmt::format("number {} in \"{}\" is no object", index, key));
+  if (index >= all.size()) glb.refuse("index-out-of-range", fmt::format("there is no number {} in \"{}\"", index, key));
+  if (!all[index].is_object()) glb.refuse("unparsable", fmt::format("number {} in \"{}\" is no object", index, key));
   return all[index];
 }
 
 std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor) {
   const View view = resolve(glb, accessor, "VEC3", 3);
-  if (view.component_type != single) glb.fail("unsupported", "positions are not single-precision numbers");
+  if (view.component_type != single) glb.refuse("unsupported", "positions are not single-precision numbers");
   std::vector<std::array<float, 3>> positions;
   positions.reserve(view.count);
   for (std::size_t i = 0; i < view.count; ++i) {
@@ -200,15 +215,20 @@ std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t acc
 
 std::vector<std::uint32_t> read_indices(const Glb& glb, std::size_t accessor) {
   const View view = resolve(glb, accessor, "SCALAR", 1);
-  if (view.component_type == single) glb.fail("unsupported", "indices are not whole numbers");
+  if (view.component_type == single) glb.refuse("unsupported", "indices are not whole numbers");
   std::vector<std::uint32_t> indices;
   indices.reserve(view.count);
   for (std::size_t i = 0; i < view.count; ++i) {
     const std::size_t at = i * view.stride;
     switch (view.component_type) {
-      case unsigned_byte: indices.push_back(little_endian<std::uint8_t>(view.bytes, at)); break;
-      case unsigned_short: indices.push_back(little_endian<std::uint16_t>(view.bytes, at)); break;
-      default: indices.push_back(little_endian<std::uint32_t>(view.bytes, at));
+      case unsigned_byte:
+        indices.push_back(little_endian<std::uint8_t>(view.bytes, at));
+        break;
+      case unsigned_short:
+        indices.push_back(little_endian<std::uint16_t>(view.bytes, at));
+        break;
+      default:
+        indices.push_back(little_endian<std::uint32_t>(view.bytes, at));
     }
   }
   return indices;

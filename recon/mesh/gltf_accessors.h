@@ -1,5 +1,6 @@
 #pragma once
-// The numbers of a GLB: its two parts told apart, and accessors read with every bound checked. For the .cpp files of this room only.
+// The numbers of a GLB: its two parts told apart, and accessors read with every bound checked. For the .cpp files of
+// this room only.
 
 #include <array>
 #include <cstdint>
@@ -12,18 +13,19 @@ namespace odontoscope::gltf {
 
 struct Glb {
   nlohmann::json document;
-  std::string_view buffer;          // of the file's bytes; empty if there is none
+  std::string_view buffer;  // of the file's bytes; empty if there is none
   std::string file;
   std::size_t json_offset = 0, buffer_offset = 0;
 
   /// InputError at the JSON part.
-  [[noreturn]] void fail(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) const;
+  [[noreturn]] void refuse(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) const;
 };
 
 /// Splits and parses; causes truncated, trailing-bytes, bad-header, unparsable, too-large, unsupported.
 Glb parse_container(std::string_view bytes, const std::string& file);
 
-/// `object[key]` as a whole number from 0 to 2^53; `otherwise` where it is missing. InputError unparsable if it is something else.
+/// `object[key]` as a whole number from 0 to 2^53; `otherwise` where it is missing. InputError unparsable if it is
+/// something else.
 std::uint64_t whole(const Glb& glb, const nlohmann::json& object, const char* key, std::uint64_t otherwise);
 /// `value` itself, which is called `name` in messages.
 std::uint64_t whole(const Glb& glb, const nlohmann::json& value, const char* name);

@@ -8,7 +8,7 @@ namespace odontoscope {
 namespace {
 
 struct Entry {
-  PointIndex high;   // the larger vertex of the edge; the smaller one is the bucket
+  PointIndex high;  // the larger vertex of the edge; the smaller one is the bucket
   HalfEdge half_edge;
 };
 

@@ -15,9 +15,9 @@ namespace odontoscope {
 using HalfEdge = std::uint32_t;
 
 struct EdgeMates {
-  static constexpr HalfEdge none = std::numeric_limits<HalfEdge>::max();        // the edge has one triangle
-  static constexpr HalfEdge many = none - 1;                                    // the edge has more than two
-  static constexpr HalfEdge no_edge = none - 2;                                 // the triangle names a vertex twice
+  static constexpr HalfEdge none = std::numeric_limits<HalfEdge>::max();  // the edge has one triangle
+  static constexpr HalfEdge many = none - 1;                              // the edge has more than two
+  static constexpr HalfEdge no_edge = none - 2;                           // the triangle names a vertex twice
   /// For each half-edge the one other half-edge of its edge, or one of the above.
   std::vector<HalfEdge> mate;
   std::size_t boundary_edges = 0, nonmanifold_edges = 0, misoriented_edges = 0;

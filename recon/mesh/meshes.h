@@ -30,7 +30,7 @@ struct SurfaceMesh {
 struct TetraMesh {
   std::vector<Point3> points;
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<Label> labels;   // one for each tetrahedron
+  std::vector<Label> labels;  // one for each tetrahedron
 };
 
 /// The outward faces of a tetrahedron, face i opposite vertex i.

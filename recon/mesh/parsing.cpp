@@ -10,19 +10,21 @@ namespace odontoscope::parsing {
 
 static_assert(std::endian::native == std::endian::little, "binary readers copy memory as it is");
 
-void fail_at_byte(const std::string& file, std::size_t byte, std::string_view cause, std::string_view wrong,
-                  std::string_view remedy) {
+Place at_byte(const std::string& file, std::size_t byte) {
   Place place;
   place.file = file;
   place.byte = byte;
-  throw InputError(cause, place, wrong, remedy);
+  return place;
 }
 
-void fail_at_line(const std::string& file, std::size_t line, std::string_view cause, std::string_view wrong,
-                  std::string_view remedy) {
+Place at_line(const std::string& file, std::size_t line) {
   Place place;
   place.file = file;
   place.line = line;
+  return place;
+}
+
+void refuse(std::string_view cause, const Place& place, std::string_view wrong, std::string_view remedy) {
   throw InputError(cause, place, wrong, remedy);
 }
 

@@ -11,10 +11,12 @@
 
 namespace odontoscope::parsing {
 
-[[noreturn]] void fail_at_byte(const std::string& file, std::size_t byte, std::string_view cause,
-                               std::string_view wrong, std::string_view remedy = {});
-[[noreturn]] void fail_at_line(const std::string& file, std::size_t line, std::string_view cause,
-                               std::string_view wrong, std::string_view remedy = {});
+Place at_byte(const std::string& file, std::size_t byte);
+Place at_line(const std::string& file, std::size_t line);
+
+/// Throws the InputError. A test compares the causes that are called by this name with those in docs/formats.md.
+[[noreturn]] void refuse(std::string_view cause, const Place& place, std::string_view wrong,
+                         std::string_view remedy = {});
 
 /// What is wrong with a coordinate: "not-finite", "too-large" or nothing (empty).
 std::string_view coordinate_fault(const Point3& point);
@@ -26,7 +28,8 @@ bool is_space(char c);
 /// The same, letters A to Z aside from their case.
 bool same_word(std::string_view a, std::string_view b);
 
-/// Numbers as text have them; "nan" and "inf" are understood (and refused later). False if `word` is not wholly a number.
+/// Numbers as text have them; "nan" and "inf" are understood (and refused later). False if `word` is not wholly a
+/// number.
 bool parse_number(std::string_view word, double& number);
 
 /// `bytes` must hold sizeof(Number) from `at` on.

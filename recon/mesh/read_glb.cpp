@@ -49,9 +49,11 @@ std::vector<double> numbers(const Glb& glb, const json& node, const char* key, s
   std::vector<double> values;
   const auto found = node.find(key);
   if (found == node.end()) return values;
-  if (!found->is_array() || found->size() != count) glb.fail("unparsable", fmt::format("\"{}\" has not {} numbers", key, count));
+  if (!found->is_array() || found->size() != count)
+    glb.refuse("unparsable", fmt::format("\"{}\" has not {} numbers", key, count));
   for (const json& value : *found) {
-    if (!value.is_number() || !std::isfinite(value.get<double>())) glb.fail("unparsable", fmt::format("\"{}\" holds something else than a number", key));
+    if (!value.is_number() || !std::isfinite(value.get<double>()))
+      glb.refuse("unparsable", fmt::format("\"{}\" holds something else than a number", key));
     values.push_back(value.get<double>());
   }
   return values;
@@ -83,13 +85,14 @@ Transform local_transform(const Glb& glb, const json& node) {
 
 void add_triangles(const Glb& glb, const std::vector<std::uint32_t>& corners, std::size_t vertices, bool mirrored,
                    SurfaceMesh& surface) {
-  if (corners.size() % 3 != 0) glb.fail("not-triangles", fmt::format("{} corners make no whole triangles", corners.size()));
+  if (corners.size() % 3 != 0)
+    glb.refuse("not-triangles", fmt::format("{} corners make no whole triangles", corners.size()));
   const auto first = static_cast<PointIndex>(surface.points.size());
   for (std::size_t i = 0; i < corners.size(); i += 3) {
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       if (corners[i + k] >= vertices) {
-        glb.fail("index-out-of-range", fmt::format("a triangle names vertex {} of {}", corners[i + k], vertices));
+        glb.refuse("index-out-of-range", fmt::format("a triangle names vertex {} of {}", corners[i + k], vertices));
       }
       t[k] = first + corners[i + k];
     }
@@ -116,7 +119,8 @@ class SceneReader {
     while (!waiting.empty()) {
       const auto [index, parent] = waiting.back();
       waiting.pop_back();
-      if (visited_[index]) glb_.fail("bad-node-tree", fmt::format("node {} has two parents, or is its own ancestor", index));
+      if (visited_[index])
+        glb_.refuse("bad-node-tree", fmt::format("node {} has two parents, or is its own ancestor", index));
       visited_[index] = true;
       const json& node = gltf::entry(glb_, "nodes", index);
       const Transform world = parent * local_transform(glb_, node);
@@ -132,7 +136,7 @@ class SceneReader {
     std::vector<std::size_t> nodes;
     const auto found = object.find(key);
     if (found == object.end()) return nodes;
-    if (!found->is_array()) glb_.fail("unparsable", fmt::format("\"{}\" is no list", key));
+    if (!found->is_array()) glb_.refuse("unparsable", fmt::format("\"{}\" is no list", key));
     for (const json& value : *found) nodes.push_back(gltf::index_into(glb_, value, "nodes"));
     return nodes;
   }
@@ -162,10 +166,12 @@ class SceneReader {
   }
 
   void add_mesh(const json& node, const Transform& world) {
-    if (node.contains("skin")) glb_.fail("unsupported", "a mesh has a skin", "Export it in its rest pose, without a skeleton");
+    if (node.contains("skin"))
+      glb_.refuse("unsupported", "a mesh has a skin", "Export it in its rest pose, without a skeleton");
     const json& mesh = gltf::entry(glb_, "meshes", gltf::index_into(glb_, node, "mesh", "meshes"));
     const auto primitives = mesh.find("primitives");
-    if (primitives == mesh.end() || !primitives->is_array()) glb_.fail("unparsable", "a mesh has no list of primitives");
+    if (primitives == mesh.end() || !primitives->is_array())
+      glb_.refuse("unparsable", "a mesh has no list of primitives");
     SurfaceMesh surface;
     for (const json& primitive : *primitives) add_primitive(primitive, world, surface);
     if (surface.triangles.empty()) return;
@@ -174,12 +180,13 @@ class SceneReader {
 
   void add_primitive(const json& primitive, const Transform& world, SurfaceMesh& surface) {
     constexpr std::uint64_t triangle_list = 4;
-    if (!primitive.is_object()) glb_.fail("unparsable", "a primitive is no object");
+    if (!primitive.is_object()) glb_.refuse("unparsable", "a primitive is no object");
     if (gltf::whole(glb_, primitive, "mode", triangle_list) != triangle_list) {
-      glb_.fail("unsupported", "a primitive is no list of triangles", "Export it as triangles");
+      glb_.refuse("unsupported", "a primitive is no list of triangles", "Export it as triangles");
     }
     const auto attributes = primitive.find("attributes");
-    if (attributes == primitive.end() || !attributes->is_object()) glb_.fail("unparsable", "a primitive has no attributes");
+    if (attributes == primitive.end() || !attributes->is_object())
+      glb_.refuse("unparsable", "a primitive has no attributes");
     const auto positions = gltf::read_positions(glb_, gltf::index_into(glb_, *attributes, "POSITION", "accessors"));
     std::vector<std::uint32_t> corners;
     if (primitive.contains("indices")) {
@@ -192,13 +199,13 @@ class SceneReader {
     vertices_ += positions.size();
     triangles_ += corners.size() / 3;
     if (triangles_ > limits::triangles || vertices_ > 3 * limits::triangles) {
-      glb_.fail("too-large", fmt::format("the scene has more than {} triangles", limits::triangles));
+      glb_.refuse("too-large", fmt::format("the scene has more than {} triangles", limits::triangles));
     }
     add_triangles(glb_, corners, positions.size(), world.mirrors(), surface);
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Point3 point = world(positions[i]);
       const std::string_view fault = parsing::coordinate_fault(point);
-      if (!fault.empty()) glb_.fail(fault, fmt::format("vertex {} has no usable coordinates", i));
+      if (!fault.empty()) glb_.refuse(fault, fmt::format("vertex {} has no usable coordinates", i));
       surface.points.push_back(point);
     }
   }
@@ -214,7 +221,7 @@ class SceneReader {
 std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) {
   const Glb glb = gltf::parse_container(bytes, file);
   std::vector<NamedMesh> meshes = SceneReader(glb).read();
-  if (meshes.empty()) glb.fail("empty-mesh", "the file holds no triangle");
+  if (meshes.empty()) glb.refuse("empty-mesh", "the file holds no triangle");
   return meshes;
 }
 

@@ -1,17 +1,23 @@
 #pragma once
 // Triangle surfaces from files that anybody may have written: GLB, STL (binary and ASCII), PLY (ASCII and binary).
 //
-// What comes back is in millimetres, indices in range, coordinates finite; whether it is a manifold is for `inspect` to say.
-//   GLB   each node with a mesh becomes a NamedMesh, all its primitives together. Node transforms are applied, metres become
-//         millimetres, +y up becomes +z up. Vertices of equal position are joined: normals and texture seams double them. Not supported,
-//         and said so: required extensions (compression), sparse accessors, positions that are not floats, skins, strips,
-//         fans, points and lines. Normals, materials, images, animation and morph targets are not looked at.
-//   STL   equal coordinates are joined (-0 and 0 are equal). An ASCII file may hold several solids. The numbers are taken as
+// What comes back is in millimetres, indices in range, coordinates finite; whether it is a manifold is for `inspect` to
+// say.
+//   GLB   each node with a mesh becomes a NamedMesh, all its primitives together. Node transforms are applied, metres
+//   become
+//         millimetres, +y up becomes +z up. Vertices of equal position are joined: normals and texture seams double
+//         them. Not supported, and said so: required extensions (compression), sparse accessors, positions that are not
+//         floats, skins, strips, fans, points and lines. Normals, materials, images, animation and morph targets are
+//         not looked at.
+//   STL   equal coordinates are joined (-0 and 0 are equal). An ASCII file may hold several solids. The numbers are
+//   taken as
 //         millimetres; stored normals are not looked at, the order of the vertices counts.
-//   PLY   elements `vertex` (x, y, z of any type) and `face` (vertex_indices or vertex_index, three each); other elements and
+//   PLY   elements `vertex` (x, y, z of any type) and `face` (vertex_indices or vertex_index, three each); other
+//   elements and
 //         properties are skipped. Vertices are joined by number only. The numbers are taken as millimetres.
 //
-// Throws FileError, UsageError (the ending tells no format), or InputError with one of these causes and the line or byte:
+// Throws FileError, UsageError (the ending tells no format), or InputError with one of these causes and the line or
+// byte:
 //   truncated           the file ends before what it announces
 //   trailing-bytes      it goes on after what it announces
 //   bad-header          not the format that its ending says, or a header that makes no sense
@@ -33,7 +39,7 @@
 namespace odontoscope {
 
 struct NamedMesh {
-  std::string name;   // of the node or solid; may be empty. Control characters are replaced.
+  std::string name;  // of the node or solid; may be empty. Control characters are replaced.
   SurfaceMesh surface;
 };
 

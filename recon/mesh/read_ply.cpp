@@ -27,9 +27,9 @@ constexpr bool is_whole(Type type) { return type != Type::f32 && type != Type::f
 
 std::optional<Type> type_named(std::string_view word) {
   constexpr std::pair<std::string_view, Type> names[] = {
-      {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},  {"uint8", Type::u8},
+      {"char", Type::i8},   {"int8", Type::i8},     {"uchar", Type::u8},   {"uint8", Type::u8},
       {"short", Type::i16}, {"int16", Type::i16},   {"ushort", Type::u16}, {"uint16", Type::u16},
-      {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},  {"uint32", Type::u32},
+      {"int", Type::i32},   {"int32", Type::i32},   {"uint", Type::u32},   {"uint32", Type::u32},
       {"float", Type::f32}, {"float32", Type::f32}, {"double", Type::f64}, {"float64", Type::f64}};
   for (const auto& [name, type] : names) {
     if (name == word) return type;
@@ -40,7 +40,7 @@ std::optional<Type> type_named(std::string_view word) {
 struct Property {
   std::string name;
   Type type = Type::f32;
-  std::optional<Type> count_type;   // of a list
+  std::optional<Type> count_type;  // of a list
 };
 
 struct Element {
@@ -69,7 +69,7 @@ class HeaderReader {
   HeaderReader(std::string_view bytes, const std::string& file) : bytes_(bytes), file_(file) {}
 
   Header read() {
-    if (next_line() != "ply") fail("bad-header", "the file does not begin with the line \"ply\"");
+    if (next_line() != "ply") refuse("bad-header", "the file does not begin with the line \"ply\"");
     bool has_format = false;
     for (;;) {
       const std::string_view line = next_line();
@@ -84,10 +84,11 @@ class HeaderReader {
       } else if (keyword == "property") {
         read_property(words);
       } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-        fail("bad-header", fmt::format("\"{}\" means nothing in a PLY header", tame(keyword.substr(0, limits::quoted_length))));
+        refuse("bad-header",
+               fmt::format("\"{}\" means nothing in a PLY header", tame(keyword.substr(0, limits::quoted_length))));
       }
     }
-    if (!has_format) fail("bad-header", "the header has no format line");
+    if (!has_format) refuse("bad-header", "the header has no format line");
     return std::move(header_);
   }
 
@@ -97,8 +98,8 @@ class HeaderReader {
     if (end == bytes_.npos || end - first > limits::text_line) {
       ++header_.lines;
       const bool ply = first != 0;
-      fail(ply && end == bytes_.npos ? "truncated" : "bad-header",
-           ply ? "the header does not end" : "the file does not begin with the line \"ply\"");
+      refuse(ply && end == bytes_.npos ? "truncated" : "bad-header",
+             ply ? "the header does not end" : "the file does not begin with the line \"ply\"");
     }
     header_.size = end + 1;
     ++header_.lines;
@@ -109,11 +110,15 @@ class HeaderReader {
 
   void read_format(Words& words) {
     const std::string_view name = words.next(), version = words.next();
-    if (name == "ascii") header_.encoding = Encoding::ascii;
-    else if (name == "binary_little_endian") header_.encoding = Encoding::little;
-    else if (name == "binary_big_endian") header_.encoding = Encoding::big;
-    else fail("bad-header", fmt::format("\"{}\" is no PLY format", tame(name.substr(0, limits::quoted_length))));
-    if (version != "1.0") fail("bad-header", "the PLY version is not 1.0");
+    if (name == "ascii")
+      header_.encoding = Encoding::ascii;
+    else if (name == "binary_little_endian")
+      header_.encoding = Encoding::little;
+    else if (name == "binary_big_endian")
+      header_.encoding = Encoding::big;
+    else
+      refuse("bad-header", fmt::format("\"{}\" is no PLY format", tame(name.substr(0, limits::quoted_length))));
+    if (version != "1.0") refuse("bad-header", "the PLY version is not 1.0");
   }
 
   void read_element(Words& words) {
@@ -123,30 +128,31 @@ class HeaderReader {
     double count = -1;
     const bool number = parse_number(words.next(), count);
     if (element.name.empty() || !number || !(count >= 0) || count > 9e15 || count != std::floor(count)) {
-      fail("bad-header", "an element needs a name and a count");
+      refuse("bad-header", "an element needs a name and a count");
     }
     element.count = static_cast<std::size_t>(count);
     header_.elements.push_back(std::move(element));
   }
 
   void read_property(Words& words) {
-    if (header_.elements.empty()) fail("bad-header", "a property comes before any element");
+    if (header_.elements.empty()) refuse("bad-header", "a property comes before any element");
     Property property;
     std::string_view word = words.next();
     if (word == "list") {
       property.count_type = type_named(words.next());
-      if (!property.count_type || !is_whole(*property.count_type)) fail("bad-header", "a list needs a whole-number count type");
+      if (!property.count_type || !is_whole(*property.count_type))
+        refuse("bad-header", "a list needs a whole-number count type");
       word = words.next();
     }
     const std::optional<Type> type = type_named(word);
     property.name = words.next();
-    if (!type || property.name.empty()) fail("bad-header", "a property needs a type and a name");
+    if (!type || property.name.empty()) refuse("bad-header", "a property needs a type and a name");
     property.type = *type;
     header_.elements.back().properties.push_back(std::move(property));
   }
 
-  [[noreturn]] void fail(std::string_view cause, std::string_view wrong) {
-    fail_at_line(file_, header_.lines, cause, wrong, "Export it again as PLY 1.0");
+  [[noreturn]] void refuse(std::string_view cause, std::string_view wrong) {
+    parsing::refuse(cause, at_line(file_, header_.lines), wrong, "Export it again as PLY 1.0");
   }
 
   std::string_view bytes_;
@@ -158,7 +164,10 @@ class HeaderReader {
 class Body {
  public:
   Body(std::string_view bytes, const Header& header, const std::string& file)
-      : bytes_(bytes), file_(file), encoding_(header.encoding), at_(header.size),
+      : bytes_(bytes),
+        file_(file),
+        encoding_(header.encoding),
+        at_(header.size),
         words_(bytes.substr(header.size), header.lines + 1) {}
 
   double number(Type type) {
@@ -175,7 +184,7 @@ class Body {
   /// Of a list; never more than can be there.
   std::size_t list_length(const Property& property) {
     const double length = number(*property.count_type);
-    if (!(length >= 0) || length != std::floor(length)) fail("unparsable", "a list has no sensible length");
+    if (!(length >= 0) || length != std::floor(length)) refuse("unparsable", "a list has no sensible length");
     const std::size_t least = encoding_ == Encoding::ascii ? 1 : size_of(property.type);
     if (length > static_cast<double>(left() / least)) truncated();
     return static_cast<std::size_t>(length);
@@ -188,16 +197,16 @@ class Body {
 
   std::size_t left() const { return encoding_ == Encoding::ascii ? words_.left() : bytes_.size() - at_; }
 
-  [[noreturn]] void fail(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) {
-    if (encoding_ == Encoding::ascii) fail_at_line(file_, words_.line(), cause, wrong, remedy);
-    fail_at_byte(file_, at_, cause, wrong, remedy);
+  [[noreturn]] void refuse(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) {
+    const bool text = encoding_ == Encoding::ascii;
+    parsing::refuse(cause, text ? at_line(file_, words_.line()) : at_byte(file_, at_), wrong, remedy);
   }
   [[noreturn]] void truncated() {
-    fail("truncated", "the file ends before the elements that its header announces", "Copy or export it again");
+    refuse("truncated", "the file ends before the elements that its header announces", "Copy or export it again");
   }
   void expect_end() {
     const bool at_end = encoding_ == Encoding::ascii ? words_.next().empty() : at_ == bytes_.size();
-    if (!at_end) fail("trailing-bytes", "the file goes on after the elements that its header announces");
+    if (!at_end) refuse("trailing-bytes", "the file goes on after the elements that its header announces");
   }
 
  private:
@@ -206,21 +215,30 @@ class Body {
     if (text.empty()) truncated();
     double value = 0;
     if (!parse_number(text, value) || (is_whole(type) && value != std::floor(value))) {
-      fail("unparsable", fmt::format("\"{}\" is no number of the announced type", tame(text.substr(0, limits::quoted_length))));
+      refuse("unparsable",
+             fmt::format("\"{}\" is no number of the announced type", tame(text.substr(0, limits::quoted_length))));
     }
     return value;
   }
 
   static double decoded(std::string_view raw, Type type) {
     switch (type) {
-      case Type::i8: return little_endian<std::int8_t>(raw, 0);
-      case Type::u8: return little_endian<std::uint8_t>(raw, 0);
-      case Type::i16: return little_endian<std::int16_t>(raw, 0);
-      case Type::u16: return little_endian<std::uint16_t>(raw, 0);
-      case Type::i32: return little_endian<std::int32_t>(raw, 0);
-      case Type::u32: return little_endian<std::uint32_t>(raw, 0);
-      case Type::f32: return little_endian<float>(raw, 0);
-      case Type::f64: return little_endian<double>(raw, 0);
+      case Type::i8:
+        return little_endian<std::int8_t>(raw, 0);
+      case Type::u8:
+        return little_endian<std::uint8_t>(raw, 0);
+      case Type::i16:
+        return little_endian<std::int16_t>(raw, 0);
+      case Type::u16:
+        return little_endian<std::uint16_t>(raw, 0);
+      case Type::i32:
+        return little_endian<std::int32_t>(raw, 0);
+      case Type::u32:
+        return little_endian<std::uint32_t>(raw, 0);
+      case Type::f32:
+        return little_endian<float>(raw, 0);
+      case Type::f64:
+        return little_endian<double>(raw, 0);
     }
     throw InternalError("no such PLY type");
   }
@@ -241,20 +259,24 @@ std::vector<Point3> read_vertices(Body& body, const Element& element) {
       if (p.name == axes[axis] && !p.count_type) axis_of[axis] = static_cast<int>(i);
     }
   }
-  if (std::count(axis_of, axis_of + 3, -1) != 0) body.fail("bad-header", "the vertices have no x, y and z");
+  if (std::count(axis_of, axis_of + 3, -1) != 0) body.refuse("bad-header", "the vertices have no x, y and z");
   std::vector<Point3> points;
   points.reserve(element.count);
   for (std::size_t row = 0; row < element.count; ++row) {
     Point3 point;
     for (int i = 0; i < static_cast<int>(element.properties.size()); ++i) {
       const Property& p = element.properties[static_cast<std::size_t>(i)];
-      if (i == axis_of[0]) point.x = body.number(p.type);
-      else if (i == axis_of[1]) point.y = body.number(p.type);
-      else if (i == axis_of[2]) point.z = body.number(p.type);
-      else body.skip(p);
+      if (i == axis_of[0])
+        point.x = body.number(p.type);
+      else if (i == axis_of[1])
+        point.y = body.number(p.type);
+      else if (i == axis_of[2])
+        point.z = body.number(p.type);
+      else
+        body.skip(p);
     }
     const std::string_view fault = coordinate_fault(point);
-    if (!fault.empty()) body.fail(fault, fmt::format("vertex {} has no usable coordinates", row));
+    if (!fault.empty()) body.refuse(fault, fmt::format("vertex {} has no usable coordinates", row));
     points.push_back(point);
   }
   return points;
@@ -263,13 +285,13 @@ std::vector<Point3> read_vertices(Body& body, const Element& element) {
 Triangle read_triangle(Body& body, const Property& property, std::size_t row, std::size_t points) {
   const std::size_t corners = body.list_length(property);
   if (corners != 3) {
-    body.fail("not-triangles", fmt::format("face {} has {} corners", row, corners), "Export it with triangles only");
+    body.refuse("not-triangles", fmt::format("face {} has {} corners", row, corners), "Export it with triangles only");
   }
   Triangle triangle{};
   for (PointIndex& corner : triangle) {
     const double index = body.number(property.type);
     if (!(index >= 0) || !(index < static_cast<double>(points))) {
-      body.fail("index-out-of-range", fmt::format("face {} names vertex {} of {}", row, index, points));
+      body.refuse("index-out-of-range", fmt::format("face {} names vertex {} of {}", row, index, points));
     }
     corner = static_cast<PointIndex>(index);
   }
@@ -280,13 +302,15 @@ std::vector<Triangle> read_faces(Body& body, const Element& element, std::size_t
   const auto list = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
     return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
   });
-  if (list == element.properties.end()) body.fail("bad-header", "the faces have no list vertex_indices");
+  if (list == element.properties.end()) body.refuse("bad-header", "the faces have no list vertex_indices");
   std::vector<Triangle> triangles;
   triangles.reserve(element.count);
   for (std::size_t row = 0; row < element.count; ++row) {
     for (auto p = element.properties.begin(); p != element.properties.end(); ++p) {
-      if (p == list) triangles.push_back(read_triangle(body, *p, row, points));
-      else body.skip(*p);
+      if (p == list)
+        triangles.push_back(read_triangle(body, *p, row, points));
+      else
+        body.skip(*p);
     }
   }
   return triangles;
@@ -295,18 +319,18 @@ std::vector<Triangle> read_faces(Body& body, const Element& element, std::size_t
 void check_count(const Element& element, const Header& header, const Body& body, const std::string& file) {
   const std::size_t least = element.least_size(header.encoding);
   if (least == 0) {
-    if (element.count != 0) fail_at_line(file, element.line, "bad-header", "an element has no property");
+    if (element.count != 0) refuse("bad-header", at_line(file, element.line), "an element has no property");
     return;
   }
   // One more for the blank that the last value of a text may lack.
   if (element.count > (body.left() + 1) / least) {
-    fail_at_line(file, element.line, "truncated",
-                 fmt::format("{} rows of \"{}\" do not fit into the {} bytes that are left", element.count,
-                             tame(element.name), body.left()),
-                 "Copy or export it again");
+    refuse("truncated", at_line(file, element.line),
+           fmt::format("{} rows of \"{}\" do not fit into the {} bytes that are left", element.count,
+                       tame(element.name), body.left()),
+           "Copy or export it again");
   }
   if (element.count > limits::triangles) {
-    fail_at_line(file, element.line, "too-large", fmt::format("more than {} rows", limits::triangles));
+    refuse("too-large", at_line(file, element.line), fmt::format("more than {} rows", limits::triangles));
   }
 }
 
@@ -329,7 +353,7 @@ std::vector<NamedMesh> parse_ply(std::string_view bytes, const std::string& file
     }
   }
   body.expect_end();
-  if (surface.triangles.empty()) fail_at_byte(file, header.size, "empty-mesh", "the file holds no triangle");
+  if (surface.triangles.empty()) refuse("empty-mesh", at_byte(file, header.size), "the file holds no triangle");
   std::vector<NamedMesh> meshes;
   meshes.push_back({"", std::move(surface)});
   return meshes;

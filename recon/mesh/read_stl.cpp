@@ -25,7 +25,8 @@ void add_triangle(SurfaceMesh& soup, const Point3 (&corners)[3]) {
 std::vector<NamedMesh> parse_binary(std::string_view bytes, const std::string& file) {
   const std::size_t count = little_endian<std::uint32_t>(bytes, header_size);
   if (count > limits::triangles) {
-    fail_at_byte(file, header_size, "too-large", fmt::format("{} triangles are more than {}", count, limits::triangles));
+    refuse("too-large", at_byte(file, header_size),
+           fmt::format("{} triangles are more than {}", count, limits::triangles));
   }
   SurfaceMesh soup;
   soup.points.reserve(3 * count);
@@ -39,7 +40,7 @@ std::vector<NamedMesh> parse_binary(std::string_view bytes, const std::string& f
                     little_endian<float>(bytes, at + 2 * sizeof(float))};
       const std::string_view fault = coordinate_fault(corners[k]);
       if (!fault.empty()) {
-        fail_at_byte(file, at, fault, fmt::format("corner {} of triangle {} has no usable coordinates", k, t));
+        refuse(fault, at_byte(file, at), fmt::format("corner {} of triangle {} has no usable coordinates", k, t));
       }
     }
     add_triangle(soup, corners);
@@ -60,7 +61,7 @@ class Reader {
       if (!same_word(word, "solid")) unexpected(word, "solid");
       const std::string name = tame(words_.rest_of_line());
       SurfaceMesh soup = facets();
-      words_.rest_of_line();   // the name again
+      words_.rest_of_line();  // the name again
       if (!soup.triangles.empty()) meshes.push_back({name, weld(soup)});
     }
     return meshes;
@@ -74,7 +75,8 @@ class Reader {
       if (same_word(word, "endsolid")) return soup;
       if (!same_word(word, "facet")) unexpected(word, "facet or endsolid");
       if (triangles_++ == limits::triangles) {
-        fail_at_line(file_, words_.line(), "too-large", fmt::format("there are more than {} triangles", limits::triangles));
+        refuse("too-large", at_line(file_, words_.line()),
+               fmt::format("there are more than {} triangles", limits::triangles));
       }
       expect("normal");
       for (int i = 0; i < 3; ++i) number();
@@ -95,7 +97,7 @@ class Reader {
     point.y = number();
     point.z = number();
     const std::string_view fault = coordinate_fault(point);
-    if (!fault.empty()) fail_at_line(file_, words_.line(), fault, "a vertex has no usable coordinates");
+    if (!fault.empty()) refuse(fault, at_line(file_, words_.line()), "a vertex has no usable coordinates");
     return point;
   }
 
@@ -113,11 +115,11 @@ class Reader {
 
   [[noreturn]] void unexpected(std::string_view word, std::string_view wanted) {
     if (word.empty()) {
-      fail_at_line(file_, words_.line(), "truncated", fmt::format("the file ends where {} should come", wanted),
-                   "Copy or export it again");
+      refuse("truncated", at_line(file_, words_.line()), fmt::format("the file ends where {} should come", wanted),
+             "Copy or export it again");
     }
-    fail_at_line(file_, words_.line(), "unparsable",
-                 fmt::format("\"{}\" stands where {} should", tame(word.substr(0, limits::quoted_length)), wanted));
+    refuse("unparsable", at_line(file_, words_.line()),
+           fmt::format("\"{}\" stands where {} should", tame(word.substr(0, limits::quoted_length)), wanted));
   }
 
   Words words_;
@@ -132,9 +134,9 @@ bool begins_as_text(std::string_view bytes) {
 
 [[noreturn]] void wrong_size(std::string_view bytes, std::size_t announced, const std::string& file) {
   const bool short_of = bytes.size() < announced;
-  fail_at_byte(file, std::min(bytes.size(), announced), short_of ? "truncated" : "trailing-bytes",
-               fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
-               "Copy or export it again");
+  refuse(short_of ? "truncated" : "trailing-bytes", at_byte(file, std::min(bytes.size(), announced)),
+         fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+         "Copy or export it again");
 }
 
 }  // namespace
@@ -143,17 +145,18 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
   // The size tells a binary file for sure; many begin with "solid", as an ASCII file must.
   const bool has_count = bytes.size() >= header_size + count_size;
   const std::size_t announced =
-      has_count ? header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, header_size)} : 0;
+      has_count ? header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, header_size)}
+                : 0;
   const bool text = begins_as_text(bytes) && bytes.size() != announced;
   if (!text && !has_count) {
-    fail_at_byte(file, bytes.size(), bytes.empty() ? "empty-mesh" : "truncated", "the file is too short to be an STL file",
-                 "Copy or export it again");
+    refuse(bytes.empty() ? "empty-mesh" : "truncated", at_byte(file, bytes.size()),
+           "the file is too short to be an STL file", "Copy or export it again");
   }
   if (!text && bytes.size() != announced) wrong_size(bytes, announced, file);
   std::vector<NamedMesh> meshes = text ? Reader(bytes, file).solids() : parse_binary(bytes, file);
   std::size_t triangles = 0;
   for (const NamedMesh& mesh : meshes) triangles += mesh.surface.triangles.size();
-  if (triangles == 0) fail_at_byte(file, 0, "empty-mesh", "the file holds no triangle");
+  if (triangles == 0) refuse("empty-mesh", at_byte(file, 0), "the file holds no triangle");
   return meshes;
 }
 

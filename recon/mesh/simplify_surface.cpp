@@ -81,7 +81,8 @@ Collapsed collapse(const SurfaceMesh& surface, const std::vector<char>& keep, st
                    const Progress& progress) {
   HalfEdgeMesh mesh = to_half_edges(surface);
   FixedEdges fixed = mesh.add_property_map<HalfEdgeMesh::Edge_index, bool>("e:fixed", false).first;
-  for (const auto edge : mesh.edges()) fixed[edge] = keep[mesh.vertex(edge, 0).idx()] && keep[mesh.vertex(edge, 1).idx()];
+  for (const auto edge : mesh.edges())
+    fixed[edge] = keep[mesh.vertex(edge, 0).idx()] && keep[mesh.vertex(edge, 1).idx()];
 
   // A closed surface of n triangles has 3n/2 edges; the predicate stops once there are fewer than its number.
   const std::size_t edges = triangles / 2 * 3;
@@ -178,8 +179,8 @@ bool keep_more(const SurfaceMesh& surface, const Shells& full, const Verdict& ve
   for (std::size_t v = 0; v < keep.size(); ++v) {
     if (keep[v]) continue;
     const auto holds = [&](const Box& box) { return box.holds(surface.points[v]); };
-    keep[v] = verdict.changed_shells[full.of_vertex[v]] ||
-              std::any_of(verdict.places.begin(), verdict.places.end(), holds);
+    keep[v] =
+        verdict.changed_shells[full.of_vertex[v]] || std::any_of(verdict.places.begin(), verdict.places.end(), holds);
     more = more || keep[v];
   }
   return more;

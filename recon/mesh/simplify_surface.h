@@ -1,11 +1,13 @@
 #pragma once
 // Fewer triangles for a finished surface, with its topology untouched.
 //
-// Edges are collapsed in order of a quadratic volume error without memory of the original: P. Lindstrom, G. Turk, "Fast and
-// memory efficient polygonal simplification", IEEE Visualization 1998, as implemented by CGAL's Surface_mesh_simplification. Of CGAL's
-// error measures it lies closest to the surfaces of stacked contours (docs/reconstruction.md has the comparison). A collapse that would change
-// the topology (link condition) or turn a triangle over is refused. Where the result cuts through itself, the original surface is
-// kept as it is and the whole is simplified anew.
+// Edges are collapsed in order of a quadratic volume error without memory of the original: P. Lindstrom, G. Turk, "Fast
+// and memory efficient polygonal simplification", IEEE Visualization 1998, as implemented by CGAL's
+// Surface_mesh_simplification. Of CGAL's error measures it lies closest to the surfaces of stacked contours: mean
+// distance, in voxels, of a CT molar of 97,588 triangles brought down to 8,000 and 5,000: 0.040 and 0.053;
+// Garland-Heckbert with triangle quadrics 0.052 and 0.072, with plane quadrics 0.055 and 0.075, with probabilistic ones
+// 0.072 and more. A collapse that would change the topology (link condition) or turn a triangle over is refused. Where
+// the result cuts through itself, the original surface is kept as it is and the whole is simplified anew.
 
 #include <cstddef>
 
@@ -24,10 +26,10 @@ struct SimplifyOptions {
 
 struct SimplifiedSurface {
   SurfaceMesh surface;
-  SurfaceReport report;               // of `surface`; structure names are empty
-  SurfaceDistance distance;           // `there`: from the simplified surface to the full one; zero if nothing was to be done
-  /// Pairs of triangles that cut through each other, in the full surface and in the simplified one. The latter is zero unless
-  /// the former is not.
+  SurfaceReport report;      // of `surface`; structure names are empty
+  SurfaceDistance distance;  // `there`: from the simplified surface to the full one; zero if nothing was to be done
+  /// Pairs of triangles that cut through each other, in the full surface and in the simplified one. The latter is zero
+  /// unless the former is not.
   std::size_t full_self_intersections = 0, self_intersections = 0;
   /// Times that the work began anew, and vertices of the full surface that were kept in place for it.
   std::size_t restarts = 0, kept_vertices = 0;

@@ -32,16 +32,18 @@ double area(const SurfaceMesh& mesh, const Triangle& t) {
   return length(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
 }
 
-/// Fractional part of n / g and n / g^2, g the real root of x^3 = x + 1: the R2 sequence (Roberts 2018), folded into a triangle.
+/// Fractional part of n / g and n / g^2, g the real root of x^3 = x + 1: the R2 sequence (Roberts 2018), folded into a
+/// triangle.
 Point3 point_in_triangle(const SurfaceMesh& mesh, const Triangle& t, std::size_t n) {
   constexpr double g = 1.32471795724474602596;
-  double u = std::fmod(0.5 + static_cast<double>(n) / g, 1.0), v = std::fmod(0.5 + static_cast<double>(n) / (g * g), 1.0);
+  double u = std::fmod(0.5 + static_cast<double>(n) / g, 1.0),
+         v = std::fmod(0.5 + static_cast<double>(n) / (g * g), 1.0);
   if (u + v > 1) {
     u = 1 - u;
     v = 1 - v;
   }
   const Point3& a = mesh.points[t[0]];
-  const Vector3 offset = u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
+  const Direction offset = u * (mesh.points[t[1]] - a) + v * (mesh.points[t[2]] - a);
   return {a.x + offset.x, a.y + offset.y, a.z + offset.z};
 }
 
@@ -75,7 +77,9 @@ std::vector<Point3> used_vertices(const SurfaceMesh& mesh) {
 /// Triangles that a distance can be measured to. Those without area are left out: their edges belong to others.
 Triangles triangles_with_area(const SurfaceMesh& mesh) {
   Triangles triangles;
-  const auto point = [&](PointIndex i) { return Kernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z); };
+  const auto point = [&](PointIndex i) {
+    return Kernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
+  };
   for (const Triangle& t : mesh.triangles) {
     if (area(mesh, t) > 0) triangles.emplace_back(point(t[0]), point(t[1]), point(t[2]));
   }
@@ -83,10 +87,11 @@ Triangles triangles_with_area(const SurfaceMesh& mesh) {
 }
 
 struct Share {
-  double from, to;   // of the progress bar
+  double from, to;  // of the progress bar
 };
 
-std::vector<double> distances(const std::vector<Point3>& points, const Tree& tree, const Progress& progress, Share share) {
+std::vector<double> distances(const std::vector<Point3>& points, const Tree& tree, const Progress& progress,
+                              Share share) {
   constexpr std::size_t chunk_size = 1024;
   std::vector<double> distance(points.size());
   const std::size_t chunks = (points.size() + chunk_size - 1) / chunk_size;
@@ -132,7 +137,7 @@ std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const Surf
   const auto build = [](const Triangles& triangles) {
     auto tree = std::make_unique<Tree>(triangles.begin(), triangles.end());
     tree->build();
-    tree->accelerate_distance_queries();   // before the threads start: queries then only read
+    tree->accelerate_distance_queries();  // before the threads start: queries then only read
     return tree;
   };
   const auto tree_a = build(of_a), tree_b = build(of_b);

@@ -16,20 +16,21 @@ struct DistanceOptions {
 
 /// From points of one surface to the nearest point of the other, mm.
 struct OneWayDistance {
-  double largest = 0;   // over all samples and all vertices of the one: at most the true one
-  double mean = 0;      // over the samples, and so over the area
+  double largest = 0;  // over all samples and all vertices of the one: at most the true one
+  double mean = 0;     // over the samples, and so over the area
 };
 
 struct SurfaceDistance {
-  OneWayDistance there, back;   // from `a` to `b`, from `b` to `a`
+  OneWayDistance there, back;  // from `a` to `b`, from `b` to `a`
   double largest() const { return there.largest > back.largest ? there.largest : back.largest; }
   /// The larger of the two means: the safe one to quote.
   double mean() const { return there.mean > back.mean ? there.mean : back.mean; }
 };
 
-/// Samples are placed at equal steps of accumulated area, triangle after triangle, and within a triangle by a low-discrepancy
-/// sequence: the same points each time. Nothing for a mesh without a triangle that has area (then there is no distance).
-/// Runs in the caller's TBB arena; the result does not depend on the number of threads. Stage: "measure distance".
+/// Samples are placed at equal steps of accumulated area, triangle after triangle, and within a triangle by a
+/// low-discrepancy sequence: the same points each time. Nothing for a mesh without a triangle that has area (then there
+/// is no distance). Runs in the caller's TBB arena; the result does not depend on the number of threads. Stage:
+/// "measure distance".
 std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const SurfaceMesh& b,
                                                 const DistanceOptions& options = {}, const Progress& progress = {});
 

@@ -85,8 +85,8 @@ Corners corners_of(const SurfaceMesh& mesh) {
   return corners;
 }
 
-/// Walks round a vertex from `corner`, leaving its triangle through the edge `through`; returns the corners passed after the
-/// first. `closed` tells whether the walk came back to the start. Works for misoriented neighbours too.
+/// Walks round a vertex from `corner`, leaving its triangle through the edge `through`; returns the corners passed
+/// after the first. `closed` tells whether the walk came back to the start. Works for misoriented neighbours too.
 std::uint32_t walk(const SurfaceMesh& mesh, const EdgeMates& edges, HalfEdge corner, HalfEdge through, bool& closed) {
   const PointIndex v = start(mesh, corner);
   std::uint32_t passed = 0;
@@ -153,10 +153,10 @@ std::size_t count_used(const SurfaceMesh& mesh, const Corners& corners) {
 
 /// What adds up over the triangles of a shell.
 struct ShellSums {
-  PointIndex origin = 0;     // volumes are taken from here: less cancellation than from (0, 0, 0)
+  PointIndex origin = 0;  // volumes are taken from here: less cancellation than from (0, 0, 0)
   bool closed = true;
   double six_volumes = 0;
-  double magnitude = 0;      // bounds the rounding error of six_volumes
+  double magnitude = 0;  // bounds the rounding error of six_volumes
 };
 
 /// Smallest angle in degrees, circumradius over twice the inradius, area: from the sides, stable for slivers.
@@ -164,10 +164,10 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
                       std::vector<double>& angles, std::vector<double>& aspects, std::size_t& degenerate) {
   const auto [i, j, k] = mesh.triangles[t];
   const Point3 &a = mesh.points[i], &b = mesh.points[j], &c = mesh.points[k];
-  const Vector3 ab = b - a, ac = c - a, bc = c - b;
-  const Vector3 normal = cross(ab, ac);
+  const Direction ab = b - a, ac = c - a, bc = c - b;
+  const Direction normal = cross(ab, ac);
   const double twice_area = length(normal);
-  const Vector3 from_origin = a - mesh.points[sums.origin];
+  const Direction from_origin = a - mesh.points[sums.origin];
   const double six_volumes = dot(from_origin, normal);
   shell.area += twice_area / 2;
   sums.six_volumes += six_volumes;
@@ -187,8 +187,7 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
   aspects.push_back(aspect < limits::largest_aspect_ratio ? aspect : limits::largest_aspect_ratio);
 }
 
-int sign_of_volume(const SurfaceMesh& mesh, const ShellSums& sums, std::uint32_t shell,
-                   const SurfaceReport& report) {
+int sign_of_volume(const SurfaceMesh& mesh, const ShellSums& sums, std::uint32_t shell, const SurfaceReport& report) {
   const double terms = 16 + static_cast<double>(report.shells[shell].triangles);
   const double error = terms * std::numeric_limits<double>::epsilon() * sums.magnitude;
   if (std::abs(sums.six_volumes) > error) return sums.six_volumes > 0 ? 1 : -1;

@@ -15,24 +15,33 @@ namespace odontoscope {
 namespace {
 
 struct Angles {
-  double smallest, largest;   // degrees
+  double smallest, largest;  // degrees
 };
 
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi; }
+/// From the outward normals of two faces: they enclose 180 degrees less the angle between the normals. Exact to the
+/// last digits for flat angles too, where a cosine is not.
+double dihedral(const Direction& n, const Direction& m) {
+  return std::atan2(length(cross(n, m)), -dot(n, m)) * 180 / std::numbers::pi;
+}
 
-/// From the outward normals of the four faces: two faces enclose 180 degrees less the angle between their normals.
-Angles dihedral_angles(const Vector3 (&normals)[4]) {
-  double largest_cosine = -1, smallest_cosine = 1;
+Angles dihedral_angles(const Direction (&normals)[4]) {
+  struct Pair {
+    int i = 1, j = 0;
+    double cosine = 0;
+  };
+  Pair sharpest, bluntest;
+  sharpest.cosine = -2;
+  bluntest.cosine = 2;
   for (int i = 0; i < 4; ++i) {
     for (int j = 0; j < i; ++j) {
       const double lengths = std::sqrt(dot(normals[i], normals[i]) * dot(normals[j], normals[j]));
-      if (!(lengths > 0)) return {0, 180};   // a face without area: as flat as can be
+      if (!(lengths > 0)) return {0, 180};  // a face without area: as flat as can be
       const double cosine = -dot(normals[i], normals[j]) / lengths;
-      largest_cosine = std::max(largest_cosine, cosine);
-      smallest_cosine = std::min(smallest_cosine, cosine);
+      if (cosine > sharpest.cosine) sharpest = {i, j, cosine};
+      if (cosine < bluntest.cosine) bluntest = {i, j, cosine};
     }
   }
-  return {degrees(largest_cosine), degrees(smallest_cosine)};
+  return {dihedral(normals[sharpest.i], normals[sharpest.j]), dihedral(normals[bluntest.i], normals[bluntest.j])};
 }
 
 double bounded(double ratio) { return ratio < limits::largest_aspect_ratio ? ratio : limits::largest_aspect_ratio; }
@@ -44,7 +53,10 @@ struct Measurements {
   std::vector<std::size_t> non_positive_of_chunk;
 
   explicit Measurements(std::size_t elements, std::size_t chunks)
-      : smallest(elements), largest(elements), radius_edge(elements), volume_of_chunk(chunks),
+      : smallest(elements),
+        largest(elements),
+        radius_edge(elements),
+        volume_of_chunk(chunks),
         non_positive_of_chunk(chunks) {}
 };
 
@@ -52,14 +64,14 @@ struct Measurements {
 double measure(const TetraMesh& mesh, std::size_t element, Measurements& into) {
   const auto [ia, ib, ic, id] = mesh.tetrahedra[element];
   const Point3 &a = mesh.points[ia], &b = mesh.points[ib], &c = mesh.points[ic], &d = mesh.points[id];
-  const Vector3 ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
-  const Vector3 acd = cross(ac, ad), adb = cross(ad, ab), abc = cross(ab, ac);
+  const Direction ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
+  const Direction acd = cross(ac, ad), adb = cross(ad, ab), abc = cross(ab, ac);
   const Angles angles = dihedral_angles({cross(bc, bd), -1.0 * acd, -1.0 * adb, -1.0 * abc});
   into.smallest[element] = angles.smallest;
   into.largest[element] = angles.largest;
 
   const double six_volumes = dot(ab, acd);
-  const Vector3 centre = dot(ab, ab) * acd + dot(ac, ac) * adb + dot(ad, ad) * abc;   // from a, times 2 * six_volumes
+  const Direction centre = dot(ab, ab) * acd + dot(ac, ac) * adb + dot(ad, ad) * abc;  // from a, times 2 * six_volumes
   const double shortest = std::min({dot(ab, ab), dot(ac, ac), dot(ad, ad), dot(bc, bc), dot(bd, bd), dot(cd, cd)});
   into.radius_edge[element] = bounded(length(centre) / (2 * std::abs(six_volumes) * std::sqrt(shortest)));
   return six_volumes;

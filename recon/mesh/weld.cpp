@@ -32,7 +32,7 @@ class PointTable {
     // Multiply and fold (splitmix64's finalising constants), coordinate by coordinate.
     std::uint64_t h = 0;
     for (const double coordinate : {p.x, p.y, p.z}) {
-      h ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);   // -0 + 0 is +0
+      h ^= std::bit_cast<std::uint64_t>(coordinate + 0.0);  // -0 + 0 is +0
       h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ull;
       h = (h ^ (h >> 27)) * 0x94d049bb133111ebull;
       h ^= h >> 31;

@@ -4,9 +4,12 @@ namespace odontoscope {
 
 const char* name(Shell::Kind kind) {
   switch (kind) {
-    case Shell::Kind::external: return "external";
-    case Shell::Kind::cavity: return "cavity";
-    case Shell::Kind::open: return "open";
+    case Shell::Kind::external:
+      return "external";
+    case Shell::Kind::cavity:
+      return "cavity";
+    case Shell::Kind::open:
+      return "open";
   }
   return "open";
 }

@@ -14,8 +14,9 @@ namespace odontoscope {
 /// ".glb", ".stl", ".ply", ".vtu": the endings that are known, in lower case; those of a file may be in any.
 const std::vector<std::string>& model_endings();
 
-/// The bytes of `file`, which is not touched yet: give all that belong together to write_files (recon/core/atomic_file.h).
-/// UsageError for an ending that is not known. See write_glb.h, write_stl.h, write_ply.h, write_vtu.h for what each holds.
+/// The bytes of `file`, which is not touched yet: give all that belong together to write_files
+/// (recon/core/atomic_file.h). UsageError for an ending that is not known. See write_glb.h, write_stl.h, write_ply.h,
+/// write_vtu.h for what each holds.
 FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file);
 
 /// Writes all files or none. UsageError, FileError.

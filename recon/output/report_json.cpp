@@ -111,6 +111,7 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   // The engine proves the section of every slice that it counts here, or returns nothing.
   report["resampling"] = {{"exact", reconstruction.certified}, {"slices_checked", reconstruction.slices_checked}};
   report["links"] = links_json(reconstruction.links);
+  report["cut_links"] = reconstruction.counts.cut_links;
   if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
   report["seconds"] = seconds_json(reconstruction.seconds);
   report["threads"] = reconstruction.threads;

@@ -13,7 +13,7 @@ namespace odontoscope {
 struct StructureSimplification {
   std::string structure;
   std::size_t triangles_before = 0, triangles = 0;
-  SurfaceDistance distance;    // `there`: from the simplified surface to the full one
+  SurfaceDistance distance;  // `there`: from the simplified surface to the full one
   std::size_t self_intersections = 0, restarts = 0, kept_vertices = 0;
 };
 
@@ -22,10 +22,11 @@ struct ReportOptions {
   std::vector<StructureSimplification> simplifications;
 };
 
-/// One JSON object, keys in a fixed order, two spaces a level: input, tetrahedra, surface, structures, resampling, links,
-/// simplification (only if there was one), seconds, threads, certified. `certified` is true if the reconstruction is and every
-/// surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in mm^3, angles in degrees. Measures the
-/// tetrahedra, which takes a moment. Only `seconds` and `threads` differ between two runs on the same input.
+/// One JSON object, keys in a fixed order, two spaces a level: input, tetrahedra, surface, structures, resampling,
+/// links, cut_links, simplification (only if there was one), seconds, threads, certified. `certified` is true if the
+/// reconstruction is and every surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in
+/// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between
+/// two runs on the same input.
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
 
 struct NamedSurfaceReport {
@@ -33,7 +34,8 @@ struct NamedSurfaceReport {
   SurfaceReport report;
 };
 
-/// What `odontoscope check` says of a mesh file: {"file", "closed_oriented_manifold", "surface" (all meshes together), "meshes":
+/// What `odontoscope check` says of a mesh file: {"file", "closed_oriented_manifold", "surface" (all meshes together),
+/// "meshes":
 /// [{"name", ...}]}.
 std::string surface_report_json(const std::string& file, const std::vector<NamedSurfaceReport>& meshes);
 

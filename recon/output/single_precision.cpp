@@ -33,7 +33,7 @@ class Places {
   static std::size_t hash(const FloatPoint& p) {
     std::uint64_t h = 0;
     for (const float coordinate : p) {
-      h = (h ^ std::bit_cast<std::uint32_t>(coordinate)) * 0xff51afd7ed558ccdull;   // murmur3's finalising constant
+      h = (h ^ std::bit_cast<std::uint32_t>(coordinate)) * 0xff51afd7ed558ccdull;  // murmur3's finalising constant
       h ^= h >> 29;
     }
     return h;

@@ -11,13 +11,13 @@
 namespace odontoscope {
 namespace {
 
-Vector3 unit(const Vector3& v) {
+Direction unit(const Direction& v) {
   const double l = length(v);
-  return l > 0 ? (1 / l) * v : Vector3{};
+  return l > 0 ? (1 / l) * v : Direction{};
 }
 
-std::vector<Vector3> face_normals(const SurfaceMesh& surface) {
-  std::vector<Vector3> normals;
+std::vector<Direction> face_normals(const SurfaceMesh& surface) {
+  std::vector<Direction> normals;
   normals.reserve(surface.triangles.size());
   for (const auto& [a, b, c] : surface.triangles) {
     const Point3& p = surface.points[a];
@@ -28,8 +28,8 @@ std::vector<Vector3> face_normals(const SurfaceMesh& surface) {
 
 double angle_at(const SurfaceMesh& surface, HalfEdge corner) {
   const Point3& p = surface.points[start(surface, corner)];
-  const Vector3 u = surface.points[start(surface, next(corner))] - p;
-  const Vector3 v = surface.points[start(surface, previous(corner))] - p;
+  const Direction u = surface.points[start(surface, next(corner))] - p;
+  const Direction v = surface.points[start(surface, previous(corner))] - p;
   return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
@@ -39,7 +39,7 @@ HalfEdge root(std::vector<HalfEdge>& parent, HalfEdge i) {
 }
 
 /// Corners of a vertex that can be reached from each other without crossing a crease have one root, the first of them.
-std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vector<Vector3>& normals,
+std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vector<Direction>& normals,
                                      double crease_angle_deg) {
   const EdgeMates edges = edge_mates(surface);
   const double least_cosine = std::cos(crease_angle_deg * std::numbers::pi / 180);
@@ -53,7 +53,7 @@ std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vect
   for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
     const HalfEdge m = edges.mate[h];
     if (m >= EdgeMates::no_edge || m < h) continue;
-    if (start(surface, m) == start(surface, h)) continue;   // misoriented: the normals contradict each other
+    if (start(surface, m) == start(surface, h)) continue;  // misoriented: the normals contradict each other
     if (dot(normals[h / 3], normals[m / 3]) < least_cosine) continue;
     join(h, next(m));
     join(next(h), m);
@@ -65,7 +65,7 @@ std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vect
 }  // namespace
 
 ShadedVertices smooth_normals(const SurfaceMesh& surface, double crease_angle_deg) {
-  const std::vector<Vector3> normals = face_normals(surface);
+  const std::vector<Direction> normals = face_normals(surface);
   const std::vector<HalfEdge> joined = joined_corners(surface, normals, crease_angle_deg);
   constexpr PointIndex unnumbered = std::numeric_limits<PointIndex>::max();
   ShadedVertices shaded;
@@ -84,7 +84,7 @@ ShadedVertices smooth_normals(const SurfaceMesh& surface, double crease_angle_de
     shaded.normals[vertex] = shaded.normals[vertex] + angle_at(surface, h) * normals[h / 3];
   }
   for (std::size_t v = 0; v < shaded.normals.size(); ++v) {
-    Vector3& normal = shaded.normals[v];
+    Direction& normal = shaded.normals[v];
     normal = unit(normal);
     // Triangles that cancel each other, or have no area: any unit vector will do.
     if (!(dot(normal, normal) > 0)) normal = normals[first_corner[v] / 3];

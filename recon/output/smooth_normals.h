@@ -10,14 +10,15 @@
 namespace odontoscope {
 
 struct ShadedVertices {
-  std::vector<Vector3> normals;         // of the vertices as drawn, unit length
-  std::vector<PointIndex> point;        // of each the point of the surface that it stands at
-  std::vector<Triangle> triangles;      // as those of the surface, by number of drawn vertex
+  std::vector<Direction> normals;   // of the vertices as drawn, unit length
+  std::vector<PointIndex> point;    // of each the point of the surface that it stands at
+  std::vector<Triangle> triangles;  // as those of the surface, by number of drawn vertex
 };
 
-/// Triangles that meet at an edge with more than `crease_angle_deg` between their normals are shaded apart, and so are those at
-/// edges with one or more than two triangles. A normal is the mean of its triangles', weighted by their angle at the vertex (G. Thuermer,
-/// C. Wuethrich, "Computing vertex normals from polygonal facets", 1998). Drawn vertices come in order of first use.
+/// Triangles that meet at an edge with more than `crease_angle_deg` between their normals are shaded apart, and so are
+/// those at edges with one or more than two triangles. A normal is the mean of its triangles', weighted by their angle
+/// at the vertex (G. Thuermer, C. Wuethrich, "Computing vertex normals from polygonal facets", 1998). Drawn vertices
+/// come in order of first use.
 ShadedVertices smooth_normals(const SurfaceMesh& surface, double crease_angle_deg);
 
 }  // namespace odontoscope

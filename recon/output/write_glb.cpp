@@ -57,11 +57,12 @@ Json certificate(const Reconstruction& reconstruction) {
 
 struct Paint {
   std::string_view name;
-  std::array<double, 3> colour;   // linear
+  std::array<double, 3> colour;  // linear
   double roughness;
 };
 
-/// The colours of an anatomy atlas. A joint structure "tooth+pulp" goes by its first name, a cavity is taken for the pulp's.
+/// The colours of an anatomy atlas. A joint structure "tooth+pulp" goes by its first name, a cavity is taken for the
+/// pulp's.
 const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
   static constexpr Paint enamel{"enamel", {0.90, 0.86, 0.74}, 0.3}, dentine{"dentine", {0.80, 0.62, 0.33}, 0.6},
       pulp{"pulp", {0.55, 0.06, 0.06}, 0.5}, other{"other", {0.55, 0.58, 0.62}, 0.6},
@@ -110,7 +111,7 @@ class Builder {
     model_.buffers.emplace_back();
     tinygltf::Node root;
     root.name = "z up";
-    root.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};   // by columns: (x, y, z) to (x, z, -y)
+    root.matrix = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1};  // by columns: (x, y, z) to (x, z, -y)
     model_.nodes.push_back(std::move(root));
     model_.scenes.emplace_back();
     model_.scenes.front().nodes = {0};
@@ -127,7 +128,7 @@ class Builder {
   }
 
   std::string bytes() {
-    if (model_.meshes.empty()) {   // an empty list or buffer is not allowed
+    if (model_.meshes.empty()) {  // an empty list or buffer is not allowed
       model_.buffers.clear();
     }
     std::ostringstream stream;
@@ -146,7 +147,7 @@ class Builder {
         if (number[v] == unused) {
           number[v] = static_cast<std::uint32_t>(positions.size());
           positions.push_back(points[shaded.point[v]]);
-          const Vector3& n = shaded.normals[v];
+          const Direction& n = shaded.normals[v];
           normals.push_back({static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)});
         }
         indices.push_back(number[v]);
@@ -177,8 +178,8 @@ class Builder {
 
   static void bound(tinygltf::Accessor& accessor, const std::vector<FloatPoint>& positions) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto [low, high] = std::minmax_element(
-          positions.begin(), positions.end(), [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
+      const auto [low, high] = std::minmax_element(positions.begin(), positions.end(),
+                                                   [&](const auto& a, const auto& b) { return a[axis] < b[axis]; });
       accessor.minValues.push_back((*low)[axis]);
       accessor.maxValues.push_back((*high)[axis]);
     }
@@ -189,9 +190,9 @@ class Builder {
                         {TINYGLTF_TARGET_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
   }
   int add_indices(const std::vector<std::uint32_t>& indices) {
-    return add_accessor(indices.data(), sizeof(std::uint32_t) * indices.size(), indices.size(),
-                        {TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
-                         TINYGLTF_TYPE_SCALAR});
+    return add_accessor(
+        indices.data(), sizeof(std::uint32_t) * indices.size(), indices.size(),
+        {TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR});
   }
 
   struct Layout {

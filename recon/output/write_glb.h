@@ -1,13 +1,13 @@
 #pragma once
 // glTF 2.0, binary: for viewers, web pages and engines. https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 //
-// Metres and single precision. glTF's up is +y and ours, along the tooth, is +z: the coordinates stay as they are, and the root
-// node turns them. Under it one node for each structure's external surfaces ("enamel external"), and one for its cavities ("tooth
-// cavity"), each with a mesh of the same name, a material, and extras {structure, kind, shells, volume_mm3}. Triangles keep
-// their winding, so that a cavity's wall faces into the cavity; materials are single-sided. Vertices are doubled where the
-// surface has a crease, since a vertex has one normal; points that are distinct in the reconstruction stay distinct in single
-// precision, so that joining vertices of equal position gives the surface back. asset.extras is the certificate. No
-// extension is used.
+// Metres and single precision. glTF's up is +y and ours, along the tooth, is +z: the coordinates stay as they are, and
+// the root node turns them. Under it one node for each structure's external surfaces ("enamel external"), and one for
+// its cavities ("tooth cavity"), each with a mesh of the same name, a material, and extras {structure, kind, shells,
+// volume_mm3}. Triangles keep their winding, so that a cavity's wall faces into the cavity; materials are single-sided.
+// Vertices are doubled where the surface has a crease, since a vertex has one normal; points that are distinct in the
+// reconstruction stay distinct in single precision, so that joining vertices of equal position gives the surface back.
+// asset.extras is the certificate. No extension is used.
 
 #include <string>
 
@@ -20,8 +20,8 @@ struct GlbOptions {
   double crease_angle_deg = 60;
 };
 
-/// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too large
-/// for the format (limits::glb_bytes).
+/// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too
+/// large for the format (limits::glb_bytes).
 std::string glb_bytes(const Reconstruction& reconstruction, const GlbOptions& options = {});
 
 }  // namespace odontoscope

@@ -24,16 +24,16 @@ std::string ply_bytes(const Reconstruction& reconstruction) {
   }
   bytes += fmt::format(
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list uchar uint vertex_indices\nproperty ushort structure\nend_header\n",
+      "element face {}\nproperty list uchar uint vertex_indices\nproperty int structure\nend_header\n",
       points, triangles);
-  bytes.reserve(bytes.size() + 24 * points + 15 * triangles);
+  bytes.reserve(bytes.size() + 24 * points + 17 * triangles);
   for (const Solid& solid : reconstruction.solids) {
     for (const Point3& p : solid.surface.points) {
       for (const double coordinate : {p.x, p.y, p.z}) append(bytes, coordinate);
     }
   }
   std::uint32_t first = 0;
-  std::uint16_t structure = 0;
+  std::int32_t structure = 0;
   for (const Solid& solid : reconstruction.solids) {
     ++structure;
     for (const Triangle& t : solid.surface.triangles) {

@@ -1,8 +1,8 @@
 #pragma once
 // PLY, binary little endian, indexed: the surfaces without loss.
 //
-// Millimetres, double precision. Vertices x y z; faces a list of three indices and `structure`, which counts the structures from
-// 1; comment lines give their names. Cavities face inwards.
+// Millimetres, double precision. Vertices x y z; faces a list of three indices and `structure`, which counts the
+// structures from 1; comment lines give their names. Cavities face inwards.
 
 #include <string>
 

@@ -35,7 +35,7 @@ std::string stl_bytes(const Reconstruction& reconstruction) {
   }
   std::string bytes;
   bytes.reserve(header_size + sizeof(std::uint32_t) + record_size * triangles);
-  bytes = "odontoscope; millimetres; binary STL";   // must not begin with "solid"
+  bytes = "odontoscope; millimetres; binary STL";  // must not begin with "solid"
   bytes.resize(header_size, ' ');
   append(bytes, static_cast<std::uint32_t>(triangles));
   for (const Solid& solid : reconstruction.solids) {

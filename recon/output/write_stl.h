@@ -1,9 +1,9 @@
 #pragma once
 // Binary STL: for printers and old tools.
 //
-// Millimetres, single precision; all structures one after the other, cavities facing inwards. STL has no vertices: whoever reads it joins equal
-// coordinates. Points of a structure that are distinct stay distinct; where two structures share a wall (enamel on
-// dentine) that joining glues them together, so such a model is better kept as GLB or PLY.
+// Millimetres, single precision; all structures one after the other, cavities facing inwards. STL has no vertices:
+// whoever reads it joins equal coordinates. Points of a structure that are distinct stay distinct; where two structures
+// share a wall (enamel on dentine) that joining glues them together, so such a model is better kept as GLB or PLY.
 
 #include <string>
 

@@ -41,17 +41,38 @@ void add_array(std::string& xml, const Array& array, const std::string& bytes) {
   xml += "\n</DataArray>\n";
 }
 
-/// VTK's way to write strings: the codes of the characters, each string closed by a 0.
-std::string structure_names(const Reconstruction& reconstruction) {
-  std::string codes;
-  for (const Solid& solid : reconstruction.solids) {
-    for (const char c : solid.structure) codes += fmt::format("{} ", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    codes += "0\n";
+std::string xml_escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
   }
-  return fmt::format(
-      "<FieldData>\n<DataArray type=\"String\" Name=\"structure_names\" NumberOfTuples=\"{}\" format=\"ascii\">\n{}"
-      "</DataArray>\n</FieldData>\n",
-      reconstruction.solids.size(), codes);
+  return escaped;
+}
+
+/// One field each, named after the structure and holding its number: not every reader knows VTK's strings.
+std::string structure_numbers(const Reconstruction& reconstruction) {
+  std::string xml = "<FieldData>\n";
+  for (std::size_t i = 0; i < reconstruction.solids.size(); ++i) {
+    xml += fmt::format(
+        "<DataArray type=\"Int64\" Name=\"structure {}\" NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+        xml_escaped(reconstruction.solids[i].structure), i + 1);
+  }
+  return xml + "</FieldData>\n";
 }
 
 struct Numbers {
@@ -59,7 +80,7 @@ struct Numbers {
 };
 
 Numbers numbers_of(const Reconstruction& reconstruction) {
-  constexpr std::uint8_t vtk_tetra = 10;   // a positive one, as ours
+  constexpr std::uint8_t vtk_tetra = 10;  // a positive one, as ours
   Numbers numbers;
   std::int64_t first = 0, end = 0;
   std::uint16_t structure = 0;
@@ -94,7 +115,7 @@ std::string vtu_bytes(const Reconstruction& reconstruction) {
       "<?xml version=\"1.0\"?>\n<!-- made by odontoscope; millimetres -->\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
       "<UnstructuredGrid>\n";
-  xml += structure_names(reconstruction);
+  xml += structure_numbers(reconstruction);
   xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", points, cells);
   add_array(xml, {"Float64", "Points", 3}, numbers.points);
   xml += "</Points>\n<Cells>\n";

@@ -1,8 +1,8 @@
 #pragma once
 // VTK's XML format for unstructured grids: the tetrahedra, for ParaView, meshio and solvers.
 //
-// Millimetres, double precision, base64 arrays. All structures in one piece; cell data `structure` counts them from 1 (their
-// names are in the field data `structure_names`), `label` is the material label.
+// Millimetres, double precision, base64 arrays. All structures in one piece; cell data `structure` counts them from 1
+// (field data "structure NAME" holds the number of NAME), `label` is the material label.
 
 #include <string>
 

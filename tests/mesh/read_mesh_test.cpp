@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <random>
 
 #include "recon/core/error.h"
 #include "recon/mesh/surface_report.h"
@@ -95,7 +96,7 @@ TEST(ReadStl, EveryTruncationIsRefused) {
   for (std::size_t n = 1; n < binary.size(); ++n) {
     EXPECT_EQ(cause_of(parse_stl, binary.substr(0, n)), "truncated") << n;
   }
-  const std::size_t complete_at = text.size() - std::string(" t\n").size();   // the name may be missing
+  const std::size_t complete_at = text.size() - std::string(" t\n").size();  // the name may be missing
   for (std::size_t n = std::string("solid").size(); n < complete_at; ++n) {
     EXPECT_NE(cause_of(parse_stl, text.substr(0, n)), "accepted") << n;
   }
@@ -139,7 +140,8 @@ TEST(ReadStl, TextErrorsNameTheLine) {
 const std::string ply_text =
     "ply\r\nformat ascii 1.0\ncomment hello\nobj_info x\nelement vertex 4\nproperty float x\nproperty double y\n"
     "property uchar red\nproperty int z\nelement edge 1\nproperty int vertex1\nproperty int vertex2\n"
-    "element face 4\nproperty float quality\nproperty list uchar int vertex_index\nproperty list uchar float uv\nend_header\n"
+    "element face 4\nproperty float quality\nproperty list uchar int vertex_index\nproperty list uchar float "
+    "uv\nend_header\n"
     "0 0 255 0\n1 0 1 0\n0 1 2 0\n0 0 3 1\n0 1\n"
     "0.5 3 0 2 1 0\n0.5 3 0 1 3 2 1 1\n1 3 1 2 3 0\n1 3 0 3 2 0\n";
 
@@ -189,7 +191,8 @@ TEST(ReadPly, BinaryOfBothByteOrders) {
 TEST(ReadPly, EveryTruncationIsRefused) {
   const std::string binary = binary_ply(shapes::tetrahedron(), false);
   for (std::size_t n = 0; n < binary.size(); ++n) EXPECT_NE(cause_of(parse_ply, binary.substr(0, n)), "accepted") << n;
-  for (std::size_t n = 0; n + 2 < ply_text.size(); ++n) {   // without the last digit it is no number, without the line end it is whole
+  for (std::size_t n = 0; n + 2 < ply_text.size();
+       ++n) {  // without the last digit it is no number, without the line end it is whole
     EXPECT_NE(cause_of(parse_ply, ply_text.substr(0, n)), "accepted") << n;
   }
 }
@@ -258,7 +261,7 @@ std::string tetrahedron_buffer() {
   for (std::size_t t = 0; t < 4; ++t) {
     for (const PointIndex v : mesh.triangles[t]) add(buffer, static_cast<std::uint16_t>(v + (t % 2 ? 4 : 0)));
   }
-  return buffer;   // 96 + 24 bytes
+  return buffer;  // 96 + 24 bytes
 }
 
 const std::string tetrahedron_json =
@@ -285,10 +288,12 @@ TEST(ReadGlb, WeldsScalesAndTurns) {
 
 TEST(ReadGlb, TransformsApplyFromTheLeafUp) {
   // Scaled by 2 and turned by 90 degrees about z, then moved.
-  const std::string with = replaced(tetrahedron_json, R"("mesh":0})",
-                                    R"("mesh":0,"scale":[2,2,2],"rotation":[0,0,0.7071067811865476,0.7071067811865476]})");
-  const auto meshes = parse_glb(glb(replaced(with, "\"translation\":[0,0,0]", "\"translation\":[10,0,0]"), tetrahedron_buffer()), "f");
-  const Point3 p = meshes.at(0).surface.points.at(1);   // (1,0,0) to (0,2,0) to (10,2,0) m
+  const std::string with =
+      replaced(tetrahedron_json, R"("mesh":0})",
+               R"("mesh":0,"scale":[2,2,2],"rotation":[0,0,0.7071067811865476,0.7071067811865476]})");
+  const auto meshes =
+      parse_glb(glb(replaced(with, "\"translation\":[0,0,0]", "\"translation\":[10,0,0]"), tetrahedron_buffer()), "f");
+  const Point3 p = meshes.at(0).surface.points.at(1);  // (1,0,0) to (0,2,0) to (10,2,0) m
   EXPECT_NEAR(p.x, 10'000, 1e-9);
   EXPECT_NEAR(p.y, 0, 1e-9);
   EXPECT_NEAR(p.z, 2000, 1e-9);
@@ -296,7 +301,8 @@ TEST(ReadGlb, TransformsApplyFromTheLeafUp) {
 
 TEST(ReadGlb, MirroringTurnsTheTrianglesAround) {
   for (const std::string how : {R"("scale":[-1,1,1])", R"("matrix":[-1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1])"}) {
-    const auto meshes = parse_glb(glb(replaced(tetrahedron_json, R"("mesh":0})", R"("mesh":0,)" + how + "}"), tetrahedron_buffer()), "f");
+    const auto meshes = parse_glb(
+        glb(replaced(tetrahedron_json, R"("mesh":0})", R"("mesh":0,)" + how + "}"), tetrahedron_buffer()), "f");
     EXPECT_GT(inspect(meshes.at(0).surface).shells.at(0).volume, 0);
   }
 }
@@ -352,10 +358,66 @@ TEST(ReadGlb, WrongFilesAreNamed) {
 TEST(ReadGlb, DeepNestingIsNoHarm) {
   constexpr std::size_t depth = 2'000'000;
   const std::string nest = std::string(depth, '[') + std::string(depth, ']');
-  EXPECT_EQ(cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"children\":[1]", "\"children\":" + nest), tetrahedron_buffer())),
+  EXPECT_EQ(cause_of(parse_glb,
+                     glb(replaced(tetrahedron_json, "\"children\":[1]", "\"children\":" + nest), tetrahedron_buffer())),
             "unparsable");
-  EXPECT_EQ(cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0", "\"extras\":" + nest), tetrahedron_buffer())),
-            "accepted");
+  EXPECT_EQ(
+      cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0", "\"extras\":" + nest), tetrahedron_buffer())),
+      "accepted");
+}
+
+/// A few bytes changed, a stretch removed or doubled: what a bad disk or a bad mind makes of a file.
+std::string damaged(std::string bytes, std::mt19937& random) {
+  const auto place = [&] { return random() % bytes.size(); };
+  for (std::size_t change = 0; change <= random() % 4 && !bytes.empty(); ++change) {
+    const std::size_t at = place(), length = std::min<std::size_t>(1 + random() % 8, bytes.size() - at);
+    switch (random() % 4) {
+      case 0:
+        bytes[at] = static_cast<char>(random());
+        break;
+      case 1:
+        bytes[at] = "0129-.,eE[]{}\"\n "[random() % 16];
+        break;
+      case 2:
+        bytes.erase(at, length);
+        break;
+      default:
+        bytes.insert(place(), bytes.substr(at, length));
+    }
+  }
+  return bytes;
+}
+
+TEST(ReadMesh, DamagedFilesAreReadOrRefusedNeverWorse) {
+  struct Case {
+    Parser parse;
+    std::string bytes;
+  };
+  const Case cases[] = {{parse_stl, binary_stl(shapes::tetrahedron())},
+                        {parse_stl, ascii_stl(shapes::tetrahedron(), "t")},
+                        {parse_ply, ply_text},
+                        {parse_ply, binary_ply(shapes::tetrahedron(), false)},
+                        {parse_ply, binary_ply(shapes::tetrahedron(), true)},
+                        {parse_glb, glb(tetrahedron_json, tetrahedron_buffer())}};
+  std::mt19937 random(1);
+  std::size_t refused = 0, read = 0;
+  for (const Case& one : cases) {
+    for (int round = 0; round < 3000; ++round) {
+      try {
+        for (const NamedMesh& mesh : one.parse(damaged(one.bytes, random), "file")) {
+          for (const Triangle& t : mesh.surface.triangles) {
+            for (const PointIndex v : t) ASSERT_LT(v, mesh.surface.points.size());
+          }
+          inspect(mesh.surface);
+        }
+        ++read;
+      } catch (const InputError&) {
+        ++refused;
+      }
+    }
+  }
+  EXPECT_GT(refused, 5000u);
+  EXPECT_GT(read, 500u);
 }
 
 TEST(ReadMesh, TheEndingDecides) {

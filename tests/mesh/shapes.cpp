@@ -164,7 +164,8 @@ SurfaceMesh moebius_strip(std::size_t n) {
       mesh.points.push_back({r * std::cos(u), r * std::sin(u), w * std::sin(u / 2)});
     }
   }
-  for (std::size_t i = 0; i + 1 < n; ++i) add_quad(mesh, index(2 * i), index(2 * i + 2), index(2 * i + 3), index(2 * i + 1));
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    add_quad(mesh, index(2 * i), index(2 * i + 2), index(2 * i + 3), index(2 * i + 1));
   add_quad(mesh, index(2 * n - 2), 1, 0, index(2 * n - 1));
   return mesh;
 }

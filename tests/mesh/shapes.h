@@ -1,5 +1,6 @@
 #pragma once
-// Surfaces and solids whose topology is known by construction. All are outward oriented unless their name says otherwise.
+// Surfaces and solids whose topology is known by construction. All are outward oriented unless their name says
+// otherwise.
 
 #include <cstddef>
 
@@ -14,8 +15,9 @@ SurfaceMesh cube(double x = 0, double y = 0, double z = 0, double side = 1);
 SurfaceMesh sphere(double radius, int levels);
 /// Round torus about the z axis: 2 * around * across triangles, genus 1.
 SurfaceMesh torus(double radius, double tube, std::size_t around, std::size_t across);
-/// Stacked contours as a slicer sees them: `layers` rings of `around` points on a bulging column, joined by bands and closed by two fans
-/// at the axis. With `terraced` every second layer repeats the ring below, so that walls and flat steps alternate.
+/// Stacked contours as a slicer sees them: `layers` rings of `around` points on a bulging column, joined by bands and
+/// closed by two fans at the axis. With `terraced` every second layer repeats the ring below, so that walls and flat
+/// steps alternate.
 struct ColumnOptions {
   std::size_t around = 60, layers = 40;
   bool terraced = false;

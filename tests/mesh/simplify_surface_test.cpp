@@ -49,7 +49,7 @@ TEST(SelfIntersection, FindsCubesThatPassThroughEachOther) {
 }
 
 TEST(Simplify, SphereKeepsItsPlace) {
-  const SurfaceMesh full = shapes::sphere(10, 5);   // 8192 triangles
+  const SurfaceMesh full = shapes::sphere(10, 5);  // 8192 triangles
   const SimplifiedSurface result = simplified(full, 500);
   expect_sound(full, result);
   EXPECT_LE(result.surface.triangles.size(), 500u);
@@ -70,7 +70,7 @@ TEST(Simplify, AimBelowTheTopologysNeedStopsThere) {
   const SurfaceMesh full = shapes::torus(8, 2, 30, 12);
   const SimplifiedSurface result = simplified(full, 2);
   expect_sound(full, result);
-  EXPECT_GE(result.surface.triangles.size(), 14u);   // no torus has fewer
+  EXPECT_GE(result.surface.triangles.size(), 14u);  // no torus has fewer
 }
 
 TEST(Simplify, CavityStaysACavityApartFromTheOutside) {

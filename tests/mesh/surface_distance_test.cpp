@@ -28,8 +28,8 @@ TEST(SurfaceDistance, ShiftedCubeByHand) {
   const auto distance = surface_distance(shapes::cube(), shapes::cube(0.5));
   ASSERT_TRUE(distance);
   EXPECT_NEAR(distance->there.largest, 0.5, 1e-12);
-  // Four faces: distance 0 over half and 0 to 0.5 over half, mean 0.125. Face x = 0: 0.5 everywhere. Face x = 1: distance to the
-  // sides of a square, at most 0.5: mean 1/6.
+  // Four faces: distance 0 over half and 0 to 0.5 over half, mean 0.125. Face x = 0: 0.5 everywhere. Face x = 1:
+  // distance to the sides of a square, at most 0.5: mean 1/6.
   EXPECT_NEAR(distance->there.mean, (4 * 0.125 + 0.5 + 1.0 / 6) / 6, 1e-4);
   EXPECT_NEAR(distance->back.mean, distance->there.mean, 1e-4);
 }

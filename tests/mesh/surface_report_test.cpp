@@ -71,7 +71,7 @@ TEST(SurfaceReport, InnerShellTurnedInsideOutIsACavity) {
   const SurfaceReport report = inspect(mesh);
   EXPECT_TRUE(report.closed_oriented_manifold());
   ASSERT_EQ(report.shells.size(), 2u);
-  EXPECT_EQ(report.shells[0].kind, Kind::external);   // larger area first
+  EXPECT_EQ(report.shells[0].kind, Kind::external);  // larger area first
   EXPECT_EQ(report.shells[1].kind, Kind::cavity);
   EXPECT_LT(report.shells[1].volume, 0);
   EXPECT_EQ(report.shell_of[0], 1u);
@@ -82,7 +82,7 @@ TEST(SurfaceReport, MissingTriangleLeavesThreeBoundaryEdges) {
   const SurfaceReport report = inspect(shapes::holed(shapes::sphere(1, 2), 17));
   EXPECT_EQ(report.boundary_edges, 3u);
   EXPECT_EQ(report.misoriented_edges, 0u);
-  EXPECT_EQ(report.nonmanifold_vertices, 0u);   // open fans are fans
+  EXPECT_EQ(report.nonmanifold_vertices, 0u);  // open fans are fans
   EXPECT_EQ(report.shells.at(0).kind, Kind::open);
   EXPECT_FALSE(report.closed_oriented_manifold());
 }
@@ -103,8 +103,8 @@ TEST(SurfaceReport, TwoHolesThatMeetInAVertexMakeItSingular) {
     }
     return common;
   };
-  const auto opposite = std::find_if(around.begin() + 1, around.end(),
-                                     [&](std::size_t t) { return shared(around[0], t) == 1; });
+  const auto opposite =
+      std::find_if(around.begin() + 1, around.end(), [&](std::size_t t) { return shared(around[0], t) == 1; });
   ASSERT_NE(opposite, around.end());
   const SurfaceReport report = inspect(shapes::holed(shapes::holed(mesh, *opposite), around[0]));
   EXPECT_EQ(report.boundary_edges, 6u);
@@ -115,7 +115,7 @@ TEST(SurfaceReport, FlippedTriangleIsFoundOnItsThreeEdges) {
   const SurfaceReport report = inspect(shapes::flipped(shapes::sphere(1, 2), 40));
   EXPECT_EQ(report.misoriented_edges, 3u);
   EXPECT_EQ(report.boundary_edges, 0u);
-  EXPECT_EQ(report.nonmanifold_vertices, 0u);   // the fans are whole, only turned
+  EXPECT_EQ(report.nonmanifold_vertices, 0u);  // the fans are whole, only turned
   EXPECT_EQ(report.shells.at(0).kind, Kind::open);
   EXPECT_FALSE(report.closed_oriented_manifold());
 }
@@ -125,7 +125,7 @@ TEST(SurfaceReport, CubesOnOneEdgeShareANonManifoldEdgeAndItsEnds) {
   EXPECT_EQ(report.nonmanifold_edges, 1u);
   EXPECT_EQ(report.nonmanifold_vertices, 2u);
   EXPECT_EQ(report.boundary_edges, 0u);
-  ASSERT_EQ(report.shells.size(), 1u);   // connected through the edge
+  ASSERT_EQ(report.shells.size(), 1u);  // connected through the edge
   EXPECT_EQ(report.shells[0].vertices, 14u);
   EXPECT_EQ(report.vertices, 14u);
 }
@@ -153,9 +153,9 @@ TEST(SurfaceReport, MoebiusStripHasOneMisorientedSeam) {
 
 TEST(SurfaceReport, DegenerateTrianglesAreFoundExactly) {
   SurfaceMesh mesh = shapes::cube();
-  mesh.points.push_back({0.5, 0.5, 0});   // on the diagonal 0-3 of the bottom
-  mesh.triangles.push_back({0, 8, 3});    // on one line
-  mesh.triangles.push_back({1, 1, 5});    // a vertex twice
+  mesh.points.push_back({0.5, 0.5, 0});  // on the diagonal 0-3 of the bottom
+  mesh.triangles.push_back({0, 8, 3});   // on one line
+  mesh.triangles.push_back({1, 1, 5});   // a vertex twice
   SurfaceReport report = inspect(mesh);
   EXPECT_EQ(report.degenerate_triangles, 2u);
   EXPECT_EQ(report.vertices, 9u);
@@ -192,7 +192,7 @@ TEST(SurfaceReport, VolumeSignIsExactFarFromTheOrigin) {
   EXPECT_EQ(inspect(mesh).shells.at(0).kind, Kind::external);
   EXPECT_EQ(inspect(shapes::inside_out(mesh)).shells.at(0).kind, Kind::cavity);
   mesh.points[3].z = 1e6;
-  EXPECT_EQ(inspect(mesh).shells.at(0).kind, Kind::open);   // flat: neither
+  EXPECT_EQ(inspect(mesh).shells.at(0).kind, Kind::open);  // flat: neither
 }
 
 TEST(SurfaceReport, EquilateralTriangleIsBest) {
@@ -203,9 +203,9 @@ TEST(SurfaceReport, EquilateralTriangleIsBest) {
 }
 
 TEST(SurfaceReport, NumberingDoesNotMatter) {
-  const SurfaceMesh shapes_with_everything[] = {
-      shapes::torus(5, 2, 30, 20), shapes::flipped(shapes::sphere(1, 2), 9), shapes::cubes_on_one_edge(),
-      shapes::cubes_on_one_vertex(), shapes::moebius_strip(9), shapes::holed(shapes::cube(), 3)};
+  const SurfaceMesh shapes_with_everything[] = {shapes::torus(5, 2, 30, 20), shapes::flipped(shapes::sphere(1, 2), 9),
+                                                shapes::cubes_on_one_edge(), shapes::cubes_on_one_vertex(),
+                                                shapes::moebius_strip(9),    shapes::holed(shapes::cube(), 3)};
   for (const SurfaceMesh& mesh : shapes_with_everything) {
     const SurfaceReport straight = inspect(mesh);
     for (unsigned seed = 0; seed < 5; ++seed) {

@@ -37,16 +37,17 @@ TEST(TetraReport, InvertedAndFlatElementsAreCountedExactly) {
   TetraMesh mesh = shapes::cube_of_five();
   std::swap(mesh.tetrahedra[1][0], mesh.tetrahedra[1][1]);
   EXPECT_EQ(inspect(mesh).non_positive, 1u);
-  mesh.tetrahedra.push_back({0, 1, 3, 2});   // all in the bottom
+  mesh.tetrahedra.push_back({0, 1, 3, 2});  // all in the bottom
   const TetraReport report = inspect(mesh);
   EXPECT_EQ(report.non_positive, 2u);
   EXPECT_NEAR(report.smallest_dihedral_deg.min, 0, 1e-5);
   EXPECT_NEAR(report.largest_dihedral_deg.max, 180, 1e-5);
   EXPECT_TRUE(std::isfinite(report.radius_edge_ratio.max));
   // Coordinates so far out that a rounded determinant has no sign.
-  const TetraMesh sliver{{{1e6, 1e6, 1e6}, {1e6 + 1, 1e6, 1e6}, {1e6, 1e6 + 1, 1e6}, {1e6, 1e6, std::nextafter(1e6, 2e6)}},
-                         {{0, 1, 2, 3}},
-                         {1}};
+  const TetraMesh sliver{
+      {{1e6, 1e6, 1e6}, {1e6 + 1, 1e6, 1e6}, {1e6, 1e6 + 1, 1e6}, {1e6, 1e6, std::nextafter(1e6, 2e6)}},
+      {{0, 1, 2, 3}},
+      {1}};
   EXPECT_EQ(inspect(sliver).non_positive, 0u);
 }
 

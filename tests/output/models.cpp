@@ -16,7 +16,8 @@ Solid solid(const std::string& structure, const SurfaceMesh& surface) {
 
 Reconstruction tooth_and_enamel() {
   Reconstruction made;
-  made.solids.push_back(solid("tooth", shapes::together(shapes::sphere(10, 4), shapes::inside_out(shapes::sphere(3, 3)))));
+  made.solids.push_back(
+      solid("tooth", shapes::together(shapes::sphere(10, 4), shapes::inside_out(shapes::sphere(3, 3)))));
   made.solids.push_back(solid("enamel", shapes::moved(shapes::torus(8, 2, 40, 20), 0.1, 0.2, 20)));
   made.counts.slices = 4;
   made.counts.contours = 9;

@@ -16,9 +16,10 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
   const auto report = nlohmann::ordered_json::parse(report_json(models::tooth_and_enamel()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links", "seconds",
-                                            "threads", "certified"}));
-  for (const char* key : {"slices", "contours", "points", "steiner_points"}) EXPECT_TRUE(report["input"].contains(key)) << key;
+  EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links",
+                                            "cut_links", "seconds", "threads", "certified"}));
+  for (const char* key : {"slices", "contours", "points", "steiner_points"})
+    EXPECT_TRUE(report["input"].contains(key)) << key;
   for (const char* key : {"kept", "restored", "lifted_points", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
     EXPECT_TRUE(report["tetrahedra"].contains(key)) << key;
   }
@@ -37,16 +38,20 @@ TEST(ReportJson, TellsWhatTheModelIs) {
   EXPECT_EQ(report["threads"], 2);
   EXPECT_EQ(report["input"]["points"], 812);
   EXPECT_EQ(report["input"]["steiner_points"], 17);
-  EXPECT_EQ(report["seconds"]["validate"], 1.0);   // both of its parts
+  EXPECT_EQ(report["seconds"]["validate"], 1.0);  // both of its parts
   EXPECT_EQ(report["resampling"], (json{{"exact", true}, {"slices_checked", 4}}));
-  EXPECT_EQ(report["links"][1],
-            (json{{"structure", "enamel"}, {"slice", 2}, {"lower", 3}, {"upper", 4}, {"connect", true}, {"criterion", "user"}}));
+  EXPECT_EQ(report["links"][1], (json{{"structure", "enamel"},
+                                      {"slice", 2},
+                                      {"lower", 3},
+                                      {"upper", 4},
+                                      {"connect", true},
+                                      {"criterion", "user"}}));
   const json& shells = report["surface"]["shells"];
   ASSERT_EQ(shells.size(), 3u);
   EXPECT_EQ(shells[1]["kind"], "cavity");
   EXPECT_EQ(shells[2]["structure"], "enamel");
   EXPECT_EQ(shells[2]["genus"], 1);
-  EXPECT_NEAR(report["tetrahedra"]["volume"], 2, 1e-12);   // two cubes
+  EXPECT_NEAR(report["tetrahedra"]["volume"], 2, 1e-12);  // two cubes
   EXPECT_NEAR(report["tetrahedra"]["dihedral_max_deg"], 90, 1e-6);
   EXPECT_FALSE(report.contains("simplification"));
 }
@@ -77,8 +82,8 @@ TEST(SurfaceReportJson, JudgesAFile) {
   EXPECT_EQ(good["closed_oriented_manifold"], true);
   EXPECT_EQ(good["surface"]["triangles"], 12);
   EXPECT_TRUE(good["meshes"][0].contains("smallest_angle_deg"));
-  const json bad = json::parse(
-      surface_report_json("a.stl", {{"whole", inspect(shapes::cube())}, {"open", inspect(shapes::holed(shapes::cube()))}}));
+  const json bad = json::parse(surface_report_json(
+      "a.stl", {{"whole", inspect(shapes::cube())}, {"open", inspect(shapes::holed(shapes::cube()))}}));
   EXPECT_EQ(bad["closed_oriented_manifold"], false);
   EXPECT_EQ(bad["surface"]["boundary_edges"], 3);
   EXPECT_TRUE(bad["meshes"][1]["shells"][0]["genus"].is_null());
