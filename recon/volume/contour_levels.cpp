@@ -141,11 +141,13 @@ ContourStack stacked(const Volume& volume, std::vector<TracedSlice>& slices) {
     place.file = volume.source;
     place.slice = first;
     place.z = height(volume, first);
-    throw InputError("single-slice", place, "all contours lie in this one slice", "choose a level that two slices reach");
+    throw InputError("single-slice", place, "all contours lie in this one slice",
+                     "choose a level that two slices reach");
   }
   ContourStack stack;
   stack.source = volume.source;
-  for (std::size_t k = first; k <= last; ++k) stack.slices.push_back({height(volume, k), std::move(slices[k].contours)});
+  for (std::size_t k = first; k <= last; ++k)
+    stack.slices.push_back({height(volume, k), std::move(slices[k].contours)});
   return stack;
 }
 

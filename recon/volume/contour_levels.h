@@ -13,8 +13,8 @@
 namespace odontoscope {
 
 struct TraceOptions {
-  /// Contours that enclose less than this are dropped, mm^2: an outer contour with all that lies inside it, and holes too. The area
-  /// is that within the contour itself, its holes not taken off.
+  /// Contours that enclose less than this are dropped, mm^2: an outer contour with all that lies inside it, and holes
+  /// too. The area is that within the contour itself, its holes not taken off.
   double min_area = 0;
 };
 
@@ -28,9 +28,9 @@ struct LevelReport {
 };
 
 struct TracedContours {
-  /// Slices of the volume by ascending z, from the first that has a contour to the last; those without any in between stay,
-  /// empty. In a slice: by level in the order given, then by lowest point. Outer contours counter-clockwise seen from +z, holes
-  /// clockwise.
+  /// Slices of the volume by ascending z, from the first that has a contour to the last; those without any in between
+  /// stay, empty. In a slice: by level in the order given, then by lowest point. Outer contours counter-clockwise seen
+  /// from +z, holes clockwise.
   ContourStack stack;
   std::vector<LevelReport> levels;
 };
@@ -45,9 +45,9 @@ struct LevelTracer {
 };
 
 /// Traces all levels in all slices, in parallel; the result does not depend on the number of threads. Stage "contours".
-/// Throws UsageError for a min_area that is negative or not finite, for two levels with one structure name and for none at all;
-/// InputError min-area-drops-all, single-slice (all contours lie in one slice), too-many-contours, too-many-points.
-/// Precondition: validate_volume passed and every tracer yields at least one contour.
+/// Throws UsageError for a min_area that is negative or not finite, for two levels with one structure name and for none
+/// at all; InputError min-area-drops-all, single-slice (all contours lie in one slice), too-many-contours,
+/// too-many-points. Precondition: validate_volume passed and every tracer yields at least one contour.
 TracedContours trace_levels(const Volume& volume, const std::vector<LevelTracer>& tracers, const TraceOptions& options,
                             const Progress& progress);
 

@@ -20,9 +20,11 @@ constexpr std::string_view mark = "DICM";
 constexpr std::uint32_t undefined_length = 0xffffffff;
 
 constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element) { return group << 16 | element; }
-constexpr std::uint32_t storage_class = tag(0x0002, 0x0002), transfer_syntax = tag(0x0002, 0x0010), series_uid = tag(0x0020, 0x000e);
-constexpr std::uint32_t samples_per_pixel = tag(0x0028, 0x0002), frames = tag(0x0028, 0x0008), rows = tag(0x0028, 0x0010),
-                        columns = tag(0x0028, 0x0011), bits_allocated = tag(0x0028, 0x0100), pixel_data = tag(0x7fe0, 0x0010);
+constexpr std::uint32_t storage_class = tag(0x0002, 0x0002), transfer_syntax = tag(0x0002, 0x0010),
+                        series_uid = tag(0x0020, 0x000e);
+constexpr std::uint32_t samples_per_pixel = tag(0x0028, 0x0002), frames = tag(0x0028, 0x0008),
+                        rows = tag(0x0028, 0x0010), columns = tag(0x0028, 0x0011), bits_allocated = tag(0x0028, 0x0100),
+                        pixel_data = tag(0x7fe0, 0x0010);
 constexpr std::uint32_t item = tag(0xfffe, 0xe000), item_end = tag(0xfffe, 0xe00d), sequence_end = tag(0xfffe, 0xe0dd);
 
 /// Elements that GDCM reads without asking how they are represented.
@@ -50,8 +52,8 @@ constexpr std::array<Expected, 19> expected_representations{{{samples_per_pixel,
                                                              {tag(0x0020, 0x0037), "DS"},
                                                              {series_uid, "UI"}}};
 
-/// Classes of objects that are slices or volumes, whole families of them (CT, MR, secondary capture, 3D X-ray, PET): one without
-/// pixels has lost them.
+/// Classes of objects that are slices or volumes, whole families of them (CT, MR, secondary capture, 3D X-ray, PET):
+/// one without pixels has lost them.
 constexpr std::array<std::string_view, 5> image_classes{"1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.4",
                                                         "1.2.840.10008.5.1.4.1.1.7", "1.2.840.10008.5.1.4.1.1.13.1",
                                                         "1.2.840.10008.5.1.4.1.1.128"};
@@ -172,7 +174,8 @@ class Walk {
     constexpr std::string_view implicit_little = "1.2.840.10008.1.2", deflated = "1.2.840.10008.1.2.1.99",
                                big_endian = "1.2.840.10008.1.2.2";
     if (syntax.empty()) source_.refuse("it names no transfer syntax");
-    if (syntax == deflated || syntax == big_endian) source_.refuse(fmt::format("transfer syntax {} is not supported", syntax));
+    if (syntax == deflated || syntax == big_endian)
+      source_.refuse(fmt::format("transfer syntax {} is not supported", syntax));
     coding_ = syntax == implicit_little ? Coding::implicit_vr : Coding::explicit_vr;
   }
 
@@ -188,15 +191,17 @@ class Walk {
     std::copy(vr.begin(), vr.end(), element.vr.begin());
     constexpr std::array<std::string_view, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
                                                          "UC", "UR", "UT", "UN", "SV", "UV"};
-    constexpr std::array<std::string_view, 21> short_ones{"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO",
-                                                          "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
+    constexpr std::array<std::string_view, 21> short_ones{"AE", "AS", "AT", "CS", "DA", "DS", "DT",
+                                                          "FL", "FD", "IS", "LO", "LT", "PN", "SH",
+                                                          "SL", "SS", "ST", "TM", "UI", "UL", "US"};
     if (std::find(long_ones.begin(), long_ones.end(), vr) != long_ones.end()) {
       source_.take(2, end);
       element.length = source_.number(4, end);
     } else if (std::find(short_ones.begin(), short_ones.end(), vr) != short_ones.end()) {
       element.length = source_.number(2, end);
     } else {
-      source_.refuse(fmt::format("element ({:04x},{:04x}) has no value representation of DICOM", group, element.tag & 0xffff));
+      source_.refuse(
+          fmt::format("element ({:04x},{:04x}) has no value representation of DICOM", group, element.tag & 0xffff));
     }
     return element;
   }
@@ -205,8 +210,8 @@ class Walk {
     if (coding_ == Coding::implicit_vr) return;
     for (const Expected& expected : expected_representations) {
       if (element.tag != expected.tag || element.is(expected.vr)) continue;
-      source_.refuse(fmt::format("element ({:04x},{:04x}) is not represented as {}", element.tag >> 16, element.tag & 0xffff,
-                                 expected.vr));
+      source_.refuse(fmt::format("element ({:04x},{:04x}) is not represented as {}", element.tag >> 16,
+                                 element.tag & 0xffff, expected.vr));
     }
   }
 
@@ -214,19 +219,32 @@ class Walk {
     check_representation(element);
     if (!element.is_undefined()) source_.require(element.length, source_.size());
     switch (element.tag) {
-      case series_uid: series_ = text(element); return;
-      case rows: pixels_.rows = small_number(element); return;
-      case columns: pixels_.columns = small_number(element); return;
-      case samples_per_pixel: pixels_.samples = small_number(element); return;
-      case bits_allocated: pixels_.bits = small_number(element); return;
-      case frames: pixels_.frames = decimal(element); return;
+      case series_uid:
+        series_ = text(element);
+        return;
+      case rows:
+        pixels_.rows = small_number(element);
+        return;
+      case columns:
+        pixels_.columns = small_number(element);
+        return;
+      case samples_per_pixel:
+        pixels_.samples = small_number(element);
+        return;
+      case bits_allocated:
+        pixels_.bits = small_number(element);
+        return;
+      case frames:
+        pixels_.frames = decimal(element);
+        return;
       case pixel_data:
         pixels_.there = true;
         pixels_.compressed = element.is_undefined();
         pixels_.length = element.length;
         if (pixels_.compressed) return walk_fragments();
         return skip(element);
-      default: return walk_value(element, coding_, source_.size(), 0);
+      default:
+        return walk_value(element, coding_, source_.size(), 0);
     }
   }
 
@@ -252,7 +270,8 @@ class Walk {
 
   void walk_item(const Element& element, Coding coding, std::uint64_t end, int depth) {
     if (element.tag != item) source_.refuse("a sequence holds something else than items");
-    if (depth > limits::dicom_nesting) source_.refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
+    if (depth > limits::dicom_nesting)
+      source_.refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
     if (!element.is_undefined()) source_.require(element.length, end);
     const std::uint64_t own_end = element.is_undefined() ? end : source_.at() + element.length;
     while (element.is_undefined() || source_.at() < own_end) {
@@ -300,10 +319,12 @@ class Walk {
   void check_pixels() const {
     if (pixels_.rows == 0 && !is_image_class_) return;
     if (pixels_.rows == 0 || !pixels_.there) {
-      throw InputError("truncated-volume", source_.place(), "the image's pixels are missing", "get a whole copy of the file");
+      throw InputError("truncated-volume", source_.place(), "the image's pixels are missing",
+                       "get a whole copy of the file");
     }
     if (pixels_.samples != 1) {
-      throw InputError("not-scalar", source_.place(), fmt::format("each pixel has {} numbers (a colour)", pixels_.samples),
+      throw InputError("not-scalar", source_.place(),
+                       fmt::format("each pixel has {} numbers (a colour)", pixels_.samples),
                        "give a grey-scale series");
     }
     constexpr std::array<std::uint64_t, 4> whole_bytes{8, 16, 32, 64};
@@ -317,8 +338,8 @@ class Walk {
                           static_cast<double>(pixels_.samples * pixels_.bits) / 8;
     if (static_cast<double>(pixels_.length) >= needed) return;
     throw InputError("truncated-volume", source_.place(),
-                     fmt::format("{} rows of {} pixels need {:.0f} bytes, it has {}", pixels_.rows, pixels_.columns, needed,
-                                 pixels_.length),
+                     fmt::format("{} rows of {} pixels need {:.0f} bytes, it has {}", pixels_.rows, pixels_.columns,
+                                 needed, pixels_.length),
                      "get a whole copy of the file");
   }
 

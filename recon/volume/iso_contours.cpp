@@ -57,11 +57,12 @@ void check_crossed(const Volume& volume, ValueRange range, double threshold) {
   if (!all && !none) return;
   Place place;
   place.file = volume.source;
-  throw InputError("nothing-crosses-iso", place,
-                   fmt::format("nothing crosses the iso value {}: {} voxel has at least that value; the volume's values run "
-                               "from {} to {}",
-                               threshold, all ? "every" : "no", range.lowest, range.highest),
-                   "give an iso value above the lowest and up to the highest value");
+  throw InputError(
+      "nothing-crosses-iso", place,
+      fmt::format("nothing crosses the iso value {}: {} voxel has at least that value; the volume's values run "
+                  "from {} to {}",
+                  threshold, all ? "every" : "no", range.lowest, range.highest),
+      "give an iso value above the lowest and up to the highest value");
 }
 
 }  // namespace

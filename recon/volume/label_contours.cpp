@@ -57,7 +57,8 @@ std::string some_values(const Volume& volume) {
 
 void check_label(const Volume& volume, std::int64_t label) {
   if (label > limits::largest_label || label < -limits::largest_label) {
-    throw UsageError(fmt::format("the label {} is beyond {}", label, limits::largest_label), "number the labels from 1 up");
+    throw UsageError(fmt::format("the label {} is beyond {}", label, limits::largest_label),
+                     "number the labels from 1 up");
   }
   if (std::find(volume.values.begin(), volume.values.end(), static_cast<float>(label)) != volume.values.end()) return;
   Place place;

@@ -1,14 +1,15 @@
 #pragma once
 // Contours of the labels of a label map (a segmentation: each pixel's value names what it is).
 //
-// A pixel is inside a label where its value equals it. Contours cross grid edges at their midpoints, so a label's outline runs
-// through pixel edges' middles with its corners cut at 45 degrees, and the wall between two labels is one and the same line in both: they
-// coincide there exactly. Pixels of one label that meet only across a corner are not joined, so different labels never
-// overlap; where three or four labels meet in a cell they leave a small void between them, up to 1/2 of a pixel in area. At the
-// image's border the contour runs half a pixel outside the outermost centres.
+// A pixel is inside a label where its value equals it. Contours cross grid edges at their midpoints, so a label's
+// outline runs through pixel edges' middles with its corners cut at 45 degrees, and the wall between two labels is one
+// and the same line in both: they coincide there exactly. Pixels of one label that meet only across a corner are not
+// joined, so different labels never overlap; where three or four labels meet in a cell they leave a small void between
+// them, up to 1/2 of a pixel in area. At the image's border the contour runs half a pixel outside the outermost
+// centres.
 //
-// All contours of a label are closed, simple and pairwise disjoint. The zigzag of pixels stays: simplify_contours with a tolerance of
-// about half a pixel smooths it.
+// All contours of a label are closed, simple and pairwise disjoint. The zigzag of pixels stays: simplify_contours with
+// a tolerance of about half a pixel smooths it.
 
 #include <cstdint>
 
@@ -22,8 +23,9 @@ struct LabelLevel {
   std::string structure = "tooth";
 };
 
-/// Throws InputError label-not-found, naming labels that are there, and what validate_volume and trace_levels throw; UsageError for a
-/// label beyond limits::largest_label. A label that fills the whole volume is contoured along the border.
+/// Throws InputError label-not-found, naming labels that are there, and what validate_volume and trace_levels throw;
+/// UsageError for a label beyond limits::largest_label. A label that fills the whole volume is contoured along the
+/// border.
 TracedContours label_contours(const Volume& volume, const std::vector<LabelLevel>& labels,
                               const TraceOptions& options = {}, const Progress& progress = {});
 

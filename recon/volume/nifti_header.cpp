@@ -40,7 +40,8 @@ class NiftiHeader {
       refuse("unreadable-volume", path, "it is shorter than a NIfTI header");
     }
     swapped_ = field<std::int32_t>(0) != static_cast<std::int32_t>(header_size);
-    if (field<std::int32_t>(0) != static_cast<std::int32_t>(header_size)) refuse("unreadable-volume", path, "it is no NIfTI-1 file");
+    if (field<std::int32_t>(0) != static_cast<std::int32_t>(header_size))
+      refuse("unreadable-volume", path, "it is no NIfTI-1 file");
   }
 
   template <class T>
@@ -72,18 +73,34 @@ class NiftiHeader {
 
 std::size_t bytes_each(const std::string& path, std::int16_t datatype) {
   switch (datatype) {
-    case 2: case 256: return 1;                 // unsigned and signed 8 bit
-    case 4: case 512: return 2;                 // 16 bit
-    case 8: case 768: case 16: return 4;        // 32 bit, float
-    case 1024: case 1280: case 64: return 8;    // 64 bit, double
-    case 128: case 2304: case 32: case 1792: refuse("not-scalar", path, "the voxels are colours or complex numbers");
-    default: refuse("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
+    case 2:
+    case 256:
+      return 1;  // unsigned and signed 8 bit
+    case 4:
+    case 512:
+      return 2;  // 16 bit
+    case 8:
+    case 768:
+    case 16:
+      return 4;  // 32 bit, float
+    case 1024:
+    case 1280:
+    case 64:
+      return 8;  // 64 bit, double
+    case 128:
+    case 2304:
+    case 32:
+    case 1792:
+      refuse("not-scalar", path, "the voxels are colours or complex numbers");
+    default:
+      refuse("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
   }
 }
 
 std::size_t voxels_of(const std::string& path, const NiftiHeader& header) {
   const std::int16_t dimensions = header.field<std::int16_t>(40);
-  if (dimensions < 1 || dimensions > 7) refuse("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
+  if (dimensions < 1 || dimensions > 7)
+    refuse("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
   double voxels = 1;
   for (std::size_t n = 1; n <= static_cast<std::size_t>(dimensions); ++n) {
     const std::int16_t length = header.field<std::int16_t>(40 + 2 * n);
@@ -135,7 +152,8 @@ PixelClaim read_nifti_header(const std::string& path) {
   const std::string header_path = header_of_pair(path);
   const NiftiHeader header(header_path);
   const bool one_file = header.magic() == "n+1";
-  if (!one_file && header.magic() != "ni1") refuse("unreadable-volume", path, "it lacks the mark of NIfTI-1 (Analyze 7.5 is not read)");
+  if (!one_file && header.magic() != "ni1")
+    refuse("unreadable-volume", path, "it lacks the mark of NIfTI-1 (Analyze 7.5 is not read)");
   check_geometry(path, header);
 
   PixelClaim claim;

@@ -26,9 +26,9 @@ struct FloatPixels {
   bool swapped = false;        // stored in the other byte order
 };
 
-/// Throws FileError if the file is missing or no plain file; InputError truncated-volume if it holds fewer than `bytes` bytes of pixels
-/// (deflated data is unpacked to count them; other packings are held to limits::compression_ratio), damaged-volume if
-/// unpacking fails, not-finite if one of `floats` is NaN or infinite.
+/// Throws FileError if the file is missing or no plain file; InputError truncated-volume if it holds fewer than `bytes`
+/// bytes of pixels (deflated data is unpacked to count them; other packings are held to limits::compression_ratio),
+/// damaged-volume if unpacking fails, not-finite if one of `floats` is NaN or infinite.
 void check_pixel_file(const PixelFile& file, std::size_t bytes, FloatPixels floats = {});
 
 }  // namespace odontoscope

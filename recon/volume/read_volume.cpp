@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The libraries' messages off, and back to what they were at the end. What they say that matters comes as an exception.
+/// The libraries' messages off, and back to what they were at the end. What they say that matters comes as an
+/// exception.
 class Quiet {
  public:
   Quiet() : itk_(itk::Object::GetGlobalWarningDisplay()), cerr_(std::cerr.rdbuf(&nowhere_)) {

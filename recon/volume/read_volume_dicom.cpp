@@ -56,7 +56,8 @@ std::vector<std::string> files_of_series(const std::string& path, const Progress
   const auto all = images_by_series(folder, progress);
   if (folder_given) {
     if (all.empty()) {
-      throw InputError("no-dicom-images", in_file(path), "the folder holds no DICOM image", "give the folder of a series");
+      throw InputError("no-dicom-images", in_file(path), "the folder holds no DICOM image",
+                       "give the folder of a series");
     }
     if (all.size() > 1) {
       throw InputError("several-series", in_file(path),
@@ -69,7 +70,8 @@ std::vector<std::string> files_of_series(const std::string& path, const Progress
   const DicomHeader own = read_dicom_header(path);
   const auto found = own.is_image ? all.find(own.series) : all.end();
   if (found == all.end()) {
-    throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image", "give a file of an image series");
+    throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image",
+                     "give a file of an image series");
   }
   return found->second;
 }
@@ -121,10 +123,11 @@ double slice_spacing(const std::vector<OpenedImage>& slices, const Vector3& norm
     }
     sideways = std::sqrt(std::max(0.0, sideways - uneven * uneven));
     if (!(std::abs(uneven) <= limits::slice_unevenness * spacing)) {
-      throw InputError("uneven-slices", in_file(image.source),
-                       fmt::format("it lies {} mm off the even spacing of {} mm of {} slices: one is missing or doubled", uneven,
-                                   spacing, slices.size()),
-                       "complete the series, or resample it evenly");
+      throw InputError(
+          "uneven-slices", in_file(image.source),
+          fmt::format("it lies {} mm off the even spacing of {} mm of {} slices: one is missing or doubled", uneven,
+                      spacing, slices.size()),
+          "complete the series, or resample it evenly");
     }
     if (!(sideways <= limits::slice_unevenness * spacing)) {
       throw InputError("sheared-volume", in_file(image.source),

@@ -8,8 +8,8 @@
 
 namespace odontoscope {
 
-/// `path` is a folder with one series, or a file of the wanted one in its folder; a file of several frames is a volume of its own.
-/// Files that are no DICOM images are passed over.
+/// `path` is a folder with one series, or a file of the wanted one in its folder; a file of several frames is a volume
+/// of its own. Files that are no DICOM images are passed over.
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress);
 
 }  // namespace odontoscope

@@ -29,7 +29,8 @@ void check_kind(const OpenedImage& opened) {
     }
   }
   if (io.GetComponentType() == Component::UNKNOWNCOMPONENTTYPE || io.GetPixelType() == itk::IOPixelEnum::COMPLEX) {
-    throw InputError("pixel-type", place, "the voxels are no integer or floating-point numbers", "convert them to such");
+    throw InputError("pixel-type", place, "the voxels are no integer or floating-point numbers",
+                     "convert them to such");
   }
 }
 
@@ -45,19 +46,32 @@ void convert(const std::vector<std::byte>& raw, float* to) {
 
 void convert_as(Component type, const std::vector<std::byte>& raw, float* to) {
   switch (type) {
-    case Component::UCHAR: return convert<unsigned char>(raw, to);
-    case Component::CHAR: return convert<signed char>(raw, to);
-    case Component::USHORT: return convert<unsigned short>(raw, to);
-    case Component::SHORT: return convert<short>(raw, to);
-    case Component::UINT: return convert<unsigned int>(raw, to);
-    case Component::INT: return convert<int>(raw, to);
-    case Component::ULONG: return convert<unsigned long>(raw, to);
-    case Component::LONG: return convert<long>(raw, to);
-    case Component::ULONGLONG: return convert<unsigned long long>(raw, to);
-    case Component::LONGLONG: return convert<long long>(raw, to);
-    case Component::FLOAT: return convert<float>(raw, to);
-    case Component::DOUBLE: return convert<double>(raw, to);
-    default: throw InternalError("an unknown pixel type got past the header");
+    case Component::UCHAR:
+      return convert<unsigned char>(raw, to);
+    case Component::CHAR:
+      return convert<signed char>(raw, to);
+    case Component::USHORT:
+      return convert<unsigned short>(raw, to);
+    case Component::SHORT:
+      return convert<short>(raw, to);
+    case Component::UINT:
+      return convert<unsigned int>(raw, to);
+    case Component::INT:
+      return convert<int>(raw, to);
+    case Component::ULONG:
+      return convert<unsigned long>(raw, to);
+    case Component::LONG:
+      return convert<long>(raw, to);
+    case Component::ULONGLONG:
+      return convert<unsigned long long>(raw, to);
+    case Component::LONGLONG:
+      return convert<long long>(raw, to);
+    case Component::FLOAT:
+      return convert<float>(raw, to);
+    case Component::DOUBLE:
+      return convert<double>(raw, to);
+    default:
+      throw InternalError("an unknown pixel type got past the header");
   }
 }
 
@@ -72,7 +86,8 @@ void throw_unreadable(const std::string& file, const std::string& part, const st
     words.erase(0, std::min(words.find("): ", address), words.size() - 3) + 3);
   }
   words.resize(std::min(words.size(), enough));
-  std::replace_if(words.begin(), words.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, ' ');
+  std::replace_if(
+      words.begin(), words.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, ' ');
   Place place;
   place.file = file;
   throw InputError("unreadable-volume", place, fmt::format("its {} cannot be read: {}", part, words),
@@ -94,7 +109,8 @@ OpenedImage open_image(itk::ImageIOBase::Pointer io, const std::string& file) {
       image.spacing[n] = io->GetSpacing(n);
       image.origin[n] = io->GetOrigin(n);
       const std::vector<double> direction = io->GetDirection(n);
-      for (std::size_t axis = 0; axis < 3; ++axis) image.direction[n][axis] = axis < direction.size() ? direction[axis] : 0;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        image.direction[n][axis] = axis < direction.size() ? direction[axis] : 0;
     }
   } catch (const itk::ExceptionObject& error) {
     throw_unreadable(file, "header", error.GetDescription());

@@ -1,6 +1,6 @@
 #pragma once
-// One image through one of ITK's ImageIO classes, with its header looked at before its pixels. Inner part of read_volume.h; the only
-// header here that knows ITK.
+// One image through one of ITK's ImageIO classes, with its header looked at before its pixels. Inner part of
+// read_volume.h; the only header here that knows ITK.
 
 #include <itkImageIOBase.h>
 

@@ -140,14 +140,16 @@ class SliceGraph {
 
   /// Numbers follow from the places alone, and so does every later choice between equals.
   void number_points(const Slice& slice) {
-    for (const Contour& contour : slice.contours) points_.insert(points_.end(), contour.points.begin(), contour.points.end());
+    for (const Contour& contour : slice.contours)
+      points_.insert(points_.end(), contour.points.begin(), contour.points.end());
     std::sort(points_.begin(), points_.end(), before);
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     vertices_.resize(points_.size());
     for (const Contour& contour : slice.contours) {
       std::vector<VertexId>& ids = contours_.emplace_back();
       for (const Point2 p : contour.points) {
-        ids.push_back(static_cast<VertexId>(std::lower_bound(points_.begin(), points_.end(), p, before) - points_.begin()));
+        ids.push_back(
+            static_cast<VertexId>(std::lower_bound(points_.begin(), points_.end(), p, before) - points_.begin()));
       }
     }
   }
@@ -281,7 +283,8 @@ std::size_t count_points(const ContourStack& stack) {
 
 }  // namespace
 
-SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options, const Progress& progress) {
+SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options,
+                                     const Progress& progress) {
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance)) {
     throw UsageError(fmt::format("the tolerance {} is not a finite number of at least 0", options.tolerance),
                      "give a distance in millimetres (--simplify E)");

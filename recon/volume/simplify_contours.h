@@ -1,15 +1,16 @@
 #pragma once
-// Fewer points for the same contours: greedy removal of the point whose loss changes its contour least, while the topology of the
-// whole slice stays as it is.
+// Fewer points for the same contours: greedy removal of the point whose loss changes its contour least, while the
+// topology of the whole slice stays as it is.
 //
-// Dyken, Dæhlen and Sevaldrud, "Simultaneous curve simplification" (2009), with the distance to the replaced points as cost, which is
-// also what CGAL's Polyline_simplification_2 does. A point may go if the triangle that it spans with its two neighbours holds no other point
-// of the slice (exact orientation test) and its neighbours are not joined already: then no edge can lie in the new edge's way. So
-// contours stay closed, simple and disjoint, nesting stays, and each keeps at least three points.
+// Dyken, Dæhlen and Sevaldrud, "Simultaneous curve simplification" (2009), with the distance to the replaced points as
+// cost, which is also what CGAL's Polyline_simplification_2 does. A point may go if the triangle that it spans with its
+// two neighbours holds no other point of the slice (exact orientation test) and its neighbours are not joined already:
+// then no edge can lie in the new edge's way. So contours stay closed, simple and disjoint, nesting stays, and each
+// keeps at least three points.
 //
-// All structures of a slice are treated at once. Where contours of different structures coincide (same points, same edges) they
-// lose the same points and go on coinciding; a point where they part stays. Where they cross, or touch elsewhere than in
-// points of both, each stays valid for itself but the crossing may move by up to the tolerance.
+// All structures of a slice are treated at once. Where contours of different structures coincide (same points, same
+// edges) they lose the same points and go on coinciding; a point where they part stays. Where they cross, or touch
+// elsewhere than in points of both, each stays valid for itself but the crossing may move by up to the tolerance.
 
 #include <cstddef>
 
@@ -19,7 +20,8 @@
 namespace odontoscope {
 
 struct SimplifyContoursOptions {
-  /// Largest distance between a contour and its simplification, either way, mm. 0 removes only points on straight lines.
+  /// Largest distance between a contour and its simplification, either way, mm. 0 removes only points on straight
+  /// lines.
   double tolerance = 0;
 };
 
@@ -28,12 +30,13 @@ struct SimplifiedContours {
   ContourStack stack;
   std::size_t points_before = 0;
   std::size_t points_after = 0;
-  /// Measured Hausdorff distance between a contour and its simplification, the largest of all, mm; at most the tolerance.
+  /// Measured Hausdorff distance between a contour and its simplification, the largest of all, mm; at most the
+  /// tolerance.
   double largest_deviation = 0;
 };
 
-/// Precondition: `validate` passed. Slices run in parallel; the result depends neither on the number of threads nor on which point a contour
-/// starts at. Stage "simplify". Throws UsageError for a tolerance that is negative or not finite.
+/// Precondition: `validate` passed. Slices run in parallel; the result depends neither on the number of threads nor on
+/// which point a contour starts at. Stage "simplify". Throws UsageError for a tolerance that is negative or not finite.
 SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options,
                                      const Progress& progress = {});
 

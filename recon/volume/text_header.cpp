@@ -43,8 +43,9 @@ TextHeader read_text_header(const std::string& path, const TextHeaderRules& rule
   std::size_t number = 1;
   for (char c; in.get(c);) {
     if (++header.end > limits::header_bytes || line.size() > limits::header_line) {
-      refuse(path, number, fmt::format("its header has a line of more than {} or more than {} characters in all",
-                                       limits::header_line, limits::header_bytes));
+      refuse(path, number,
+             fmt::format("its header has a line of more than {} or more than {} characters in all", limits::header_line,
+                         limits::header_bytes));
     }
     if (c != '\n') {
       line += c;

@@ -29,8 +29,8 @@ struct TextHeaderRules {
   OddLines odd_lines = OddLines::passed_over;
 };
 
-/// Throws InputError unreadable-volume for refused lines and if the header or a line of it is longer than limits::header_bytes or
-/// limits::header_line.
+/// Throws InputError unreadable-volume for refused lines and if the header or a line of it is longer than
+/// limits::header_bytes or limits::header_line.
 TextHeader read_text_header(const std::string& path, const TextHeaderRules& rules);
 
 /// Path of a data file that the header at `header` names; many-data-files if the name is a list or a pattern.

@@ -1,5 +1,3 @@
-#include "recon/volume/volume_header.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/volume/text_header.h"
+#include "recon/volume/volume_header.h"
 
 namespace odontoscope {
 namespace {
@@ -43,13 +42,15 @@ constexpr std::array<ElementType, 12> element_types{{{"MET_CHAR", 1, false},
                                                      {"MET_FLOAT", 4, true},
                                                      {"MET_DOUBLE", 8, true}}};
 
-/// A MetaImage header by key; each may come once only, since the reader behind takes the last of two for the first one's memory.
+/// A MetaImage header by key; each may come once only, since the reader behind takes the last of two for the first
+/// one's memory.
 class MetaFields {
  public:
   MetaFields(const std::string& path, const TextHeader& header) : path_(path) {
     for (const HeaderField& field : header.fields) {
       if (!values_.emplace(field.key, field.value).second) {
-        refuse("unreadable-volume", path, fmt::format("its header gives {} twice", field.key.substr(0, limits::quoted_length)));
+        refuse("unreadable-volume", path,
+               fmt::format("its header gives {} twice", field.key.substr(0, limits::quoted_length)));
       }
     }
   }
@@ -67,7 +68,8 @@ class MetaFields {
 
   bool is_true(const std::string& key) const {
     const std::string* value = find(key);
-    return value != nullptr && !value->empty() && (value->front() == 'T' || value->front() == 't' || value->front() == '1');
+    return value != nullptr && !value->empty() &&
+           (value->front() == 'T' || value->front() == 't' || value->front() == '1');
   }
 
   /// Exactly `count` finite numbers.
@@ -83,7 +85,8 @@ class MetaFields {
       found.push_back(number);
     }
     if (found.size() != count) {
-      refuse("unreadable-volume", path_, fmt::format("its header's {} has {} numbers instead of {}", key, found.size(), count));
+      refuse("unreadable-volume", path_,
+             fmt::format("its header's {} has {} numbers instead of {}", key, found.size(), count));
     }
     return found;
   }
@@ -105,7 +108,8 @@ class MetaFields {
 std::size_t voxels_of(const std::string& path, const std::vector<double>& size) {
   double voxels = 1;
   for (const double length : size) {
-    if (length != std::floor(length) || length < 1) refuse("empty-volume", path, fmt::format("one of its sizes is {}", length));
+    if (length != std::floor(length) || length < 1)
+      refuse("empty-volume", path, fmt::format("one of its sizes is {}", length));
     voxels *= length;
   }
   if (voxels > static_cast<double>(limits::voxels)) {
@@ -116,9 +120,11 @@ std::size_t voxels_of(const std::string& path, const std::vector<double>& size) 
 
 const ElementType& element_type(const std::string& path, const MetaFields& fields) {
   const std::string& name = fields.get("elementtype");
-  const auto type = std::find_if(element_types.begin(), element_types.end(), [&](const auto& t) { return t.name == name; });
+  const auto type =
+      std::find_if(element_types.begin(), element_types.end(), [&](const auto& t) { return t.name == name; });
   if (type == element_types.end()) {
-    refuse("pixel-type", path, fmt::format("the voxels are {}: no plain numbers", name.substr(0, limits::quoted_length)));
+    refuse("pixel-type", path,
+           fmt::format("the voxels are {}: no plain numbers", name.substr(0, limits::quoted_length)));
   }
   return *type;
 }

@@ -1,13 +1,14 @@
 #pragma once
 // Marching squares as a walk along each contour, for one slice. Inner part of iso_contours.h and label_contours.h.
 //
-// The grid is the slice's pixel centres with a ring of virtual pixels around them that are always outside. A contour crosses
-// every grid edge between an inside and an outside pixel exactly once, strictly between the two, and runs straight through
-// every cell. Two chords of one cell never join interleaved edges, so they cannot meet; hence all contours are closed,
-// simple and pairwise disjoint, also after rounding, as long as `crossing` stays strictly between its grid vertices.
+// The grid is the slice's pixel centres with a ring of virtual pixels around them that are always outside. A contour
+// crosses every grid edge between an inside and an outside pixel exactly once, strictly between the two, and runs
+// straight through every cell. Two chords of one cell never join interleaved edges, so they cannot meet; hence all
+// contours are closed, simple and pairwise disjoint, also after rounding, as long as `crossing` stays strictly between
+// its grid vertices.
 //
-// Lorensen and Cline, "Marching cubes" (1987), in two dimensions; the ambiguous cell (two inside pixels across its diagonal) is
-// left to the field: one answer a cell, so that both walks through it agree.
+// Lorensen and Cline, "Marching cubes" (1987), in two dimensions; the ambiguous cell (two inside pixels across its
+// diagonal) is left to the field: one answer a cell, so that both walks through it agree.
 
 #include <cstddef>
 #include <vector>
@@ -40,8 +41,8 @@ struct Stand {
   friend bool operator==(const Stand&, const Stand&) = default;
 };
 
-/// Field: bool inside(Vertex); bool joined(Vertex a, Vertex b, Vertex c, Vertex d), asked for a cell with a and b inside, across
-/// the diagonal, and c and d outside: are a and b one region there?
+/// Field: bool inside(Vertex); bool joined(Vertex a, Vertex b, Vertex c, Vertex d), asked for a cell with a and b
+/// inside, across the diagonal, and c and d outside: are a and b one region there?
 template <class Field>
 Stand next(const Field& field, const Stand& stand) {
   const Vertex near_right = stand.outside();
@@ -55,9 +56,10 @@ Stand next(const Field& field, const Stand& stand) {
   return {stand.inside, turned_left(stand.ahead)};
 }
 
-/// Calls `take(std::vector<Point2>&&)` for every contour of the slice, inside on its left (outer contours counter-clockwise,
-/// holes clockwise), in the order of their lowest, then leftmost rising crossing, which is also their first point. Stops early when
-/// `take` returns false. Field also has Point2 crossing(Vertex inside, Vertex outside), strictly between the two.
+/// Calls `take(std::vector<Point2>&&)` for every contour of the slice, inside on its left (outer contours
+/// counter-clockwise, holes clockwise), in the order of their lowest, then leftmost rising crossing, which is also
+/// their first point. Stops early when `take` returns false. Field also has Point2 crossing(Vertex inside, Vertex
+/// outside), strictly between the two.
 template <class Field, class Take>
 void contours(const Field& field, std::size_t width, std::size_t height, const Take& take) {
   std::vector<bool> visited(width * height, false);  // rising crossings to the right of each pixel
@@ -85,8 +87,8 @@ class Grid {
  public:
   Grid(Point2 origin, Point2 spacing) : origin_(origin), spacing_(spacing) {}
 
-  /// The point at `fraction` of the way from a to its neighbour b. Computed from the lower of the two, so that it is the same point
-  /// whichever way the edge is taken, as long as the fractions add up to 1 exactly.
+  /// The point at `fraction` of the way from a to its neighbour b. Computed from the lower of the two, so that it is
+  /// the same point whichever way the edge is taken, as long as the fractions add up to 1 exactly.
   Point2 between(Vertex a, Vertex b, double fraction) const {
     const bool forward = a.i < b.i || a.j < b.j;
     const Vertex low = forward ? a : b;

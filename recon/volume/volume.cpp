@@ -36,8 +36,8 @@ void validate_size(const Volume& volume) {
       nx > limits::voxels || ny > limits::voxels / nx || nz > limits::voxels / (nx * ny) || nz > limits::slices;
   if (too_many) {
     throw InputError("too-many-voxels", place_of(volume),
-                     fmt::format("the volume has {} x {} x {} voxels; the limits are {} voxels and {} slices", nx, ny, nz,
-                                 limits::voxels, limits::slices),
+                     fmt::format("the volume has {} x {} x {} voxels; the limits are {} voxels and {} slices", nx, ny,
+                                 nz, limits::voxels, limits::slices),
                      "crop it to the tooth or resample it more coarsely");
   }
 }
@@ -45,11 +45,11 @@ void validate_size(const Volume& volume) {
 void validate_spacing(const Volume& volume) {
   for (const double spacing : volume.spacing) {
     if (!(spacing >= limits::smallest_spacing) || !(spacing <= limits::largest_coordinate)) {
-      throw InputError("bad-spacing", place_of(volume),
-                       fmt::format("the spacing {} x {} x {} mm is not usable: each must lie between {} and {}",
-                                   volume.spacing[0], volume.spacing[1], volume.spacing[2], limits::smallest_spacing,
-                                   limits::largest_coordinate),
-                       "correct the header or give the true spacing (--spacing X,Y,Z)");
+      throw InputError(
+          "bad-spacing", place_of(volume),
+          fmt::format("the spacing {} x {} x {} mm is not usable: each must lie between {} and {}", volume.spacing[0],
+                      volume.spacing[1], volume.spacing[2], limits::smallest_spacing, limits::largest_coordinate),
+          "correct the header or give the true spacing (--spacing X,Y,Z)");
     }
   }
 }
@@ -61,7 +61,8 @@ void validate_corners(const Volume& volume) {
     const double low = origin[axis] - volume.spacing[axis];
     const double high = origin[axis] + static_cast<double>(volume.size[axis]) * volume.spacing[axis];
     if (!std::isfinite(low) || !std::isfinite(high)) {
-      throw InputError("not-finite", place_of(volume), "the volume's origin is not a finite number", "correct the header");
+      throw InputError("not-finite", place_of(volume), "the volume's origin is not a finite number",
+                       "correct the header");
     }
     if (low < -limits::largest_coordinate || high > limits::largest_coordinate) {
       throw InputError("too-large", place_of(volume),

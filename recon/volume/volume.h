@@ -36,12 +36,13 @@ struct ValueRange {
 };
 
 /// Everything about a volume but its voxels, to be checked before memory is asked for.
-/// Throws InputError: empty-volume (a size of 0), single-slice (fewer than two slices: no solid has one), too-many-voxels,
-/// bad-spacing (not finite, not positive, below limits::smallest_spacing), not-finite or too-large (a corner of the grid).
+/// Throws InputError: empty-volume (a size of 0), single-slice (fewer than two slices: no solid has one),
+/// too-many-voxels, bad-spacing (not finite, not positive, below limits::smallest_spacing), not-finite or too-large (a
+/// corner of the grid).
 void validate_grid(const Volume& volume);
 
-/// validate_grid, then the voxels: InputError not-finite names the first voxel that is NaN or infinite; wrong-voxel-count
-/// if `values` does not hold size[0] * size[1] * size[2] of them. Returns their range.
+/// validate_grid, then the voxels: InputError not-finite names the first voxel that is NaN or infinite;
+/// wrong-voxel-count if `values` does not hold size[0] * size[1] * size[2] of them. Returns their range.
 ValueRange validate_volume(const Volume& volume);
 
 }  // namespace odontoscope

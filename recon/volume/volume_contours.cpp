@@ -83,7 +83,8 @@ std::array<double, 3> parse_spacing(std::string_view text) {
                    "give three positive numbers in millimetres, as in --spacing 0.12,0.12,0.5");
 }
 
-VolumeContours contours_from_volume(const std::string& path, const VolumeContourOptions& options, const Progress& progress) {
+VolumeContours contours_from_volume(const std::string& path, const VolumeContourOptions& options,
+                                    const Progress& progress) {
   const Volume volume = read_volume(path, {options.spacing}, progress);
   const ValueRange range = validate_volume(volume);
   std::vector<LevelTracer> tracers = iso_tracers(volume, range, options.isos);

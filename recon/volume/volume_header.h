@@ -1,6 +1,6 @@
 #pragma once
-// What a volume file's header claims, read and doubted before ITK sees it: its MetaImage and NIfTI readers trust a header so far as
-// to crash on some, and to fill in zeros where pixels are missing or NaN. Inner part of read_volume.h.
+// What a volume file's header claims, read and doubted before ITK sees it: its MetaImage and NIfTI readers trust a
+// header so far as to crash on some, and to fill in zeros where pixels are missing or NaN. Inner part of read_volume.h.
 
 #include <cstddef>
 #include <optional>
@@ -18,8 +18,8 @@ struct PixelClaim {
   FloatPixels floats;
 };
 
-/// Throws InputError unreadable-volume (a field is missing, doubled, out of range or not finite), many-data-files, not-scalar,
-/// not-3d, pixel-type, too-many-voxels, bad-spacing.
+/// Throws InputError unreadable-volume (a field is missing, doubled, out of range or not finite), many-data-files,
+/// not-scalar, not-3d, pixel-type, too-many-voxels, bad-spacing.
 PixelClaim read_nrrd_header(const std::string& path);
 PixelClaim read_meta_image_header(const std::string& path);
 PixelClaim read_nifti_header(const std::string& path);

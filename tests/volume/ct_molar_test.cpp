@@ -88,7 +88,8 @@ TEST_F(CtMolar, HasItsRootsCrownAndPulpInEverySlice) {
     }
     if (z <= 112) pulp += hole_area;
   }
-  // The pulp has 17,432 voxels; specks of canals below the smallest area are missing, the gap between the roots (z 58 to 64) is too much.
+  // The pulp has 17,432 voxels; specks of canals below the smallest area are missing, the gap between the roots (z 58
+  // to 64) is too much.
   EXPECT_NEAR(pulp, 17432, 250);
 }
 
@@ -103,7 +104,8 @@ TEST_F(CtMolar, KeepsItsShapeWhenSimplified) {
     double length = 0;
     for (const Contour& contour : full.stack.slices[s].contours) length += perimeter(contour.points);
     // Nothing moved by more than the tolerance; on the whole it cuts as much off as it adds.
-    EXPECT_NEAR(region_area(simple.stack.slices[s], "tooth"), region_area(full.stack.slices[s], "tooth"), 0.25 * length / 2)
+    EXPECT_NEAR(region_area(simple.stack.slices[s], "tooth"), region_area(full.stack.slices[s], "tooth"),
+                0.25 * length / 2)
         << full.stack.slices[s].z;
   }
 }

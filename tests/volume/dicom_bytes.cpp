@@ -28,14 +28,15 @@ std::string DicomSlice::bytes() const {
   };
   const std::string kind = has_image ? "1.2.840.10008.5.1.4.1.1.2" : "1.2.840.10008.5.1.4.1.1.481.3";
   std::string meta = dicom_element(2, 1, "OB", std::string("\0\1", 2)) + dicom_element(2, 2, "UI", kind) +
-                     dicom_element(2, 3, "UI", instance) + dicom_element(2, 0x10, "UI", syntax) + dicom_element(2, 0x12, "UI", "1.2.3");
+                     dicom_element(2, 3, "UI", instance) + dicom_element(2, 0x10, "UI", syntax) +
+                     dicom_element(2, 0x12, "UI", "1.2.3");
   meta = dicom_element(2, 0, "UL", little(static_cast<std::uint32_t>(meta.size()))) + meta;
-  std::string data = dicom_element(8, 0x16, "UI", kind) + dicom_element(8, 0x18, "UI", instance) + dicom_element(8, 0x60, "CS", "CT") +
-                     dicom_element(0x18, 0x50, "DS", "2") + dicom_element(0x20, 0xd, "UI", "1.2.3") +
-                     dicom_element(0x20, 0xe, "UI", series);
+  std::string data = dicom_element(8, 0x16, "UI", kind) + dicom_element(8, 0x18, "UI", instance) +
+                     dicom_element(8, 0x60, "CS", "CT") + dicom_element(0x18, 0x50, "DS", "2") +
+                     dicom_element(0x20, 0xd, "UI", "1.2.3") + dicom_element(0x20, 0xe, "UI", series);
   if (has_image) {
-    data += dicom_element(0x20, 0x32, "DS", position) + dicom_element(0x20, 0x37, "DS", orientation) + number(0x28, 2, 1) +
-            dicom_element(0x28, 4, "CS", "MONOCHROME2");
+    data += dicom_element(0x20, 0x32, "DS", position) + dicom_element(0x20, 0x37, "DS", orientation) +
+            number(0x28, 2, 1) + dicom_element(0x28, 4, "CS", "MONOCHROME2");
     if (!frames.empty()) data += dicom_element(0x28, 8, "IS", frames);
     data += number(0x28, 0x10, rows) + number(0x28, 0x11, columns) + dicom_element(0x28, 0x30, "DS", spacing) +
             number(0x28, 0x100, 16) + number(0x28, 0x101, 16) + number(0x28, 0x102, 15) + number(0x28, 0x103, 1);

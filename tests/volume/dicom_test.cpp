@@ -23,7 +23,9 @@ DicomSlice slice_number(int n, int z) {
   return slice;
 }
 
-void put_slice(const TemporaryFolder& folder, const std::string& name, const DicomSlice& slice) { put(folder / name, slice.bytes()); }
+void put_slice(const TemporaryFolder& folder, const std::string& name, const DicomSlice& slice) {
+  put(folder / name, slice.bytes());
+}
 
 void put_series(const TemporaryFolder& folder, const std::vector<int>& heights) {
   for (std::size_t n = 0; n < heights.size(); ++n) {
@@ -141,11 +143,13 @@ TEST(Dicom, BrokenFilesAreRefused) {
     const std::string cause = cause_with([&](const DicomSlice& s) { return s.bytes().substr(0, length); });
     EXPECT_TRUE(cause == "truncated-volume" || cause == "unreadable-volume") << length << " " << cause;
   }
-  EXPECT_EQ(cause_with([](const DicomSlice& s) { return s.bytes().substr(0, s.bytes().size() - 2); }), "truncated-volume");
+  EXPECT_EQ(cause_with([](const DicomSlice& s) { return s.bytes().substr(0, s.bytes().size() - 2); }),
+            "truncated-volume");
   EXPECT_EQ(cause_with([](DicomSlice s) { return s.rows = 60000, s.columns = 60000, s.bytes(); }), "truncated-volume");
   EXPECT_EQ(cause_with([](DicomSlice s) { return s.frames = "4000000000", s.bytes(); }), "truncated-volume");
   EXPECT_EQ(cause_with([](DicomSlice s) { return s.syntax = "1.2.840.10008.1.2.2", s.bytes(); }), "unreadable-volume");
-  EXPECT_EQ(cause_with([](DicomSlice s) { return s.syntax = "1.2.840.10008.1.2.1.99", s.bytes(); }), "unreadable-volume");
+  EXPECT_EQ(cause_with([](DicomSlice s) { return s.syntax = "1.2.840.10008.1.2.1.99", s.bytes(); }),
+            "unreadable-volume");
   EXPECT_EQ(cause_with(with_more(dicom_element(0x28, 2, "US", std::string("\3\0", 2)))), "not-scalar");
   EXPECT_EQ(cause_with(with_more(dicom_element(0x20, 0x32, "LO", "1\\2\\3"))), "unreadable-volume");
   EXPECT_EQ(cause_with(with_more(dicom_element(0x40, 0x275, "SQ", "no items"))), "unreadable-volume");

@@ -86,8 +86,10 @@ TEST(IsoContours, AreValidOnFloatingPointNoiseFarFromTheOriginAndOnTinyVoxels) {
 }
 
 TEST(IsoContours, OfACheckerboardWithEqualDiagonalsJoinWhatIsInside) {
-  const Volume volume = volume_of({6, 6, 2}, [](std::size_t i, std::size_t j, std::size_t) { return (i + j) % 2 == 0 ? 1 : 0; });
-  // At the middle value the saddles are just at the threshold, which counts as inside: one region, and a hole round every inner 0.
+  const Volume volume =
+      volume_of({6, 6, 2}, [](std::size_t i, std::size_t j, std::size_t) { return (i + j) % 2 == 0 ? 1 : 0; });
+  // At the middle value the saddles are just at the threshold, which counts as inside: one region, and a hole round
+  // every inner 0.
   const ContourStack joined = traced(volume, 0.5).stack;
   EXPECT_EQ(faults(joined), "");
   EXPECT_EQ(joined.slices[0].contours.size(), 1u + 8u);
@@ -131,7 +133,8 @@ TEST(IsoContours, FollowARoundThing) {
   });
   const ContourStack stack = traced(volume, 0).stack;
   ASSERT_EQ(stack.slices[0].contours.size(), 1u);
-  // Linear interpolation along an edge of length 1 across a circle errs by less than 1/8r; beside it only the margin moves a point.
+  // Linear interpolation along an edge of length 1 across a circle errs by less than 1/8r; beside it only the margin
+  // moves a point.
   for (const Point2 p : stack.slices[0].contours[0].points) {
     EXPECT_NEAR(std::hypot(p.x - cx, p.y - cy), radius, 1 / (8 * radius) + limits::grid_vertex_margin);
   }
@@ -162,7 +165,9 @@ TEST(IsoContours, DoNotDependOnHowTheImageLies) {
   for (std::uint64_t seed = 0; seed < 30; ++seed) {
     const Volume volume = noise(seed, {7, 7, 2}, 6);
     const auto turned = [&](const std::function<std::size_t(std::size_t, std::size_t)>& from) {
-      return traced(volume_of({7, 7, 2}, [&](std::size_t i, std::size_t j, std::size_t k) { return volume.slice(k)[from(i, j)]; }), 3);
+      return traced(volume_of({7, 7, 2},
+                              [&](std::size_t i, std::size_t j, std::size_t k) { return volume.slice(k)[from(i, j)]; }),
+                    3);
     };
     const TracedContours original = traced(volume, 3);
     const TracedContours mirrored = turned([](std::size_t i, std::size_t j) { return 7 * j + (6 - i); });
@@ -184,7 +189,8 @@ TEST(IsoContours, DoNotDependOnTheNumberOfThreads) {
     std::vector<Point2> points;
     const ContourStack stack = traced(volume, 5).stack;
     for (const Slice& slice : stack.slices) {
-      for (const Contour& contour : slice.contours) points.insert(points.end(), contour.points.begin(), contour.points.end());
+      for (const Contour& contour : slice.contours)
+        points.insert(points.end(), contour.points.begin(), contour.points.end());
     }
     return points;
   };
@@ -193,7 +199,8 @@ TEST(IsoContours, DoNotDependOnTheNumberOfThreads) {
 
 TEST(IsoContours, BelowTheSmallestAreaGoWithAllThatIsInThem) {
   // A block of 5 x 5 with a hole of 3 x 3 and an island of 1; a block of 2 x 2 with nothing in it.
-  const Volume volume = volume_of_rows({"0000000000", "0999990000", "0900090990", "0909090990", "0900090000", "0999990000", "0000000000"});
+  const Volume volume = volume_of_rows(
+      {"0000000000", "0999990000", "0900090990", "0909090990", "0900090000", "0999990000", "0000000000"});
   const auto contours = [&](double min_area) { return traced(volume, 5, min_area); };
   EXPECT_EQ(contours(0).stack.slices[0].contours.size(), 4u);
   const TracedContours without_island = contours(1.5);
@@ -253,7 +260,8 @@ TEST(IsoContours, SayTheRangeOfAVolumeThatNothingCrosses) {
 }
 
 TEST(IsoContours, GiveUpOnTooManyContours) {
-  const Volume volume = volume_of({220, 220, 2}, [](std::size_t i, std::size_t j, std::size_t) { return i % 2 + j % 2 == 2 ? 9 : 0; });
+  const Volume volume =
+      volume_of({220, 220, 2}, [](std::size_t i, std::size_t j, std::size_t) { return i % 2 + j % 2 == 2 ? 9 : 0; });
   EXPECT_EQ(cause_of([&] { traced(volume, 5); }), "too-many-contours");
 }
 

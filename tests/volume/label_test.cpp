@@ -27,7 +27,8 @@ std::vector<LabelLevel> all_labels(const Volume& volume) {
 TEST(LabelContours, AreValidRightAndDisjointForAnyMap) {
   for (std::uint64_t seed = 0; seed < 150; ++seed) {
     RandomNumbers random(seed);
-    const Volume volume = noise(seed, {std::size_t(random.whole(2, 9)), std::size_t(random.whole(2, 9)), 3}, random.whole(2, 5));
+    const Volume volume =
+        noise(seed, {std::size_t(random.whole(2, 9)), std::size_t(random.whole(2, 9)), 3}, random.whole(2, 5));
     ContourStack stack;
     try {
       stack = label_contours(volume, all_labels(volume)).stack;
@@ -42,7 +43,8 @@ TEST(LabelContours, AreValidRightAndDisjointForAnyMap) {
       for (std::size_t n = 0; n < volume.pixels_per_slice(); ++n) {
         const Point2 centre{double(n % volume.size[0]), double(n / volume.size[0])};
         for (const LabelLevel& level : all_labels(volume)) {
-          ASSERT_EQ(covers(slice, level.structure, centre), volume.slice(k)[n] == static_cast<float>(level.label)) << "seed " << seed;
+          ASSERT_EQ(covers(slice, level.structure, centre), volume.slice(k)[n] == static_cast<float>(level.label))
+              << "seed " << seed;
         }
       }
       for (int n = 0; n < 200; ++n) {
@@ -65,7 +67,8 @@ TEST(LabelContours, ShareTheWallBetweenTwo) {
     const auto& other = slice.contours[1].points;
     if (std::find(other.begin(), other.end(), p) != other.end()) shared.push_back(p);
   }
-  EXPECT_EQ(shared.size(), 5u);  // four rows and the step between; the wall's ends on the border are cut at 45 degrees on either side
+  EXPECT_EQ(shared.size(),
+            5u);  // four rows and the step between; the wall's ends on the border are cut at 45 degrees on either side
   // All but the corners at the border, cut off by 1/8 each: four of the image and four where the wall meets it.
   EXPECT_DOUBLE_EQ(region_area(slice, "a") + region_area(slice, "b"), 20 - 8.0 / 8);
 }

@@ -1,5 +1,7 @@
 // Volumes from files: every format and type gives the same voxels, and every voxel lies where the file says.
 
+#include "recon/volume/read_volume.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <functional>
 
 #include "recon/core/error.h"
-#include "recon/volume/read_volume.h"
 #include "tests/output/temporary_folder.h"
 #include "tests/volume/volume_files.h"
 
@@ -73,16 +74,18 @@ TEST(ReadVolume, TakesPixelsFromAFileBesideTheHeader) {
 
 TEST(ReadVolume, TakesEveryPixelType) {
   const std::vector<std::pair<std::string, std::string>> types{
-      {"int8", telling_bytes<std::int8_t>()},     {"uint8", telling_bytes<std::uint8_t>()},
-      {"int16", telling_bytes<std::int16_t>()},   {"uint16", telling_bytes<std::uint16_t>()},
-      {"int32", telling_bytes<std::int32_t>()},   {"uint32", telling_bytes<std::uint32_t>()},
-      {"int64", telling_bytes<std::int64_t>()},   {"uint64", telling_bytes<std::uint64_t>()},
-      {"float", telling_bytes<float>()},          {"double", telling_bytes<double>()}};
+      {"int8", telling_bytes<std::int8_t>()},   {"uint8", telling_bytes<std::uint8_t>()},
+      {"int16", telling_bytes<std::int16_t>()}, {"uint16", telling_bytes<std::uint16_t>()},
+      {"int32", telling_bytes<std::int32_t>()}, {"uint32", telling_bytes<std::uint32_t>()},
+      {"int64", telling_bytes<std::int64_t>()}, {"uint64", telling_bytes<std::uint64_t>()},
+      {"float", telling_bytes<float>()},        {"double", telling_bytes<double>()}};
   for (const auto& [type, pixels] : types) {
     EXPECT_EQ(read("a.nrrd", Nrrd{.type = type, .pixels = pixels}.bytes()).values, telling_floats()) << type;
   }
-  EXPECT_EQ(read("a.nii", Nifti{.datatype = 16, .bits = 32, .pixels = telling_bytes<float>()}.bytes()).values, telling_floats());
-  EXPECT_EQ(read("a.mha", MetaImage{.type = "MET_SHORT", .pixels = telling_bytes<std::int16_t>()}.bytes()).values, telling_floats());
+  EXPECT_EQ(read("a.nii", Nifti{.datatype = 16, .bits = 32, .pixels = telling_bytes<float>()}.bytes()).values,
+            telling_floats());
+  EXPECT_EQ(read("a.mha", MetaImage{.type = "MET_SHORT", .pixels = telling_bytes<std::int16_t>()}.bytes()).values,
+            telling_floats());
 }
 
 TEST(ReadVolume, RescalesAsTheHeaderSays) {
@@ -107,7 +110,8 @@ float value_at(const Volume& volume, const std::array<double, 3>& at) {
   std::array<std::size_t, 3> n{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double index = (at[axis] - origin[axis]) / volume.spacing[axis];
-    if (std::abs(index - std::round(index)) > 1e-6 || index < -0.5 || index > double(volume.size[axis]) - 0.5) return -1;
+    if (std::abs(index - std::round(index)) > 1e-6 || index < -0.5 || index > double(volume.size[axis]) - 0.5)
+      return -1;
     n[axis] = std::size_t(std::lround(index));
   }
   return volume.slice(n[2])[n[1] * volume.size[0] + n[0]];
@@ -122,7 +126,8 @@ TEST(ReadVolume, PutsEveryVoxelWhereTheFileSaysForAllOrdersAndHandsOfAxes) {
       std::string directions = "space: left-posterior-superior\nspace directions:";
       for (std::size_t n = 0; n < 3; ++n) {
         axes[n][along[n]] = (signs >> n & 1) != 0 ? -spacing[n] : spacing[n];
-        directions += " (" + std::to_string(axes[n][0]) + "," + std::to_string(axes[n][1]) + "," + std::to_string(axes[n][2]) + ")";
+        directions += " (" + std::to_string(axes[n][0]) + "," + std::to_string(axes[n][1]) + "," +
+                      std::to_string(axes[n][2]) + ")";
       }
       const Volume volume = read("a.nrrd", Nrrd{.more = directions + "\nspace origin: (7,8,9)\n"}.bytes());
       for (std::size_t v = 0; v < telling_voxels().size(); ++v) {
@@ -138,8 +143,10 @@ TEST(ReadVolume, PutsEveryVoxelWhereTheFileSaysForAllOrdersAndHandsOfAxes) {
 }
 
 TEST(ReadVolume, TurnsOtherConventionsIntoLeftPosteriorSuperior) {
-  const Volume nrrd = read("a.nrrd", Nrrd{.more = "space: right-anterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
-                                                  "space origin: (7,8,9)\n"}.bytes());
+  const Volume nrrd =
+      read("a.nrrd", Nrrd{.more = "space: right-anterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+                                  "space origin: (7,8,9)\n"}
+                         .bytes());
   const Volume nifti = read("a.nii", Nifti{.sform = 1, .srow = {1, 0, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9}}.bytes());
   for (const Volume* volume : {&nrrd, &nifti}) {
     EXPECT_EQ(value_at(*volume, {-7, -8, 9}), 1);
@@ -153,8 +160,9 @@ TEST(ReadVolume, ReadsAnObliqueImageInItsOwnFrameAndSaysItsTilt) {
   // 30 degrees about z, and the same left-handed: the turn is dropped, the hand is kept.
   const double c = std::sqrt(0.75), s = 0.5;
   const auto directions = [&](double hand) {
-    return "space: left-posterior-superior\nspace directions: (" + std::to_string(hand * c) + "," + std::to_string(hand * s) + ",0) (" +
-           std::to_string(-s) + "," + std::to_string(c) + ",0) (0,0,1)\nspace origin: (7,8,9)\n";
+    return "space: left-posterior-superior\nspace directions: (" + std::to_string(hand * c) + "," +
+           std::to_string(hand * s) + ",0) (" + std::to_string(-s) + "," + std::to_string(c) +
+           ",0) (0,0,1)\nspace origin: (7,8,9)\n";
   };
   const Volume right = read("a.nrrd", Nrrd{.more = directions(1)}.bytes());
   EXPECT_NEAR(right.tilt_degrees, 30, 1e-3);
@@ -162,8 +170,8 @@ TEST(ReadVolume, ReadsAnObliqueImageInItsOwnFrameAndSaysItsTilt) {
   EXPECT_EQ(right.origin, (Point3{7, 8, 9}));
   const Volume left = read("a.nrrd", Nrrd{.more = directions(-1)}.bytes());
   EXPECT_NEAR(left.tilt_degrees, 30, 1e-3);
-  EXPECT_EQ(value_at(left, {7, 8, 9}), 1);   // the first voxel stays
-  EXPECT_EQ(value_at(left, {6, 8, 9}), 2);   // and its neighbour along x is on the other side
+  EXPECT_EQ(value_at(left, {7, 8, 9}), 1);  // the first voxel stays
+  EXPECT_EQ(value_at(left, {6, 8, 9}), 2);  // and its neighbour along x is on the other side
   EXPECT_EQ(value_at(left, {7, 9, 9}), 6);
 }
 

@@ -1,4 +1,5 @@
-// Simplified contours: valid, as near as promised by a measure of the tests' own, nested as before, together where they were together.
+// Simplified contours: valid, as near as promised by a measure of the tests' own, nested as before, together where they
+// were together.
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -54,9 +55,11 @@ std::vector<std::size_t> depths(const Slice& slice) {
 
 Volume waves(std::uint64_t seed, std::size_t side) {
   RandomNumbers random(seed);
-  const double a = random.between(0.3, 1.2), b = random.between(0.3, 1.2), c = random.between(0, 6), d = random.between(0, 6);
+  const double a = random.between(0.3, 1.2), b = random.between(0.3, 1.2), c = random.between(0, 6),
+               d = random.between(0, 6);
   return volume_of({side, side, 2}, [=](std::size_t i, std::size_t j, std::size_t k) {
-    return std::sin(a * double(i) + c + 0.3 * double(k)) + std::sin(b * double(j) + d) + 0.7 * std::sin(0.9 * (double(i) - double(j)));
+    return std::sin(a * double(i) + c + 0.3 * double(k)) + std::sin(b * double(j) + d) +
+           0.7 * std::sin(0.9 * (double(i) - double(j)));
   });
 }
 
@@ -86,7 +89,8 @@ TEST(SimplifiedContours, AreValidNearAndNestedAsBefore) {
       ASSERT_EQ(faults(after.stack), "") << "seed " << seed << " tolerance " << tolerance;
       expect_good(before, after, tolerance);
       for (std::size_t s = 0; s < before.slices.size(); ++s) {
-        ASSERT_EQ(depths(before.slices[s]), depths(after.stack.slices[s])) << "seed " << seed << " tolerance " << tolerance;
+        ASSERT_EQ(depths(before.slices[s]), depths(after.stack.slices[s]))
+            << "seed " << seed << " tolerance " << tolerance;
       }
     }
   }
@@ -106,7 +110,8 @@ TEST(SimplifiedContours, OfTouchingLabelsGoOnSharingTheirWalls) {
       for (const Slice& slice : after.stack.slices) {
         for (int n = 0; n < 300; ++n) {
           const Point2 at{random.between(-1, 8), random.between(-1, 8)};
-          ASSERT_FALSE(covers(slice, "a", at) && covers(slice, "b", at)) << "seed " << seed << " tolerance " << tolerance;
+          ASSERT_FALSE(covers(slice, "a", at) && covers(slice, "b", at))
+              << "seed " << seed << " tolerance " << tolerance;
         }
       }
     }
@@ -162,7 +167,8 @@ TEST(SimplifiedContours, DoNotDependOnFirstPointsOrThreads) {
   ContourStack turned = before;
   for (Slice& slice : turned.slices) {
     std::reverse(slice.contours.begin(), slice.contours.end());
-    for (Contour& contour : slice.contours) std::rotate(contour.points.begin(), contour.points.begin() + 3, contour.points.end());
+    for (Contour& contour : slice.contours)
+      std::rotate(contour.points.begin(), contour.points.begin() + 3, contour.points.end());
   }
   const auto points_of = [](const ContourStack& stack, std::size_t threads) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);

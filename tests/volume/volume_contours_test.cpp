@@ -1,9 +1,10 @@
 // The whole way from a file to a stack, and the words of its command line.
 
+#include "recon/volume/volume_contours.h"
+
 #include <gtest/gtest.h>
 
 #include "recon/core/error.h"
-#include "recon/volume/volume_contours.h"
 #include "tests/output/temporary_folder.h"
 #include "tests/volume/volume_files.h"
 #include "tests/volume/volumes.h"
@@ -65,9 +66,12 @@ TEST(VolumeContours, ParseTheirOptions) {
   EXPECT_EQ(parse_label_level("3=pulp").label, 3);
   EXPECT_EQ(parse_label_level("3=pulp").structure, "pulp");
   EXPECT_EQ(parse_spacing("0.12,1e-1,2"), (std::array<double, 3>{0.12, 0.1, 2}));
-  for (const char* text : {"", "x", "1x", "nan", "inf", "1=", "=a", "1=a\n"}) EXPECT_THROW(parse_iso_level(text), UsageError) << text;
-  for (const char* text : {"", "1.5", "x", "3=", "99999999999999999999"}) EXPECT_THROW(parse_label_level(text), UsageError) << text;
-  for (const char* text : {"", "1", "1,2", "1,2,3,4", "1,2,0", "1,2,-3", "1,2,nan", "1,,3", "1,2,3,", "a,b,c", "1,2,3mm"}) {
+  for (const char* text : {"", "x", "1x", "nan", "inf", "1=", "=a", "1=a\n"})
+    EXPECT_THROW(parse_iso_level(text), UsageError) << text;
+  for (const char* text : {"", "1.5", "x", "3=", "99999999999999999999"})
+    EXPECT_THROW(parse_label_level(text), UsageError) << text;
+  for (const char* text :
+       {"", "1", "1,2", "1,2,3,4", "1,2,0", "1,2,-3", "1,2,nan", "1,,3", "1,2,3,", "a,b,c", "1,2,3mm"}) {
     EXPECT_THROW(parse_spacing(text), UsageError) << text;
   }
 }

@@ -11,7 +11,8 @@ namespace {
 
 std::string packed(const std::string& bytes, int window) {
   z_stream stream{};
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) != Z_OK) throw std::runtime_error("zlib");
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, window, 8, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib");
   std::string result(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
@@ -40,13 +41,13 @@ std::string zlib_packed(const std::string& bytes) { return packed(bytes, 15); }
 std::string gzip_packed(const std::string& bytes) { return packed(bytes, 15 + 16); }
 
 std::string Nrrd::bytes() const {
-  return "NRRD0004\n# a comment: with a colon\ntype: " + type + "\ndimension: " + dimension + "\nsizes: " + sizes + "\n" + more +
-         "endian: little\nencoding: " + encoding + "\n\n" + pixels;
+  return "NRRD0004\n# a comment: with a colon\ntype: " + type + "\ndimension: " + dimension + "\nsizes: " + sizes +
+         "\n" + more + "endian: little\nencoding: " + encoding + "\n\n" + pixels;
 }
 
 std::string MetaImage::bytes() const {
-  return "ObjectType = Image\nNDims = " + dimensions + "\nBinaryData = True\nBinaryDataByteOrderMSB = False\n" + more + "DimSize = " +
-         size + "\nElementType = " + type + "\nElementDataFile = " + data_file + "\n" + pixels;
+  return "ObjectType = Image\nNDims = " + dimensions + "\nBinaryData = True\nBinaryDataByteOrderMSB = False\n" + more +
+         "DimSize = " + size + "\nElementType = " + type + "\nElementDataFile = " + data_file + "\n" + pixels;
 }
 
 std::string Nifti::bytes() const {

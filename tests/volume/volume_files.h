@@ -1,5 +1,6 @@
 #pragma once
-// Bytes of small volume files, whole or lied about: what a writer of NRRD, MetaImage or NIfTI would make, with any header line changed.
+// Bytes of small volume files, whole or lied about: what a writer of NRRD, MetaImage or NIfTI would make, with any
+// header line changed.
 
 #include <array>
 #include <cstdint>

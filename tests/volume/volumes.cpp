@@ -7,7 +7,8 @@
 
 namespace odontoscope::test {
 
-Volume volume_of(std::array<std::size_t, 3> size, const std::function<double(std::size_t, std::size_t, std::size_t)>& value) {
+Volume volume_of(std::array<std::size_t, 3> size,
+                 const std::function<double(std::size_t, std::size_t, std::size_t)>& value) {
   Volume volume;
   volume.size = size;
   for (std::size_t k = 0; k < size[2]; ++k) {

@@ -11,7 +11,8 @@
 namespace odontoscope::test {
 
 /// Values by a function of the voxel's numbers; spacing 1, origin 0.
-Volume volume_of(std::array<std::size_t, 3> size, const std::function<double(std::size_t i, std::size_t j, std::size_t k)>& value);
+Volume volume_of(std::array<std::size_t, 3> size,
+                 const std::function<double(std::size_t i, std::size_t j, std::size_t k)>& value);
 /// The same rows of digits ("0110") in each of `slices` slices; the first row is y = 0.
 Volume volume_of_rows(const std::vector<std::string>& rows, std::size_t slices = 2);
 /// Whole numbers below `levels`.
