@@ -4,11 +4,11 @@ struct Light {
   vec3 strength;
 };
 
-const Light key = Light(vec3(-0.477, 0.620, 0.623), vec3(0.74, 0.71, 0.66));
-const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.16, 0.18, 0.21));
+const Light key = Light(vec3(-0.477, 0.620, 0.623), vec3(0.80, 0.765, 0.71));
+const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.12, 0.14, 0.17));
 const Light rim = Light(vec3(0.331, 0.563, -0.757), vec3(0.30, 0.31, 0.34));
-const vec3 sky = vec3(0.36, 0.38, 0.41);
-const vec3 ground = vec3(0.17, 0.15, 0.135);
+const vec3 sky = vec3(0.25, 0.27, 0.30);
+const vec3 ground = vec3(0.105, 0.09, 0.08);
 
 /// Light that a surface throws back: what ambient occlusion darkens is kept apart from what it does not.
 struct Reflected {
@@ -32,7 +32,7 @@ float gloss_of(vec3 normal, vec3 to_eye, vec3 to_light, float roughness) {
 
 /// Light wraps a little around the terminator, as it does in tissue that scatters it inside.
 float wrapped(vec3 normal, vec3 towards) {
-  const float wrap = 0.25;
+  const float wrap = 0.2;
   return max((dot(normal, towards) + wrap) / (1.0 + wrap), 0.0);
 }
 

@@ -59,6 +59,6 @@ void main() {
     float above = dot(towards, normal) / sqrt(squared + 1e-12 * reach * reach);
     sum += part * weight * max(above - 0.06, 0.0);
   }
-  float open = max(1.0 - strength * 5.0 * sum / float(samples), 0.0);
+  float open = max(1.0 - strength * 6.5 * sum / float(samples), 0.0);
   out_occlusion = vec2(open, -here.z);
 }

@@ -18,6 +18,7 @@ uniform vec3 back_colour;        // of triangles seen from behind
 uniform float least_back_opacity;
 uniform vec4 section;            // cut away where dot(section.xyz, position) > section.w
 uniform int parallel;
+uniform float normal_sign;       // -1 for a surface that is shown inside out
 #ifdef PEEL
 uniform sampler2D layer_before;
 uniform sampler2D opaque_depth;
@@ -39,7 +40,7 @@ void main() {
   if (first_layer == 0 && gl_FragCoord.z <= texelFetch(layer_before, pixel, 0).r) discard;
 #endif
   vec3 to_eye = parallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-from.eye_position);
-  vec3 normal = normalize(from.eye_normal);
+  vec3 normal = normal_sign * normalize(from.eye_normal);
   if (!gl_FrontFacing) normal = -normal;
 
   // Seen edge-on a translucent wall is looked through lengthwise, so it is denser there.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,22 +18,57 @@
 namespace odontoscope::app {
 namespace {
 
+/// The shells of one kind, on their own points.
+SurfaceMesh shells_of(const Solid& solid, Shell::Kind kind) {
+  SurfaceMesh part;
+  constexpr PointIndex none = std::numeric_limits<PointIndex>::max();
+  std::vector<PointIndex> moved(solid.surface.points.size(), none);
+  for (std::size_t t = 0; t < solid.surface.triangles.size(); ++t) {
+    if (solid.report.shells[solid.report.shell_of[t]].kind != kind) continue;
+    Triangle triangle = solid.surface.triangles[t];
+    for (PointIndex& vertex : triangle) {
+      if (moved[vertex] == none) {
+        moved[vertex] = static_cast<PointIndex>(part.points.size());
+        part.points.push_back(solid.surface.points[vertex]);
+      }
+      vertex = moved[vertex];
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+constexpr std::string_view external_suffix = " external", cavity_suffix = " cavity";
+
 std::vector<NamedSurface> surfaces_of(const ContourStack& stack, Session& session) {
   ReconstructOptions engine;
   engine.threads = session.threads;
-  Reconstruction made = reconstruct(stack, engine, session.progress());
+  const Reconstruction made = reconstruct(stack, engine, session.progress());
   std::vector<NamedSurface> surfaces;
-  for (Solid& solid : made.solids) surfaces.push_back({solid.structure, std::move(solid.surface)});
+  for (const Solid& solid : made.solids) {
+    surfaces.push_back({solid.structure, shells_of(solid, Shell::Kind::external), solid.structure});
+    SurfaceMesh cavities = shells_of(solid, Shell::Kind::cavity);
+    if (cavities.triangles.empty()) continue;
+    surfaces.push_back({solid.structure + std::string(cavity_suffix), std::move(cavities), solid.structure, true});
+  }
   return surfaces;
 }
 
-/// A mesh without a name is called after its file.
+/// A mesh without a name is called after its file. Our own GLB files name a solid's outside "S external" and its cavities
+/// "S cavity".
+NamedSurface surface_of(NamedMesh mesh, const std::string& file) {
+  std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
+  if (name.ends_with(cavity_suffix)) {
+    const std::string solid = name.substr(0, name.size() - cavity_suffix.size());
+    return {name, std::move(mesh.surface), solid, true};
+  }
+  if (name.ends_with(external_suffix)) name.resize(name.size() - external_suffix.size());
+  return {name, std::move(mesh.surface), name};
+}
+
 std::vector<NamedSurface> surfaces_of(std::vector<NamedMesh> meshes, const std::string& file) {
   std::vector<NamedSurface> surfaces;
-  for (NamedMesh& mesh : meshes) {
-    const std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
-    surfaces.push_back({name, std::move(mesh.surface)});
-  }
+  for (NamedMesh& mesh : meshes) surfaces.push_back(surface_of(std::move(mesh), file));
   return surfaces;
 }
 

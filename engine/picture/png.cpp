@@ -36,12 +36,16 @@ void append(void* bytes, void* data, int size) {
 
 }  // namespace
 
-void write_png(const Image& image, const std::string& file) {
+std::string png_bytes(const Image& image) {
   std::string bytes;
   if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(), 4 * image.width))
     throw InternalError(fmt::format("a picture of {} x {} pixels cannot be encoded", image.width, image.height));
+  return bytes;
+}
+
+void write_png(const Image& image, const std::string& file) {
   AtomicFile target(file);
-  target.write(bytes);
+  target.write(png_bytes(image));
   target.commit();
 }
 

@@ -16,14 +16,14 @@ void CapPass::draw(const FramePlan& plan) const {
   gl_->Enable(GL_STENCIL_TEST);
   gl_->Disable(GL_CULL_FACE);
   gl_->Disable(GL_BLEND);
-  for (const DrawnPart& part : plan.capped) {
-    count(plan, part);
-    cover(plan, part);
+  for (const CappedSolid& solid : plan.capped) {
+    count(plan, solid);
+    cover(plan, solid);
   }
   gl_->Disable(GL_STENCIL_TEST);
 }
 
-void CapPass::count(const FramePlan& plan, const DrawnPart& part) const {
+void CapPass::count(const FramePlan& plan, const CappedSolid& solid) const {
   gl_->Disable(GL_DEPTH_TEST);
   gl_->ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   gl_->StencilFunc(GL_ALWAYS, 0, 0xff);
@@ -31,11 +31,11 @@ void CapPass::count(const FramePlan& plan, const DrawnPart& part) const {
   gl_->StencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_INCR_WRAP);
   count_.use();
   set_view(count_, plan);
-  part.part->draw();
+  for (const GpuPart* surface : solid.surfaces) surface->draw();
   gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void CapPass::cover(const FramePlan& plan, const DrawnPart& part) const {
+void CapPass::cover(const FramePlan& plan, const CappedSolid& solid) const {
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LEQUAL);
   gl_->StencilFunc(GL_NOTEQUAL, 0, 0xff);
@@ -50,8 +50,9 @@ void CapPass::cover(const FramePlan& plan, const DrawnPart& part) const {
   cover_.set("across", plan.radius * across);
   cover_.set("along", plan.radius * glm::cross(normal, across));
   cover_.set("normal", normal);
-  cover_.set("colour", part.colour);
-  cover_.set("back_colour", part.colour);
+  cover_.set("colour", solid.colour);
+  cover_.set("back_colour", solid.colour);
+  cover_.set("normal_sign", 1.0f);
   cover_.set("opacity", 1.0f);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);

@@ -19,8 +19,8 @@ class CapPass {
   void draw(const FramePlan& plan) const;
 
  private:
-  void count(const FramePlan& plan, const DrawnPart& part) const;
-  void cover(const FramePlan& plan, const DrawnPart& part) const;
+  void count(const FramePlan& plan, const CappedSolid& solid) const;
+  void cover(const FramePlan& plan, const CappedSolid& solid) const;
 
   const Gl* gl_;
   Program count_, cover_;

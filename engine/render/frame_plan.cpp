@@ -21,6 +21,13 @@ bool cap_faces_eye(const glm::vec4& plane, const FramePlan& plan) {
   return glm::dot(glm::vec3(plane), glm::vec3(eye_to_world[3])) > plane.w;
 }
 
+std::vector<const GpuPart*> surfaces_of(const std::string& solid, const GpuModel& model) {
+  std::vector<const GpuPart*> surfaces;
+  for (const GpuPart& part : model.parts)
+    if (part.solid == solid) surfaces.push_back(&part);
+  return surfaces;
+}
+
 }  // namespace
 
 FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side) {
@@ -41,13 +48,13 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
     const Look* found = scene.look_of(part.structure);
     const Look look = found ? *found : Look{part.structure, usual_colour(part.structure, i)};
     if (!look.visible) continue;
-    const DrawnPart drawn{&part, linear(look.colour), look.opacity};
+    const DrawnPart drawn{&part, linear(look.colour), look.opacity, look.as_body};
     if (look.opacity >= 1) plan.opaque.push_back(drawn);
     else if (look.opacity > 0) plan.translucent.push_back(drawn);
-    if (capped) plan.capped.push_back(drawn);
+    if (capped && part.structure == part.solid) plan.capped.push_back({surfaces_of(part.solid, model), drawn.colour, part.box_volume});
   }
   std::stable_sort(plan.capped.begin(), plan.capped.end(),
-                   [](const DrawnPart& a, const DrawnPart& b) { return a.part->box_volume > b.part->box_volume; });
+                   [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });
   return plan;
 }
 

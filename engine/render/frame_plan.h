@@ -12,8 +12,16 @@ namespace odontoscope {
 
 struct DrawnPart {
   const GpuPart* part = nullptr;
-  glm::vec3 colour{0};   // linear
+  glm::vec3 colour{0};     // linear
   float opacity = 1;
+  bool inside_out = false; // clockwise is the front
+};
+
+/// A solid whose section is closed, by all its surfaces, whether they are shown or not.
+struct CappedSolid {
+  std::vector<const GpuPart*> surfaces;
+  glm::vec3 colour{0};     // linear
+  double box_volume = 0;
 };
 
 struct FramePlan {
@@ -22,7 +30,7 @@ struct FramePlan {
   int side = 1;                         // samples a pixel along one axis
   std::vector<DrawnPart> opaque;
   std::vector<DrawnPart> translucent;
-  std::vector<DrawnPart> capped;        // largest first; empty if the section is off or seen from its far side
+  std::vector<CappedSolid> capped;       // largest first; empty if the section is off or seen from its far side
   glm::vec4 section{0, 0, 0, 1};        // keeps what has dot(xyz, position) <= w; this one keeps everything
   glm::vec3 centre{0};                  // metres
   float radius = 1;

@@ -23,7 +23,7 @@ double box_volume(const std::vector<glm::vec3>& positions) {
 }
 
 GpuPart upload(const Gl& gl, const ModelPart& part) {
-  GpuPart uploaded{part.structure, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
+  GpuPart uploaded{part.structure, part.solid, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
                    static_cast<GLsizei>(part.indices.size()), box_volume(part.positions)};
   gl.BindVertexArray(uploaded.vertex_array.id());
   fill(gl, GL_ARRAY_BUFFER, uploaded.positions, part.positions);

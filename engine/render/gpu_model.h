@@ -11,6 +11,7 @@ namespace odontoscope {
 
 struct GpuPart {
   std::string structure;
+  std::string solid;
   GlObject vertex_array, positions, normals, indices;
   GLsizei index_count = 0;
   double box_volume = 0;    // m^3; caps of larger structures lie under those of smaller ones

@@ -47,8 +47,11 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
     program.set("colour", part.colour);
     program.set("back_colour", tint ? linear(alarm) : part.colour);
     program.set("opacity", part.opacity);
+    program.set("normal_sign", part.inside_out ? -1.0f : 1.0f);
+    gl_->FrontFace(part.inside_out ? GL_CW : GL_CCW);
     part.part->draw();
   }
+  gl_->FrontFace(GL_CCW);
 }
 
 void SurfacePass::draw_opaque(const FramePlan& plan) const {

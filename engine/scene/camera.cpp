@@ -9,6 +9,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 #include <string>
 
 #include "recon/core/error.h"
@@ -45,11 +46,21 @@ Direction direction_of(NamedView view, const AnatomicalFrame& frame) {
 }
 
 
-std::array<glm::dvec3, 8> corners(const Box& box) {
-  std::array<glm::dvec3, 8> all;
-  for (unsigned i = 0; i < 8; ++i)
-    all[i] = {i & 1u ? box.high.x : box.low.x, i & 2u ? box.high.y : box.low.y, i & 4u ? box.high.z : box.low.z};
-  return all;
+/// What the picture must hold, measured along its axes from a place in the model.
+struct Extent {
+  double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
+  void add(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  double middle() const { return 0.5 * (low + high); }
+};
+
+/// Every vertex, in mm. A tooth fills its box badly, so the box would leave too much room.
+template <class Visit>
+void for_each_vertex(const Model& model, Visit visit) {
+  for (const ModelPart& part : model.parts)
+    for (const glm::vec3& position : part.positions) visit(model.origin_mm + glm::dvec3(position) / metres_per_mm);
 }
 
 }  // namespace
@@ -84,14 +95,20 @@ Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection
   camera.up = direction.up;
   const glm::dvec3 right = glm::normalize(glm::cross(direction.up, direction.towards_eye));
   const glm::dvec3 up = glm::cross(direction.towards_eye, right);
+  Extent across, along;
+  for_each_vertex(model, [&](const glm::dvec3& vertex) {
+    across.add(glm::dot(vertex - camera.target, right));
+    along.add(glm::dot(vertex - camera.target, up));
+  });
+  camera.target += across.middle() * right + along.middle() * up;
   const double slope = std::tan(glm::radians(camera.field_of_view_deg) / 2);
   double distance = 0, half_height = 0;
-  for (const glm::dvec3& corner : corners(model.bounds_mm)) {
-    const glm::dvec3 offset = corner - camera.target;
-    const double half = std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
-    distance = std::max(distance, glm::dot(offset, direction.towards_eye) + margin * half / slope);
-    half_height = std::max(half_height, margin * half);
-  }
+  for_each_vertex(model, [&](const glm::dvec3& vertex) {
+    const glm::dvec3 offset = vertex - camera.target;
+    const double half = margin * std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
+    distance = std::max(distance, glm::dot(offset, direction.towards_eye) + half / slope);
+    half_height = std::max(half_height, half);
+  });
   camera.position = camera.target + distance * direction.towards_eye;
   camera.height_mm = 2 * half_height;
   return camera;

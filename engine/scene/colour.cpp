@@ -26,10 +26,10 @@ struct Tissue {
 
 // Told apart by lightness as well as hue: enamel lightest, pulp darkest. The first match counts.
 constexpr std::array<Tissue, 8> tissues = {{
-    {"enamel", {0.89f, 0.93f, 0.95f}, 0},
-    {"dentin", {0.93f, 0.78f, 0.53f}, 1},
-    {"pulp", {0.79f, 0.20f, 0.18f}, 2},
-    {"cavity", {0.79f, 0.20f, 0.18f}, 2},
+    {"cavity", {0.78f, 0.10f, 0.17f}, 2},
+    {"enamel", {0.87f, 0.92f, 0.96f}, 0},
+    {"dentin", {0.95f, 0.81f, 0.56f}, 1},
+    {"pulp", {0.78f, 0.10f, 0.17f}, 2},
     {"cement", {0.76f, 0.66f, 0.52f}, 0},
     {"bone", {0.86f, 0.84f, 0.76f}, std::nullopt},
     {"tooth", {0.93f, 0.87f, 0.74f}, 1},

@@ -39,6 +39,8 @@ double radius_around(const glm::dvec3& centre, const std::vector<NamedSurface>& 
 ModelPart make_part(const NamedSurface& named, const glm::dvec3& origin_mm, double crease_deg) {
   ModelPart part;
   part.structure = named.structure;
+  part.solid = named.solid.empty() ? named.structure : named.solid;
+  part.cavity = named.cavity;
   const std::vector<glm::vec3> normals = corner_normals(named.surface, crease_deg);
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> first_of(named.surface.points.size(), none);   // vertex made last for a point

@@ -20,11 +20,18 @@ inline constexpr double default_crease_deg = 50;
 struct NamedSurface {
   std::string structure;
   SurfaceMesh surface;
+  /// The solid whose boundary it is part of; empty: it bounds one by itself. Cavities name the solid that they lie in, since only
+  /// together do they say where material is.
+  std::string solid = {};
+  /// Wound as a cavity's wall is: towards the void.
+  bool cavity = false;
 };
 
 /// A structure's triangles, counter-clockwise seen from outside the material. A vertex on a crease appears once per side.
 struct ModelPart {
   std::string structure;
+  std::string solid;                   // see NamedSurface; never empty
+  bool cavity = false;
   std::vector<glm::vec3> positions;    // metres, relative to the model's origin
   std::vector<glm::vec3> normals;      // unit length, one a position
   std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles

@@ -9,8 +9,8 @@ namespace odontoscope {
 namespace {
 
 /// The outermost tissue is clearest; each further in is denser, and the innermost opaque.
-constexpr float outermost_opacity = 0.30f;
-constexpr float middle_opacity = 0.45f;
+constexpr float outermost_opacity = 0.22f;
+constexpr float middle_opacity = 0.30f;
 
 Box box_of(const ModelPart& part) {
   Box box;
@@ -41,6 +41,23 @@ float usual_opacity(const Model& model, const ModelPart& part) {
   return hidden ? middle_opacity : outermost_opacity;
 }
 
+bool filled(const Model& model, const ModelPart& cavity) {
+  const Box box = box_of(cavity);
+  return std::any_of(model.parts.begin(), model.parts.end(),
+                     [&](const ModelPart& part) { return &part != &cavity && !part.cavity && holds(box, box_of(part)); });
+}
+
+/// The wall of a cavity that something fills belongs to its solid; an empty one is shown as what is missing there.
+Look usual_look(const Model& model, const ModelPart& part, std::size_t index) {
+  Look look{part.structure, usual_colour(part.structure, index), usual_opacity(model, part)};
+  if (!part.cavity) return look;
+  look.as_body = !filled(model, part);
+  if (look.as_body) return look;
+  look.colour = usual_colour(part.solid, index);
+  look.opacity = middle_opacity;
+  return look;
+}
+
 }  // namespace
 
 Look* Scene::look_of(std::string_view structure) {
@@ -56,7 +73,7 @@ Scene usual_scene(const Model& model, double aspect) {
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const ModelPart& part = model.parts[i];
     if (scene.look_of(part.structure)) continue;
-    scene.looks.push_back({part.structure, usual_colour(part.structure, i), usual_opacity(model, part)});
+    scene.looks.push_back(usual_look(model, part, i));
   }
   return scene;
 }

@@ -18,6 +18,8 @@ struct Look {
   Colour colour;
   float opacity = 1;      // 0 to 1; less than 1 is translucent
   bool visible = true;
+  /// Turn the surface inside out: a cavity is then seen from outside as the body that would fill it. Still by winding.
+  bool as_body = false;
   friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -35,8 +37,8 @@ enum class BackFaces { cull, show, tint };
 struct Background {
   enum class Kind { plain, gradient, transparent };
   Kind kind = Kind::gradient;
-  Colour top{1.0f, 1.0f, 1.0f};         // `plain` has only this one
-  Colour bottom{0.86f, 0.89f, 0.92f};
+  Colour top{0.76f, 0.81f, 0.86f};      // `plain` has only this one
+  Colour bottom{0.97f, 0.98f, 0.985f};
   friend bool operator==(const Background&, const Background&) = default;
 };
 
@@ -64,7 +66,8 @@ struct Scene {
 };
 
 /// A good first look at the model: every structure in its usual colour, from three quarters. What hides another structure is
-/// translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another structure.
+/// translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another structure. A cavity that nothing
+/// fills is shown as the body that would.
 Scene usual_scene(const Model& model, double aspect);
 
 }  // namespace odontoscope

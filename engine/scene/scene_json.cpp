@@ -158,6 +158,7 @@ void read_looks(const Reader& scene, const std::string& file, Scene& result) {
     reader.read("colour", look->colour);
     reader.read("opacity", look->opacity, 0, 1);
     reader.read("visible", look->visible);
+    reader.read("as_body", look->as_body);
   }
 }
 
@@ -223,7 +224,8 @@ std::string to_json(const Scene& scene) {
     json["structures"].push_back({{"name", look.structure},
                                   {"colour", hex(look.colour)},
                                   {"opacity", short_number(look.opacity)},
-                                  {"visible", look.visible}});
+                                  {"visible", look.visible},
+                                  {"as_body", look.as_body}});
   if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
   json["back_faces"] = name(scene.back_faces);
   json["wire"] = scene.wire;

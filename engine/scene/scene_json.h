@@ -4,10 +4,10 @@
 //   {"format":"odontoscope.scene","version":1,
 //    "camera":{"projection":"perspective","position":[0,60,10],"target":[0,0,10],"up":[0,0,1],
 //              "field_of_view_deg":24,"height_mm":25},
-//    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true}],
+//    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true,"as_body":false}],
 //    "section":{"point":[0,0,10],"normal":[0,1,0]},
 //    "back_faces":"cull","wire":false,
-//    "background":{"kind":"gradient","top":"#ffffff","bottom":"#dbe3eb"},
+//    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},
 //    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12}}
 //
 // Every member but format and version may be missing and then keeps its value; unknown members are ignored. Lengths in mm.
