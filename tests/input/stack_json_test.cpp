@@ -191,16 +191,16 @@ TEST(StackJson, ALargeFileNeedsLittleMemory) {
   {
     std::ofstream out(file.path);
     out << R"({"format":"odontoscope.contours","version":1,"unit":"mm","slices":[)";
-    const std::string one = to_json(between_squares({tooth(shapes::circle(0, 0, 10, 2'000))}));
+    const std::string one = to_json(between_squares({tooth(shapes::circle(0, 0, 10, 1'100))}));
     const std::size_t begin = one.find("\n {", one.find("\"z\":1,")), end = one.find("]}", begin);
-    for (int s = 0; s < 500; ++s)
+    for (int s = 0; s < 1'000; ++s)
       out << (s ? "," : "") << "{\"z\":" << s << ",\"contours\":[" << one.substr(begin, end - begin) << "]}]}";
     out << "]}";
   }
   const double before = peak();
   const ContourStack stack = read_stack(file.path.string());
-  ASSERT_EQ(stack.slices.size(), 500u);
-  const double points = 500.0 * 2'000 * sizeof(Point2),
+  ASSERT_EQ(stack.slices.size(), 1'000u);
+  const double points = 1'000.0 * 1'100 * sizeof(Point2),
                bytes = static_cast<double>(std::filesystem::file_size(file.path));
   EXPECT_GT(bytes, 2 * points);
   EXPECT_LT(peak() - before, 1.5 * points + (1 << 20));

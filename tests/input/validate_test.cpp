@@ -92,6 +92,9 @@ std::vector<Case> cases() {
       {"nameless", "bad-name", between_squares({of("", square(0, 0, 1))})},
       {"name_with_newline", "bad-name", between_squares({of("a\nb", square(0, 0, 1))})},
       {"name_not_utf8", "bad-name", between_squares({of("dent\xe9", square(0, 0, 1))})},
+      {"name_longer_than_its_utf8_needs", "bad-name", between_squares({of("\xe0\x80\xaf", square(0, 0, 1))})},
+      {"name_with_utf8_surrogate", "bad-name", between_squares({of("\xed\xa0\x80", square(0, 0, 1))})},
+      {"name_with_cut_utf8", "bad-name", between_squares({of("a\xe2\x82", square(0, 0, 1))})},
       {"name_overlong_utf8", "bad-name", between_squares({of("\xc0\xaf", square(0, 0, 1))})},
       {"long_name", "bad-name", between_squares({of(std::string(limits::name_length + 1, 'x'), square(0, 0, 1))})},
       {"name_with_accents", "valid", between_squares({of("Schmelz-Dentin-Größe ✓", square(0, 0, 1))})},
@@ -140,20 +143,22 @@ TEST(Validate, NamesSliceContourPointAndPlace) {
 }
 
 TEST(Validate, ReportsTheFirstOfTwoRepeatedHeights) {
-  ContourStack stack;
-  for (const double z : {2.0, 1.0, 3.0, 2.0, 1.0}) stack.slices.push_back({z, {tooth(square(0, 0, 1))}});
-  const auto error = error_of(stack);
-  ASSERT_TRUE(error);
-  EXPECT_EQ(error->cause(), "repeated-z");
-  EXPECT_EQ(error->place().slice, 3u);
+  for (const auto& heights : {std::vector{2.0, 1.0, 3.0, 2.0, 1.0}, std::vector{1.0, 2.0, 3.0, 1.0, 2.0}}) {
+    ContourStack stack;
+    for (const double z : heights) stack.slices.push_back({z, {tooth(square(0, 0, 1))}});
+    const auto error = error_of(stack);
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->cause(), "repeated-z");
+    EXPECT_EQ(error->place().slice, 3u);
+  }
 }
 
-/// Slice 5 is quickly found broken while another thread is still busy with a large one further up.
+/// Slice 5 is found broken while another thread is still busy with a large broken one further up.
 TEST(Validate, ReportsTheFirstBrokenSliceOnAnyNumberOfThreads) {
   ContourStack stack;
-  for (int s = 0; s < 400; ++s) {
-    shapes::Points points = circle(0, 0, 1, s < 100 ? 10 : 20'000);
-    if (s % 7 == 5) std::swap(points[0], points[1]);
+  for (int s = 0; s < 100; ++s) {
+    shapes::Points points = circle(0, 0, 1, s < 5 ? 2'000 : s == 5 ? 10 : 20'000);
+    if (s >= 5) std::swap(points[points.size() / 2], points[points.size() / 2 + 1]);
     stack.slices.push_back({double(s), {tooth(points)}});
   }
   std::string first;
