@@ -52,8 +52,10 @@ inline constexpr std::size_t steiner_factor = 50;
 inline constexpr std::size_t steiner_free = 10'000;
 /// Rounds of splitting contour edges: each halves what is too long, so this spans the whole precision of a double.
 inline constexpr int conform_rounds = 64;
-/// Height of a lifted point over the slab's height: below half, so that points lifted from both slices stay apart.
-inline constexpr double lift_height = 1.0 / 3;
+/// Height that is tried first for a lifted point, over the slab's height: points lifted from both slices stay apart.
+inline constexpr double lift_height = 0.5;
+/// Share of the step that fits which is really taken; no simple fraction, so that split points do not fall on planes through others.
+inline constexpr double lift_margin = 0.618;
 /// Times that the step of a lifted point is halved before the next direction is tried.
 inline constexpr int lift_halvings = 40;
 /// How far a lifted point may go sideways, over the length of the edge that it splits.

@@ -151,9 +151,12 @@ class Lift {
     if (sideways > 0) step = std::min(step, limits::lift_sideways * scale / sideways);
     for (int halving = 0; halving < limits::lift_halvings; ++halving, step /= 2) {
       Point3& p = points_.back();
-      p = {base.x + step * (target.x - base.x), base.y + step * (target.y - base.y), base.z + step * (target.z - base.z)};
-      if (p.z <= heights_.lower || p.z >= heights_.upper) return false;
-      if (!fit()) continue;
+      const auto fits_at = [&](double share) {
+        p = {base.x + share * (target.x - base.x), base.y + share * (target.y - base.y), base.z + share * (target.z - base.z)};
+        return p.z > heights_.lower && p.z < heights_.upper && fit();
+      };
+      // The last step that fits may all but touch a face; a good deal nearer there is room around the point.
+      if (!fits_at(step) || !fits_at(step * limits::lift_margin)) continue;
       largest_sideways_ = std::max(largest_sideways_, std::hypot(p.x - base.x, p.y - base.y) / scale);
       return true;
     }
