@@ -55,7 +55,10 @@ TEST(Trace, StaysSimpleOnTheWorstFields) {
     const auto index = [](double v) { return static_cast<long>(std::lround(v / 0.5)); };
     return (index(p.x) + index(p.y)) % 2 == 0 ? -1.0 : 1.0;
   };
-  const auto zeros = [](Point2 p) { return std::round(radius(p)) - 2; };
+  // Inside a plus sign, exactly 0 outside: at its inner corners two crossings want to be the same grid vertex.
+  const auto zeros = [](Point2 p) {
+    return std::min(std::abs(p.x), std::abs(p.y)) < 0.75 && std::max(std::abs(p.x), std::abs(p.y)) < 3 ? -1.0 : 0.0;
+  };
   const auto fenced = [](auto field) {
     return [field](Point2 p) { return std::max(std::abs(p.x), std::abs(p.y)) > 4.9 ? 1.0 : field(p); };
   };
@@ -66,6 +69,15 @@ TEST(Trace, StaysSimpleOnTheWorstFields) {
     const auto thinned = sample::thin(loops, {2.0, 0.5, 1e-4, 1e-5});
     EXPECT_EQ(thinned.size(), loops.size());
     EXPECT_NO_THROW(validate(as_stack(thinned)));
+  }
+}
+
+// Two diagonal neighbours inside: the mean of the cell's corners decides whether they are one.
+TEST(Trace, JoinsASaddleByItsMean) {
+  for (const double depth : {0.5, 2.0}) {
+    Grid grid{{0, 0}, 1, 4, 4, std::vector<double>(16, 1.0)};
+    grid.values[5] = grid.values[10] = -depth;
+    EXPECT_EQ(sample::trace(grid, 0).size(), depth > 1 ? 1u : 2u) << depth;
   }
 }
 
@@ -91,18 +103,18 @@ TEST(Thin, KeepsToSpacingAndDeviation) {
   }
 }
 
-// Two half-discs a hair apart: long chords of the rounded corners would cross the gap's other side.
+// A disc in a round bay of a large square, a hair off its shore: the square's long chords would cut through the disc.
 TEST(Thin, KeepsNarrowGapsOpen) {
-  const auto halves = [](Point2 p) {
-    const double gap = std::abs(p.y - 0.6 * std::sin(3 * p.x));
-    return std::max(radius(p) - 2.5, 0.06 - gap);
+  const auto bay = [](Point2 p) {
+    const double channel = p.y > 0 ? 0.3 - std::abs(p.x) : -1.0, square = std::max(std::abs(p.x), std::abs(p.y)) - 8;
+    return std::min(std::max({square, 0.8 - radius(p), channel}), radius(p) - 0.75);
   };
-  const auto loops = sample::trace(sampled(301, 0.02, halves), 0);
+  const auto loops = sample::trace(sampled(401, 0.0421, bay), 0);
   ASSERT_EQ(loops.size(), 2u);
   const auto thinned = sample::thin(loops, {0.8, 0.5, 1e-3, 1e-5});
   ASSERT_EQ(thinned.size(), 2u);
   EXPECT_NO_THROW(validate(as_stack(thinned)));
-  EXPECT_LT(thinned[0].size() + thinned[1].size(), loops[0].size() + loops[1].size());
+  EXPECT_LT(thinned[0].size() + thinned[1].size(), (loops[0].size() + loops[1].size()) / 2);
 }
 
 }  // namespace
