@@ -23,23 +23,24 @@ std::string ply_bytes(const Reconstruction& reconstruction) {
     throw UsageError("the model has too many points for PLY", "Simplify it with --triangles");
   }
   bytes += fmt::format(
-      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
-      "element face {}\nproperty list uchar uint vertex_indices\nproperty int structure\nend_header\n",
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\nproperty int structure\n"
+      "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
       points, triangles);
-  bytes.reserve(bytes.size() + 24 * points + 17 * triangles);
-  for (const Solid& solid : reconstruction.solids) {
-    for (const Point3& p : solid.surface.points) {
-      for (const double coordinate : {p.x, p.y, p.z}) append(bytes, coordinate);
-    }
-  }
-  std::uint32_t first = 0;
+  constexpr std::size_t point_size = 3 * sizeof(double) + 4, triangle_size = 1 + 3 * sizeof(std::uint32_t);
+  bytes.reserve(bytes.size() + point_size * points + triangle_size * triangles);
   std::int32_t structure = 0;
   for (const Solid& solid : reconstruction.solids) {
     ++structure;
+    for (const Point3& p : solid.surface.points) {
+      for (const double coordinate : {p.x, p.y, p.z}) append(bytes, coordinate);
+      append(bytes, structure);
+    }
+  }
+  std::uint32_t first = 0;
+  for (const Solid& solid : reconstruction.solids) {
     for (const Triangle& t : solid.surface.triangles) {
       append(bytes, std::uint8_t{3});
       for (const PointIndex v : t) append(bytes, static_cast<std::uint32_t>(first + v));
-      append(bytes, structure);
     }
     first += static_cast<std::uint32_t>(solid.surface.points.size());
   }
