@@ -70,6 +70,8 @@ class Reporter : public benchmark::ConsoleReporter {
 
 void print_ratios(const Reporter& reporter) {
   const Seconds base = reporter.least(bare), one = reporter.least(whole_1), two = reporter.least(whole_2);
+  if (base.wall == 0 || one.wall == 0)
+    std::printf("no ratios: they need single repetitions, not filtered out and not only aggregates\n");
   if (base.wall > 0 && one.wall > 0)
     std::printf("one thread takes %.2f times bare Delaunay, %.2f in processor time (bar: at most 1.5)\n",
                 one.wall / base.wall, one.processor / base.processor);
