@@ -52,6 +52,9 @@ inline constexpr std::size_t steiner_factor = 50;
 inline constexpr std::size_t steiner_free = 10'000;
 /// Rounds of splitting contour edges: each halves what is too long, so this spans the whole precision of a double.
 inline constexpr int conform_rounds = 64;
+/// Sine below which a tetrahedron counts as flat: points added on a straight contour edge are off it by a rounding, and make hull triangles
+/// about 1e-16 thin.
+inline constexpr double flat_share = 1e-10;
 /// Height that is tried first for a lifted point, over the slab's height: points lifted from both slices stay apart.
 inline constexpr double lift_height = 0.5;
 /// Share of the step that fits which is really taken; no simple fraction, so that split points do not fall on planes through others.

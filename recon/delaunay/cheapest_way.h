@@ -14,20 +14,25 @@ namespace odontoscope::delaunay {
 
 using TetList = std::vector<std::uint32_t>;
 
-/// Cost of putting tetrahedra back: how many, then how large. Geometric, so that the choice does not hang on the order of the input.
+/// Cost of putting tetrahedra back: how many flat ones (which could hardly be split and lifted), how many at all, how large. Geometric, so
+/// that the choice does not hang on the order of the input.
 struct Cost {
+  std::size_t flat = 0;
   std::size_t count = 0;
   double volume = 0;
   friend auto operator<=>(const Cost&, const Cost&) = default;
 };
 
-/// |det| of each tetrahedron for a slab of height 1: six times its volume.
-std::vector<double> volumes(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
+/// Of one tetrahedron. Its volume is taken six times, for a slab of height 1; it is flat where its in-plane triangle or the angle between
+/// its two in-plane edges is thinner than limits::flat_share.
+std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
+
+inline Cost operator+(const Cost& a, const Cost& b) { return {a.flat + b.flat, a.count + b.count, a.volume + b.volume}; }
 
 /// The cheapest way through faces from a tetrahedron of `from` to one that `is_target`, over those that `may_pass`; neither end
 /// included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none. `cost` receives its cost.
 template <class Leave, class MayPass, class IsTarget>
-TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<double>& volume, const TetList& from,
+TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs, const TetList& from,
                      Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost) {
   struct Step {
     Cost cost;
@@ -55,7 +60,7 @@ TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::
       if (other == none || !leave(step.tet, i)) continue;
       const bool target = is_target(other);
       if (!target && !may_pass(other)) continue;
-      const Cost next = target ? step.cost : Cost{step.cost.count + 1, step.cost.volume + volume[other]};
+      const Cost next = target ? step.cost : step.cost + costs[other];
       const auto known = best.find(other);
       if (known != best.end() && known->second.first <= next) continue;
       best[other] = {next, step.tet};

@@ -50,13 +50,13 @@ std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tets, con
     const std::vector<std::uint32_t> piece = pieces_of(tets, fate);
     const std::vector<TetList> apart = strays(piece, owner);
     if (apart.empty()) return restored;
-    const std::vector<double> volume = volumes(tets, lower, upper);
+    const std::vector<Cost> costs = costs_of(tets, lower, upper);
     TetList best;
     Cost least;
     for (const TetList& start : apart) {
       Cost cost;
       TetList way = cheapest_way(
-          tets, volume, start, [](std::uint32_t, int) { return true; },
+          tets, costs, start, [](std::uint32_t, int) { return true; },
           [&](std::uint32_t t) { return piece[t] == none && owner[t] == owner[start[0]]; },
           [&](std::uint32_t t) { return piece[t] != none && piece[t] != piece[start[0]] && owner[t] == owner[start[0]]; }, cost);
       if (!way.empty() && (best.empty() || cost < least)) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/core/limits.h"
+
 namespace odontoscope::delaunay {
 namespace {
 
@@ -27,20 +29,21 @@ bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std:
 
 }  // namespace
 
-std::vector<double> volumes(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper) {
-  std::vector<double> volume;
-  volume.reserve(tetrahedra.size());
+std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper) {
+  std::vector<Cost> costs;
+  costs.reserve(tetrahedra.size());
   const auto offset = static_cast<std::uint32_t>(lower.points.size());
-  const auto cross = [](Point2 a, Point2 b, Point2 c, Point2 d) {
-    return std::abs((b.x - a.x) * (d.y - c.y) - (b.y - a.y) * (d.x - c.x));
-  };
   for (const SlabTetrahedron& tet : tetrahedra) {
-    const auto point = [&](int i) { return tet.v[i] < offset ? lower.points[tet.v[i]] : upper.points[tet.v[i] - offset]; };
-    if (tet.lower_count == 3) volume.push_back(cross(point(0), point(1), point(0), point(2)));
-    else if (tet.lower_count == 1) volume.push_back(cross(point(1), point(2), point(1), point(3)));
-    else volume.push_back(cross(point(0), point(1), point(2), point(3)));
+    const auto vector = [&](int i, int j) {
+      const auto point = [&](int k) { return tet.v[k] < offset ? lower.points[tet.v[k]] : upper.points[tet.v[k] - offset]; };
+      return Point2{point(j).x - point(i).x, point(j).y - point(i).y};
+    };
+    const int first = tet.lower_count == 1 ? 1 : 0;   // the in-plane triangle's first corner
+    const Point2 e = vector(first, first + 1), f = tet.lower_count == 2 ? vector(2, 3) : vector(first, first + 2);
+    const double area = std::abs(e.x * f.y - e.y * f.x);
+    costs.push_back({area < limits::flat_share * std::hypot(e.x, e.y) * std::hypot(f.x, f.y) ? 1u : 0u, 1, area});
   }
-  return volume;
+  return costs;
 }
 
 Links::Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<Fate>& fate)

@@ -15,7 +15,7 @@ class Repair {
   /// `suspects`: the vertices to look at first.
   Repair(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
          const std::vector<std::uint32_t>& owner, const std::vector<std::uint32_t>& suspects, std::vector<Fate>& fate)
-      : tets_(tets), owner_(owner), fate_(fate), volume_(volumes(tets, lower, upper)),
+      : tets_(tets), owner_(owner), fate_(fate), costs_(costs_of(tets, lower, upper)),
         links_(tets, lower.points.size() + upper.points.size(), fate), active_(suspects.begin(), suspects.end()) {}
 
   bool run() {
@@ -31,9 +31,9 @@ class Repair {
     }
   }
 
-  /// What was put back early may have become needless by what was put back later. The largest go first.
+  /// What was put back early may have become needless by what was put back later. The costliest go first.
   void prune() {
-    std::stable_sort(restored_.begin(), restored_.end(), [this](std::uint32_t a, std::uint32_t b) { return volume_[a] > volume_[b]; });
+    std::stable_sort(restored_.begin(), restored_.end(), [this](std::uint32_t a, std::uint32_t b) { return costs_[a] > costs_[b]; });
     for (bool changed = true; changed;) {
       changed = false;
       for (const std::uint32_t t : restored_) {
@@ -56,7 +56,7 @@ class Repair {
 
   Cost cost_of(const TetList& tets) const {
     Cost cost;
-    for (const std::uint32_t t : tets) cost = {cost.count + 1, cost.volume + volume_[t]};
+    for (const std::uint32_t t : tets) cost = cost + costs_[t];
     return cost;
   }
 
@@ -100,7 +100,7 @@ class Repair {
       const std::set<std::uint32_t> own(fan.begin(), fan.end());
       Cost cost;
       TetList way = cheapest_way(
-          tets_, volume_, fan, [&](std::uint32_t t, int i) { return tets_[t].v[i] != v; },
+          tets_, costs_, fan, [&](std::uint32_t t, int i) { return tets_[t].v[i] != v; },
           [&](std::uint32_t t) { return !links_.in(t) && owner_[t] != none; },
           [&](std::uint32_t t) { return links_.in(t) && own.count(t) == 0; }, cost);
       if (!way.empty() && (best.empty() || cost < least)) {
@@ -114,7 +114,7 @@ class Repair {
   const std::vector<SlabTetrahedron>& tets_;
   const std::vector<std::uint32_t>& owner_;
   std::vector<Fate>& fate_;
-  std::vector<double> volume_;
+  std::vector<Cost> costs_;
   Links links_;
   std::set<std::uint32_t> active_;
   TetList restored_;
