@@ -24,9 +24,10 @@ inline double smooth_step(double low, double high, double at) {
   return t * t * (3 - 2 * t);
 }
 
-/// First-order distance to |u/a|^n + |v/b|^n = 1; beyond `far` from its bounding box just a lower bound of about the distance.
+/// First-order distance to |u/a|^n + |v/b|^n = 1; beyond `far` from its bounding box just a lower bound of about the
+/// distance.
 inline double superellipse(double u, double v, double a, double b, double n) {
-  constexpr double far = 3;   // mm; more than any fillet's width
+  constexpr double far = 3;  // mm; more than any fillet's width
   const double outside = std::max(std::abs(u) - a, std::abs(v) - b);
   if (outside > far) return outside;
   const double p = std::abs(u) / a, q = std::abs(v) / b;

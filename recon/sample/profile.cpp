@@ -5,7 +5,8 @@
 namespace odontoscope::sample {
 
 Profile::Profile(std::initializer_list<Knot> knots) : knots_(knots), slopes_(knots.size(), 0.0) {
-  // Zero at a local extreme, else the weighted harmonic mean of the neighbouring secants; the secant itself at the ends.
+  // Zero at a local extreme, else the weighted harmonic mean of the neighbouring secants; the secant itself at the
+  // ends.
   for (std::size_t i = 1; i + 1 < knots_.size(); ++i) {
     const double before = knots_[i].at - knots_[i - 1].at, after = knots_[i + 1].at - knots_[i].at;
     const double left = (knots_[i].value - knots_[i - 1].value) / before;
@@ -25,7 +26,8 @@ Profile::Profile(std::initializer_list<Knot> knots) : knots_(knots), slopes_(kno
 double Profile::cubic(double at) const {
   if (at <= knots_.front().at) return knots_.front().value;
   if (at >= knots_.back().at) return knots_.back().value;
-  const auto next = std::upper_bound(knots_.begin(), knots_.end(), at, [](double a, const Knot& k) { return a < k.at; });
+  const auto next =
+      std::upper_bound(knots_.begin(), knots_.end(), at, [](double a, const Knot& k) { return a < k.at; });
   const std::size_t i = static_cast<std::size_t>(next - knots_.begin()) - 1;
   const double width = knots_[i + 1].at - knots_[i].at;
   const double t = (at - knots_[i].at) / width, u = 1 - t;
@@ -35,7 +37,7 @@ double Profile::cubic(double at) const {
 
 double Profile::operator()(double at) const {
   if (knots_.size() < 2) return knots_.front().value;
-  constexpr int samples = 6;   // to either side
+  constexpr int samples = 6;  // to either side
   double sum = 0, weights = 0;
   for (int i = -samples; i <= samples; ++i) {
     const double share = static_cast<double>(i) / (samples + 1), weight = 1 - share * share;

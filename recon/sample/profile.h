@@ -6,9 +6,9 @@
 
 namespace odontoscope::sample {
 
-/// Piecewise cubic that keeps the monotony of its knots (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5, 1984), constant
-/// outside, then averaged over a window of `window` to either side so that no edge shows in the shading. It never leaves the range of its
-/// knots, so a crown never gets wider than its table says.
+/// Piecewise cubic that keeps the monotony of its knots (F. N. Fritsch and J. Butland, SIAM J. Sci. Stat. Comput. 5,
+/// 1984), constant outside, then averaged over a window of `window` to either side so that no edge shows in the
+/// shading. It never leaves the range of its knots, so a crown never gets wider than its table says.
 class Profile {
  public:
   struct Knot {
@@ -21,7 +21,7 @@ class Profile {
 
   double operator()(double at) const;
 
-  static constexpr double window = 0.9;   // mm
+  static constexpr double window = 0.9;  // mm
 
  private:
   double cubic(double at) const;

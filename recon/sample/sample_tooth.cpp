@@ -19,15 +19,18 @@ using namespace sample;
 
 ToothShape shape_of(ToothKind kind) {
   switch (kind) {
-    case ToothKind::molar: return molar();
-    case ToothKind::premolar: return premolar();
-    case ToothKind::incisor: return incisor();
+    case ToothKind::molar:
+      return molar();
+    case ToothKind::premolar:
+      return premolar();
+    case ToothKind::incisor:
+      return incisor();
   }
   throw UsageError("unknown kind of sample tooth", "Choose molar, premolar or incisor");
 }
 
 void require_in_range(std::string_view what, double value, double low, double high) {
-  if (value >= low && value <= high) return;   // NaN fails
+  if (value >= low && value <= high) return;  // NaN fails
   throw UsageError(std::string(what) + " of the sample tooth is out of range",
                    "Choose a value from " + std::to_string(low) + " to " + std::to_string(high) + " mm");
 }
@@ -99,7 +102,8 @@ std::vector<Point3> canal_axis(const ToothShape& shape, const Canal& canal, doub
   const auto count = static_cast<std::size_t>(std::ceil((high - low) / step));
   std::vector<Point3> axis;
   for (std::size_t i = 0; i <= count; ++i)
-    axis.push_back(canal_centre(shape, canal, low + (high - low) * static_cast<double>(i) / static_cast<double>(count)));
+    axis.push_back(
+        canal_centre(shape, canal, low + (high - low) * static_cast<double>(i) / static_cast<double>(count)));
   return axis;
 }
 
@@ -128,19 +132,25 @@ double furcation(const ToothShape& shape) {
 
 const char* name(ToothKind kind) {
   switch (kind) {
-    case ToothKind::molar: return "molar";
-    case ToothKind::premolar: return "premolar";
-    case ToothKind::incisor: return "incisor";
+    case ToothKind::molar:
+      return "molar";
+    case ToothKind::premolar:
+      return "premolar";
+    case ToothKind::incisor:
+      return "incisor";
   }
   return "unknown";
 }
 
 ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
-  require_in_range("the slice spacing", options.slice_spacing, limits::sample_least_slice_spacing, limits::sample_most_slice_spacing);
-  require_in_range("the point spacing", options.point_spacing, limits::sample_least_point_spacing, limits::sample_most_point_spacing);
+  require_in_range("the slice spacing", options.slice_spacing, limits::sample_least_slice_spacing,
+                   limits::sample_most_slice_spacing);
+  require_in_range("the point spacing", options.point_spacing, limits::sample_least_point_spacing,
+                   limits::sample_most_point_spacing);
   const ToothShape shape = shape_of(kind);
   Sampler sampler(shape);
-  const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance, limits::sample_grain};
+  const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance,
+                          limits::sample_grain};
   ContourStack stack;
   stack.source = std::string("sample ") + name(kind);
   for (double i = 0.5; lowest_apex(shape) + i * options.slice_spacing < shape.top_z; ++i) {
@@ -179,7 +189,8 @@ SampleFacts sample_facts(ToothKind kind) {
   for (const Canal& canal : shape.canals) {
     const Root& root = shape.roots[canal.root];
     const double low = root.apex_z + apical_stop;
-    facts.canals.push_back({canal.name, root.name, low, shape.chamber.low.z, canal_axis(shape, canal, low, shape.chamber.low.z)});
+    facts.canals.push_back(
+        {canal.name, root.name, low, shape.chamber.low.z, canal_axis(shape, canal, low, shape.chamber.low.z)});
   }
   return facts;
 }

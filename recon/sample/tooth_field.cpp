@@ -16,11 +16,12 @@ struct CuspHeight {
 };
 
 CuspHeight cusp_height(const Cusp& cusp, Point2 at) {
-  const double ix = cusp.inward.x - cusp.tip.x, iy = cusp.inward.y - cusp.tip.y, dx = at.x - cusp.tip.x, dy = at.y - cusp.tip.y;
+  const double ix = cusp.inward.x - cusp.tip.x, iy = cusp.inward.y - cusp.tip.y, dx = at.x - cusp.tip.x,
+               dy = at.y - cusp.tip.y;
   const Point2 s = cusp.along;
-  const double inward_of_ridge = s.x * iy - s.y * ix;   // of the triangular ridge's far end
+  const double inward_of_ridge = s.x * iy - s.y * ix;  // of the triangular ridge's far end
   const double inward = (s.x * dy - s.y * dx) * (inward_of_ridge > 0 ? 1 : -1);
-  constexpr double crest_rounding = 0.2;   // mm across the cusp ridges
+  constexpr double crest_rounding = 0.2;  // mm across the cusp ridges
   const double across = std::hypot(inward, crest_rounding) - crest_rounding;
   double fall_across = cusp.slope_out * across;
   double along = s.x * dx + s.y * dy;
@@ -38,7 +39,8 @@ CuspHeight cusp_height(const Cusp& cusp, Point2 at) {
 
 /// Depth, 0 to 1, of the shallow grooves that part the triangular ridge from the slopes beside it.
 double supplemental_groove(const CuspHeight& cusp) {
-  constexpr double begin = 0.3, full = 1.0, place = 0.35, spread = 0.45, width = 0.3;   // mm; spread: mm/mm of widening fossawards
+  constexpr double begin = 0.3, full = 1.0, place = 0.35, spread = 0.45,
+                   width = 0.3;  // mm; spread: mm/mm of widening fossawards
   const double away = (cusp.along - place - spread * cusp.inward) / width;
   return smooth_step(begin, full, cusp.inward) * std::exp(-away * away);
 }
@@ -79,12 +81,13 @@ OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at) {
     if (height.z > second.z) second = height;
   }
   for (const Ridge& ridge : occlusal.ridges) join(ridge_height(ridge, at), 2 * occlusal.blend, 4 * occlusal.blend);
-  // A fissure runs where the second highest cusp is as high as the surface: between two cusps, not across a ridge. Beyond the margin of the
-  // occlusal surface the grooves of the sides take over.
-  constexpr double fade_begin = -0.3, fade_end = -1.1;   // mm
+  // A fissure runs where the second highest cusp is as high as the surface: between two cusps, not across a ridge.
+  // Beyond the margin of the occlusal surface the grooves of the sides take over.
+  constexpr double fade_begin = -0.3, fade_end = -1.1;  // mm
   const double inside = smooth_step(fade_end, fade_begin, std::min(highest.inward, second.inward));
   const double closeness = std::clamp(1 - (outer - second.z) / occlusal.fissure_width, 0.0, 1.0);
-  return {outer - inside * occlusal.fissure_depth * closeness * std::sqrt(closeness), std::min(smoother - shape.enamel.top, shape.enamel.highest_dentine)};
+  return {outer - inside * occlusal.fissure_depth * closeness * std::sqrt(closeness),
+          std::min(smoother - shape.enamel.top, shape.enamel.highest_dentine)};
 }
 
 ToothSection::ToothSection(const ToothShape& shape, double z)
@@ -97,16 +100,20 @@ ToothSection::ToothSection(const ToothShape& shape, double z)
   for (const Root& root : shape.roots) {
     const double shrunk = blunt_end(z - root.apex_z, root.blunt);
     if (shrunk <= 0) continue;
-    roots_.push_back({{root.x(z), root.y(z)}, shrunk * root.half_mesiodistal(z), shrunk * root.half_buccolingual(z), root.exponent,
+    roots_.push_back({{root.x(z), root.y(z)},
+                      shrunk * root.half_mesiodistal(z),
+                      shrunk * root.half_buccolingual(z),
+                      root.exponent,
                       shrunk * root.lobe_offset(z)});
   }
-  constexpr double round_end = 0.35, round_orifice = 0.6;   // mm
+  constexpr double round_end = 0.35, round_orifice = 0.6;  // mm
   for (const Canal& canal : shape.canals) {
     const double end = shape.roots[canal.root].apex_z + apical_stop;
     const double shrunk = std::min(blunt_end(z - end, round_end), blunt_end(shape.canal_top_z - z, round_orifice));
     if (shrunk <= 0) continue;
     const Point3 centre = canal_centre(shape, canal, z);
-    canals_.push_back({{centre.x, centre.y}, shrunk * canal.half_mesiodistal(z), shrunk * canal.half_buccolingual(z), 2, 0});
+    canals_.push_back(
+        {{centre.x, centre.y}, shrunk * canal.half_mesiodistal(z), shrunk * canal.half_buccolingual(z), 2, 0});
   }
 }
 
@@ -121,7 +128,7 @@ double ToothSection::root(const Ellipse& s, Point2 at) {
 double ToothSection::crown(Point2 at) const {
   const CrownSides& sides = shape_.sides;
   const double a = crown_half_.x, b = crown_half_.y, dx = at.x - crown_middle_.x, dy = at.y - crown_middle_.y;
-  constexpr double taper_end = 1.5;   // outside the crown, where a taper would turn over
+  constexpr double taper_end = 1.5;  // outside the crown, where a taper would turn over
   const double u = dx / (1 + sides.wider_buccally * std::clamp(dy / b, -taper_end, taper_end));
   const double v = dy / (1 + sides.wider_mesially * std::clamp(dx / a, -taper_end, taper_end));
   const double exponent = u > 0 ? (v > 0 ? sides.exponent_mesiobuccal : sides.exponent_mesiolingual)
@@ -151,7 +158,7 @@ HardTissue ToothSection::hard_tissue(const OcclusalHeights& heights, Point2 at) 
   // Vertical distances overstate the distance to slopes; this brings those of the usual cusp slope to scale.
   constexpr double to_distance = 0.8;
   // Enamel starts where it is thick enough for the sampling grid to hold it in one piece.
-  constexpr double margin = 0.1;   // mm along z
+  constexpr double margin = 0.1;  // mm along z
   const double above = z_ - cervical_height(shape_, at);
   return {smooth_max(side_distance, to_distance * (z_ - heights.enamel), blend),
           smooth_max(side_distance + side_thickness(shape_.enamel, above), to_distance * (z_ - heights.dentine), blend),
@@ -165,7 +172,8 @@ double ToothSection::chamber(Point2 at) const {
   constexpr double far = 1.0;
   const double beyond = (up - 1) * c;
   if (beyond > far) return beyond;
-  // A superellipsoid: its section is a superellipse that shrinks towards floor and roof, its distance that to the nearer of wall and lid.
+  // A superellipsoid: its section is a superellipse that shrinks towards floor and roof, its distance that to the
+  // nearer of wall and lid.
   const double n = box.exponent, u = at.x - (box.low.x + box.high.x) / 2, v = at.y - (box.low.y + box.high.y) / 2;
   return smooth_max(superellipse(u, v, a, b, n), beyond, std::min(c, shape_.chamber.rounding));
 }
@@ -175,7 +183,8 @@ double ToothSection::pulp(Point2 at) const {
   for (const Horn& horn : shape_.horns) {
     double along = 0;
     const double away = segment_distance({at.x, at.y, z_}, horn.base, horn.tip, along);
-    distance = smooth_min(distance, away - horn.base_radius - along * (horn.tip_radius - horn.base_radius), shape_.pulp_blend);
+    distance =
+        smooth_min(distance, away - horn.base_radius - along * (horn.tip_radius - horn.base_radius), shape_.pulp_blend);
   }
   for (const Ellipse& canal : canals_) distance = smooth_min(distance, root(canal, at), shape_.pulp_blend);
   return distance;
@@ -186,7 +195,8 @@ double cervical_height(const ToothShape& shape, Point2 at) {
   const double square = at.x * at.x + at.y * at.y;
   if (square <= 0) return line.z;
   const double along_x = at.x * at.x / square, along_y = at.y * at.y / square;
-  return line.z + along_x * (at.x > 0 ? line.rise_mesial : line.rise_distal) + (at.y < 0 ? along_y * line.rise_lingual : 0.0);
+  return line.z + along_x * (at.x > 0 ? line.rise_mesial : line.rise_distal) +
+         (at.y < 0 ? along_y * line.rise_lingual : 0.0);
 }
 
 Point3 canal_centre(const ToothShape& shape, const Canal& canal, double z) {

@@ -9,17 +9,17 @@ namespace odontoscope::sample {
 
 /// What depends on x and y alone, so that a stack of slices computes it once for each grid point.
 struct OcclusalHeights {
-  double enamel = 0;    // z of the outer surface, fissures engraved
-  double dentine = 0;   // z of the enamel-dentine junction
+  double enamel = 0;   // z of the outer surface, fissures engraved
+  double dentine = 0;  // z of the enamel-dentine junction
 };
 
 OcclusalHeights occlusal_heights(const ToothShape& shape, Point2 at);
 
-/// Outer surface of the tooth, its crown with enamel; of the dentine, equal to it below the cervical line; and the height below which
-/// there is no enamel.
+/// Outer surface of the tooth, its crown with enamel; of the dentine, equal to it below the cervical line; and the
+/// height below which there is no enamel.
 struct HardTissue {
   double tooth = 0, dentine = 0;
-  double below_margin = 0;   // mm along z, positive below the enamel's margin
+  double below_margin = 0;  // mm along z, positive below the enamel's margin
 };
 
 /// The tooth in one plane z = const; what depends on z alone is worked out once. `shape` must outlive it.
@@ -49,7 +49,7 @@ class ToothSection {
 
   const ToothShape& shape_;
   double z_ = 0;
-  double crown_share_ = 0;             // 0 among the roots, 1 in the crown
+  double crown_share_ = 0;  // 0 among the roots, 1 in the crown
   Point2 crown_middle_, crown_half_;
   std::vector<Groove> grooves_;
   std::vector<Ellipse> roots_, canals_;

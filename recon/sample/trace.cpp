@@ -60,9 +60,12 @@ std::vector<std::uint32_t> directed_segments(const Grid& grid, const Edges& edge
 }
 
 void require_border_outside(const Grid& grid) {
-  const auto outside = [&grid](std::size_t column, std::size_t row) { return !(grid.values[row * grid.columns + column] < 0); };
+  const auto outside = [&grid](std::size_t column, std::size_t row) {
+    return !(grid.values[row * grid.columns + column] < 0);
+  };
   bool all = true;
-  for (std::size_t column = 0; column < grid.columns; ++column) all = all && outside(column, 0) && outside(column, grid.rows - 1);
+  for (std::size_t column = 0; column < grid.columns; ++column)
+    all = all && outside(column, 0) && outside(column, grid.rows - 1);
   for (std::size_t row = 0; row < grid.rows; ++row) all = all && outside(0, row) && outside(grid.columns - 1, row);
   if (!all) throw InternalError("a sample tooth does not fit its sampling grid");
 }
@@ -114,7 +117,8 @@ bool cross(const Segment& s, const Segment& t) {
   const auto turn = [](const Point2& a, const Point2& b, const Point2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   };
-  return (turn(s.a, s.b, t.a) < 0) != (turn(s.a, s.b, t.b) < 0) && (turn(t.a, t.b, s.a) < 0) != (turn(t.a, t.b, s.b) < 0);
+  return (turn(s.a, s.b, t.a) < 0) != (turn(s.a, s.b, t.b) < 0) &&
+         (turn(t.a, t.b, s.a) < 0) != (turn(t.a, t.b, s.b) < 0);
 }
 
 bool neighbours(const Segment& s, const Segment& t) {
@@ -194,7 +198,7 @@ std::vector<Loop> trace(const Grid& grid, double speck) {
 }
 
 std::vector<Loop> thin(const std::vector<Loop>& loops, const Thinning& thinning) {
-  constexpr double points_of_small_loop = 90, closest = 0.06;   // a canal of 0.4 mm keeps about 20 points
+  constexpr double points_of_small_loop = 90, closest = 0.06;  // a canal of 0.4 mm keeps about 20 points
   constexpr int attempts = 5;
   double share = 1;
   for (int attempt = 0; attempt < attempts; ++attempt, share /= 2) {
@@ -207,7 +211,8 @@ std::vector<Loop> thin(const std::vector<Loop>& loops, const Thinning& thinning)
   }
   std::vector<Loop> result;
   for (const Loop& loop : loops) result.push_back(rounded(loop, thinning.grain));
-  if (!all_clear(result, thinning.clearance)) throw InternalError("a traced contour comes too close to itself or another");
+  if (!all_clear(result, thinning.clearance))
+    throw InternalError("a traced contour comes too close to itself or another");
   return result;
 }
 

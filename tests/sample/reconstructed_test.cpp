@@ -15,11 +15,13 @@ namespace odontoscope::test {
 namespace {
 
 class ReconstructedSample : public testing::TestWithParam<ToothKind> {};
-INSTANTIATE_TEST_SUITE_P(Kinds, ReconstructedSample, testing::Values(ToothKind::molar, ToothKind::premolar, ToothKind::incisor),
+INSTANTIATE_TEST_SUITE_P(Kinds, ReconstructedSample,
+                         testing::Values(ToothKind::molar, ToothKind::premolar, ToothKind::incisor),
                          [](const auto& kind) { return name(kind.param); });
 
 const Solid& solid(const Reconstruction& made, const std::string& structure) {
-  const auto found = std::find_if(made.solids.begin(), made.solids.end(), [&](const Solid& s) { return s.structure == structure; });
+  const auto found =
+      std::find_if(made.solids.begin(), made.solids.end(), [&](const Solid& s) { return s.structure == structure; });
   if (found == made.solids.end()) throw std::runtime_error("no solid " + structure);
   return *found;
 }
@@ -27,7 +29,9 @@ const Solid& solid(const Reconstruction& made, const std::string& structure) {
 std::vector<std::string> shells(const Solid& solid) {
   std::vector<std::string> words;
   for (const Shell& shell : solid.report.shells) {
-    const char* kind = shell.kind == Shell::Kind::external ? "external" : shell.kind == Shell::Kind::cavity ? "cavity" : "open";
+    const char* kind = shell.kind == Shell::Kind::external ? "external"
+                       : shell.kind == Shell::Kind::cavity ? "cavity"
+                                                           : "open";
     words.push_back(std::string(kind) + " of genus " + std::to_string(shell.genus));
   }
   return words;
@@ -60,7 +64,8 @@ TEST_P(ReconstructedSample, PulpMakesTheCavityOfFilledDentine) {
 // Published volumes differ by tooth and age; this guards the order of magnitude and the unit.
 TEST_P(ReconstructedSample, VolumesAreThoseOfTeeth) {
   const Reconstruction made = reconstruct(sample_tooth(GetParam()));
-  const double enamel = solid(made, "enamel").report.shells[0].volume, pulp = solid(made, "pulp").report.shells[0].volume;
+  const double enamel = solid(made, "enamel").report.shells[0].volume,
+               pulp = solid(made, "pulp").report.shells[0].volume;
   const auto& dentine = solid(made, "dentine").report.shells;
   const double cavity = -dentine[1].volume, whole = enamel + dentine[0].volume;
   EXPECT_GT(whole, 400);

@@ -1,4 +1,5 @@
-// Sample teeth: determinism, validity, proportions after Wheeler, and that what sample_facts says is true of the contours.
+// Sample teeth: determinism, validity, proportions after Wheeler, and that what sample_facts says is true of the
+// contours.
 
 #include "recon/sample/sample_tooth.h"
 
@@ -21,7 +22,8 @@ class SampleTooth : public testing::TestWithParam<ToothKind> {
   SampleFacts facts = sample_facts(GetParam());
   ContourStack stack = sample_tooth(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, SampleTooth, testing::ValuesIn(kinds), [](const auto& kind) { return name(kind.param); });
+INSTANTIATE_TEST_SUITE_P(Kinds, SampleTooth, testing::ValuesIn(kinds),
+                         [](const auto& kind) { return name(kind.param); });
 
 bool same(const ContourStack& a, const ContourStack& b) {
   if (a.slices.size() != b.slices.size()) return false;
@@ -46,7 +48,9 @@ TEST_P(SampleTooth, IsValidWithAnyOptions) {
 TEST_P(SampleTooth, HasThreeStructuresOnAscendingEvenlySpacedSlices) {
   EXPECT_EQ(structures_of(stack).size(), 3u);
   for (const char* structure : {"enamel", "dentine", "pulp"})
-    EXPECT_NE(std::count_if(stack.slices.begin(), stack.slices.end(), [&](const Slice& s) { return count(s, structure) > 0; }), 0);
+    EXPECT_NE(std::count_if(stack.slices.begin(), stack.slices.end(),
+                            [&](const Slice& s) { return count(s, structure) > 0; }),
+              0);
   for (std::size_t i = 1; i < stack.slices.size(); ++i)
     EXPECT_NEAR(stack.slices[i].z - stack.slices[i - 1].z, SampleOptions{}.slice_spacing, 1e-9);
   EXPECT_NEAR(static_cast<double>(stack.slices.size()), facts.top_z / SampleOptions{}.slice_spacing, 1);
@@ -55,8 +59,10 @@ TEST_P(SampleTooth, HasThreeStructuresOnAscendingEvenlySpacedSlices) {
 TEST_P(SampleTooth, OuterContoursRunCounterClockwiseAndHolesClockwise) {
   for (const Slice& slice : stack.slices) {
     for (const char* structure : {"enamel", "dentine", "pulp"}) {
-      for (const Contour* contour : contours(slice, structure, true)) EXPECT_GT(area(contour->points), 0) << structure << slice.z;
-      for (const Contour* contour : contours(slice, structure, false)) EXPECT_LT(area(contour->points), 0) << structure << slice.z;
+      for (const Contour* contour : contours(slice, structure, true))
+        EXPECT_GT(area(contour->points), 0) << structure << slice.z;
+      for (const Contour* contour : contours(slice, structure, false))
+        EXPECT_LT(area(contour->points), 0) << structure << slice.z;
     }
   }
 }
@@ -84,7 +90,7 @@ TEST_P(SampleTooth, PointsAreAsDenseAsAsked) {
 
 // Wheeler's averages within a few per cent: the crown where it is widest, the neck at the cervical line.
 TEST_P(SampleTooth, KeepsToWheelersProportions) {
-  constexpr double tolerance = 0.15;   // mm
+  constexpr double tolerance = 0.15;  // mm
   const Proportions& wheeler = facts.proportions;
   const Extents whole = extents(stack, 0, facts.top_z), crown = extents(stack, facts.cervix_z, facts.top_z);
   const double spacing = SampleOptions{}.slice_spacing;
@@ -123,7 +129,7 @@ TEST_P(SampleTooth, CanalsLieInsideThePulpAllTheirWay) {
     EXPECT_NEAR(canal.axis.front().z, canal.low_z, 1e-9);
     EXPECT_NEAR(canal.axis.back().z, canal.high_z, 1e-9);
     for (const Point3& p : canal.axis) {
-      if (p.z < canal.low_z + 0.5) continue;   // the blind end is round
+      if (p.z < canal.low_z + 0.5) continue;  // the blind end is round
       EXPECT_TRUE(in_region({p.x, p.y}, slice_at(stack, p.z), "pulp")) << canal.name << " at z = " << p.z;
     }
   }
@@ -183,7 +189,8 @@ TEST(SampleToothFacts, NameWhatAnatomyCountsOn) {
   EXPECT_EQ(molar.fdi, "36");
   EXPECT_EQ(names(molar.roots), (std::vector<std::string>{"mesial", "distal"}));
   EXPECT_EQ(names(molar.canals), (std::vector<std::string>{"mesiobuccal", "mesiolingual", "distal"}));
-  EXPECT_EQ(names(molar.cusps), (std::vector<std::string>{"mesiobuccal", "distobuccal", "distal", "mesiolingual", "distolingual"}));
+  EXPECT_EQ(names(molar.cusps),
+            (std::vector<std::string>{"mesiobuccal", "distobuccal", "distal", "mesiolingual", "distolingual"}));
   EXPECT_EQ(names(molar.horns), names(molar.cusps));
   EXPECT_EQ(sample_facts(ToothKind::premolar).canals.size(), 2u);
   EXPECT_EQ(sample_facts(ToothKind::incisor).canals.size(), 1u);

@@ -1,4 +1,5 @@
-// What a dentist counts: roots, canals, horns and cusps, slice by slice; and that each stays connected from slice to slice.
+// What a dentist counts: roots, canals, horns and cusps, slice by slice; and that each stays connected from slice to
+// slice.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,8 @@ class SampleTopology : public testing::TestWithParam<ToothKind> {
   SampleFacts facts = sample_facts(GetParam());
   ContourStack stack = sample_tooth(GetParam());
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, SampleTopology, testing::Values(ToothKind::molar, ToothKind::premolar, ToothKind::incisor),
+INSTANTIATE_TEST_SUITE_P(Kinds, SampleTopology,
+                         testing::Values(ToothKind::molar, ToothKind::premolar, ToothKind::incisor),
                          [](const auto& kind) { return name(kind.param); });
 
 template <class Things, class Height>
@@ -67,7 +69,9 @@ TEST_P(SampleTopology, ThePulpLiesInAClosedCavityOfTheDentine) {
     EXPECT_EQ(count(slice, "pulp", false), 0u) << slice.z;
     const auto holes = contours(slice, "dentine", false);
     for (const Contour* pulp : contours(slice, "pulp", true)) {
-      EXPECT_EQ(std::count_if(holes.begin(), holes.end(), [&](const Contour* h) { return inside(pulp->points.front(), h->points); }), 1)
+      EXPECT_EQ(std::count_if(holes.begin(), holes.end(),
+                              [&](const Contour* h) { return inside(pulp->points.front(), h->points); }),
+                1)
           << slice.z;
     }
   }

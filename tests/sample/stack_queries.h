@@ -55,7 +55,8 @@ inline std::vector<const Contour*> contours(const Slice& slice, const std::strin
     if (contour.structure != structure) continue;
     bool odd = false;
     for (const Contour& other : slice.contours)
-      if (&other != &contour && other.structure == structure && inside(contour.points.front(), other.points)) odd = !odd;
+      if (&other != &contour && other.structure == structure && inside(contour.points.front(), other.points))
+        odd = !odd;
     if (odd != outer) found.push_back(&contour);
   }
   return found;

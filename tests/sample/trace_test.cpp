@@ -45,7 +45,8 @@ TEST(Trace, FollowsACircle) {
 TEST(Trace, HolesRunClockwise) {
   const auto loops = sample::trace(sampled(61, 0.1, [](Point2 p) { return std::abs(radius(p) - 1.5) - 0.7; }), 0);
   ASSERT_EQ(loops.size(), 2u);
-  EXPECT_NEAR(sample::signed_area(loops[0]) + sample::signed_area(loops[1]), std::numbers::pi * (2.2 * 2.2 - 0.8 * 0.8), 0.03);
+  EXPECT_NEAR(sample::signed_area(loops[0]) + sample::signed_area(loops[1]), std::numbers::pi * (2.2 * 2.2 - 0.8 * 0.8),
+              0.03);
   EXPECT_LT(sample::signed_area(loops[0]) * sample::signed_area(loops[1]), 0);
 }
 
