@@ -67,33 +67,52 @@ const CLI::App* chosen_subcommand(const CLI::App& root) {
   return chosen.empty() ? nullptr : chosen.front();
 }
 
-/// What the user probably meant, as a sentence; empty if we cannot tell.
-std::string better_command_line(const CLI::App& root, const std::vector<std::string>& arguments) {
-  if (const CLI::App* chosen = chosen_subcommand(root)) {
-    for (const std::string& argument : arguments) {
-      const auto meant = similar_option(argument, {&root, chosen});
-      if (meant) return fmt::format("Did you mean {} instead of {}?", *meant, argument);
-    }
-    return {};
-  }
-  for (const std::string& argument : arguments) {
-    if (argument.starts_with('-')) continue;
-    if (const auto meant = similar_subcommand(argument, root)) return fmt::format("Did you mean {}?", *meant);
-    std::error_code error;
-    if (std::filesystem::exists(argument, error)) {
-      return fmt::format("To make a model of it: odontoscope reconstruct {} -o OUT.glb", argument);
-    }
+/// The first word that is no option; --threads has a value.
+std::string first_word(const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] == "--threads") ++i;
+    else if (!arguments[i].starts_with('-')) return arguments[i];
   }
   return {};
 }
 
+std::string on_missing_subcommand(const CLI::App& root, const std::vector<std::string>& arguments) {
+  const std::string word = first_word(arguments);
+  if (word.empty()) return "nothing says what to do";
+  std::error_code error;
+  if (const auto meant = similar_subcommand(word, root)) {
+    return fmt::format("{} is no subcommand. Did you mean {}?", word, *meant);
+  }
+  if (std::filesystem::exists(word, error)) {
+    return fmt::format("{} is no subcommand. To make a model of it: odontoscope reconstruct {} -o OUT.glb", word, word);
+  }
+  return fmt::format("{} is no subcommand", word);
+}
+
+std::string on_unexpected(const CLI::App& root, const CLI::App& chosen) {
+  const std::vector<std::string> unexpected = root.remaining(true);
+  for (const std::string& argument : unexpected) {
+    if (!argument.starts_with('-')) continue;
+    const auto meant = similar_option(argument, {&root, &chosen});
+    return fmt::format("{} has no option {}{}", chosen.get_name(), argument,
+                       meant ? fmt::format(". Did you mean {}?", *meant) : "");
+  }
+  return fmt::format("{} is one argument too many. Options that may be repeated want their name each time, as in -o A -o B",
+                     unexpected.empty() ? "there" : unexpected.front());
+}
+
 void explain_usage(Console& console, const CLI::App& root, const std::vector<std::string>& arguments,
-                   std::string wrong) {
-  if (!wrong.empty() && wrong.back() != '.') wrong += '.';
-  const std::string meant = better_command_line(root, arguments);
+                   const CLI::ParseError& error) {
   const CLI::App* chosen = chosen_subcommand(root);
-  console.complain(fmt::format("{}{}{}\nSee odontoscope{}{} --help.", wrong, meant.empty() ? "" : " ", meant,
-                               chosen ? " " : "", chosen ? chosen->get_name() : ""));
+  std::string wrong = error.what();
+  const bool is_extra = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+  if (chosen == nullptr && (is_extra || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)) {
+    wrong = on_missing_subcommand(root, arguments);
+  } else if (chosen != nullptr && is_extra) {
+    wrong = on_unexpected(root, *chosen);
+  }
+  if (wrong.back() != '?') wrong += '.';
+  console.complain(fmt::format("{}\nSee odontoscope{}{} --help.", wrong, chosen ? " " : "", chosen ? chosen->get_name() : ""));
 }
 
 /// The exit code if the program is over after reading its command line.
@@ -111,7 +130,7 @@ std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv
     console.finish();
     return static_cast<int>(ExitCode::done);
   } catch (const CLI::ParseError& error) {
-    explain_usage(console, root, arguments, error.what());
+    explain_usage(console, root, arguments, error);
     return static_cast<int>(ExitCode::usage);
   }
 }

@@ -1,5 +1,9 @@
 #include "engine/app/options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -25,7 +29,7 @@ CLI::Validator at_least_zero() {
   return CLI::Validator(
       [](const std::string& text) {
         const auto number = number_in<double>(text);
-        return number && std::isfinite(*number) && *number >= 0 ? std::string() : text + " is no number from 0 up";
+        return number && std::isfinite(*number) && *number >= 0 ? std::string() : fmt::format("{} is no number from 0 up", text);
       },
       "");
 }
@@ -36,7 +40,16 @@ CLI::Validator whole_number_from_one_to(int largest) {
         const auto number = number_in<int>(text);
         return number && *number >= 1 && *number <= largest
                    ? std::string()
-                   : text + " is no whole number from 1 to " + std::to_string(largest);
+                   : fmt::format("{} is no whole number from 1 to {}", text, largest);
+      },
+      "");
+}
+
+CLI::Validator one_of(const std::vector<std::string>& words) {
+  return CLI::Validator(
+      [words](const std::string& text) {
+        if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+        return fmt::format("{} is none of {}", text, fmt::join(words, ", "));
       },
       "");
 }

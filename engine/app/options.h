@@ -2,6 +2,9 @@
 // Small things that several subcommands ask of their parsers.
 
 #include <CLI/CLI.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace odontoscope::app {
 
@@ -11,5 +14,20 @@ CLI::Option* repeatable(CLI::Option* option);
 /// Validators that the help does not spell out.
 CLI::Validator at_least_zero();
 CLI::Validator whole_number_from_one_to(int largest);
+CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// An option whose value is one of a few words, each with its meaning.
+template <typename Meaning>
+CLI::Option* add_choice(CLI::App& parser, const std::string& name, Meaning& chosen,
+                        const std::vector<std::pair<std::string, Meaning>>& choices, const std::string& description) {
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : choices) words.push_back(word);
+  const auto choose = [&chosen, choices](const std::string& typed) {
+    for (const auto& [word, meaning] : choices) {
+      if (word == typed) chosen = meaning;
+    }
+  };
+  return parser.add_option_function<std::string>(name, choose, description)->check(one_of(words));
+}
 
 }  // namespace odontoscope::app

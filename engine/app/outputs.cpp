@@ -43,9 +43,9 @@ std::string known_ending(const std::string& file, const std::vector<std::string>
   std::string ending = fs::path(file).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (std::find(known.begin(), known.end(), ending) != known.end()) return ending;
-  throw UsageError(fmt::format("{}: the ending tells the format, and {} is none that can be written here", file,
-                               ending.empty() ? "no ending" : ending),
-                   fmt::format("Use one of {}", fmt::join(known, ", ")));
+  const std::string found = ending.empty() ? "this one has none" : fmt::format("{} is not written here", ending);
+  throw UsageError(fmt::format("{}: the ending of a name tells the format, and {}", file, found),
+                   fmt::format("Use {}", fmt::join(known, ", ")));
 }
 
 void write_all(const std::vector<FileContent>& files, Interrupts& interrupts) {

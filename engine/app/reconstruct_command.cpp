@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -116,9 +115,6 @@ ExitCode make_model(const Options& options, Session& session) {
 }
 
 void add_options(CLI::App& parser, Options& options) {
-  const std::map<std::string, Correspondence> criteria{{"reverse", Correspondence::reverse},
-                                                       {"medial", Correspondence::medial},
-                                                       {"overlap", Correspondence::overlap}};
   parser.add_option("INPUT", options.input, "Contour stack (.json), or with --iso or --label a volume")
       ->required()
       ->type_name("");
@@ -126,10 +122,12 @@ void add_options(CLI::App& parser, Options& options) {
       ->required()
       ->type_name("FILE");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
-  parser.add_option("--correspondence", options.correspondence,
-                    "When regions connect: reverse, medial (default) or overlap")
-      ->type_name("NAME")
-      ->transform(CLI::CheckedTransformer(criteria, CLI::ignore_case).description(""));
+  add_choice<Correspondence>(parser, "--correspondence", options.correspondence,
+                             {{"reverse", Correspondence::reverse},
+                              {"medial", Correspondence::medial},
+                              {"overlap", Correspondence::overlap}},
+                             "When regions connect: reverse, medial (default) or overlap")
+      ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
@@ -152,6 +150,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct molar.json -o molar.stl -o molar.vtu --triangles 8000\n"
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
+      "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "\n"
       ".glb for viewers and the web, .stl for printers, .ply without loss, .vtu the tetrahedra.\n"
       "The report lists every connection that was made, in the form that --links reads.\n");

@@ -99,7 +99,7 @@ ExitCode render(const Options& options, Session& session) {
 }
 
 void add_options(CLI::App& parser, Options& options) {
-  parser.add_option("INPUT", options.input, "Contour stack, GLB, STL or PLY, or with --iso or --label a volume; none: the sample molar")
+  parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
   parser.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("FILE.png");
   parser.add_option("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();

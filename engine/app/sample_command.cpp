@@ -1,10 +1,10 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include "engine/app/command.h"
+#include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/words.h"
 #include "recon/input/stack_json.h"
@@ -38,12 +38,11 @@ ExitCode make_sample(const Options& options, Session& session) {
 Command sample_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("sample", "Contours of a generated tooth with enamel, dentine and pulp");
   const auto options = std::make_shared<Options>();
-  const std::map<std::string, ToothKind> teeth{
-      {"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}};
-  parser->add_option("TOOTH", options->tooth, "molar, premolar or incisor")
+  add_choice<ToothKind>(*parser, "TOOTH", options->tooth,
+                        {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}},
+                        "molar, premolar or incisor")
       ->required()
-      ->type_name("")
-      ->transform(CLI::CheckedTransformer(teeth, CLI::ignore_case).description(""));
+      ->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
   parser->add_option("--slice-spacing", options->sample.slice_spacing, "Distance between slices, mm")
       ->type_name("MM")

@@ -29,7 +29,7 @@ const Mistake mistakes[] = {
     {"MistypedSubcommand", {"reconstuct", "cube.json", "-o", "a.glb"}, "reconstruct"},
     {"ShortenedSubcommand", {"recon", "cube.json", "-o", "a.glb"}, "reconstruct"},
     {"FileInsteadOfSubcommand", {"cube.json"}, "odontoscope reconstruct cube.json -o"},
-    {"TwoSubcommands", {"sample", "molar", "-o", "a.json", "check", "a.json"}, "not expected"},
+    {"TwoSubcommands", {"sample", "molar", "-o", "a.json", "check", "a.json"}, "too many"},
     {"UnknownOption", {"reconstruct", "cube.json", "-o", "a.glb", "--colour"}, "--colour"},
     {"MistypedOption", {"reconstruct", "cube.json", "-o", "a.glb", "--triangels", "9"}, "--triangles"},
     {"NoOutput", {"reconstruct", "cube.json"}, "--output"},
@@ -61,6 +61,9 @@ const Mistake mistakes[] = {
     {"UnknownTooth", {"sample", "canine", "-o", "a.json"}, "molar"},
     {"SampleEnding", {"sample", "molar", "-o", "a.glb"}, ".json"},
     {"SampleSpacing", {"sample", "molar", "--slice-spacing", "0", "-o", "a.json"}, "spacing"},
+    {"TwoFilesBehindOneO", {"reconstruct", "cube.json", "-o", "a.glb", "b.stl"}, "-o A -o B"},
+    {"NoSuchSubcommand", {"explain"}, "explain is no subcommand"},
+    {"OnlyOptions", {"--quiet"}, "nothing says what to do"},
     {"CheckNothing", {"check"}, "FILE"},
 };
 
