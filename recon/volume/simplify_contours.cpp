@@ -1,6 +1,5 @@
 #include "recon/volume/simplify_contours.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -12,20 +11,17 @@
 #include <mutex>
 #include <queue>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "recon/core/error.h"
+#include "recon/volume/point_tree.h"
 
 namespace odontoscope {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexId = std::uint32_t;
 constexpr VertexId none = std::numeric_limits<VertexId>::max();
-
-CGAL::Orientation orientation(Point2 a, Point2 b, Point2 c) {
-  return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y), Kernel::Point_2(c.x, c.y));
-}
 
 double squared_distance(Point2 p, Point2 a, Point2 b) {
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -35,62 +31,6 @@ double squared_distance(Point2 p, Point2 a, Point2 b) {
 }
 
 bool before(Point2 a, Point2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
-/// In the closed triangle; its corners are not collinear or p is off their segment's hull.
-bool in_triangle(Point2 p, Point2 a, Point2 b, Point2 c) {
-  const auto ab = orientation(a, b, p), bc = orientation(b, c, p), ca = orientation(c, a, p);
-  const bool left = ab == CGAL::LEFT_TURN || bc == CGAL::LEFT_TURN || ca == CGAL::LEFT_TURN;
-  const bool right = ab == CGAL::RIGHT_TURN || bc == CGAL::RIGHT_TURN || ca == CGAL::RIGHT_TURN;
-  if (left && right) return false;
-  if (left || right) return true;
-  return p.x >= std::min({a.x, b.x, c.x}) && p.x <= std::max({a.x, b.x, c.x}) && p.y >= std::min({a.y, b.y, c.y}) &&
-         p.y <= std::max({a.y, b.y, c.y});
-}
-
-/// Points of a slice that are still there, in square buckets.
-class Buckets {
- public:
-  explicit Buckets(const std::vector<Point2>& points) : points_(points) {
-    low_ = high_ = points.front();
-    for (const Point2 p : points) {
-      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
-      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
-    }
-    const double extent = std::max(high_.x - low_.x, high_.y - low_.y);
-    side_ = extent / std::ceil(std::sqrt(static_cast<double>(points.size())));
-    columns_ = column(high_.x) + 1;
-    buckets_.resize(columns_ * (row(high_.y) + 1));
-    for (VertexId v = 0; v < points.size(); ++v) bucket_of(points[v]).push_back(v);
-  }
-
-  void remove(VertexId v) { std::erase(bucket_of(points_[v]), v); }
-
-  /// Is any point but the corners in the closed triangle a b c?
-  bool any_in(VertexId a, VertexId b, VertexId c) const {
-    const Point2 pa = points_[a], pb = points_[b], pc = points_[c];
-    const auto [left, right] = std::minmax({pa.x, pb.x, pc.x});
-    const auto [bottom, top] = std::minmax({pa.y, pb.y, pc.y});
-    for (std::size_t r = row(bottom); r <= row(top); ++r) {
-      for (std::size_t k = column(left); k <= column(right); ++k) {
-        for (const VertexId v : buckets_[r * columns_ + k]) {
-          if (v != a && v != b && v != c && in_triangle(points_[v], pa, pb, pc)) return true;
-        }
-      }
-    }
-    return false;
-  }
-
- private:
-  std::size_t column(double x) const { return static_cast<std::size_t>((x - low_.x) / side_); }
-  std::size_t row(double y) const { return static_cast<std::size_t>((y - low_.y) / side_); }
-  std::vector<VertexId>& bucket_of(Point2 p) { return buckets_[row(p.y) * columns_ + column(p.x)]; }
-
-  const std::vector<Point2>& points_;
-  Point2 low_, high_;
-  double side_ = 1;
-  std::size_t columns_ = 0;
-  std::vector<std::vector<VertexId>> buckets_;
-};
 
 /// The union of a slice's contours as a graph: every distinct point and every distinct edge once.
 class SliceGraph {
@@ -102,10 +42,10 @@ class SliceGraph {
 
   void simplify() {
     if (points_.empty()) return;
-    Buckets buckets(points_);
+    PointTree tree(points_);
     for (VertexId v = 0; v < points_.size(); ++v) offer(v);
     // Points that stood in another's way may have gone since: try again until nothing moves.
-    while (remove_cheapest(buckets)) {
+    while (remove_cheapest(tree)) {
       for (const VertexId v : std::exchange(blocked_, {})) offer(v);
     }
   }
@@ -212,7 +152,7 @@ class SliceGraph {
     if (c <= limit_) queue_.push({c, v, vertex.version});
   }
 
-  bool remove_cheapest(Buckets& buckets) {
+  bool remove_cheapest(PointTree& tree) {
     bool any = false;
     while (!queue_.empty()) {
       const Offer offered = queue_.top();
@@ -220,13 +160,13 @@ class SliceGraph {
       const VertexId v = offered.vertex;
       if (vertices_[v].removed || vertices_[v].version != offered.version) continue;
       const auto [a, b] = vertices_[v].now;
-      if (joined(a, b) || buckets.any_in(a, v, b)) {
+      if (joined(a, b) || tree.any_in_triangle(a, v, b)) {
         blocked_.push_back(v);
         continue;
       }
       any = true;
       remove(v, offered.cost);
-      buckets.remove(v);
+      tree.remove(v);
     }
     return any;
   }
