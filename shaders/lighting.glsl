@@ -5,7 +5,7 @@ struct Light {
 };
 
 const Light key = Light(vec3(-0.477, 0.620, 0.623), vec3(0.80, 0.765, 0.71));
-const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.12, 0.14, 0.17));
+const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.19, 0.205, 0.225));
 const Light rim = Light(vec3(0.331, 0.563, -0.757), vec3(0.30, 0.31, 0.34));
 const vec3 sky = vec3(0.25, 0.27, 0.30);
 const vec3 ground = vec3(0.105, 0.09, 0.08);

@@ -35,6 +35,12 @@ float spread_around(const FaceCounts& counts, int x, int y) {
   return high - low;
 }
 
+bool covered(const FaceCounts& counts, int x, int y) {
+  if (x < 0 || y < 0 || x >= counts.size.width || y >= counts.size.height) return false;
+  const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
+  return counts.front[at] != 0 || counts.back[at] != 0;
+}
+
 }  // namespace
 
 FaceCounter::FaceCounter(const Gl& gl, const ShaderLibrary& shaders)
@@ -80,8 +86,9 @@ FaceVerdict judge(const FaceCounts& counts) {
   for (int y = 0; y < counts.size.height; ++y)
     for (int x = 0; x < counts.size.width; ++x) {
       const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
-      if (counts.front[at] == 0 && counts.back[at] == 0) continue;
+      if (!covered(counts, x, y)) continue;
       ++verdict.covered;
+      verdict.outline += !covered(counts, x - 1, y) || !covered(counts, x + 1, y) || !covered(counts, x, y - 1) || !covered(counts, x, y + 1);
       const bool balanced = counts.front[at] == counts.back[at];
       verdict.unbalanced += !balanced;
       if (!(counts.back_depth[at] < counts.front_depth[at])) continue;

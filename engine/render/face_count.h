@@ -34,6 +34,7 @@ class FaceCounter {
 
 struct FaceVerdict {
   std::size_t covered = 0;       // pixels
+  std::size_t outline = 0;       // covered pixels with an uncovered one beside, above or below: where most ties are
   std::size_t unbalanced = 0;    // with more fronts than backs or the reverse
   /// Pixels whose nearest face is a back, split: `ties` lie on a silhouette or crease, where front and back meet (see judge).
   std::size_t back_nearest = 0;

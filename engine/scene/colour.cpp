@@ -28,7 +28,7 @@ struct Tissue {
 constexpr std::array<Tissue, 8> tissues = {{
     {"cavity", {0.78f, 0.10f, 0.17f}, 2},
     {"enamel", {0.87f, 0.92f, 0.96f}, 0},
-    {"dentin", {0.95f, 0.81f, 0.56f}, 1},
+    {"dentin", {0.97f, 0.77f, 0.47f}, 1},
     {"pulp", {0.78f, 0.10f, 0.17f}, 2},
     {"cement", {0.76f, 0.66f, 0.52f}, 0},
     {"bone", {0.86f, 0.84f, 0.76f}, std::nullopt},

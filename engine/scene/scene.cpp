@@ -10,7 +10,7 @@ namespace {
 
 /// The outermost tissue is clearest; each further in is denser, and the innermost opaque.
 constexpr float outermost_opacity = 0.22f;
-constexpr float middle_opacity = 0.30f;
+constexpr float middle_opacity = 0.36f;
 
 Box box_of(const ModelPart& part) {
   Box box;
