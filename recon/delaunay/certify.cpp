@@ -123,7 +123,7 @@ void certify_contours(const ConformedSlice& conformed, const Slice& given) {
       if (at >= end || !(points[at] == contour[p])) broken("a point of a contour was lost or moved");
       const Point2 a = contour[p], b = contour[(p + 1) % contour.size()];
       const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-      // An added point is taken from the given edge: one product and one sum are rounded.
+      // An added point is a mean of the ends of its given edge: two shares, two products and a sum are rounded.
       const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
       for (; at + 1 < end && !(p + 1 < contour.size() && points[at + 1] == b); ++at) {
         const Point2 s = points[at + 1];

@@ -87,7 +87,7 @@ class Conformer {
   void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
     const Rings given = rings;
     std::vector<Spot> spots;   // of each point of `rings`: where on the given contours it lies
-    for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0});
+    for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0, 1});
     const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
     for (int round = 0; round < limits::conform_rounds; ++round) {
       progress_.check();
@@ -105,10 +105,11 @@ class Conformer {
   }
 
  private:
-  /// A share t of the way along the given contour edge that starts at point `from`.
+  /// On the given contour edge that starts at point `from`: a share `t` of the way from its start, `u` from its end. Both are kept, so
+  /// that a contour and its mirror image, which runs the other way, are split alike to the last bit.
   struct Spot {
     std::uint32_t from;
-    double t;
+    double t, u;
   };
 
   void triangulate(const Rings& rings, Cdt& cdt, const std::vector<std::uint32_t>& order) const {
@@ -150,12 +151,13 @@ class Conformer {
         add(rings.points[p], spots[p]);
         if (!split[p]) continue;
         const Point2 a = given.points[spots[p].from], b = given.points[given_next[spots[p].from]];
-        const double from = spots[p].t, to = spots[next[p]].t == 0 ? 1 : spots[next[p]].t;
+        const Spot start = spots[p], end = spots[next[p]].t == 0 ? Spot{start.from, 1, 0} : spots[next[p]];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        const double t = split_share(from, to, length, sharp(given, given_next, spots[p].from),
-                                     sharp(given, given_next, given_next[spots[p].from]));
+        const Spot split_at = split_spot(start, end, length, sharp(given, given_next, start.from),
+                                         sharp(given, given_next, given_next[start.from]));
         // Always taken from the given edge, so that errors of rounding never add up.
-        add({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, {spots[p].from, t});
+        const auto mix = [&split_at](double from, double to) { return from == to ? from : from * split_at.u + to * split_at.t; };
+        add({mix(a.x, b.x), mix(a.y, b.y)}, split_at);
       }
       refined.first_point.push_back(static_cast<std::uint32_t>(refined.points.size()));
     }
@@ -163,12 +165,13 @@ class Conformer {
     spots = std::move(refined_spots);
   }
 
-  /// Where between `from` and `to`, shares of an edge of this length, to split: on a circle around a sharp end, else in the middle.
-  static double split_share(double from, double to, double length, bool sharp_start, bool sharp_end) {
-    const bool at_start = sharp_start && from == 0, at_end = sharp_end && to == 1;
-    if (at_start == at_end) return from + (to - from) / 2;
-    const double radius = std::exp2(std::round(std::log2((to - from) * length / 2)));
-    return at_start ? radius / length : 1 - radius / length;
+  /// Where to split between two spots of an edge of this length: on a circle around a sharp end, else in the middle.
+  static Spot split_spot(Spot start, Spot end, double length, bool sharp_start, bool sharp_end) {
+    const bool at_start = sharp_start && start.t == 0, at_end = sharp_end && end.u == 0;
+    if (at_start == at_end) return {start.from, (start.t + end.t) / 2, (start.u + end.u) / 2};
+    const double piece = at_start ? end.t : start.u;
+    const double share = std::exp2(std::round(std::log2(piece * length / 2))) / length;
+    return at_start ? Spot{start.from, share, 1 - share} : Spot{start.from, 1 - share, share};
   }
 
   static bool sharp(const Rings& given, const std::vector<std::uint32_t>& next, std::uint32_t p) {
