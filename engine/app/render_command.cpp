@@ -59,10 +59,14 @@ Camera turned(const Camera& camera, double degrees) {
   return result;
 }
 
+PictureOptions picture_options(const Options& options) {
+  PictureOptions picture{.size = size_from(options.size), .render = {.side = 1}};
+  while (picture.render.side * picture.render.side < options.samples) ++picture.render.side;
+  return picture;
+}
+
 std::vector<FileContent> draw(const Options& options, GlContext& context, const odontoscope::Model& model, const Scene& scene, Session& session) {
-  PictureOptions picture;
-  picture.size = size_from(options.size);
-  while (picture.render.side * picture.render.side != options.samples) ++picture.render.side;
+  const PictureOptions picture = picture_options(options);
   Renderer renderer(context.gl(), shaders_from_environment());
   const GpuModel gpu_model = upload(context.gl(), model);
   const std::vector<std::string> names = picture_files(options);
@@ -80,14 +84,15 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, const 
 ExitCode render(const Options& options, Session& session) {
   known_ending(options.output, {".png"});
   if (!options.save_scene.empty()) known_ending(options.save_scene, {".json"});
-  const PixelSize size = size_from(options.size);
-  if (!options.scene.view.empty()) view_named(options.scene.view);
+  const PictureOptions picture = picture_options(options);
+  refuse_senseless(options.scene);
   const ContextOptions context_options{.backend = backend_named(options.backend)};
   refuse_unwritable(planned_files(options));
   const std::unique_ptr<GlContext> context = make_context(context_options);
+  refuse_undrawable(context->gl(), picture.size, picture.render);
 
   const odontoscope::Model model = model_from(options.input, options.volume, session);
-  const Scene scene = scene_from(options.scene, model, size);
+  const Scene scene = scene_from(options.scene, model, picture.size);
   std::vector<FileContent> files = draw(options, *context, model, scene, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();

@@ -67,6 +67,13 @@ Background background_from(const std::string& text) {
   return background;
 }
 
+BackFaces culling_from(const std::string& text) {
+  if (text == "on") return BackFaces::cull;
+  if (text == "off") return BackFaces::show;
+  if (text == "tint") return BackFaces::tint;
+  throw UsageError(fmt::format("--cull {}: that is no way to treat faces seen from behind", text), "Choose on, off or tint.");
+}
+
 void place_camera(const SceneWords& words, const odontoscope::Model& model, double aspect, Scene& scene) {
   if (!words.camera_file.empty()) scene.camera = read_scene(words.camera_file, scene).camera;
   const auto projection = words.parallel ? Camera::Projection::parallel : scene.camera.projection;
@@ -142,7 +149,7 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, Pixel
   place_camera(words, model, aspect, scene);
   change_looks(words, scene);
   if (!words.section.empty()) scene.section = section_from(words.section, model);
-  if (!words.back_faces.empty()) scene.back_faces = back_faces_named(words.back_faces);
+  if (!words.back_faces.empty()) scene.back_faces = culling_from(words.back_faces);
   if (!words.background.empty()) scene.background = background_from(words.background);
   if (words.occlusion) {
     scene.occlusion.on = *words.occlusion > 0;
@@ -150,6 +157,15 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, Pixel
   }
   if (words.wire) scene.wire = true;
   return scene;
+}
+
+void refuse_senseless(const SceneWords& words) {
+  if (!words.view.empty()) view_named(words.view);
+  if (!words.section.empty()) direction_in(words.section.substr(0, words.section.find('@')));
+  if (!words.back_faces.empty()) culling_from(words.back_faces);
+  if (!words.background.empty()) background_from(words.background);
+  for (const std::string& file : {words.scene_file, words.camera_file})
+    if (!file.empty()) read_scene(file, Scene{});
 }
 
 PixelSize size_from(const std::string& text) {
@@ -182,7 +198,6 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
       ->group(showing);
   parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")
       ->type_name("MODE")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, std::string>{{"on", "cull"}, {"off", "show"}, {"tint", "tint"}}).description(""))
       ->group(showing);
   parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
   parser.add_option("--occlusion", words.occlusion, "Darkening of hollows: 0 none, 1 natural (default), up to 4")

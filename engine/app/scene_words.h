@@ -26,6 +26,9 @@ struct SceneWords {
 
 void add_scene_options(CLI::App& parser, SceneWords& words);
 
+/// Throws what scene_from would throw whatever the model is: to be called before any long work.
+void refuse_senseless(const SceneWords& words);
+
 /// The model's usual scene, then what the scene file says, then the words. Throws UsageError for words that make no sense
 /// (a structure that the model has not, a view that there is none), FileError and InputError for the files.
 Scene scene_from(const SceneWords& words, const odontoscope::Model& model, PixelSize size);

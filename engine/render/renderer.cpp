@@ -8,16 +8,30 @@
 
 namespace odontoscope {
 
+void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& options) {
+  GLint most_side = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most_side);
+  const auto width = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(size.width);
+  const auto height = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(size.height);
+  constexpr const char* remedy = "Ask for a smaller picture or fewer samples.";
+  if (std::max(width, height) > static_cast<std::size_t>(most_side))
+    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples are more than this OpenGL draws ({} a side)", width, height, most_side), remedy);
+  if (width * height > most_samples)
+    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples would take too much memory (at most {} in all)", width, height, most_samples), remedy);
+}
+
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), surfaces_(gl, shaders), caps_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options) {
-  for (const Pane& pane : panes)
+  for (const Pane& pane : panes) {
+    refuse_undrawable(*gl_, pane.target.size, options);
     draw(plan_frame(model, scene, pane.view, pane.target.size, options.side), scene.background, pane.target);
+  }
 }
 
 void Renderer::draw(const FramePlan& plan, const Background& background, const Target& target) {
-  const Buffers& buffers = buffers_for(plan);
+  const Buffers& buffers = buffers_for(plan.size);
   buffers.opaque.begin();
   surfaces_.draw_opaque(plan);
   caps_.draw(plan);
@@ -41,19 +55,14 @@ void Renderer::add_layer(const FramePlan& plan, const Buffers& buffers, const La
   compose_.draw(plan, layer, plan.occlusion.on ? &buffers.occlusion : nullptr, buffers.picture);
 }
 
-const Renderer::Buffers& Renderer::buffers_for(const FramePlan& plan) {
-  if (buffers_ && buffers_->size == plan.size) return *buffers_;
-  GLint most = 0;
-  gl_->GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-  if (std::max(plan.size.width, plan.size.height) > most)
-    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples are more than this OpenGL draws ({} a side)", plan.size.width, plan.size.height, most),
-                        "Ask for a smaller picture or fewer samples.");
+const Renderer::Buffers& Renderer::buffers_for(PixelSize size) {
+  if (buffers_ && buffers_->size == size) return *buffers_;
   buffers_.reset();
-  buffers_ = std::make_unique<Buffers>(Buffers{Layer(*gl_, plan.size),
-                                               {Layer(*gl_, plan.size), Layer(*gl_, plan.size)},
-                                               Framebuffer(*gl_, {plan.size, {GL_RG32F}}),
-                                               Framebuffer(*gl_, {plan.size, {GL_RGBA16F}}),
-                                               plan.size});
+  buffers_ = std::make_unique<Buffers>(Buffers{Layer(*gl_, size),
+                                               {Layer(*gl_, size), Layer(*gl_, size)},
+                                               Framebuffer(*gl_, {size, {GL_RG32F}}),
+                                               Framebuffer(*gl_, {size, {GL_RGBA16F}}),
+                                               size});
   return *buffers_;
 }
 

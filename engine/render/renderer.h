@@ -1,7 +1,7 @@
 #pragma once
 // Draws a scene as seen by any number of eyes. The only state kept between frames are programs and buffers.
 
-#include <map>
+#include <cstddef>
 #include <memory>
 #include <span>
 
@@ -31,12 +31,19 @@ struct RenderOptions {
 /// structures has six.
 inline constexpr int most_layers = 16;
 
+/// Samples in all. The buffers take 100 bytes for each, so that this many fill 4.8 GB; beyond, a driver that draws in software
+/// would take the whole memory of the machine before it fails.
+inline constexpr std::size_t most_samples = 48'000'000;
+
+/// Throws GraphicsError "picture-too-large" if the driver or `most_samples` forbids such a picture.
+void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& options);
+
 class Renderer {
  public:
   /// The context of `gl` is current now and at every call, and outlives this.
   Renderer(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Two panes are a headset, four a split screen. Throws GraphicsError if a pane with its samples is larger than the driver can draw.
+  /// Two panes are a headset, four a split screen. Throws GraphicsError as `refuse_undrawable` does.
   void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {});
 
  private:
@@ -46,7 +53,7 @@ class Renderer {
     Framebuffer occlusion, picture;
     PixelSize size;
   };
-  const Buffers& buffers_for(const FramePlan& plan);
+  const Buffers& buffers_for(PixelSize size);
   void draw(const FramePlan& plan, const Background& background, const Target& target);
   void add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const;
 

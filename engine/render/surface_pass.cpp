@@ -5,7 +5,7 @@ namespace odontoscope {
 namespace {
 
 // Magenta occurs in no tissue, and every kind of colour vision sees it against ivory.
-const Colour alarm{1.0f, 0.0f, 0.75f};
+constexpr Colour alarm = colour_of(0xff00bf);
 constexpr float alarm_opacity = 0.9f;
 constexpr float wire_pixels = 1.1f;
 

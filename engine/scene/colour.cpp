@@ -26,14 +26,14 @@ struct Tissue {
 
 // Told apart by lightness as well as hue: enamel lightest, pulp darkest. The first match counts.
 constexpr std::array<Tissue, 8> tissues = {{
-    {"cavity", {0.78f, 0.10f, 0.17f}, 2},
-    {"enamel", {0.87f, 0.92f, 0.96f}, 0},
-    {"dentin", {0.97f, 0.77f, 0.47f}, 1},
-    {"pulp", {0.78f, 0.10f, 0.17f}, 2},
-    {"cement", {0.76f, 0.66f, 0.52f}, 0},
-    {"bone", {0.86f, 0.84f, 0.76f}, std::nullopt},
-    {"tooth", {0.93f, 0.87f, 0.74f}, 1},
-    {"external", {0.93f, 0.87f, 0.74f}, 1},
+    {"cavity", colour_of(0xc71a2b), 2},
+    {"enamel", colour_of(0xdeebf5), 0},
+    {"dentin", colour_of(0xf7c478), 1},
+    {"pulp", colour_of(0xc71a2b), 2},
+    {"cement", colour_of(0xc2a885), 0},
+    {"bone", colour_of(0xdbd6c2), std::nullopt},
+    {"tooth", colour_of(0xeddebd), 1},
+    {"external", colour_of(0xeddebd), 1},
 }};
 
 const Tissue* tissue_called(std::string_view structure) {
@@ -45,12 +45,12 @@ const Tissue* tissue_called(std::string_view structure) {
 }
 
 constexpr std::array<Colour, 6> distinguishable = {{
-    {0.34f, 0.71f, 0.91f},
-    {0.90f, 0.62f, 0.00f},
-    {0.00f, 0.62f, 0.45f},
-    {0.80f, 0.47f, 0.65f},
-    {0.94f, 0.89f, 0.26f},
-    {0.00f, 0.45f, 0.70f},
+    colour_of(0x57b5e8),
+    colour_of(0xe69e00),
+    colour_of(0x009e73),
+    colour_of(0xcc78a6),
+    colour_of(0xf0e342),
+    colour_of(0x0073b2),
 }};
 
 int channel(float value) { return static_cast<int>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
@@ -64,8 +64,7 @@ Colour colour_from_hex(std::string_view text) {
   const char* end = text.data() + text.size();
   const bool digits = text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
   if (!digits) throw UsageError(fmt::format("\"{}\" is no colour", text), "Write it as # and six hexadecimal digits: #f2e9d8.");
-  const auto part = [value](unsigned shift) { return static_cast<float>(value >> shift & 0xffu) / 255.0f; };
-  return {part(16), part(8), part(0)};
+  return colour_of(value);
 }
 
 std::string hex(const Colour& colour) {

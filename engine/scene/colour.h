@@ -17,6 +17,11 @@ struct Colour {
 /// Linear light, ITU-R BT.709 primaries.
 glm::vec3 linear(const Colour& colour);
 
+/// 0xf2e9d8.
+constexpr Colour colour_of(unsigned rgb) {
+  return {static_cast<float>(rgb >> 16 & 0xffu) / 255, static_cast<float>(rgb >> 8 & 0xffu) / 255, static_cast<float>(rgb & 0xffu) / 255};
+}
+
 /// "#f2e9d8"; throws UsageError for anything but a hash and six hexadecimal digits.
 Colour colour_from_hex(std::string_view hex);
 std::string hex(const Colour& colour);

@@ -37,8 +37,8 @@ enum class BackFaces { cull, show, tint };
 struct Background {
   enum class Kind { plain, gradient, transparent };
   Kind kind = Kind::gradient;
-  Colour top{0.76f, 0.81f, 0.86f};      // `plain` has only this one
-  Colour bottom{0.97f, 0.98f, 0.985f};
+  Colour top = colour_of(0xc2cfdb);     // `plain` has only this one
+  Colour bottom = colour_of(0xf7fafb);
   friend bool operator==(const Background&, const Background&) = default;
 };
 

@@ -68,6 +68,11 @@ TEST_F(Contexts, APictureThatIsTooLargeIsRefusedInWords) {
   }
 }
 
+TEST_F(Contexts, APictureThatWouldTakeTooMuchMemoryIsRefusedInWords) {
+  EXPECT_NO_THROW(refuse_undrawable(gl(), {3840, 2160}, {2}));
+  EXPECT_THROW(refuse_undrawable(gl(), {8192, 8192}, {1}), GraphicsError);
+}
+
 TEST(BackendNames, AreThoseOfTheCommandLine) {
   for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa}) EXPECT_EQ(backend_named(name(backend)), backend);
   EXPECT_THROW(backend_named("directx"), UsageError);

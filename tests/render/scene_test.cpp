@@ -140,6 +140,11 @@ TEST(Colours, ReadBackAndRefuse) {
   for (const char* text : {"", "#", "#12345", "#1234567", "123456", "#12345g", "#-12345"}) EXPECT_THROW(colour_from_hex(text), UsageError) << text;
 }
 
+TEST(UsualScenes, AreTheSameFromAFile) {
+  const Scene scene = usual_scene(small_molar(), 1);
+  EXPECT_EQ(scene_from_json(to_json(scene), Scene{}), scene);
+}
+
 TEST(UsualScenes, ShowWhatIsInside) {
   const Scene scene = usual_scene(small_molar(), 1);
   EXPECT_LT(scene.look_of("enamel")->opacity, 1);
