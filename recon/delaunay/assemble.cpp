@@ -1,5 +1,7 @@
 #include "recon/delaunay/assemble.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include "recon/core/error.h"
 #include "recon/delaunay/face_table.h"
 
@@ -85,42 +87,64 @@ void add_unmatched(const std::vector<Triangle>& below, const std::vector<Triangl
 
 }  // namespace
 
-Assembly assemble(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs, Label label) {
-  Assembly result;
-  std::vector<Point3>& points = result.tetrahedra.points;
-  points.reserve(numbering.points());
-  for (const ConformedSlice& slice : stack.slices)
-    for (const Point2 p : slice.planar.points) points.push_back({p.x, p.y, slice.z});
-  for (const auto& pieces : stack.slabs)
-    for (const SlabSolid& piece : pieces) points.insert(points.end(), piece.added.begin(), piece.added.end());
+namespace {
 
-  std::size_t tetrahedra = 0, triangles = 0;
-  for (const AssembledSlab& slab : slabs) {
-    tetrahedra += slab.tetrahedra.size();
-    triangles += slab.sides.size();
-  }
-  result.tetrahedra.tetrahedra.reserve(tetrahedra);
-  std::vector<Triangle>& surface = result.surface.triangles;
-  surface.reserve(triangles);
-  static const std::vector<Triangle> nothing;
+TetraMesh joined_tetrahedra(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
+                            Label label) {
+  TetraMesh mesh;
+  mesh.points.reserve(numbering.points());
+  for (const ConformedSlice& slice : stack.slices)
+    for (const Point2 p : slice.planar.points) mesh.points.push_back({p.x, p.y, slice.z});
+  for (const auto& pieces : stack.slabs)
+    for (const SlabSolid& piece : pieces) mesh.points.insert(mesh.points.end(), piece.added.begin(), piece.added.end());
+  std::size_t count = 0;
+  for (const AssembledSlab& slab : slabs) count += slab.tetrahedra.size();
+  mesh.tetrahedra.reserve(count);
+  for (const AssembledSlab& slab : slabs)
+    mesh.tetrahedra.insert(mesh.tetrahedra.end(), slab.tetrahedra.begin(), slab.tetrahedra.end());
+  mesh.labels.assign(count, label);
+  return mesh;
+}
+
+/// The surface's triangles, in the assembled numbering.
+std::vector<Triangle> joined_surface(const std::vector<AssembledSlab>& slabs) {
+  std::size_t count = 0;
+  for (const AssembledSlab& slab : slabs) count += slab.sides.size();
+  std::vector<Triangle> surface;
+  surface.reserve(count);
+  const std::vector<Triangle> nothing;
   for (std::size_t k = 0; k <= slabs.size(); ++k) {
     add_unmatched(k > 0 ? slabs[k - 1].ceiling : nothing, k < slabs.size() ? slabs[k].floor : nothing, surface);
-    if (k == slabs.size()) break;
-    surface.insert(surface.end(), slabs[k].sides.begin(), slabs[k].sides.end());
-    result.tetrahedra.tetrahedra.insert(result.tetrahedra.tetrahedra.end(), slabs[k].tetrahedra.begin(), slabs[k].tetrahedra.end());
+    if (k < slabs.size()) surface.insert(surface.end(), slabs[k].sides.begin(), slabs[k].sides.end());
   }
-  result.tetrahedra.labels.assign(result.tetrahedra.tetrahedra.size(), label);
+  return surface;
+}
 
+/// The points that the triangles use, in the same order.
+SurfaceMesh compacted(std::vector<Triangle> triangles, const std::vector<Point3>& points) {
+  SurfaceMesh mesh;
   std::vector<std::uint32_t> number(points.size(), none);
-  for (const Triangle& t : surface)
+  for (const Triangle& t : triangles)
     for (const std::uint32_t v : t) number[v] = 0;
   for (std::uint32_t v = 0; v < points.size(); ++v)
     if (number[v] != none) {
-      number[v] = static_cast<std::uint32_t>(result.surface.points.size());
-      result.surface.points.push_back(points[v]);
+      number[v] = static_cast<std::uint32_t>(mesh.points.size());
+      mesh.points.push_back(points[v]);
     }
-  for (Triangle& t : surface)
+  for (Triangle& t : triangles)
     for (std::uint32_t& v : t) v = number[v];
+  mesh.triangles = std::move(triangles);
+  return mesh;
+}
+
+}  // namespace
+
+Assembly assemble(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs, Label label) {
+  Assembly result;
+  std::vector<Triangle> triangles;
+  tbb::parallel_invoke([&] { result.tetrahedra = joined_tetrahedra(stack, numbering, slabs, label); },
+                       [&] { triangles = joined_surface(slabs); });
+  result.surface = compacted(std::move(triangles), result.tetrahedra.points);
   return result;
 }
 

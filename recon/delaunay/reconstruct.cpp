@@ -1,6 +1,7 @@
 #include "recon/delaunay/reconstruct.h"
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <chrono>
@@ -149,23 +150,29 @@ class Reconstructor {
 
   // ---- result ---------------------------------------------------------------------------------------------------------
 
+  void certify_sections(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
+                        const TetraMesh& mesh) {
+    for_each(slabs.size(), arena_, "certify", progress_, [&](std::size_t k) { certify_slab(stack, numbering, slabs[k], mesh, k); });
+    for_each(stack.slices.size(), arena_, "certify", progress_, [&](std::size_t k) {
+      certify_contours(stack.slices[k], input_.stack.slices[k]);
+      certify_slice(stack, numbering, k > 0 ? &slabs[k - 1] : nullptr, k < slabs.size() ? &slabs[k] : nullptr, k);
+    });
+  }
+
   Solid assemble_and_certify(const SolvedStack& stack, const std::string& structure, Label label) {
     const Numbering numbering(stack);
     std::vector<AssembledSlab> slabs(stack.slabs.size());
     for_each(slabs.size(), arena_, "assemble", progress_,
              [&](std::size_t k) { slabs[k] = assemble_slab(stack, numbering, k); });
-    Assembly assembly = assemble(stack, numbering, slabs, label);
+    Assembly assembly = arena_.execute([&] { return assemble(stack, numbering, slabs, label); });
     watch_.lap("assemble");
 
-    for_each(slabs.size(), arena_, "certify", progress_,
-             [&](std::size_t k) { certify_slab(stack, numbering, slabs[k], assembly.tetrahedra, k); });
-    for_each(stack.slices.size(), arena_, "certify", progress_, [&](std::size_t k) {
-      certify_contours(stack.slices[k], input_.stack.slices[k]);
-      certify_slice(stack, numbering, k > 0 ? &slabs[k - 1] : nullptr, k < slabs.size() ? &slabs[k] : nullptr, k);
-    });
     Solid solid;
     solid.structure = structure;
-    solid.report = inspect(assembly.surface);
+    arena_.execute([&] {   // the two proofs are about equally long
+      tbb::parallel_invoke([&] { solid.report = inspect(assembly.surface); },
+                           [&] { certify_sections(stack, numbering, slabs, assembly.tetrahedra); });
+    });
     certify_surface(solid.report, structure);
     for (Shell& shell : solid.report.shells) shell.structure = structure;
     result_.counts.kept += assembly.tetrahedra.tetrahedra.size();
@@ -186,15 +193,15 @@ class Reconstructor {
 }  // namespace
 
 Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options, const Progress& progress) {
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  // Holds for validation too, and lets a caller ask for more threads than the machine has (the bytes do not depend on it).
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   std::vector<StageTime> preparation;
   Stopwatch watch(preparation);
   validate(stack, progress);
   const OrderedStack input = ordered(stack);
   validate_links(options.links, input.stack);
   watch.lap("validate");
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  // Lets a caller ask for more threads than the machine has (the bytes must not depend on it, and this shows it).
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   Reconstruction result = Reconstructor(input, options, threads, progress).run();
   result.seconds.insert(result.seconds.begin(), preparation.begin(), preparation.end());
   return result;
