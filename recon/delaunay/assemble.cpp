@@ -43,27 +43,12 @@ AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering
     added += static_cast<std::uint32_t>(piece.added.size());
   }
 
-  FaceTable table(count * 4);
-  std::vector<bool> shared(count * 4, false);
-  for (std::uint32_t t = 0; t < count; ++t)
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const auto& f = outward_face[i];
-      const Tetrahedron& v = result.tetrahedra[t];
-      std::uint32_t& seen = table(v[f[0]], v[f[1]], v[f[2]]);
-      if (seen == FaceTable::vacant) seen = 4 * t + i;
-      else shared[seen] = shared[4 * t + i] = true;
-    }
-  for (std::uint32_t t = 0; t < count; ++t)
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      if (shared[4 * t + i]) continue;
-      const auto& f = outward_face[i];
-      const Tetrahedron& v = result.tetrahedra[t];
-      const Triangle face{v[f[0]], v[f[1]], v[f[2]]};
-      const auto all = [&face](std::uint32_t from, std::uint32_t to) {
-        return face[0] >= from && face[0] < to && face[1] >= from && face[1] < to && face[2] >= from && face[2] < to;
-      };
-      (all(lower, upper) ? result.floor : all(upper, end) ? result.ceiling : result.sides).push_back(face);
-    }
+  each_outer_face(result.tetrahedra, [&](const Triangle& face) {
+    const auto all = [&face](std::uint32_t from, std::uint32_t to) {
+      return face[0] >= from && face[0] < to && face[1] >= from && face[1] < to && face[2] >= from && face[2] < to;
+    };
+    (all(lower, upper) ? result.floor : all(upper, end) ? result.ceiling : result.sides).push_back(face);
+  });
   return result;
 }
 
@@ -84,10 +69,6 @@ void add_unmatched(const std::vector<Triangle>& below, const std::vector<Triangl
     if (table(t[0], t[1], t[2]) != matched) surface.push_back(t);
   surface.insert(surface.end(), only_above.begin(), only_above.end());
 }
-
-}  // namespace
-
-namespace {
 
 TetraMesh joined_tetrahedra(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
                             Label label) {

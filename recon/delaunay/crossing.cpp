@@ -6,9 +6,6 @@
 #include <algorithm>
 #include <set>
 
-#include "recon/delaunay/face_table.h"
-#include "recon/mesh/meshes.h"
-
 namespace odontoscope::delaunay {
 namespace {
 
@@ -46,26 +43,29 @@ Extent extent_of(const Boundary& boundary) {
   return e;
 }
 
+std::vector<Box> boxes_of(const std::vector<Owned>& triangles) {
+  std::vector<Box> boxes;
+  boxes.reserve(triangles.size());
+  for (const Owned& owned : triangles) boxes.emplace_back(owned.triangle.bbox(), &owned);
+  return boxes;
+}
+
 }  // namespace
 
-Boundary boundary_of(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, const std::vector<Point3>& points) {
-  FaceTable table(tetrahedra.size() * 4);
-  std::vector<bool> shared(tetrahedra.size() * 4, false);
-  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const auto& f = outward_face[i];
-      std::uint32_t& seen = table(tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]);
-      if (seen == FaceTable::vacant) seen = 4 * t + i;
-      else shared[seen] = shared[4 * t + i] = true;
-    }
-  Boundary boundary;
-  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
-    for (std::uint32_t i = 0; i < 4; ++i)
-      if (!shared[4 * t + i]) {
-        const auto& f = outward_face[i];
-        boundary.push_back({points[tetrahedra[t][f[0]]], points[tetrahedra[t][f[1]]], points[tetrahedra[t][f[2]]]});
-      }
-  return boundary;
+bool crosses_any(const std::vector<Boundary>& boundaries, const Boundary& one) {
+  const Extent extent = extent_of(one);
+  std::vector<Owned> theirs, its;
+  for (const Boundary& boundary : boundaries)
+    if (extent.meets(extent_of(boundary)))
+      for (const auto& t : boundary) theirs.push_back({0, triangle(t)});
+  if (theirs.empty()) return false;
+  for (const auto& t : one) its.push_back({1, triangle(t)});
+  std::vector<Box> a = boxes_of(theirs), b = boxes_of(its);
+  bool found = false;
+  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), [&found](const Box& x, const Box& y) {
+    found = found || CGAL::do_intersect(x.handle()->triangle, y.handle()->triangle);
+  });
+  return found;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> crossing_pairs(const std::vector<Boundary>& boundaries) {
@@ -80,10 +80,7 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_pairs(const std::vecto
   for (std::size_t i = 0; i < boundaries.size(); ++i)
     if (involved[i])
       for (const auto& t : boundaries[i]) triangles.push_back({i, triangle(t)});
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Owned& owned : triangles) boxes.emplace_back(owned.triangle.bbox(), &owned);
-
+  std::vector<Box> boxes = boxes_of(triangles);
   std::set<std::pair<std::size_t, std::size_t>> found;
   const auto test = [&found](const Box& a, const Box& b) {
     const std::size_t i = a.handle()->owner, j = b.handle()->owner;

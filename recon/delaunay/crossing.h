@@ -13,10 +13,10 @@ namespace odontoscope::delaunay {
 /// The boundary of a component, as triangles by place.
 using Boundary = std::vector<std::array<Point3, 3>>;
 
-/// The faces that only one of the tetrahedra has. `points` are indexed by the tetrahedra.
-Boundary boundary_of(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, const std::vector<Point3>& points);
-
 /// Pairs (i < j) of boundaries that have a point in common, ascending. Tests only pairs whose bounding boxes meet.
 std::vector<std::pair<std::size_t, std::size_t>> crossing_pairs(const std::vector<Boundary>& boundaries);
+
+/// Has `one` a point in common with any of `boundaries`?
+bool crosses_any(const std::vector<Boundary>& boundaries, const Boundary& one);
 
 }  // namespace odontoscope::delaunay

@@ -1,9 +1,12 @@
 #pragma once
 // Matches the faces of tetrahedra by their three point numbers: an open-addressing table, since this runs for every slab.
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+#include "recon/mesh/meshes.h"
 
 namespace odontoscope::delaunay {
 
@@ -43,5 +46,25 @@ class FaceTable {
   std::vector<Slot> slots_;
   std::size_t mask_ = 0;
 };
+
+/// Calls visit(face) for each face that only one of the tetrahedra has, in their order, counter-clockwise seen from outside.
+template <class Visit>
+void each_outer_face(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, Visit visit) {
+  FaceTable table(tetrahedra.size() * 4);
+  std::vector<bool> shared(tetrahedra.size() * 4, false);
+  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto& f = outward_face[i];
+      std::uint32_t& seen = table(tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]);
+      if (seen == FaceTable::vacant) seen = 4 * t + i;
+      else shared[seen] = shared[4 * t + i] = true;
+    }
+  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      if (shared[4 * t + i]) continue;
+      const auto& f = outward_face[i];
+      visit(Triangle{tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]});
+    }
+}
 
 }  // namespace odontoscope::delaunay

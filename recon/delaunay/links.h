@@ -24,6 +24,7 @@ class Links {
     std::vector<TetList> runs;
     bool closed = false;   // the ring is closed: one run is no singularity. Else its ends lie on the hull or in a slice: none may be.
     bool singular() const { return runs.size() > (closed ? 1u : 0u); }
+    bool closed_and_full() const { return closed && runs.empty(); }
   };
   Gaps gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const;
 

@@ -52,4 +52,10 @@ struct Planar {
   bool inside(std::uint32_t triangle) const { return triangle != none && triangles[triangle].region != none; }
 };
 
+/// The triangle on the left of each point's contour edge; none where the triangulation lacks the edge.
+std::vector<std::uint32_t> left_triangles(const Planar& planar);
+
+/// Fills first_spoke and spokes from triangles, regions and contours.
+void collect_spokes(Planar& planar);
+
 }  // namespace odontoscope::delaunay

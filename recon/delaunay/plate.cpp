@@ -4,7 +4,6 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/delaunay/crossing.h"
 #include "recon/delaunay/predicates.h"
 #include "recon/delaunay/solve_slab.h"
 
@@ -44,20 +43,16 @@ SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, bool h
 void add_plates(const ConformedSlice& lower, const ConformedSlice& upper, const std::vector<bool>& lower_isolated,
                 const std::vector<bool>& upper_isolated, std::vector<SlabSolid>& pieces) {
   std::vector<Boundary> others;
-  const auto boundary = [&](const SlabSolid& solid) { return boundary_of(solid.tetrahedra, slab_points(lower, upper, solid)); };
-  for (const SlabSolid& piece : pieces) others.push_back(boundary(piece));
+  for (const SlabSolid& piece : pieces) others.push_back(boundary_of(lower, upper, piece));
   const auto add = [&](bool home_is_lower, std::uint32_t region) {
     double height = (upper.z - lower.z) * limits::plate_height;
     for (int halving = 0; halving < limits::plate_halvings; ++halving, height /= 2) {
       SlabSolid solid = plate(lower, upper, home_is_lower, region, home_is_lower ? height : -height);
-      others.push_back(boundary(solid));
-      const auto pairs = crossing_pairs(others);
-      const bool clear = std::none_of(pairs.begin(), pairs.end(), [&](const auto& pair) { return pair.second + 1 == others.size(); });
-      if (clear) {
-        pieces.push_back(std::move(solid));
-        return;
-      }
-      others.pop_back();
+      Boundary boundary = boundary_of(lower, upper, solid);
+      if (crosses_any(others, boundary)) continue;
+      others.push_back(std::move(boundary));
+      pieces.push_back(std::move(solid));
+      return;
     }
     throw InternalError("an isolated region found no room for a plate");
   };

@@ -37,7 +37,7 @@ class Repair {
     for (bool changed = true; changed;) {
       changed = false;
       for (const std::uint32_t t : restored_) {
-        if (fate_[t] != Fate::restored) continue;
+        if (fate_[t] != Fate::restored || !may_go(t)) continue;
         fate_[t] = Fate::removed;
         const auto& v = tets_[t].v;
         if (std::all_of(v.begin(), v.end(), [this](std::uint32_t w) { return links_.regular(w); })) changed = true;
@@ -52,6 +52,18 @@ class Repair {
     fate_[t] = Fate::restored;
     restored_.push_back(t);
     active_.insert(tets_[t].v.begin(), tets_[t].v.end());
+  }
+
+  /// Quickly, what speaks against taking t out again: with at most one open face it would leave a dent shut in at a vertex; with two, the
+  /// edge between the other two faces must have nothing else open around it. A cheap filter: links are then tested in full.
+  bool may_go(std::uint32_t t) const {
+    const SlabTetrahedron& tet = tets_[t];
+    std::array<std::uint32_t, 4> open{};
+    int count = 0;
+    for (int i = 0; i < 4; ++i)
+      if (tet.nb[i] == none || !links_.in(tet.nb[i])) open[count++] = tet.v[i];
+    if (count == 2) return links_.gaps(open[0], open[1], t).closed_and_full();
+    return count > 2;
   }
 
   Cost cost_of(const TetList& tets) const {

@@ -1,9 +1,11 @@
 #include "recon/delaunay/solve_slab.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
-#include "recon/delaunay/crossing.h"
+#include "recon/delaunay/face_table.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -83,7 +85,8 @@ class SlabSolver {
       group.components = {all};
     }
     std::vector<Fate> fate = eliminate(tets, lower, upper);
-    finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper);
+    if (finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper)) return;
+    throw InternalError(fmt::format("the slab between z = {} and {} could not be repaired or lifted", task_.lower.z, task_.upper.z));
   }
 
   /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
@@ -139,8 +142,7 @@ class SlabSolver {
     if (groups_.size() < 2) return false;
     std::vector<Boundary> boundaries;
     for (const Group& group : groups_)
-      boundaries.push_back(group.solid ? boundary_of(group.solid->tetrahedra, slab_points(task_.lower, task_.upper, *group.solid))
-                                       : Boundary{});
+      boundaries.push_back(group.solid ? boundary_of(task_.lower, task_.upper, *group.solid) : Boundary{});
     const auto pairs = crossing_pairs(boundaries);
     if (pairs.empty()) return false;
     std::vector<std::size_t> head(groups_.size());
@@ -217,13 +219,18 @@ SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
   return SlabSolver(task, progress).run();
 }
 
-std::vector<Point3> slab_points(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {
-  std::vector<Point3> points;
-  points.reserve(lower.planar.points.size() + upper.planar.points.size() + solid.added.size());
-  for (const Point2 p : lower.planar.points) points.push_back({p.x, p.y, lower.z});
-  for (const Point2 p : upper.planar.points) points.push_back({p.x, p.y, upper.z});
-  points.insert(points.end(), solid.added.begin(), solid.added.end());
-  return points;
+Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {
+  const auto& below = lower.planar.points;
+  const auto& above = upper.planar.points;
+  const auto place = [&](std::size_t v) -> Point3 {
+    if (v < below.size()) return {below[v].x, below[v].y, lower.z};
+    v -= below.size();
+    if (v < above.size()) return {above[v].x, above[v].y, upper.z};
+    return solid.added[v - above.size()];
+  };
+  Boundary boundary;
+  each_outer_face(solid.tetrahedra, [&](const Triangle& f) { boundary.push_back({place(f[0]), place(f[1]), place(f[2])}); });
+  return boundary;
 }
 
 }  // namespace odontoscope::delaunay

@@ -6,6 +6,7 @@
 
 #include "recon/delaunay/conform.h"
 #include "recon/delaunay/correspond.h"
+#include "recon/delaunay/crossing.h"
 #include "recon/delaunay/lift.h"
 
 namespace odontoscope::delaunay {
@@ -30,9 +31,10 @@ struct SlabTask {
 ///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their regions; else
 ///   2. made one component (links with criterion `crossing`), unless the user keeps a pair of their regions apart; else
 ///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: InputError link-impossible.
+/// Throws InternalError if a single component can be neither repaired nor lifted: no input is known that does that.
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress);
 
-/// All points of a slab's solid in the numbering of SlabSolid.
-std::vector<Point3> slab_points(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid);
+/// The boundary of a slab's solid, by place.
+Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid);
 
 }  // namespace odontoscope::delaunay

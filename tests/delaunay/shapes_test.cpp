@@ -116,9 +116,15 @@ TEST(Shapes, CupIsHollowAlmostToTheNextSlice) {
   EXPECT_GT(cup, full - 4 * spacing);   // the hole's whole column would be pi * spacing
 }
 
+TEST(Shapes, ContoursThatNearlyTouchAlongALongGapAreRefined) {
+  // One point for each gap's width on either side: over 10,000 from eight.
+  EXPECT_GT(reconstruct(close_neighbours(3e-4)).counts.steiner_points, 10'000u);
+}
+
 TEST(Shapes, ContoursCloserThanDoublesHoldAreRefusedNotRefinedForEver) {
   try {
     certified(close_neighbours(1e-9));
+    ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.cause(), "too-close") << error.what();
     EXPECT_TRUE(error.place().slice.has_value()) << error.what();
