@@ -46,10 +46,12 @@ inline constexpr std::size_t voxels = 1ull << 30;
 
 // --- the DT engine -----------------------------------------------------------------------------------------------
 namespace odontoscope::limits {
+/// A gap between contours is narrow where an edge along it is this many times as long as the gap is wide.
+inline constexpr double narrow_gap = 16;
 /// Points that conforming may leave in a slice, as a multiple of those given plus a free allowance: contours that nearly touch
-/// need one for each gap's width along them, without bound. This allows a gap of about 1/100,000 of the length along which it runs.
+/// need many, the more so the nearer to the precision of a double.
 inline constexpr std::size_t steiner_factor = 50;
-inline constexpr std::size_t steiner_free = 250'000;
+inline constexpr std::size_t steiner_free = 10'000;
 /// Rounds of splitting contour edges: each halves what is too long, so this spans the whole precision of a double.
 inline constexpr int conform_rounds = 64;
 /// Sine below which a tetrahedron counts as flat: points added on a straight contour edge are off it by a rounding, and make hull triangles

@@ -69,18 +69,27 @@ std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, c
   return vertices;
 }
 
-/// No point of the two triangles beside the edge lies within its diametral circle; in a constrained Delaunay triangulation no other then does.
-bool gabriel(const Cdt& cdt, Face face, int i) {
+/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a null handle if none
+/// does: then no other point does, since the triangulation is constrained Delaunay.
+Vertex encroacher(const Cdt& cdt, Face face, int i) {
   const auto& a = face->vertex(Cdt::ccw(i))->point();
   const auto& b = face->vertex(Cdt::cw(i))->point();
-  for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}})
-    if (!cdt.is_infinite(f) && CGAL::angle(a, f->vertex(k)->point(), b) == CGAL::OBTUSE) return false;
-  return true;
+  const auto height = [&](Vertex v) {
+    return std::abs((b.x() - a.x()) * (v->point().y() - a.y()) - (b.y() - a.y()) * (v->point().x() - a.x()));
+  };
+  Vertex nearest;
+  for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}}) {
+    if (cdt.is_infinite(f) || CGAL::angle(a, f->vertex(k)->point(), b) != CGAL::OBTUSE) continue;
+    const Vertex v = f->vertex(k);
+    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point())) nearest = v;
+  }
+  return nearest;
 }
 
 /// Splits contour edges until all are Gabriel. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
 /// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
-/// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever.
+/// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever. Edges along a narrow
+/// gap are split opposite each other's points, which takes a few points; halving them would take one for each gap's width.
 class Conformer {
  public:
   Conformer(const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
@@ -97,12 +106,14 @@ class Conformer {
       cdt.clear();
       order = spatial_order(rings.points);
       triangulate(rings, cdt, order);
-      const std::vector<bool> split = encroached(cdt, rings);
-      const auto splits = static_cast<std::size_t>(std::count(split.begin(), split.end(), true));
+      const std::vector<std::uint32_t> within = encroached(cdt, rings);
+      const std::size_t splits = within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
       if (splits == 0) return;
-      if (rings.points.size() + splits > most)
-        too_close(rings.points[static_cast<std::size_t>(std::find(split.begin(), split.end(), true) - split.begin())]);
-      refine(rings, spots, given, split);
+      if (rings.points.size() + splits > most) {
+        const auto first = std::find_if(within.begin(), within.end(), [](std::uint32_t v) { return v != none; });
+        too_close(rings.points[static_cast<std::size_t>(first - within.begin())]);
+      }
+      refine(rings, spots, given, within);
     }
     too_close(rings.points.front());
   }
@@ -128,21 +139,25 @@ class Conformer {
     }
   }
 
-  /// For each point: must the contour edge that starts there be split?
-  static std::vector<bool> encroached(const Cdt& cdt, const Rings& rings) {
+  /// For each point: a point within the diametral circle of the contour edge that starts there, because of which it must be split.
+  static std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) {
     const std::vector<std::uint32_t> next = rings.next();
-    std::vector<bool> split(rings.points.size(), false);
+    std::vector<std::uint32_t> within(rings.points.size(), none);
     for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge) {
-      if (!edge->first->is_constrained(edge->second) || gabriel(cdt, edge->first, edge->second)) continue;
+      if (!edge->first->is_constrained(edge->second)) continue;
+      const Vertex point = encroacher(cdt, edge->first, edge->second);
+      if (point == Vertex()) continue;
       const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
       const std::uint32_t b = edge->first->vertex(Cdt::cw(edge->second))->info().value;
-      split[next[a] == b ? a : b] = true;
+      within[next[a] == b ? a : b] = point->info().value;
     }
-    return split;
+    return within;
   }
 
-  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given, const std::vector<bool>& split) const {
+  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given, const std::vector<std::uint32_t>& within) const {
     const std::vector<std::uint32_t> next = rings.next(), given_next = given.next();
+    std::vector<std::uint32_t> previous(next.size());
+    for (std::uint32_t p = 0; p < next.size(); ++p) previous[next[p]] = p;
     Rings refined;
     std::vector<Spot> refined_spots;
     const auto add = [&](Point2 at, Spot spot) {
@@ -152,20 +167,50 @@ class Conformer {
     for (std::size_t c = 0; c + 1 < rings.first_point.size(); ++c) {
       for (std::uint32_t p = rings.first_point[c]; p < rings.first_point[c + 1]; ++p) {
         add(rings.points[p], spots[p]);
-        if (!split[p]) continue;
+        if (within[p] == none) continue;
         const Point2 a = given.points[spots[p].from], b = given.points[given_next[spots[p].from]];
         const Spot start = spots[p], end = spots[next[p]].t == 0 ? Spot{start.from, 1, 0} : spots[next[p]];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        const Spot split_at = split_spot(start, end, length, sharp(given, given_next, start.from),
-                                         sharp(given, given_next, given_next[start.from]));
-        // Always taken from the given edge, so that errors of rounding never add up.
-        const auto mix = [&split_at](double from, double to) { return from == to ? from : from * split_at.u + to * split_at.t; };
-        add({mix(a.x, b.x), mix(a.y, b.y)}, split_at);
+        const std::uint32_t v = within[p];
+        Spot split_at = opposite(start.from, a, b, rings.points[v]);
+        if (!(start.t < split_at.t && split_at.t < end.t && end.u < split_at.u && split_at.u < start.u) ||
+            !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v], rings.points[previous[v]],
+                     rings.points[next[v]]))
+          split_at = split_spot(start, end, std::hypot(b.x - a.x, b.y - a.y), sharp(given, given_next, start.from),
+                                sharp(given, given_next, given_next[start.from]));
+        add(between(a, b, split_at), split_at);
       }
       refined.first_point.push_back(static_cast<std::uint32_t>(refined.points.size()));
     }
     rings = std::move(refined);
     spots = std::move(refined_spots);
+  }
+
+  /// Always taken from the given edge, so that errors of rounding never add up.
+  static Point2 between(Point2 a, Point2 b, Spot spot) {
+    const auto mix = [&spot](double from, double to) { return from == to ? from : from * spot.u + to * spot.t; };
+    return {mix(a.x, b.x), mix(a.y, b.y)};
+  }
+
+  /// The foot of v on the edge from a to b.
+  static Spot opposite(std::uint32_t from, Point2 a, Point2 b, Point2 v) {
+    const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+    double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square, u = ((b.x - v.x) * x + (b.y - v.y) * y) / square;
+    if (t < u) u = 1 - t;
+    else t = 1 - u;
+    return {from, t, u};
+  }
+
+  /// Is `foot` on the edge from a to b, opposite a point v with neighbours w and x, the place to split? Only where the gap is narrow for the
+  /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone.
+  static bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) {
+    const auto distance = [](Point2 p, Point2 q) { return std::hypot(p.x - q.x, p.y - q.y); };
+    const double gap = distance(foot, v);
+    if (gap * limits::narrow_gap > distance(a, b) || distance(a, foot) < gap || distance(foot, b) < gap) return false;
+    const auto clear = [](Point2 from, Point2 at, Point2 to) {
+      const auto point = [](Point2 p) { return Kernel::Point_2(p.x, p.y); };
+      return CGAL::angle(point(from), point(at), point(to)) != CGAL::OBTUSE;
+    };
+    return clear(a, v, foot) && clear(foot, v, b) && clear(v, foot, w) && clear(v, foot, x);
   }
 
   /// Where to split between two spots of an edge of this length: on a circle around a sharp end, else in the middle.

@@ -3,8 +3,8 @@
 // triangulated, with the regions found.
 //
 // With Gabriel edges the Voronoi cell of a contour point meets no contour but its own two edges; that is what lets the slab walk
-// decide "inside a region?" exactly, with one orientation test. Points are added on contours only (at rounded midpoints, so off
-// the input edge by at most the last digit of a coordinate).
+// decide "inside a region?" exactly, with one orientation test. Points are added on contours only, and
+// rounded, so off the input edge by at most the last digits of a coordinate.
 
 #include <cstddef>
 #include <string>

@@ -61,7 +61,7 @@ TEST(Corpus, IsCertifiedFromEverySide) {
       EXPECT_EQ(usual.topology, shells(line.at("shells").get<std::vector<std::string>>()));
     }
     if (!options.links.empty()) continue;   // links name slices and contours by number
-    for (const Variant& variant : variants_of(stack, 1)) {
+    for (const Variant& variant : variants_of(stack, line.value("seed", 1u))) {
       const Outcome seen = outcome_of(variant.stack, options);
       EXPECT_EQ(seen.failure, "") << variant.name;
       if (line.value("general_position", false) || variant.keeps_order_of_points) {

@@ -116,14 +116,15 @@ TEST(Shapes, CupIsHollowAlmostToTheNextSlice) {
   EXPECT_GT(cup, full - 4 * spacing);   // the hole's whole column would be pi * spacing
 }
 
-TEST(Shapes, ContoursThatNearlyTouchAlongALongGapAreRefined) {
-  // One point for each gap's width on either side: over 10,000 from eight.
-  EXPECT_GT(reconstruct(close_neighbours(3e-4)).counts.steiner_points, 10'000u);
+TEST(Shapes, NarrowGapsAreSplitOppositeEachOther) {
+  // Halving would need a point for each gap's width on either side: 200,000 already for a gap of 1e-5.
+  for (double gap : {1e-3, 1e-5, 1e-8}) EXPECT_LT(certified(turned(close_neighbours(gap), 0.3)).counts.steiner_points, 100u) << gap;
+  EXPECT_LT(certified(turned(close_neighbours(1e-9), 0.3)).counts.steiner_points, 5000u) << "near the precision of a double";
 }
 
 TEST(Shapes, ContoursCloserThanDoublesHoldAreRefusedNotRefinedForEver) {
   try {
-    certified(close_neighbours(1e-9));
+    certified(turned(close_neighbours(1e-12), 0.3));
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
     EXPECT_EQ(error.cause(), "too-close") << error.what();

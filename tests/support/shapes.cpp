@@ -99,6 +99,14 @@ ContourStack scaled(ContourStack stack, double factor) {
   return stack;
 }
 
+ContourStack turned(ContourStack stack, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (Slice& slice : stack.slices)
+    for (Contour& contour : slice.contours)
+      for (Point2& p : contour.points) p = {c * p.x - s * p.y, s * p.x + c * p.y};
+  return stack;
+}
+
 ContourStack shifted_circles(double radii) {
   constexpr double radius = 2;
   return stack_of({{circle(radius)}, {circle(radius, {radii * radius, 0})}});

@@ -33,6 +33,8 @@ Ring comb(int teeth, double length, double thickness);
 ContourStack stack_of(const std::vector<std::vector<Ring>>& slices);
 ContourStack moved(ContourStack stack, Point2 by);
 ContourStack scaled(ContourStack stack, double factor);
+/// About the z axis, by radians: coordinates that were round no longer are.
+ContourStack turned(ContourStack stack, double angle);
 
 // --- stacks ----------------------------------------------------------------------------------------------------------
 /// Two equal discs, one moved by `radii` radii.
