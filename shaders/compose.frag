@@ -25,12 +25,12 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 own = texelFetch(light, pixel, 0);
   if (own.a == 0.0) discard;
-  vec3 sky = texelFetch(ambient, pixel, 0).rgb;
-  if (occluded != 0) {
+  vec4 sky = texelFetch(ambient, pixel, 0);
+  if (occluded != 0 && sky.a > 0.0) {   // without ambient light: lines and pictures, which no light makes
     float open = evened_occlusion(pixel);
     // In a narrow fissure the lamps are mostly hidden too, though less than the sky; light bounced there takes on warmth.
-    sky *= pow(vec3(open), vec3(0.85, 1.0, 1.1));
+    sky.rgb *= pow(vec3(open), vec3(0.85, 1.0, 1.1));
     own.rgb *= mix(1.0, open, 0.55);
   }
-  out_colour = vec4(own.rgb + sky, own.a);
+  out_colour = vec4(own.rgb + sky.rgb, own.a);
 }

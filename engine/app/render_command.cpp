@@ -65,10 +65,11 @@ PictureOptions picture_options(const Options& options) {
   return picture;
 }
 
-std::vector<FileContent> draw(const Options& options, GlContext& context, const odontoscope::Model& model, const Scene& scene, Session& session) {
+std::vector<FileContent> draw(const Options& options, GlContext& context, const Shown& shown, const Scene& scene, Session& session) {
   const PictureOptions picture = picture_options(options);
   Renderer renderer(context.gl(), shaders_from_environment());
-  const GpuModel gpu_model = upload(context.gl(), model);
+  const GpuModel gpu_model = upload(context.gl(), shown.model);
+  const GpuOverlay overlay = upload(context.gl(), make_overlay(shown.overlays, scene.overlays, shown.model));
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -76,7 +77,7 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, const 
     session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
     Scene frame = scene;
     if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
-    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, model, frame, picture))});
+    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay))});
   }
   return files;
 }
@@ -91,9 +92,9 @@ ExitCode render(const Options& options, Session& session) {
   const std::unique_ptr<GlContext> context = make_context(context_options);
   refuse_undrawable(context->gl(), picture.size, picture.render);
 
-  const odontoscope::Model model = model_from(options.input, options.volume, session);
-  const Scene scene = scene_from(options.scene, model, picture.size);
-  std::vector<FileContent> files = draw(options, *context, model, scene, session);
+  const Shown shown = shown_from(options.input, options.volume, session);
+  const Scene scene = scene_from(options.scene, shown.model, shown.overlays, picture.size);
+  std::vector<FileContent> files = draw(options, *context, shown, scene, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
   write_all(files, session.interrupts);

@@ -74,6 +74,51 @@ BackFaces culling_from(const std::string& text) {
   throw UsageError(fmt::format("--cull {}: that is no way to treat faces seen from behind", text), "Choose on, off or tint.");
 }
 
+/// How clear what surrounds the tetrahedra becomes, so that they can be seen.
+constexpr float around_tetrahedra = 0.12f;
+
+constexpr std::string_view tetrahedra_word = "tetrahedra";
+
+/// The slab in "tetrahedra=N"; none in "tetrahedra".
+std::optional<std::size_t> slab_in(const std::string& text) {
+  if (text.size() == tetrahedra_word.size()) return std::nullopt;
+  std::size_t slab = 0;
+  const char* const end = text.data() + text.size();
+  if (text[tetrahedra_word.size()] != '=' || std::from_chars(text.data() + tetrahedra_word.size() + 1, end, slab).ptr != end || text.back() == '=')
+    throw UsageError(fmt::format("--overlay {}: that is no number of a slab", text), "Count slabs from 0: --overlay tetrahedra=12");
+  return slab;
+}
+
+void refuse_unknown_overlay(const std::string& text) {
+  if (text == "contours" || text == "edges") return;
+  if (text.starts_with(tetrahedra_word)) slab_in(text);
+  else throw UsageError(fmt::format("--overlay {}: there is no such overlay", text), "Choose contours, edges or tetrahedra[=SLAB].");
+}
+
+void show_slab(const std::string& text, const OverlaySource& source, Scene& scene) {
+  if (source.slabs() == 0)
+    throw UsageError(fmt::format("--overlay {}: a mesh has no tetrahedra", text), "Give the contour stack, or the volume, that it was made from.");
+  const std::size_t slab = slab_in(text).value_or(source.slabs() / 2);
+  if (slab >= source.slabs())
+    throw UsageError(fmt::format("--overlay {}: the slabs are counted from 0 to {}", text, source.slabs() - 1));
+  scene.overlays.slab = slab;
+  for (Look& look : scene.looks) look.opacity = std::min(look.opacity, around_tetrahedra);
+}
+
+void add_overlays(const SceneWords& words, const OverlaySource& source, Scene& scene) {
+  for (const std::string& text : words.overlays) {
+    if (text == "contours") {
+      if (source.contours.slices.empty())
+        throw UsageError("--overlay contours: a mesh has no contours", "Give the contour stack, or the volume, that it was made from.");
+      scene.overlays.contours = true;
+    } else if (text == "edges") {
+      scene.overlays.edges = true;
+    } else {
+      show_slab(text, source, scene);
+    }
+  }
+}
+
 void place_camera(const SceneWords& words, const odontoscope::Model& model, double aspect, Scene& scene) {
   if (!words.camera_file.empty()) scene.camera = read_scene(words.camera_file, scene).camera;
   const auto projection = words.parallel ? Camera::Projection::parallel : scene.camera.projection;
@@ -142,11 +187,12 @@ Section section_from(const std::string& text, const odontoscope::Model& model) {
   return section;
 }
 
-Scene scene_from(const SceneWords& words, const odontoscope::Model& model, PixelSize size) {
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, PixelSize size) {
   const double aspect = static_cast<double>(size.width) / size.height;
   Scene scene = usual_scene(model, aspect);
   if (!words.scene_file.empty()) scene = read_scene(words.scene_file, scene);
   place_camera(words, model, aspect, scene);
+  add_overlays(words, overlays, scene);
   change_looks(words, scene);
   if (!words.section.empty()) scene.section = section_from(words.section, model);
   if (!words.back_faces.empty()) scene.back_faces = culling_from(words.back_faces);
@@ -163,6 +209,7 @@ void refuse_senseless(const SceneWords& words) {
   if (!words.view.empty()) view_named(words.view);
   if (!words.section.empty()) direction_in(words.section.substr(0, words.section.find('@')));
   if (!words.back_faces.empty()) culling_from(words.back_faces);
+  for (const std::string& text : words.overlays) refuse_unknown_overlay(text);
   if (!words.background.empty()) background_from(words.background);
   for (const std::string& file : {words.scene_file, words.camera_file})
     if (!file.empty()) read_scene(file, Scene{});
@@ -200,6 +247,9 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
       ->type_name("MODE")
       ->group(showing);
   parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
+  repeatable(parser.add_option("--overlay", words.overlays, "contours, edges (faulty ones), tetrahedra[=SLAB]; repeatable"))
+      ->type_name("WHAT")
+      ->group(showing);
   parser.add_option("--occlusion", words.occlusion, "Darkening of hollows: 0 none, 1 natural (default), up to 4")
       ->type_name("F")
       ->check(CLI::Range(0.0, 4.0).description(""))

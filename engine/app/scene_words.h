@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/gpu/framebuffer.h"
+#include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
 
 namespace odontoscope::app {
@@ -20,6 +21,7 @@ struct SceneWords {
   std::vector<std::string> opacity;    // "S=0.3"
   std::vector<std::string> colour;     // "S=#rrggbb"
   std::string section, back_faces, background;
+  std::vector<std::string> overlays;   // "contours", "edges", "tetrahedra", "tetrahedra=N"
   std::optional<double> occlusion;
   bool wire = false;
 };
@@ -31,7 +33,8 @@ void refuse_senseless(const SceneWords& words);
 
 /// The model's usual scene, then what the scene file says, then the words. Throws UsageError for words that make no sense
 /// (a structure that the model has not, a view that there is none), FileError and InputError for the files.
-Scene scene_from(const SceneWords& words, const odontoscope::Model& model, PixelSize size);
+/// UsageError, too, for overlays that the input cannot have.
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, PixelSize size);
 
 /// "1200x900"; UsageError unless both are from 1 to `most_picture_side`.
 PixelSize size_from(const std::string& text);

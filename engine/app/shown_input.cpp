@@ -40,18 +40,27 @@ SurfaceMesh shells_of(const Solid& solid, Shell::Kind kind) {
 
 constexpr std::string_view external_suffix = " external", cavity_suffix = " cavity";
 
-std::vector<NamedSurface> surfaces_of(const ContourStack& stack, Session& session) {
+/// Surfaces, and what overlays need besides them.
+struct Found {
+  std::vector<NamedSurface> surfaces;
+  OverlaySource overlays;
+};
+
+Found found_in(ContourStack stack, Session& session) {
   ReconstructOptions engine;
   engine.threads = session.threads;
-  const Reconstruction made = reconstruct(stack, engine, session.progress());
-  std::vector<NamedSurface> surfaces;
-  for (const Solid& solid : made.solids) {
+  Reconstruction made = reconstruct(stack, engine, session.progress());
+  Found found;
+  found.overlays.contours = std::move(stack);
+  for (Solid& solid : made.solids) {
+    std::vector<NamedSurface>& surfaces = found.surfaces;
     surfaces.push_back({solid.structure, shells_of(solid, Shell::Kind::external), solid.structure});
     SurfaceMesh cavities = shells_of(solid, Shell::Kind::cavity);
+    found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
     if (cavities.triangles.empty()) continue;
     surfaces.push_back({solid.structure + std::string(cavity_suffix), std::move(cavities), solid.structure, true});
   }
-  return surfaces;
+  return found;
 }
 
 /// A mesh without a name is called after its file. Our own GLB files name a solid's outside "S external" and its cavities
@@ -66,10 +75,10 @@ NamedSurface surface_of(NamedMesh mesh, const std::string& file) {
   return {name, std::move(mesh.surface), name};
 }
 
-std::vector<NamedSurface> surfaces_of(std::vector<NamedMesh> meshes, const std::string& file) {
-  std::vector<NamedSurface> surfaces;
-  for (NamedMesh& mesh : meshes) surfaces.push_back(surface_of(std::move(mesh), file));
-  return surfaces;
+Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
+  Found found;
+  for (NamedMesh& mesh : meshes) found.surfaces.push_back(surface_of(std::move(mesh), file));
+  return found;
 }
 
 [[noreturn]] void refuse(FileKind kind, const std::string& file) {
@@ -82,27 +91,29 @@ std::vector<NamedSurface> surfaces_of(std::vector<NamedMesh> meshes, const std::
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
-std::vector<NamedSurface> surfaces_from(const std::string& file, const VolumeWords& words, Session& session) {
-  if (file.empty()) return surfaces_of(sample_tooth(ToothKind::molar), session);
-  if (words.any_level()) return surfaces_of(contours_told(file, understood(words), session), session);
+Found found_in(const std::string& file, const VolumeWords& words, Session& session) {
+  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), session);
+  if (words.any_level()) return found_in(contours_told(file, understood(words), session), session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file);
   const FileKind kind = kind_of(bytes);
   switch (kind) {
-    case FileKind::contour_stack: return surfaces_of(parse_stack(bytes, file), session);
-    case FileKind::glb: return surfaces_of(parse_glb(bytes, file), file);
-    case FileKind::ply: return surfaces_of(parse_ply(bytes, file), file);
-    case FileKind::stl: return surfaces_of(parse_stl(bytes, file), file);
+    case FileKind::contour_stack: return found_in(parse_stack(bytes, file), session);
+    case FileKind::glb: return found_in(parse_glb(bytes, file), file);
+    case FileKind::ply: return found_in(parse_ply(bytes, file), file);
+    case FileKind::stl: return found_in(parse_stl(bytes, file), file);
     default: refuse(kind, file);
   }
 }
 
 }  // namespace
 
-odontoscope::Model model_from(const std::string& file, const VolumeWords& words, Session& session) {
-  const std::vector<NamedSurface> surfaces = surfaces_from(file, words, session);
+Shown shown_from(const std::string& file, const VolumeWords& words, Session& session) {
+  Found found = found_in(file, words, session);
   session.progress().check();
-  return odontoscope::make_model(surfaces);
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays)};
+  shown.overlays.faulty_edges = faulty_edges(found.surfaces, shown.model);
+  return shown;
 }
 
 }  // namespace odontoscope::app

@@ -28,9 +28,26 @@ std::vector<const GpuPart*> surfaces_of(const std::string& solid, const GpuModel
   return surfaces;
 }
 
+constexpr glm::vec4 keeps_everything{0, 0, 0, 1};
+
+void add_overlay(const GpuOverlay& overlay, const GpuModel& model, const Scene& scene, FramePlan& plan) {
+  const auto look = [&](const std::string& structure) { return scene.look_of(structure); };
+  for (const GpuPart& part : overlay.slab) {
+    if (look(part.structure) && !look(part.structure)->visible) continue;
+    std::size_t index = 0;
+    while (index < model.parts.size() && model.parts[index].structure != part.structure) ++index;
+    const Colour colour = look(part.structure) ? look(part.structure)->colour : usual_colour(part.structure, index);
+    plan.opaque.push_back({.part = &part, .colour = linear(colour), .wire = true, .whole = true});
+  }
+  for (const GpuLines& lines : overlay.lines) {
+    if (look(lines.structure) && !look(lines.structure)->visible) continue;
+    plan.lines.push_back({&lines, lines.kind == LineKind::measure});
+  }
+}
+
 }  // namespace
 
-FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side) {
+FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side, const GpuOverlay* overlay) {
   FramePlan plan;
   plan.view = view;
   plan.size = {side * size.width, side * size.height};
@@ -55,7 +72,12 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   }
   std::stable_sort(plan.capped.begin(), plan.capped.end(),
                    [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });
+  if (overlay) add_overlay(*overlay, model, scene, plan);
   return plan;
+}
+
+void set_section(const Program& program, const FramePlan& plan, bool whole) {
+  program.set("section", whole ? keeps_everything : plan.section);
 }
 
 void set_view(const Program& program, const FramePlan& plan) {

@@ -6,6 +6,7 @@
 #include "engine/gpu/framebuffer.h"
 #include "engine/gpu/program.h"
 #include "engine/render/gpu_model.h"
+#include "engine/render/gpu_overlay.h"
 #include "engine/scene/scene.h"
 
 namespace odontoscope {
@@ -15,6 +16,8 @@ struct DrawnPart {
   glm::vec3 colour{0};     // linear
   float opacity = 1;
   bool inside_out = false; // clockwise is the front
+  bool wire = false;       // with its triangles' edges, whatever the frame says
+  bool whole = false;      // the section leaves it as it is
 };
 
 /// A solid whose section is closed, by all its surfaces, whether they are shown or not.
@@ -24,6 +27,11 @@ struct CappedSolid {
   double box_volume = 0;
 };
 
+struct DrawnLines {
+  const GpuLines* lines = nullptr;
+  bool whole = false;
+};
+
 struct FramePlan {
   View view;
   PixelSize size;                       // that the passes draw: the picture's size times `side`
@@ -31,6 +39,7 @@ struct FramePlan {
   std::vector<DrawnPart> opaque;
   std::vector<DrawnPart> translucent;
   std::vector<CappedSolid> capped;       // largest first; empty if the section is off or seen from its far side
+  std::vector<DrawnLines> lines;
   glm::vec4 section{0, 0, 0, 1};        // keeps what has dot(xyz, position) <= w; this one keeps everything
   glm::vec3 centre{0};                  // metres
   float radius = 1;
@@ -42,10 +51,14 @@ struct FramePlan {
   float occlusion_reach() const { return occlusion.reach * radius; }
 };
 
-/// `side` squared is the number of samples a pixel.
-FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side);
+/// `side` squared is the number of samples a pixel; `overlay` null: none.
+FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side,
+                     const GpuOverlay* overlay = nullptr);
 
 /// Sets the uniforms that every pass over surfaces shares. The program is in use.
 void set_view(const Program& program, const FramePlan& plan);
+
+/// The section, or for what stays whole one that keeps everything.
+void set_section(const Program& program, const FramePlan& plan, bool whole);
 
 }  // namespace odontoscope

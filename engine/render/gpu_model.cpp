@@ -22,6 +22,14 @@ double box_volume(const std::vector<glm::vec3>& positions) {
   return size.x * size.y * size.z;
 }
 
+}  // namespace
+
+void GpuPart::draw() const {
+  const Gl& gl = vertex_array.gl();
+  gl.BindVertexArray(vertex_array.id());
+  gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
+}
+
 GpuPart upload(const Gl& gl, const ModelPart& part) {
   GpuPart uploaded{part.structure, part.solid, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
                    static_cast<GLsizei>(part.indices.size()), box_volume(part.positions)};
@@ -35,14 +43,6 @@ GpuPart upload(const Gl& gl, const ModelPart& part) {
   fill(gl, GL_ELEMENT_ARRAY_BUFFER, uploaded.indices, part.indices);
   gl.BindVertexArray(0);
   return uploaded;
-}
-
-}  // namespace
-
-void GpuPart::draw() const {
-  const Gl& gl = vertex_array.gl();
-  gl.BindVertexArray(vertex_array.id());
-  gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
 }
 
 GpuModel upload(const Gl& gl, const Model& model) {

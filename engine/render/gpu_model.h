@@ -27,5 +27,6 @@ struct GpuModel {
 };
 
 GpuModel upload(const Gl& gl, const Model& model);
+GpuPart upload(const Gl& gl, const ModelPart& part);   // that has at least one triangle
 
 }  // namespace odontoscope

@@ -21,12 +21,13 @@ void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& option
 }
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), surfaces_(gl, shaders), caps_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
+    : gl_(&gl), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
 
-void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options) {
+void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
+                    const GpuOverlay* overlay) {
   for (const Pane& pane : panes) {
     refuse_undrawable(*gl_, pane.target.size, options);
-    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side), scene.background, pane.target);
+    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay), scene.background, pane.target);
   }
 }
 
@@ -35,10 +36,16 @@ void Renderer::draw(const FramePlan& plan, const Background& background, const T
   buffers.opaque.begin();
   surfaces_.draw_opaque(plan);
   caps_.draw(plan);
+  lines_.draw(plan);
 
   constexpr GLfloat nothing[4] = {0, 0, 0, 0};
   buffers.picture.bind();
   gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  if (!plan.lines.empty()) {
+    const Layer& hints = buffers.peeled[0];
+    lines_.draw_hidden(plan, buffers.opaque, hints);
+    compose_.draw(plan, hints, nullptr, buffers.picture);
+  }
   const Layer* before = nullptr;
   for (int i = 0; i < most_layers && !plan.translucent.empty(); ++i) {
     const Layer& layer = buffers.peeled[i % 2];

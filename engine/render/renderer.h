@@ -9,6 +9,7 @@
 #include "engine/render/cap_pass.h"
 #include "engine/render/compose_pass.h"
 #include "engine/render/gpu_model.h"
+#include "engine/render/line_pass.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/resolve_pass.h"
 #include "engine/render/surface_pass.h"
@@ -43,8 +44,9 @@ class Renderer {
   /// The context of `gl` is current now and at every call, and outlives this.
   Renderer(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Two panes are a headset, four a split screen. Throws GraphicsError as `refuse_undrawable` does.
-  void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {});
+  /// Two panes are a headset, four a split screen. `overlay` null: none. Throws GraphicsError as `refuse_undrawable` does.
+  void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {},
+            const GpuOverlay* overlay = nullptr);
 
  private:
   /// What the passes of one size draw into.
@@ -60,6 +62,7 @@ class Renderer {
   const Gl* gl_;
   SurfacePass surfaces_;
   CapPass caps_;
+  LinePass lines_;
   OcclusionPass occlusion_;
   ComposePass compose_;
   ResolvePass resolve_;

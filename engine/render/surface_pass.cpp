@@ -1,5 +1,7 @@
 #include "engine/render/surface_pass.h"
 
+#include <algorithm>
+
 namespace odontoscope {
 
 namespace {
@@ -32,7 +34,9 @@ SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
       peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}),
       any_drawn_(make_query(gl)) {}
 
-void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program) const {
+void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const {
+  const auto belongs = [&](const DrawnPart& part) { return (plan.wire || part.wire) == wire; };
+  if (std::none_of(parts.begin(), parts.end(), belongs)) return;
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_LESS);
   gl_->Disable(GL_BLEND);
@@ -44,6 +48,8 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
   const bool tint = plan.back_faces == BackFaces::tint;
   program.set("least_back_opacity", tint ? alarm_opacity : 0.0f);
   for (const DrawnPart& part : parts) {
+    if (!belongs(part)) continue;
+    set_section(program, plan, part.whole);
     program.set("colour", part.colour);
     program.set("back_colour", tint ? linear(alarm) : part.colour);
     program.set("opacity", part.opacity);
@@ -55,9 +61,10 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
 }
 
 void SurfacePass::draw_opaque(const FramePlan& plan) const {
-  const Program& program = plan.wire ? opaque_wire_ : opaque_;
-  program.use();
-  draw(plan, plan.opaque, program);
+  opaque_.use();
+  draw(plan, plan.opaque, opaque_, false);
+  opaque_wire_.use();
+  draw(plan, plan.opaque, opaque_wire_, true);
 }
 
 bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const {
@@ -70,7 +77,7 @@ bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* 
   opaque.bind_depth(0);
   (before ? *before : opaque).bind_depth(1);
   gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, any_drawn_.id());
-  draw(plan, plan.translucent, program);
+  draw(plan, plan.translucent, program, plan.wire);
   gl_->EndQuery(GL_ANY_SAMPLES_PASSED);
   GLuint any = 0;
   gl_->GetQueryObjectuiv(any_drawn_.id(), GL_QUERY_RESULT, &any);

@@ -20,7 +20,8 @@ class SurfacePass {
   bool peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const;
 
  private:
-  void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program) const;
+  /// Those parts that are drawn with their edges, or those that are not.
+  void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const;
 
   const Gl* gl_;
   Program opaque_, opaque_wire_, peel_, peel_wire_;

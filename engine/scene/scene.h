@@ -51,12 +51,23 @@ struct Occlusion {
   friend bool operator==(const Occlusion&, const Occlusion&) = default;
 };
 
+/// What is drawn over the surfaces, if the overlay's source knows it (see overlay.h).
+struct OverlayChoice {
+  bool contours = false;            // of the slices; with a slab only of the two that bound it
+  bool edges = false;               // boundary, non-manifold and misoriented ones
+  /// The tetrahedra between slice `slab` and the next, counted from 0, each shrunk towards its centre by `shrink`.
+  std::optional<std::size_t> slab;
+  float shrink = 0.8f;              // 1 leaves them as they are
+  friend bool operator==(const OverlayChoice&, const OverlayChoice&) = default;
+};
+
 struct Scene {
   Camera camera;
   std::vector<Look> looks;
   std::optional<Section> section;
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
+  OverlayChoice overlays;
   Background background;
   Occlusion occlusion;
 

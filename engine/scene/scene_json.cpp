@@ -19,6 +19,7 @@ constexpr const char* format_name = "odontoscope.scene";
 constexpr int format_version = 1;
 constexpr std::size_t most_scene_bytes = 1u << 20;
 constexpr float most_emphasis = 4;
+constexpr double most_slab = 1e9;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -188,6 +189,20 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
   }
 }
 
+void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& overlays) {
+  const Json* json = scene.member("overlays");
+  if (!json) return;
+  const Reader reader(*json, "overlays", file);
+  reader.read("contours", overlays.contours);
+  reader.read("edges", overlays.edges);
+  reader.read("shrink", overlays.shrink, 0, 1);
+  if (!reader.member("slab")) return;
+  double slab = -1;
+  reader.read("slab", slab);
+  if (slab < 0 || slab > most_slab || slab != std::floor(slab)) reader.refuse("bad-value", "slab", "is no number of a slab");
+  overlays.slab = static_cast<std::size_t>(slab);
+}
+
 Json camera_json(const Camera& camera) {
   return Json{{"projection", camera.projection == Camera::Projection::parallel ? "parallel" : "perspective"},
               {"position", to_json(camera.position)},
@@ -229,6 +244,10 @@ std::string to_json(const Scene& scene) {
   if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
   json["back_faces"] = name(scene.back_faces);
   json["wire"] = scene.wire;
+  json["overlays"] = {{"contours", scene.overlays.contours},
+                      {"edges", scene.overlays.edges},
+                      {"slab", scene.overlays.slab ? Json(*scene.overlays.slab) : Json()},
+                      {"shrink", short_number(scene.overlays.shrink)}};
   json["background"] = {{"kind", name(scene.background.kind)},
                         {"top", hex(scene.background.top)},
                         {"bottom", hex(scene.background.bottom)}};
@@ -256,6 +275,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   read_section(reader, file, scene);
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
+  read_overlays(reader, file, scene.overlays);
   read_surroundings(reader, file, scene);
   return scene;
 }

@@ -7,6 +7,7 @@
 //    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true,"as_body":false}],
 //    "section":{"point":[0,0,10],"normal":[0,1,0]},
 //    "back_faces":"cull","wire":false,
+//    "overlays":{"contours":true,"edges":false,"slab":12,"shrink":0.8},
 //    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},
 //    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12}}
 //

@@ -60,6 +60,31 @@ TEST_F(RenderCommand, TurntableWritesAllAround) {
   EXPECT_NE(picture("x-000.png"), picture("x-001.png"));
 }
 
+TEST_F(RenderCommand, OverlaysChangeThePictureAndComeBackFromASavedScene) {
+  ASSERT_EQ(render({}).exit_code, 0);
+  const Image plain = picture();
+  for (const std::string overlay : {"contours", "tetrahedra", "tetrahedra=0"}) {
+    ASSERT_EQ(render({"--overlay", overlay, "--save-scene", "s.json"}).exit_code, 0) << overlay;
+    const Image drawn = picture();
+    EXPECT_NE(drawn, plain) << overlay;
+    ASSERT_EQ(render({"--scene", "s.json"}).exit_code, 0);
+    EXPECT_EQ(picture(), drawn) << overlay;
+  }
+  ASSERT_EQ(render({"--overlay", "edges"}).exit_code, 0);
+  EXPECT_EQ(picture(), plain) << "a certified model has no faulty edges";
+}
+
+TEST_F(RenderCommand, AMeshHasNoContoursAndNoTetrahedra) {
+  ASSERT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "cube.stl"}).exit_code, 0);
+  for (const char* overlay : {"contours", "tetrahedra"}) {
+    const Ending ending = odontoscope({"render", "cube.stl", "-o", "x.png", "--overlay", overlay});
+    EXPECT_EQ(ending.exit_code, 2);
+    EXPECT_TRUE(ending.complains("contour stack")) << ending.err;
+    EXPECT_FALSE(exists("x.png"));
+  }
+  EXPECT_EQ(odontoscope({"render", "cube.stl", "-o", "x.png", "--overlay", "edges"}).exit_code, 0);
+}
+
 TEST_F(RenderCommand, AnswersSenselessWordsAndTouchesNoFile) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> wrong = {
       {{"--hide", "enamel"}, "There are: tooth"},
@@ -73,6 +98,10 @@ TEST_F(RenderCommand, AnswersSenselessWordsAndTouchesNoFile) {
       {{"--cull", "sometimes"}, "on, off or tint"},
       {{"--samples", "5"}, "16"},
       {{"--backend", "paper"}, "osmesa"},
+      {{"--overlay", "spirals"}, "contours, edges or tetrahedra"},
+      {{"--overlay", "tetrahedra=x"}, "no number of a slab"},
+      {{"--overlay", "tetrahedra="}, "no number of a slab"},
+      {{"--overlay", "tetrahedra=1"}, "from 0 to 0"},
       {{"--turntable", "0"}, "whole number"},
   };
   for (const auto& [options, answer] : wrong) {

@@ -35,6 +35,10 @@ const std::vector<GoldenCase>& golden_cases() {
       {"molar-section", small_molar_surfaces},
       {"molar-occlusal", small_molar_surfaces},
       {"molar-wire", small_molar_surfaces},
+      {"molar-contours", small_molar_surfaces, small_molar_overlays},
+      {"molar-slab", small_molar_surfaces, small_molar_overlays},
+      {"ring-faulty-edges", [] { return std::vector<NamedSurface>{{"ring", faulty_ring()}}; }},
+      {"ring-faulty-edges-hidden", [] { return std::vector<NamedSurface>{{"ring", faulty_ring()}}; }},
       {"coarse-ball", [] { return std::vector<NamedSurface>{{"ball", coarse_ball(5)}}; }},
       {"ring-inside-out", [] { return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}}; }},
       {"tinted", [] { return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}}; }},
@@ -68,7 +72,10 @@ Image draw_golden(GlContext& context, const GoldenCase& golden, const Mutation& 
   context.make_current();
   Renderer renderer(context.gl(), shaders);
   const GpuModel gpu_model = upload(context.gl(), model);
-  return picture_of(context.gl(), renderer, gpu_model, model, scene, {size, {2}});
+  OverlaySource source = golden.overlays ? golden.overlays() : OverlaySource{};
+  source.faulty_edges = faulty_edges(surfaces, model);
+  const GpuOverlay overlay = upload(context.gl(), make_overlay(source, scene.overlays, model));
+  return picture_of(context.gl(), renderer, gpu_model, model, scene, {size, {2}}, &overlay);
 }
 
 }  // namespace odontoscope::testing_support

@@ -18,6 +18,7 @@ namespace odontoscope::testing_support {
 struct GoldenCase {
   const char* name;
   std::function<std::vector<NamedSurface>()> surfaces;
+  std::function<OverlaySource()> overlays = {};   // none; faulty edges are found in the surfaces
 };
 const std::vector<GoldenCase>& golden_cases();
 

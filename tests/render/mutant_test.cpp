@@ -72,6 +72,10 @@ std::vector<NamedMutation> mutations() {
       {"LightFromTheOtherSide", of_shader("lighting.glsl", "vec3(-0.477, 0.620, 0.623)", "vec3(0.477, 0.620, 0.623)")},
       {"LayersBackToFront", of_shader("surface.frag", "gl_FragCoord.z <= texelFetch(layer_before", "gl_FragCoord.z < texelFetch(layer_before")},
       {"WiresForgotten", of_scene([](Scene& scene) { scene.wire = false; })},
+      {"OverlaysForgotten", of_scene([](Scene& scene) { scene.overlays = {}; })},
+      {"LinesSunkIntoTheSurface", of_shader("line.vert", "(1.0 - min(lift", "(1.0 + min(lift")},
+      {"HiddenLinesForgotten", of_shader("line.frag", "gl_FragCoord.z <= texelFetch", "gl_FragCoord.z >= texelFetch")},
+      {"TetrahedraNotShrunk", of_scene([](Scene& scene) { scene.overlays.shrink = 1; })},
       {"BackgroundUpsideDown", of_scene([](Scene& scene) { std::swap(scene.background.top, scene.background.bottom); })},
   };
 }

@@ -123,17 +123,44 @@ Model hollow_ball_model() {
   return make_model({{"shell", ball({{0, 0, 0}, 5}), "shell"}, {"shell cavity", reversed(ball({{0, 0, 0}, 2})), "shell", true}});
 }
 
-const std::vector<NamedSurface>& small_molar_surfaces() {
-  static const std::vector<NamedSurface> surfaces = [] {
+namespace {
+
+struct SmallMolar {
+  std::vector<NamedSurface> surfaces;
+  OverlaySource overlays;
+};
+
+const SmallMolar& the_small_molar() {
+  static const SmallMolar molar = [] {
     SampleOptions coarse;
     coarse.slice_spacing = 0.35;
     coarse.point_spacing = 0.5;
-    std::vector<NamedSurface> made;
-    for (Solid& solid : reconstruct(sample_tooth(ToothKind::molar, coarse)).solids)
-      made.push_back({solid.structure, std::move(solid.surface)});
+    SmallMolar made;
+    made.overlays.contours = sample_tooth(ToothKind::molar, coarse);
+    for (Solid& solid : reconstruct(made.overlays.contours).solids) {
+      made.surfaces.push_back({solid.structure, std::move(solid.surface)});
+      made.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
+    }
     return made;
   }();
-  return surfaces;
+  return molar;
+}
+
+}  // namespace
+
+const std::vector<NamedSurface>& small_molar_surfaces() { return the_small_molar().surfaces; }
+const OverlaySource& small_molar_overlays() { return the_small_molar().overlays; }
+
+SurfaceMesh faulty_ring() {
+  SurfaceMesh mesh = ring({.radius = 4, .tube = 1.5, .around = 16, .across = 8});
+  // Where buccal is: a quarter of the way round, on the outside of the tube and just above.
+  const std::size_t there = 2 * 4 * 8;
+  std::swap(mesh.triangles[there - 16][1], mesh.triangles[there - 16][2]);
+  const Triangle edge_of = mesh.triangles[there + 16];
+  mesh.triangles.push_back({edge_of[1], edge_of[0], static_cast<PointIndex>(mesh.points.size())});
+  mesh.points.push_back({-1.2, 7.2, 1.4});
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(there));
+  return mesh;
 }
 
 const Model& small_molar() {

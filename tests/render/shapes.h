@@ -2,6 +2,7 @@
 // Closed, outward oriented surfaces whose every pixel can be foretold. Millimetres.
 
 #include "engine/scene/model.h"
+#include "engine/scene/overlay.h"
 #include "recon/mesh/meshes.h"
 
 namespace odontoscope::testing_support {
@@ -36,5 +37,10 @@ Model hollow_ball_model();
 /// The sample molar, coarse enough to be made in a moment. Made once, then remembered.
 const Model& small_molar();
 const std::vector<NamedSurface>& small_molar_surfaces();
+const OverlaySource& small_molar_overlays();
+
+/// A ring that lacks a triangle (3 boundary edges), has one the wrong way round (3 misoriented edges), and a fin on one of its edges
+/// (1 non-manifold edge, 2 boundary edges).
+SurfaceMesh faulty_ring();
 
 }  // namespace odontoscope::testing_support
