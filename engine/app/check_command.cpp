@@ -27,20 +27,6 @@ struct Options {
   std::string report;
 };
 
-/// What is wrong with a surface, each defect with its count; empty if it is a closed oriented manifold.
-std::vector<std::string> defects_of(const SurfaceReport& report) {
-  std::vector<std::string> defects;
-  const auto add = [&defects](std::size_t count, std::string_view singular, std::string_view plural) {
-    if (count > 0) defects.push_back(counted(count, singular, plural));
-  };
-  add(report.boundary_edges, "boundary edge", "boundary edges");
-  add(report.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
-  add(report.misoriented_edges, "misoriented edge", "misoriented edges");
-  add(report.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
-  add(report.degenerate_triangles, "degenerate triangle", "degenerate triangles");
-  return defects;
-}
-
 void tell_shells(const std::vector<Shell>& shells, Console& console) {
   constexpr std::size_t most_lines = 10;
   for (std::size_t i = 0; i < std::min(shells.size(), most_lines); ++i) console.say("  " + shell_in_words(shells[i]));
@@ -55,7 +41,7 @@ void tell_surface(const NamedSurfaceReport& mesh, Console& console) {
   console.say(fmt::format("  smallest angle {} degrees (median {}), aspect ratio at most {} (median {})",
                           measured(report.smallest_angle_deg.min), measured(report.smallest_angle_deg.median),
                           measured(report.aspect_ratio.max), measured(report.aspect_ratio.median)));
-  const std::vector<std::string> defects = defects_of(report);
+  const std::vector<std::string> defects = defects_in_words(report);
   if (defects.empty()) console.say("  closed, oriented and manifold");
   else console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
 }

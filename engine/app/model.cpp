@@ -1,6 +1,7 @@
 #include "engine/app/model.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -38,15 +39,18 @@ StructureSimplification simplify_solid(Solid& solid, std::size_t triangles, cons
   return told;
 }
 
-void tell_solid(const Solid& solid, Console& console) {
-  console.say(fmt::format("{}: {} in {}", solid.structure, counted(solid.tetrahedra.tetrahedra.size(), "tetrahedron", "tetrahedra"),
-                          counted(solid.report.shells.size(), "closed surface")));
+void tell_shells(const std::vector<Shell>& shells, Console& console) {
   constexpr std::size_t most_lines = 6;
-  const std::vector<Shell>& shells = solid.report.shells;
   for (std::size_t i = 0; i < std::min(shells.size(), most_lines); ++i) console.say("  " + shell_in_words(shells[i]));
   if (shells.size() > most_lines) {
     console.say(fmt::format("  and {} smaller ones", shells.size() - most_lines));
   }
+}
+
+void tell_solid(const Solid& solid, Console& console) {
+  console.say(fmt::format("{}: {} in {}", solid.structure, counted(solid.tetrahedra.tetrahedra.size(), "tetrahedron", "tetrahedra"),
+                          counted(solid.report.shells.size(), "closed surface")));
+  tell_shells(solid.report.shells, console);
 }
 
 void tell_simplification(const StructureSimplification& done, Console& console) {
@@ -85,6 +89,25 @@ void tell_model(const Model& model, double seconds, Console& console) {
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
                           model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+}
+
+void tell_model(const DbReconstruction& model, double seconds, Console& console) {
+  std::size_t triangles = 0;
+  bool sound = true;
+  for (const DbSurface& made : model.surfaces) {
+    triangles += made.report.triangles;
+    const std::vector<std::string> defects = defects_in_words(made.report);
+    sound = sound && defects.empty();
+    console.say(fmt::format("{}: {}{}", made.structure, counted(made.report.triangles, "triangle"),
+                            made.decimation_error ? fmt::format(", decimated from {}", counted(made.before.triangles, "triangle")) : ""));
+    tell_shells(made.report.shells, console);
+    if (!defects.empty()) console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
+  }
+  console.say(fmt::format("In all {} from a grid of {} x {} points in {}, in {} s on {}.", counted(triangles, "triangle"),
+                          model.grid.columns, model.grid.rows, counted(model.grid.layers.size(), "layer"), measured(seconds),
+                          counted(static_cast<std::size_t>(model.threads), "thread")));
+  console.say(sound ? "closed, manifold and oriented outwards, as found by inspection; nothing else is certified."
+                    : "not certified: not every surface is a closed, oriented manifold. That is what the method made of these contours.");
 }
 
 }  // namespace odontoscope::app

@@ -7,6 +7,7 @@
 #include "engine/app/console.h"
 #include "recon/core/progress.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/distance/db_reconstruction.h"
 #include "recon/output/report_json.h"
 
 namespace odontoscope::app {
@@ -23,5 +24,7 @@ void simplify_model(Model& model, std::size_t triangles, const Progress& progres
 
 /// Shells, genus, volume, triangles, tetrahedra, seconds, and what is certified, in plain words.
 void tell_model(const Model& model, double seconds, Console& console);
+/// The same of a DB model, and what is wrong with it.
+void tell_model(const DbReconstruction& model, double seconds, Console& console);
 
 }  // namespace odontoscope::app

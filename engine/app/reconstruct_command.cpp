@@ -1,13 +1,16 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/db_options.h"
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
@@ -22,10 +25,14 @@
 namespace odontoscope::app {
 namespace {
 
+enum class Method { dt, db };
+
 struct Options {
   std::string input;
+  Method method = Method::dt;
   VolumeWords words;
-  Correspondence correspondence = Correspondence::medial;
+  DbWords db;
+  std::optional<Correspondence> correspondence;
   std::string links;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
@@ -45,8 +52,29 @@ std::vector<std::string> names_in(const std::string& list) {
                    "For example --together dentine,pulp");
 }
 
+void refuse_other_methods_options(const Options& options) {
+  if (options.method == Method::dt) {
+    if (!options.db.any()) return;
+    throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
+  }
+  if (options.triangles) throw UsageError("--triangles is about the DT method", "Use --decimate with --method db");
+  if (!options.correspondence && options.links.empty()) return;
+  throw UsageError("--correspondence and --links are about the DT method; DB connects whatever overlaps",
+                   "Leave them out, or part slices with --split");
+}
+
+void refuse_tetrahedra_of_db(const std::string& output) {
+  if (known_ending(output, model_endings()) != ".vtu") return;
+  throw UsageError(fmt::format("{}: .vtu holds tetrahedra, and the DB method makes only a surface", output),
+                   fmt::format("Use {}", fmt::join(surface_endings(), ", ")));
+}
+
 void refuse_senseless(const Options& options) {
-  for (const std::string& output : options.outputs) known_ending(output, model_endings());
+  refuse_other_methods_options(options);
+  for (const std::string& output : options.outputs) {
+    if (options.method == Method::db) refuse_tetrahedra_of_db(output);
+    known_ending(output, model_endings());
+  }
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   if (options.words.any_level()) return;
@@ -86,31 +114,53 @@ std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
   return links;
 }
 
+/// What a method made: files still to be written, and what to say once they are.
+struct Made {
+  std::vector<FileContent> files;
+  std::function<void(double seconds, Console& console)> tell;
+};
+
+Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
+  ReconstructOptions engine;
+  engine.correspondence = options.correspondence.value_or(Correspondence::medial);
+  engine.links = links_for(stack, options);
+  engine.threads = session.threads;
+  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}});
+  if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
+  Made made;
+  for (const std::string& output : options.outputs) made.files.push_back(model_file(model->reconstruction, output));
+  if (!options.report.empty()) {
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications})});
+  }
+  made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
+  return made;
+}
+
+Made made_by_db(const ContourStack& stack, const Options& options, Session& session) {
+  const DbOptions engine = understood(options.db, session.threads);
+  const auto model = std::make_shared<DbReconstruction>(reconstruct_by_distance(stack, engine, session.progress()));
+  Made made;
+  for (const std::string& output : options.outputs) made.files.push_back(model_file(*model, output));
+  if (!options.report.empty()) made.files.push_back({options.report, report_json(*model, engine)});
+  made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
+  return made;
+}
+
 ExitCode make_model(const Options& options, Session& session) {
   refuse_senseless(options);
   if (options.words.any_level()) understood(options.words);
+  understood(options.db, session.threads);
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
   ContourStack stack = contours_of(options, session);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
-  ReconstructOptions engine;
-  engine.correspondence = options.correspondence;
-  engine.links = links_for(stack, options);
-  engine.threads = session.threads;
-  Model model{.reconstruction = reconstruct(stack, engine, session.progress()), .simplifications = {}};
-  if (options.triangles) simplify_model(model, static_cast<std::size_t>(*options.triangles), session.progress());
-
-  std::vector<FileContent> files;
-  for (const std::string& output : options.outputs) files.push_back(model_file(model.reconstruction, output));
-  if (!options.report.empty()) {
-    files.push_back({options.report, report_json(model.reconstruction, {.simplifications = model.simplifications})});
-  }
+  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, options, session);
   session.progress().check();
-  write_all(files, session.interrupts);
+  write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  tell_model(model, taken.count(), session.console);
-  for (const FileContent& file : files) session.console.say(fmt::format("Wrote {}", file.file.string()));
+  made.tell(taken.count(), session.console);
+  for (const FileContent& file : made.files) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return ExitCode::done;
 }
 
@@ -122,7 +172,10 @@ void add_options(CLI::App& parser, Options& options) {
       ->required()
       ->type_name("FILE");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
-  add_choice<Correspondence>(parser, "--correspondence", options.correspondence,
+  add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},
+                     "dt: Delaunay (default); db: distance field and marching cubes")
+      ->type_name("NAME");
+  add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
                              {{"reverse", Correspondence::reverse},
                               {"medial", Correspondence::medial},
                               {"overlap", Correspondence::overlap}},
@@ -136,6 +189,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
   add_volume_options(parser, options.words);
+  add_db_options(parser, options.db);
 }
 
 }  // namespace
@@ -151,9 +205,12 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
+      "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
       ".glb for viewers and the web, .stl for printers, .ply without loss, .vtu the tetrahedra.\n"
-      "The report lists every connection that was made, in the form that --links reads.\n");
+      "The report lists every connection that was made, in the form that --links reads.\n"
+      "DB models are written as marching cubes makes them, cracks and all, with exit code 0; the last\n"
+      "line and the report say what is wrong with them.\n");
   return {parser, [options](Session& session) { return make_model(*options, session); }};
 }
 

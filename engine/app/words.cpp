@@ -59,4 +59,17 @@ std::string shell_in_words(const Shell& shell) {
                      counted(shell.triangles, "triangle"), measured(std::abs(shell.volume)));
 }
 
+std::vector<std::string> defects_in_words(const SurfaceReport& report) {
+  std::vector<std::string> defects;
+  const auto add = [&defects](std::size_t count, std::string_view singular, std::string_view plural) {
+    if (count > 0) defects.push_back(counted(count, singular, plural));
+  };
+  add(report.boundary_edges, "boundary edge", "boundary edges");
+  add(report.nonmanifold_edges, "non-manifold edge", "non-manifold edges");
+  add(report.misoriented_edges, "misoriented edge", "misoriented edges");
+  add(report.nonmanifold_vertices, "non-manifold vertex", "non-manifold vertices");
+  add(report.degenerate_triangles, "degenerate triangle", "degenerate triangles");
+  return defects;
+}
+
 }  // namespace odontoscope::app

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "recon/input/contour_stack.h"
 #include "recon/mesh/surface_report.h"
@@ -21,5 +22,8 @@ std::string stack_in_words(const ContourStack& stack);
 
 /// "external surface of genus 0, 12,345 triangles, volume 512 mm^3".
 std::string shell_in_words(const Shell& shell);
+
+/// What is wrong with a surface, each defect with its count; empty if it is a closed oriented manifold.
+std::vector<std::string> defects_in_words(const SurfaceReport& report);
 
 }  // namespace odontoscope::app

@@ -86,13 +86,60 @@ Json simplification_json(const std::vector<StructureSimplification>& simplificat
   return list;
 }
 
-Json seconds_json(const std::vector<StageTime>& times) {
+template <class Time>
+Json seconds_json(const std::vector<Time>& times) {
   Json seconds = Json::object();
-  for (const StageTime& time : times) seconds[time.stage] = seconds.value(time.stage, 0.0) + time.seconds;
+  for (const Time& time : times) seconds[time.stage] = seconds.value(time.stage, 0.0) + time.seconds;
   return seconds;
 }
 
+Json db_json(const DbReconstruction& made, const DbOptions& options) {
+  Json splits = Json::array();
+  for (const double z : options.grid.splits) splits.push_back(z);
+  Json db{{"grid",
+           {{"columns", made.grid.columns},
+            {"rows", made.grid.rows},
+            {"layers", made.grid.layers.size()},
+            {"spacing_x", made.grid.dx},
+            {"spacing_y", made.grid.dy},
+            {"splits", std::move(splits)}}},
+          {"field", name(options.field.kind)},
+          {"cases", name(options.cases)}};
+  if (!options.decimation) return db;
+  Json structures = Json::array();
+  for (const DbSurface& one : made.surfaces) {
+    structures.push_back({{"structure", one.structure},
+                          {"before", json_of(std::vector{&one.before})},
+                          {"triangles", one.report.triangles},
+                          {"error", one.decimation_error.value_or(0)}});
+  }
+  db["decimation"] = {{"library", decimation_library()},
+                      {"aim", options.decimation->triangles ? Json(*options.decimation->triangles) : Json("max")},
+                      {"structures", std::move(structures)}};
+  return db;
+}
+
 }  // namespace
+
+std::string report_json(const DbReconstruction& made, const DbOptions& options) {
+  std::vector<const SurfaceReport*> surfaces;
+  Json structures = Json::array();
+  for (const DbSurface& one : made.surfaces) {
+    surfaces.push_back(&one.report);
+    structures.push_back({{"structure", one.structure}, {"surface", quality_json(one.report)}});
+  }
+  Json report;
+  report["method"] = "db";
+  report["input"] = {{"slices", made.slices}, {"contours", made.contours}, {"points", made.points}};
+  report["db"] = db_json(made, options);
+  report["surface"] = json_of(surfaces);
+  report["structures"] = std::move(structures);
+  report["resampling"] = {{"exact", false}, {"slices_checked", 0}};
+  report["seconds"] = seconds_json(made.seconds);
+  report["threads"] = made.threads;
+  report["certified"] = made.certified;
+  return text_of(report);
+}
 
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options) {
   std::vector<TetraReport> tetrahedra;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "recon/delaunay/reconstruct.h"
+#include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/simplify_surface.h"
 
 namespace odontoscope {
@@ -28,6 +29,10 @@ struct ReportOptions {
 /// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between
 /// two runs on the same input.
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
+
+/// The same of a DB model: method, input, db (grid, field, cases, decimation), surface, structures, resampling, seconds, threads,
+/// certified. `options` are those that it was made with.
+std::string report_json(const DbReconstruction& reconstruction, const DbOptions& options);
 
 struct NamedSurfaceReport {
   std::string name;

@@ -43,15 +43,15 @@ tinygltf::Value gltf_value(const Json& json) {
 }
 
 /// What proves the surfaces; without times and threads, so that the same input gives the same bytes.
-Json certificate(const Reconstruction& reconstruction) {
+Json certificate(const WrittenModel& model) {
   std::vector<const SurfaceReport*> reports;
   bool manifold = true;
-  for (const Solid& solid : reconstruction.solids) {
+  for (const WrittenSurface& solid : model.solids) {
     reports.push_back(&solid.report);
     manifold = manifold && solid.report.closed_oriented_manifold();
   }
-  return {{"certified", reconstruction.certified && manifold},
-          {"slices_checked", reconstruction.slices_checked},
+  return {{"certified", model.certified && manifold},
+          {"slices_checked", model.slices_checked},
           {"surface_in_mm", json_of(reports)}};
 }
 
@@ -84,7 +84,7 @@ struct Group {
   std::vector<std::uint32_t> triangles;
 };
 
-std::vector<Group> groups_of(const Solid& solid) {
+std::vector<Group> groups_of(const WrittenSurface& solid) {
   std::vector<Group> groups;
   for (const Shell::Kind kind : {Shell::Kind::external, Shell::Kind::cavity, Shell::Kind::open}) {
     Group group{solid.structure + " " + name(kind), solid.structure, kind, 0, 0, {}};
@@ -104,10 +104,10 @@ std::vector<Group> groups_of(const Solid& solid) {
 /// Builds the model piece by piece: one buffer, one view an accessor.
 class Builder {
  public:
-  explicit Builder(const Reconstruction& reconstruction) {
+  explicit Builder(const WrittenModel& model) {
     model_.asset.version = "2.0";
     model_.asset.generator = "odontoscope";
-    model_.asset.extras = gltf_value(certificate(reconstruction));
+    model_.asset.extras = gltf_value(certificate(model));
     model_.buffers.emplace_back();
     tinygltf::Node root;
     root.name = "z up";
@@ -118,7 +118,7 @@ class Builder {
     model_.defaultScene = 0;
   }
 
-  void add_solid(const Solid& solid, const GlbOptions& options) {
+  void add_solid(const WrittenSurface& solid, const GlbOptions& options) {
     if (solid.report.shell_of.size() != solid.surface.triangles.size()) {
       throw InternalError("a surface and its report do not belong together");
     }
@@ -240,9 +240,9 @@ class Builder {
 
 }  // namespace
 
-std::string glb_bytes(const Reconstruction& reconstruction, const GlbOptions& options) {
-  Builder builder(reconstruction);
-  for (const Solid& solid : reconstruction.solids) builder.add_solid(solid, options);
+std::string glb_bytes(const WrittenModel& model, const GlbOptions& options) {
+  Builder builder(model);
+  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
   return builder.bytes();
 }
 

@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include "recon/delaunay/reconstruct.h"
+#include "recon/output/written_model.h"
 
 namespace odontoscope {
 
@@ -22,6 +22,6 @@ struct GlbOptions {
 
 /// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too
 /// large for the format (limits::glb_bytes).
-std::string glb_bytes(const Reconstruction& reconstruction, const GlbOptions& options = {});
+std::string glb_bytes(const WrittenModel& model, const GlbOptions& options = {});
 
 }  // namespace odontoscope

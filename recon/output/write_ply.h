@@ -6,11 +6,11 @@
 
 #include <string>
 
-#include "recon/delaunay/reconstruct.h"
+#include "recon/output/written_model.h"
 
 namespace odontoscope {
 
 /// UsageError if there are more points than 32 bits count.
-std::string ply_bytes(const Reconstruction& reconstruction);
+std::string ply_bytes(const WrittenModel& model);
 
 }  // namespace odontoscope

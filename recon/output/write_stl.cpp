@@ -26,10 +26,10 @@ FloatPoint normal(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c)
 
 }  // namespace
 
-std::string stl_bytes(const Reconstruction& reconstruction) {
+std::string stl_bytes(const WrittenModel& model) {
   constexpr std::size_t header_size = 80, record_size = 50;
   std::size_t triangles = 0;
-  for (const Solid& solid : reconstruction.solids) triangles += solid.surface.triangles.size();
+  for (const WrittenSurface& solid : model.solids) triangles += solid.surface.triangles.size();
   if (triangles > std::numeric_limits<std::uint32_t>::max()) {
     throw UsageError("the model has too many triangles for STL", "Simplify it with --triangles");
   }
@@ -38,7 +38,7 @@ std::string stl_bytes(const Reconstruction& reconstruction) {
   bytes = "odontoscope; millimetres; binary STL";  // must not begin with "solid"
   bytes.resize(header_size, ' ');
   append(bytes, static_cast<std::uint32_t>(triangles));
-  for (const Solid& solid : reconstruction.solids) {
+  for (const WrittenSurface& solid : model.solids) {
     const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, 1);
     for (const auto& [a, b, c] : solid.surface.triangles) {
       for (const FloatPoint& p : {normal(points[a], points[b], points[c]), points[a], points[b], points[c]}) {

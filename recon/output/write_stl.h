@@ -7,11 +7,11 @@
 
 #include <string>
 
-#include "recon/delaunay/reconstruct.h"
+#include "recon/output/written_model.h"
 
 namespace odontoscope {
 
 /// UsageError if there are more triangles than a 32-bit number counts.
-std::string stl_bytes(const Reconstruction& reconstruction);
+std::string stl_bytes(const WrittenModel& model);
 
 }  // namespace odontoscope

@@ -64,6 +64,16 @@ const Mistake mistakes[] = {
     {"TwoFilesBehindOneO", {"reconstruct", "cube.json", "-o", "a.glb", "b.stl"}, "-o A -o B"},
     {"NoSuchSubcommand", {"explain"}, "explain is no subcommand"},
     {"OnlyOptions", {"--quiet"}, "nothing says what to do"},
+    {"UnknownMethod", {"reconstruct", "cube.json", "--method", "mc", "-o", "a.glb"}, "db"},
+    {"GridWithoutDb", {"reconstruct", "cube.json", "--grid", "64", "-o", "a.glb"}, "--method db"},
+    {"TetrahedraOfDb", {"reconstruct", "cube.json", "--method", "db", "-o", "a.glb", "-o", "a.VTU"}, "tetrahedra"},
+    {"TrianglesOfDb", {"reconstruct", "cube.json", "--method", "db", "--triangles", "9", "-o", "a.glb"}, "--decimate"},
+    {"LinksOfDb", {"reconstruct", "cube.json", "--method", "db", "--correspondence", "medial", "-o", "a.glb"}, "--split"},
+    {"GridIsNoNumber", {"reconstruct", "cube.json", "--method", "db", "--grid", "64x", "-o", "a.glb"}, "--grid 64x"},
+    {"GridTooCoarse", {"reconstruct", "cube.json", "--method", "db", "--grid", "3", "-o", "a.glb"}, "from 4"},
+    {"UnknownCases", {"reconstruct", "cube.json", "--method", "db", "--cases", "mc33", "-o", "a.glb"}, "consistent"},
+    {"UnknownField", {"reconstruct", "cube.json", "--method", "db", "--field", "udf", "-o", "a.glb"}, "hybrid"},
+    {"DecimateToNothing", {"reconstruct", "cube.json", "--method", "db", "--decimate", "0", "-o", "a.glb"}, "--decimate 0"},
     {"CheckNothing", {"check"}, "FILE"},
 };
 
