@@ -34,6 +34,8 @@ Command contours_command(CLI::App& root);
 Command reconstruct_command(CLI::App& root);
 Command check_command(CLI::App& root);
 Command render_command(CLI::App& root);
+Command compare_command(CLI::App& root);
+Command canal_command(CLI::App& root);
 Command compare_images_command(CLI::App& root);
 
 }  // namespace odontoscope::app

@@ -127,20 +127,31 @@ OneWayDistance one_way(const SurfaceMesh& from, const Tree& to, const DistanceOp
           over_area.empty() ? 0 : sum / static_cast<double>(over_area.size())};
 }
 
+std::unique_ptr<Tree> tree_of(const Triangles& triangles) {
+  auto tree = std::make_unique<Tree>(triangles.begin(), triangles.end());
+  tree->build();
+  tree->accelerate_distance_queries();  // before the threads start: queries then only read
+  return tree;
+}
+
 }  // namespace
+
+std::optional<OneWayDistance> distance_to_surface(const std::vector<Point3>& points, const SurfaceMesh& surface,
+                                                  const Progress& progress) {
+  const Triangles triangles = triangles_with_area(surface);
+  if (triangles.empty() || points.empty()) return std::nullopt;
+  const std::vector<double> distance = distances(points, *tree_of(triangles), progress, {0, 1});
+  double sum = 0;
+  for (const double d : distance) sum += d;
+  return OneWayDistance{largest(distance), sum / static_cast<double>(distance.size())};
+}
 
 std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const SurfaceMesh& b,
                                                 const DistanceOptions& options, const Progress& progress) {
   const Triangles of_a = triangles_with_area(a), of_b = triangles_with_area(b);
   if (of_a.empty() || of_b.empty()) return std::nullopt;
   progress.tell(stage, 0);
-  const auto build = [](const Triangles& triangles) {
-    auto tree = std::make_unique<Tree>(triangles.begin(), triangles.end());
-    tree->build();
-    tree->accelerate_distance_queries();  // before the threads start: queries then only read
-    return tree;
-  };
-  const auto tree_a = build(of_a), tree_b = build(of_b);
+  const auto tree_a = tree_of(of_a), tree_b = tree_of(of_b);
   progress.check();
   SurfaceDistance distance;
   distance.there = one_way(a, *tree_b, options, progress, {0, 0.5});

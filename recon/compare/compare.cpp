@@ -1,0 +1,154 @@
+#include "recon/compare/compare.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <utility>
+
+#include "recon/compare/peak_memory.h"
+#include "recon/input/validate.h"
+
+namespace odontoscope {
+namespace {
+
+/// Runs `make` once to three times; the least time, and the peak of the first run.
+template <class Make>
+auto timed(ComparedMethod& method, Make make) {
+  constexpr int most_runs = 3;
+  constexpr double long_enough = 1;   // second
+  using Clock = std::chrono::steady_clock;
+  std::optional<decltype(make())> made;
+  for (int run = 0; run < most_runs; ++run) {
+    made.reset();
+    double seconds = 0;
+    const auto work = [&] {
+      const auto start = Clock::now();
+      made.emplace(make());
+      seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    if (run == 0) {
+      method.peak_memory = peak_memory_of(work);
+    } else {
+      work();
+    }
+    method.seconds = run == 0 ? seconds : std::min(method.seconds, seconds);
+    if (seconds > long_enough) break;
+  }
+  return std::move(*made);
+}
+
+ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
+  ComparedMethod method;
+  method.name = "DT";
+  method.made_by = fmt::format("Delaunay, correspondence {}", name(options.dt.correspondence));
+  Reconstruction made = timed(method, [&] { return reconstruct(stack, options.dt, progress); });
+  method.certified = made.certified;
+  for (Solid& solid : made.solids) method.surfaces.push_back({solid.structure, std::move(solid.surface)});
+  return method;
+}
+
+ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it, const Progress& progress) {
+  ComparedMethod method;
+  method.name = std::move(name_of_it);
+  method.made_by = fmt::format("grid {} x {}, field {}, table {}", options.grid.columns, options.grid.rows, name(options.field.kind),
+                               name(options.cases));
+  DbReconstruction made = timed(method, [&] { return reconstruct_by_distance(stack, options, progress); });
+  method.certified = made.certified;
+  for (DbSurface& one : made.surfaces) method.surfaces.push_back({one.structure, std::move(one.surface)});
+  return method;
+}
+
+SurfaceMesh as_one(const std::vector<NamedSurface>& surfaces) {
+  SurfaceMesh whole;
+  for (const NamedSurface& one : surfaces) {
+    const auto first = static_cast<PointIndex>(whole.points.size());
+    whole.points.insert(whole.points.end(), one.surface.points.begin(), one.surface.points.end());
+    for (const auto& [a, b, c] : one.surface.triangles) whole.triangles.push_back({first + a, first + b, first + c});
+  }
+  return whole;
+}
+
+void judge(ComparedMethod& method, const ContourStack& sorted, const Progress& progress) {
+  method.report = inspect(as_one(method.surfaces));
+  std::vector<WeightedFit> fits;
+  for (const NamedSurface& one : method.surfaces) {
+    fits.push_back({contour_fit(sorted, one.structure, one.surface, progress), contour_length(sorted, one.structure)});
+  }
+  method.fit = joined(fits);
+}
+
+double area_of(const SurfaceMesh& surface) {
+  double sum = 0;
+  for (const Shell& shell : inspect(surface).shells) sum += shell.area;
+  return sum;
+}
+
+ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_t first, std::size_t second, const Progress& progress) {
+  ComparedPair pair{first, second, {}};
+  double weight = 0;
+  for (std::size_t i = 0; i < methods[first].surfaces.size(); ++i) {
+    const SurfaceMesh &a = methods[first].surfaces[i].surface, &b = methods[second].surfaces[i].surface;
+    const auto distance = surface_distance(a, b, {}, progress);
+    if (!distance) continue;
+    const double area = area_of(a);
+    weight += area;
+    const auto join = [area](OneWayDistance& whole, const OneWayDistance& part) {
+      whole.largest = std::max(whole.largest, part.largest);
+      whole.mean += area * part.mean;
+    };
+    join(pair.distance.there, distance->there);
+    join(pair.distance.back, distance->back);
+  }
+  if (weight > 0) {
+    pair.distance.there.mean /= weight;
+    pair.distance.back.mean /= weight;
+  }
+  return pair;
+}
+
+Comparison run(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
+  validate(stack, progress);
+  const ContourStack sorted = ordered(stack).stack;
+  Comparison result;
+  result.source = stack.source;
+  result.slices = sorted.slices.size();
+  for (const Slice& slice : sorted.slices) {
+    result.contours += slice.contours.size();
+    for (const Contour& contour : slice.contours) result.points += contour.points.size();
+  }
+  result.grid = make_grid(sorted, options.db.grid);
+  result.cases = options.db.cases;
+  result.field = options.db.field.kind;
+  DbOptions full = options.db, fewer = options.db;
+  full.decimation.reset();
+  if (!fewer.decimation) fewer.decimation = DecimateOptions{};
+  result.methods.push_back(run_dt(stack, options, progress));
+  result.methods.push_back(run_db(stack, full, "DB", progress));
+  result.methods.push_back(run_db(stack, fewer, "DB decimated", progress));
+  result.methods.back().made_by +=
+      fewer.decimation->triangles ? fmt::format(", decimated to {}", *fewer.decimation->triangles) : ", decimated to the most possible";
+  for (ComparedMethod& method : result.methods) judge(method, sorted, progress);
+  for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+    result.pairs.push_back(measure_pair(result.methods, static_cast<std::size_t>(a), static_cast<std::size_t>(b), progress));
+  }
+  return result;
+}
+
+}  // namespace
+
+Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
+  CompareOptions with_threads = options;
+  const int threads = options.dt.threads > 0 ? options.dt.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  with_threads.dt.threads = with_threads.db.threads = threads;
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  tbb::task_arena arena(threads);
+  Comparison result = arena.execute([&] { return run(stack, with_threads, progress); });
+  result.threads = threads;
+  return result;
+}
+
+}  // namespace odontoscope

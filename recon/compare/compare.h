@@ -1,0 +1,78 @@
+#pragma once
+// The paper's comparison on any contours: DT, DB, and DB decimated, side by side.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/compare/contour_fit.h"
+#include "recon/core/progress.h"
+#include "recon/delaunay/reconstruct.h"
+#include "recon/distance/db_reconstruction.h"
+#include "recon/mesh/surface_distance.h"
+#include "recon/mesh/surface_report.h"
+
+namespace odontoscope {
+
+struct CompareOptions {
+  ReconstructOptions dt;
+  /// Decimation for the third column; to the most possible if it says nothing.
+  DbOptions db;
+};
+
+struct NamedSurface {
+  std::string structure;
+  SurfaceMesh surface;
+};
+
+/// A picture of a method's model, for pages. Filled in by whoever can draw.
+struct MethodPicture {
+  std::vector<std::uint8_t> png;
+  std::string caption;
+};
+
+/// One column.
+struct ComparedMethod {
+  std::string name;                     // "DT", "DB", "DB decimated"
+  std::string made_by;                  // how, in a few words
+  std::vector<NamedSurface> surfaces;   // in order of first appearance of the structure
+  SurfaceReport report;                 // of all structures' surfaces as one mesh
+  bool certified = false;
+  ContourFit fit;                       // of all structures, means weighted by length of contours
+  double seconds = 0;                   // contours in memory to inspected surface; the least of the runs
+  std::optional<std::size_t> peak_memory;   // bytes above what was there before
+  std::vector<MethodPicture> pictures;
+};
+
+/// Between two columns, structure by structure; means weighted by area.
+struct ComparedPair {
+  std::size_t first = 0, second = 0;
+  SurfaceDistance distance;
+};
+
+struct Comparison {
+  std::string source;                   // of the stack
+  std::size_t slices = 0, contours = 0, points = 0;
+  std::vector<ComparedMethod> methods;
+  std::vector<ComparedPair> pairs;
+  Grid grid;
+  CaseTable cases = CaseTable::classic;
+  FieldKind field = FieldKind::hybrid;
+  int threads = 1, runs = 1;
+};
+
+/// Validates `stack` (InputError). A method is run again, up to three times, while it takes less than a second, and its least time
+/// counts. Stages are those of the engines and of surface_distance. Runs in arenas of its own with `options.dt.threads`. Throws what the engines
+/// do. Times and memory apart, the result depends on nothing but the input.
+Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress = {});
+
+/// A line of the table: what is measured, and its value for each method in words.
+struct ComparisonRow {
+  std::string what;
+  std::vector<std::string> values;
+};
+std::vector<ComparisonRow> comparison_rows(const Comparison& comparison);
+
+}  // namespace odontoscope

@@ -1,0 +1,156 @@
+#include "recon/output/comparison_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace odontoscope {
+namespace {
+
+constexpr const char* colours[] = {"#2a7f62", "#c8553d", "#d99a2b"};   // DT, DB, DB decimated
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '&': result += "&amp;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (at + i < bytes.size() ? bytes[at + i] : 0u);
+    for (int i = 0; i < 4; ++i) {
+      text += at + static_cast<std::size_t>(i) > bytes.size() ? '=' : letters[group >> (18 - 6 * i) & 63];
+    }
+  }
+  return text;
+}
+
+constexpr const char* style = R"(
+body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fdfcf9;max-width:70rem;margin:2rem auto;padding:0 1rem}
+h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem}
+p.small,figcaption{color:#555;font-size:.9rem}
+table{border-collapse:collapse;width:100%}td,th{padding:.3rem .7rem;border-bottom:1px solid #e2ded2;text-align:right}
+td:first-child,th:first-child{text-align:left}tbody tr:hover{background:#f4f0e4}
+.row{display:flex;gap:1rem;flex-wrap:wrap}.row figure{flex:1 1 18rem;margin:0}.row img,.row svg{width:100%;height:auto}
+)";
+
+std::string head_cells(const Comparison& comparison) {
+  std::string cells;
+  for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
+    cells += fmt::format("<th style=\"color:{}\">{}</th>", colours[i % 3], escaped(comparison.methods[i].name));
+  }
+  return cells;
+}
+
+std::string main_table(const Comparison& comparison) {
+  std::string html = "<table><thead><tr><th></th>" + head_cells(comparison) + "</tr></thead><tbody>\n";
+  for (const ComparisonRow& row : comparison_rows(comparison)) {
+    html += fmt::format("<tr><td>{}</td>", escaped(row.what));
+    for (const std::string& value : row.values) html += fmt::format("<td>{}</td>", escaped(value));
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table>\n";
+}
+
+std::string distance_table(const Comparison& comparison) {
+  std::string html =
+      "<table><thead><tr><th>surfaces</th><th>mean there</th><th>most there</th><th>mean back</th><th>most back</th></tr></thead><tbody>\n";
+  for (const ComparedPair& pair : comparison.pairs) {
+    const SurfaceDistance& d = pair.distance;
+    html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
+                        escaped(comparison.methods[pair.first].name), escaped(comparison.methods[pair.second].name), d.there.mean,
+                        d.there.largest, d.back.mean, d.back.largest);
+  }
+  return html + "</tbody></table>\n";
+}
+
+/// Share of triangles by smallest angle, one bar a bin.
+std::string angle_chart(const ComparedMethod& method, const char* colour) {
+  const Spread& angles = method.report.smallest_angle_deg;
+  std::size_t all = 0, most = 1;
+  for (const std::size_t count : angles.histogram) {
+    all += count;
+    most = std::max(most, count);
+  }
+  constexpr double width = 320, height = 150, base = 120;
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"smallest angles of {}\">\n", width, height,
+                                escaped(method.name));
+  const double bar = width / static_cast<double>(std::max<std::size_t>(angles.histogram.size(), 1));
+  for (std::size_t i = 0; i < angles.histogram.size(); ++i) {
+    const double tall = (base - 20) * static_cast<double>(angles.histogram[i]) / static_cast<double>(most);
+    const double percent = all > 0 ? 100.0 * static_cast<double>(angles.histogram[i]) / static_cast<double>(all) : 0;
+    const double x = bar * static_cast<double>(i);
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", x + 2, base - tall, bar - 4, tall,
+                       colour);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}%</text>", x + bar / 2, base - tall - 4,
+                       percent);
+    const double from = angles.histogram_low +
+                        (angles.histogram_high - angles.histogram_low) * static_cast<double>(i) / static_cast<double>(angles.histogram.size());
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}</text>\n", x + 6, base + 14, from);
+  }
+  return svg + fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\">smallest angle of a triangle, degrees</text></svg>\n",
+                           width / 2, height - 3);
+}
+
+std::string charts(const Comparison& comparison) {
+  std::string html = "<div class=\"row\">\n";
+  for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
+    html += "<figure>" + angle_chart(comparison.methods[i], colours[i % 3]);
+    html += fmt::format("<figcaption>{}: {}</figcaption></figure>\n", escaped(comparison.methods[i].name),
+                        escaped(comparison.methods[i].made_by));
+  }
+  return html + "</div>\n";
+}
+
+std::string pictures(const Comparison& comparison) {
+  std::size_t most = 0;
+  for (const ComparedMethod& method : comparison.methods) most = std::max(most, method.pictures.size());
+  if (most == 0) return {};
+  std::string html = "<h2>Pictures</h2>\n";
+  for (std::size_t n = 0; n < most; ++n) {
+    html += "<div class=\"row\">\n";
+    for (const ComparedMethod& method : comparison.methods) {
+      if (n >= method.pictures.size()) continue;
+      const MethodPicture& picture = method.pictures[n];
+      html += fmt::format("<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}: {}</figcaption></figure>\n",
+                          escaped(picture.caption), base64(picture.png), escaped(method.name), escaped(picture.caption));
+    }
+    html += "</div>\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string comparison_page(const Comparison& comparison) {
+  const std::string title = comparison.source.empty() ? std::string("contours") : escaped(comparison.source);
+  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+                     "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
+  html += fmt::format("<title>DT and DB of {}</title><style>{}</style></head><body>\n", title, style);
+  html += fmt::format("<h1>DT and DB of {}</h1>\n<p class=\"small\">{} slices, {} contours, {} points. DB: grid of {} x {} points in {} "
+                      "layers, field {}, table {}. {} thread{}.</p>\n",
+                      title, comparison.slices, comparison.contours, comparison.points, comparison.grid.columns, comparison.grid.rows,
+                      comparison.grid.layers.size(), name(comparison.field), name(comparison.cases), comparison.threads,
+                      comparison.threads == 1 ? "" : "s");
+  html += main_table(comparison);
+  html += "<p class=\"small\">DT passes through the contours by proof; what is measured above is the rounding of the measurement. A section "
+          "counts as lost if, at its widest place, the model has void for material or material for void.</p>\n";
+  html += pictures(comparison);
+  html += "<h2>How far apart, mm</h2>\n" + distance_table(comparison);
+  html += "<h2>How even the triangles are</h2>\n" + charts(comparison);
+  return html + "</body></html>\n";
+}
+
+}  // namespace odontoscope
