@@ -61,7 +61,7 @@ Command canal_command(CLI::App& root) {
   const auto options = std::make_shared<Options>();
   constexpr int most_points = 2048;
   parser->add_option("--width", options->width, "Width of the canal, mm (default: 0.25)")->type_name("MM");
-  repeatable(parser->add_option("--grid", options->grids, "Grid points along x and y; repeatable (default: 16 to 160 by 4)"))
+  repeatable(parser->add_option("--grid", options->grids, "Grid points along x and y; repeatable (default: 16 to 128 by 4)"))
       ->type_name("N")
       ->check(whole_number_from_one_to(most_points));
   parser->add_option("-o,--output", options->plot, "Plot of survival over grid size")->type_name("FILE.svg");

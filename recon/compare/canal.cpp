@@ -37,7 +37,7 @@ Point2 canal_centre(double share, double canal) {
 
 CanalResult judged(const SurfaceMesh& surface, const SurfaceReport& report, const ContourStack& stack) {
   CanalResult result;
-  const ContourFit fit = contour_fit(stack, "tooth", surface);
+  const ContourFit fit = contour_fit(stack, "tooth", surface, {.samples = 0});
   result.open_slices = fit.holes.all - fit.holes.lost;
   result.surfaces = report.shells.size();
   result.triangles = report.triangles;
@@ -51,7 +51,7 @@ CanalResult judged(const SurfaceMesh& surface, const SurfaceReport& report, cons
 }
 
 std::vector<std::size_t> usual_grids() {
-  constexpr std::size_t first = 16, last = 160, step = 4;
+  constexpr std::size_t first = 16, last = 128, step = 4;
   std::vector<std::size_t> grids;
   for (std::size_t grid = first; grid <= last; grid += step) grids.push_back(grid);
   return grids;

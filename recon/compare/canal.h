@@ -36,8 +36,8 @@ struct CanalExperiment {
 };
 
 struct CanalOptions {
-  CanalTooth tooth;
-  std::vector<std::size_t> grids;   // empty: 16 to 160 in steps of 4
+  CanalTooth tooth{};
+  std::vector<std::size_t> grids{};   // empty: 16 to 128 in steps of 4
   /// So that topology is defined: with the classic tables cracks make the genus meaningless.
   CaseTable cases = CaseTable::consistent;
   int threads = 0;

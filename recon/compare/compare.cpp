@@ -72,11 +72,11 @@ SurfaceMesh as_one(const std::vector<NamedSurface>& surfaces) {
   return whole;
 }
 
-void judge(ComparedMethod& method, const ContourStack& sorted, const Progress& progress) {
+void judge(ComparedMethod& method, const ContourStack& sorted, const DistanceOptions& options, const Progress& progress) {
   method.report = inspect(as_one(method.surfaces));
   std::vector<WeightedFit> fits;
   for (const NamedSurface& one : method.surfaces) {
-    fits.push_back({contour_fit(sorted, one.structure, one.surface, progress), contour_length(sorted, one.structure)});
+    fits.push_back({contour_fit(sorted, one.structure, one.surface, options, progress), contour_length(sorted, one.structure)});
   }
   method.fit = joined(fits);
 }
@@ -87,12 +87,13 @@ double area_of(const SurfaceMesh& surface) {
   return sum;
 }
 
-ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_t first, std::size_t second, const Progress& progress) {
+ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_t first, std::size_t second,
+                          const DistanceOptions& options, const Progress& progress) {
   ComparedPair pair{first, second, {}};
   double weight = 0;
   for (std::size_t i = 0; i < methods[first].surfaces.size(); ++i) {
     const SurfaceMesh &a = methods[first].surfaces[i].surface, &b = methods[second].surfaces[i].surface;
-    const auto distance = surface_distance(a, b, {}, progress);
+    const auto distance = surface_distance(a, b, options, progress);
     if (!distance) continue;
     const double area = area_of(a);
     weight += area;
@@ -131,9 +132,9 @@ Comparison run(const ContourStack& stack, const CompareOptions& options, const P
   result.methods.push_back(run_db(stack, fewer, "DB decimated", progress));
   result.methods.back().made_by +=
       fewer.decimation->triangles ? fmt::format(", decimated to {}", *fewer.decimation->triangles) : ", decimated to the most possible";
-  for (ComparedMethod& method : result.methods) judge(method, sorted, progress);
+  for (ComparedMethod& method : result.methods) judge(method, sorted, options.distance, progress);
   for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-    result.pairs.push_back(measure_pair(result.methods, static_cast<std::size_t>(a), static_cast<std::size_t>(b), progress));
+    result.pairs.push_back(measure_pair(result.methods, static_cast<std::size_t>(a), static_cast<std::size_t>(b), options.distance, progress));
   }
   return result;
 }

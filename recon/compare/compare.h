@@ -20,6 +20,8 @@ struct CompareOptions {
   ReconstructOptions dt;
   /// Decimation for the third column; to the most possible if it says nothing.
   DbOptions db;
+  /// Samples of each distance that is measured, a structure.
+  DistanceOptions distance;
 };
 
 struct NamedSurface {

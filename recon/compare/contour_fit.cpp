@@ -19,8 +19,6 @@ using Segments = std::vector<Kernel::Segment_3>;
 using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-constexpr std::size_t samples = 200'000;   // along all contours, and along all sections
-
 double length(const Point2& a, const Point2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 template <class Visit>
@@ -39,7 +37,7 @@ class Walker {
   explicit Walker(double step) : step_(step) {}
   template <class Visit>
   void walk(const Point2& a, const Point2& b, Visit visit) {
-    const double here = length(a, b);
+    const double here = length(a, b);   // an endless step (no samples) visits nothing
     for (; next_ < passed_ + here; next_ += step_) {
       const double share = std::clamp((next_ - passed_) / here, 0.0, 1.0);
       visit(Point2{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
@@ -53,7 +51,7 @@ class Walker {
 
 // --- distances -------------------------------------------------------------------------------------------------------
 
-std::vector<Point3> places_on_contours(const ContourStack& stack, const std::string& structure) {
+std::vector<Point3> places_on_contours(const ContourStack& stack, const std::string& structure, std::size_t samples) {
   std::vector<Point3> places;
   const double whole = contour_length(stack, structure);
   if (!(whole > 0)) return places;
@@ -225,7 +223,8 @@ std::vector<Passage> passages(const ContourStack& ordered_stack, const std::stri
   return all;
 }
 
-ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& structure, const SurfaceMesh& surface, const Progress& progress) {
+ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& structure, const SurfaceMesh& surface,
+                       const DistanceOptions& options, const Progress& progress) {
   ContourFit fit;
   std::vector<double> heights;
   for (const Slice& slice : ordered_stack.slices) heights.push_back(slice.z);
@@ -236,7 +235,7 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
     count(passage.hole ? fit.holes : fit.solids, passage.width, kept);
   }
   progress.check();
-  if (const auto distance = distance_to_surface(places_on_contours(ordered_stack, structure), surface, progress)) {
+  if (const auto distance = distance_to_surface(places_on_contours(ordered_stack, structure, options.samples), surface, progress)) {
     fit.contours_to_surface = *distance;
   }
   double whole = 0;
@@ -246,7 +245,7 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
   std::vector<SliceMeasure> measures(cuts.size());
   tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t k) {
     if (progress.stop.stop_requested()) return;
-    measures[k] = measure_section(cuts[k], ordered_stack.slices[k], structure, whole / static_cast<double>(samples));
+    measures[k] = measure_section(cuts[k], ordered_stack.slices[k], structure, whole / static_cast<double>(options.samples));
   });
   progress.check();
   SliceMeasure all;

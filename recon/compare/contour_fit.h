@@ -38,9 +38,9 @@ struct ContourFit {
 };
 
 /// Of one structure. `surface` may have any defect. Runs in the caller's TBB arena; does not depend on the number of threads. An empty
-/// surface has lost everything, and distances of 0.
+/// surface has lost everything, and distances of 0. `options.samples` are spread along the contours, and as many along the sections.
 ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& structure, const SurfaceMesh& surface,
-                       const Progress& progress = {});
+                       const DistanceOptions& options = {}, const Progress& progress = {});
 
 /// Both taken together: means weighted by `weight`, the length of the contours.
 struct WeightedFit {

@@ -8,7 +8,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr double width = 760, height = 420, left = 70, right = 20, top = 64, bottom = 60;
+constexpr double width = 760, height = 420, left = 70, right = 20, top = 76, bottom = 60;
 constexpr const char* dt_colour = "#2a7f62";
 constexpr const char* db_colour = "#c8553d";
 

@@ -55,7 +55,7 @@ std::string head_cells(const Comparison& comparison) {
 }
 
 std::string main_table(const Comparison& comparison) {
-  std::string html = "<table><thead><tr><th></th>" + head_cells(comparison) + "</tr></thead><tbody>\n";
+  std::string html = fmt::format("<table><thead><tr><th></th>{}</tr></thead><tbody>\n", head_cells(comparison));
   for (const ComparisonRow& row : comparison_rows(comparison)) {
     html += fmt::format("<tr><td>{}</td>", escaped(row.what));
     for (const std::string& value : row.values) html += fmt::format("<td>{}</td>", escaped(value));
@@ -107,7 +107,7 @@ std::string angle_chart(const ComparedMethod& method, const char* colour) {
 std::string charts(const Comparison& comparison) {
   std::string html = "<div class=\"row\">\n";
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
-    html += "<figure>" + angle_chart(comparison.methods[i], colours[i % 3]);
+    html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], colours[i % 3]));
     html += fmt::format("<figcaption>{}: {}</figcaption></figure>\n", escaped(comparison.methods[i].name),
                         escaped(comparison.methods[i].made_by));
   }
@@ -148,8 +148,8 @@ std::string comparison_page(const Comparison& comparison) {
   html += "<p class=\"small\">DT passes through the contours by proof; what is measured above is the rounding of the measurement. A section "
           "counts as lost if, at its widest place, the model has void for material or material for void.</p>\n";
   html += pictures(comparison);
-  html += "<h2>How far apart, mm</h2>\n" + distance_table(comparison);
-  html += "<h2>How even the triangles are</h2>\n" + charts(comparison);
+  html += fmt::format("<h2>How far apart, mm</h2>\n{}", distance_table(comparison));
+  html += fmt::format("<h2>How even the triangles are</h2>\n{}", charts(comparison));
   return html + "</body></html>\n";
 }
 

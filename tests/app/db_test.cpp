@@ -71,6 +71,37 @@ TEST_F(DbMethod, AGridThatIsTooLargeIsRefusedBeforeMemoryIsTaken) {
   EXPECT_EQ(bytes_of("old.glb"), "old");
 }
 
+TEST_F(DbMethod, CompareShowsTheMethodsSideBySide) {
+  const Ending compared = odontoscope({"compare", "corners.json", "--grid", "40", "--report", "c.json", "--html", "c.html"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  for (const char* said : {"DT", "DB decimated", "boundary edges", "thinnest hole", "contours to surface", "seconds", "Wrote c.html"}) {
+    EXPECT_TRUE(compared.says(said)) << said;
+  }
+  EXPECT_EQ(report("c.json").at("methods").size(), 3u);
+  EXPECT_EQ(bytes_of("c.html").substr(0, 15), "<!DOCTYPE html>");
+}
+
+TEST_F(DbMethod, CompareRefusesOtherEndingsAndItsInputAsOutput) {
+  const std::vector<std::string> before = folder.names();
+  EXPECT_EQ(odontoscope({"compare", "corners.json", "--html", "c.htm"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"compare", "corners.json", "--report", "corners.json"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"compare", "corners.json", "--report", "missing/c.json"}).exit_code, 4);
+  EXPECT_EQ(odontoscope({"compare", "scan.nrrd"}).exit_code, 2);
+  EXPECT_EQ(folder.names(), before);
+}
+
+TEST_F(DbMethod, CanalPlotsSurvivalOverTheGrid) {
+  const Ending canal = odontoscope({"canal", "--grid", "24", "--grid", "72", "-o", "canal.svg", "--report", "canal.json"});
+  ASSERT_EQ(canal.exit_code, 0) << canal.err;
+  EXPECT_TRUE(canal.says("DT:          open")) << canal.out;
+  EXPECT_TRUE(canal.says("DB grid   24: closed")) << canal.out;
+  EXPECT_TRUE(canal.says("DB grid   72: open")) << canal.out;
+  EXPECT_EQ(bytes_of("canal.svg").substr(0, 4), "<svg");
+  EXPECT_EQ(report("canal.json").at("db").size(), 2u);
+  EXPECT_EQ(odontoscope({"canal", "--width", "0", "-o", "other.svg"}).exit_code, 2);
+  EXPECT_FALSE(exists("other.svg"));
+}
+
 TEST_F(DbMethod, BytesDoNotDependOnThreads) {
   for (const char* threads : {"1", "4"}) {
     ASSERT_EQ(odontoscope({"--threads", threads, "reconstruct", "corners.json", "--method", "db", "--decimate", "max", "-o",
