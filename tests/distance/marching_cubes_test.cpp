@@ -123,6 +123,20 @@ TEST(MarchingCubes, PointsLieOnTheirGridEdges) {
       }
 }
 
+TEST(MarchingCubes, PointsOnAStraightContourLieOnIt) {
+  // A block from x = 0 to 4 without corners nearby: distances are linear there, so interpolation meets the contour.
+  const std::vector<Ring> section{rectangle({0, -20}, {4, 20})};
+  const Made m = made(stack_of({section, section, section}), "tooth", 21, CaseTable::classic, FieldKind::signed_distance);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < m.surface.mesh.points.size(); ++i) {
+    const Point3& p = m.surface.mesh.points[i];
+    if (m.surface.edge_of_point[i].axis != 0 || std::abs(p.y) > 10) continue;
+    EXPECT_NEAR(std::min(std::abs(p.x), std::abs(p.x - 4)), 0, 1e-12);
+    ++seen;
+  }
+  EXPECT_GT(seen, 30u);
+}
+
 TEST(MarchingCubes, SurfacesFaceOutwardsAndEncloseTheRightVolume) {
   // A column of 4 x 3 with a hole of 2 x 1 through it, 4 slices high (1.5 mm), and caps between 0 and 0.5 mm beyond each end.
   const std::vector<Ring> section{rectangle({0, 0}, {4, 3}), rectangle({1, 1}, {3, 2})};
