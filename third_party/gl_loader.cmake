@@ -11,6 +11,7 @@ find_path(ODONTOSCOPE_EGL_INCLUDE EGL/egl.h REQUIRED)
 find_path(ODONTOSCOPE_OSMESA_INCLUDE GL/osmesa.h REQUIRED)
 find_path(ODONTOSCOPE_STB_INCLUDE stb/stb_image_write.h REQUIRED)
 find_package(glm REQUIRED)
+find_package(glfw3 3.3 REQUIRED)
 
 set(glad_folder ${PROJECT_BINARY_DIR}/glad)
 add_custom_command(

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <optional>
 
 #include "engine/app/console.h"
 #include "engine/app/interrupt.h"
@@ -16,9 +17,12 @@ struct Session {
   Console& console;
   Interrupts& interrupts;
   int threads = 0;   // 0: as many as the machine has
+  /// Work for somebody else than the terminal: who watches and stops it instead.
+  std::optional<Progress> watched = {};
 
   /// For long work: shows a bar or lines, and stops on Ctrl-C.
   Progress progress() const {
+    if (watched) return *watched;
     return {[this](std::string_view stage, double fraction) { console.progress(stage, fraction); }, interrupts.token()};
   }
 };
@@ -34,6 +38,7 @@ Command contours_command(CLI::App& root);
 Command reconstruct_command(CLI::App& root);
 Command check_command(CLI::App& root);
 Command render_command(CLI::App& root);
+Command view_command(CLI::App& root);
 Command compare_command(CLI::App& root);
 Command canal_command(CLI::App& root);
 Command compare_images_command(CLI::App& root);

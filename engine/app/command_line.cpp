@@ -27,6 +27,7 @@ constexpr const char* first_steps =
     "First steps:\n"
     "  odontoscope sample molar -o molar.json                contours of a generated tooth\n"
     "  odontoscope reconstruct molar.json -o molar.glb       contours to a solid model\n"
+    "  odontoscope view molar.glb                            look at it, turn it, cut it open\n"
     "  odontoscope render molar.glb -o molar.png             a picture of it\n"
     "  odontoscope check molar.glb                           is it closed and oriented?\n"
     "  odontoscope reconstruct scan.nrrd --iso 120 -o t.stl  straight from a CT volume\n"
@@ -53,7 +54,7 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
 
 std::vector<Command> add_commands(CLI::App& root) {
   std::vector<Command> commands;
-  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command,
+  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command, view_command,
                           compare_command, canal_command, compare_images_command}) {
     commands.push_back(make(root));
     // --quiet and --threads may stand behind the subcommand too.
@@ -163,7 +164,7 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
   const std::vector<Command> commands = add_commands(root);
   if (const auto over = parse(root, console, argc, argv)) return *over;
   if (options.quiet) console.be_quiet();
-  Session session{console, interrupts, options.threads};
+  Session session{console, interrupts, options.threads, {}};
   return run_command(chosen_of(commands), session);
 }
 

@@ -87,7 +87,7 @@ ExitCode render(const Options& options, Session& session) {
   if (!options.save_scene.empty()) known_ending(options.save_scene, {".json"});
   const PictureOptions picture = picture_options(options);
   refuse_senseless(options.scene);
-  const ContextOptions context_options{.backend = backend_named(options.backend)};
+  const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
   const std::unique_ptr<GlContext> context = make_context(context_options);
   refuse_undrawable(context->gl(), picture.size, picture.render);
@@ -113,7 +113,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 9, 16}).description(""))
       ->capture_default_str();
-  parser.add_option("--backend", options.backend, "auto, egl or osmesa; none needs a display")->type_name("NAME")->capture_default_str();
+  parser.add_option("--backend", options.backend, "auto, window, egl or osmesa; the last two need no display")->type_name("NAME")->capture_default_str();
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_frames));

@@ -44,6 +44,7 @@ constexpr std::string_view external_suffix = " external", cavity_suffix = " cavi
 struct Found {
   std::vector<NamedSurface> surfaces;
   OverlaySource overlays;
+  std::optional<Shown::Proven> proven = {};
 };
 
 Found found_in(ContourStack stack, Session& session) {
@@ -52,10 +53,13 @@ Found found_in(ContourStack stack, Session& session) {
   Reconstruction made = reconstruct(stack, engine, session.progress());
   Found found;
   found.overlays.contours = std::move(stack);
+  found.proven = Shown::Proven{{}, {}, made.counts.kept, made.slices_checked};
   for (Solid& solid : made.solids) {
     std::vector<NamedSurface>& surfaces = found.surfaces;
     surfaces.push_back({solid.structure, shells_of(solid, Shell::Kind::external), solid.structure});
     SurfaceMesh cavities = shells_of(solid, Shell::Kind::cavity);
+    found.proven->structures.push_back(solid.structure);
+    found.proven->reports.push_back(std::move(solid.report));
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
     if (cavities.triangles.empty()) continue;
     surfaces.push_back({solid.structure + std::string(cavity_suffix), std::move(cavities), solid.structure, true});
@@ -111,8 +115,9 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
 Shown shown_from(const std::string& file, const VolumeWords& words, Session& session) {
   Found found = found_in(file, words, session);
   session.progress().check();
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays)};
-  shown.overlays.faulty_edges = faulty_edges(found.surfaces, shown.model);
+  session.progress().tell("shade", 0.2);
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.proven)};
+  shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }
 

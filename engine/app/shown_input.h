@@ -1,12 +1,16 @@
 #pragma once
 // What a picture is made of: any file that has, or can be made into, surfaces.
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/app/command.h"
 #include "engine/app/volume_options.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
+#include "recon/mesh/surface_report.h"
 
 namespace odontoscope::app {
 
@@ -15,6 +19,15 @@ namespace odontoscope::app {
 struct Shown {
   odontoscope::Model model;
   OverlaySource overlays;
+  std::vector<NamedSurface> surfaces;   // that the model was made from
+
+  /// What was proven of the solids whose surfaces these are; empty for a mesh that somebody else made.
+  struct Proven {
+    std::vector<std::string> structures;
+    std::vector<SurfaceReport> reports;   // one a structure
+    std::size_t tetrahedra = 0, slices = 0;
+  };
+  std::optional<Proven> proven;
 };
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL and PLY are taken as

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
+#include "engine/gpu/window_context.h"
+
 namespace odontoscope {
 
 namespace {
@@ -25,6 +29,7 @@ GraphicsError::GraphicsError(std::string_view cause, std::string_view wrong, std
 const char* name(Backend backend) {
   switch (backend) {
     case Backend::automatic: return "auto";
+    case Backend::window: return "window";
     case Backend::egl: return "egl";
     case Backend::osmesa: return "osmesa";
   }
@@ -32,9 +37,9 @@ const char* name(Backend backend) {
 }
 
 Backend backend_named(std::string_view wanted) {
-  for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa})
+  for (const Backend backend : {Backend::automatic, Backend::window, Backend::egl, Backend::osmesa})
     if (wanted == name(backend)) return backend;
-  throw UsageError(fmt::format("there is no backend \"{}\"", wanted), "Choose auto, egl or osmesa.");
+  throw UsageError(fmt::format("there is no backend \"{}\"", wanted), "Choose auto, window, egl or osmesa.");
 }
 
 void GlContext::load(GLADloadfunc get_function, const ContextOptions& options) {
@@ -51,19 +56,33 @@ void GlContext::load(GLADloadfunc get_function, const ContextOptions& options) {
   gl_.DebugMessageCallback(keep_message, &debug_messages_);
 }
 
+bool names_a_display() {
+  const auto is_set = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value;
+  };
+  return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY");
+}
+
 std::unique_ptr<GlContext> make_context(const ContextOptions& options) {
-  if (options.backend == Backend::egl) return make_egl_context(options);
-  if (options.backend == Backend::osmesa) return make_osmesa_context(options);
-  try {
-    return make_egl_context(options);
-  } catch (const GraphicsError& egl) {
+  switch (options.backend) {
+    case Backend::window: return open_window({.visible = false, .debug = options.debug});
+    case Backend::egl: return make_egl_context(options);
+    case Backend::osmesa: return make_osmesa_context(options);
+    case Backend::automatic: break;
+  }
+  std::vector<Backend> candidates;
+  if (options.window_allowed && names_a_display()) candidates.push_back(Backend::window);
+  candidates.insert(candidates.end(), {Backend::egl, Backend::osmesa});
+  std::string said;
+  for (const Backend candidate : candidates) {
     try {
-      return make_osmesa_context(options);
-    } catch (const GraphicsError& osmesa) {
-      throw GraphicsError("no-gl", fmt::format("no OpenGL without a display. EGL: {} OSMesa: {}", egl.what(), osmesa.what()),
-                          "Either is enough.");
+      return make_context({.backend = candidate, .debug = options.debug});
+    } catch (const GraphicsError& error) {
+      said += fmt::format(" {}: {}", name(candidate), error.what());
     }
   }
+  throw GraphicsError("no-gl", fmt::format("no OpenGL can be had.{}", said), "Any of them is enough.");
 }
 
 }  // namespace odontoscope

@@ -1,6 +1,6 @@
 #pragma once
 // Where OpenGL comes from. A context is a value that its owner keeps; several may live in one process and on several
-// threads, each current on at most one thread at a time. Nothing here needs a display.
+// threads, each current on at most one thread at a time. Only a window needs a display.
 
 #include <memory>
 #include <string>
@@ -12,17 +12,19 @@
 
 namespace odontoscope {
 
-/// `automatic` takes the first of egl and osmesa that works.
-enum class Backend { automatic, egl, osmesa };
+/// `automatic` takes the first that works of window (where the caller allows one and a display is), egl and osmesa.
+enum class Backend { automatic, window, egl, osmesa };
 
 const char* name(Backend backend);
-/// "auto", "egl", "osmesa"; throws UsageError for anything else.
+/// "auto", "window", "egl", "osmesa"; throws UsageError for anything else.
 Backend backend_named(std::string_view name);
 
 struct ContextOptions {
   Backend backend = Backend::automatic;
   /// Ask the driver to report errors and undefined behaviour (KHR_debug); see GlContext::debug_messages. Slower.
   bool debug = false;
+  /// May `automatic` open a (hidden) window? Only on the main thread, since window systems insist on it.
+  bool window_allowed = false;
 };
 
 class GlContext {
@@ -53,9 +55,12 @@ class GlContext {
   std::vector<std::string> debug_messages_;
 };
 
-/// Makes a context of at least OpenGL 4.1 core without a display and makes it current. Throws GraphicsError; for
+/// Makes a context of at least OpenGL 4.1 core, nothing of it to be seen, and makes it current. Throws GraphicsError; for
 /// `automatic` the message tells what every backend said.
 std::unique_ptr<GlContext> make_context(const ContextOptions& options = {});
+
+/// Does the environment name a display that a window could open on?
+bool names_a_display();
 
 std::unique_ptr<GlContext> make_egl_context(const ContextOptions& options);
 std::unique_ptr<GlContext> make_osmesa_context(const ContextOptions& options);

@@ -87,14 +87,12 @@ NamedView view_named(std::string_view wanted) {
   throw UsageError(fmt::format("there is no view \"{}\"", wanted), fmt::format("Choose one of {}.", names));
 }
 
-Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection, const AnatomicalFrame& frame) {
-  const Direction direction = direction_of(view, frame);
-  Camera camera;
-  camera.projection = projection;
+Camera fit(const Camera& looking, const Model& model, double aspect) {
+  Camera camera = looking;
   camera.target = model.bounds_mm.centre();
-  camera.up = direction.up;
-  const glm::dvec3 right = glm::normalize(glm::cross(direction.up, direction.towards_eye));
-  const glm::dvec3 up = glm::cross(direction.towards_eye, right);
+  const glm::dvec3 towards_eye = glm::normalize(looking.position - looking.target);
+  const glm::dvec3 right = glm::normalize(glm::cross(looking.up, towards_eye));
+  const glm::dvec3 up = glm::cross(towards_eye, right);
   Extent across, along;
   for_each_vertex(model, [&](const glm::dvec3& vertex) {
     across.add(glm::dot(vertex - camera.target, right));
@@ -106,12 +104,22 @@ Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection
   for_each_vertex(model, [&](const glm::dvec3& vertex) {
     const glm::dvec3 offset = vertex - camera.target;
     const double half = margin * std::max(std::abs(glm::dot(offset, up)), std::abs(glm::dot(offset, right)) / aspect);
-    distance = std::max(distance, glm::dot(offset, direction.towards_eye) + half / slope);
+    distance = std::max(distance, glm::dot(offset, towards_eye) + half / slope);
     half_height = std::max(half_height, half);
   });
-  camera.position = camera.target + distance * direction.towards_eye;
+  camera.position = camera.target + distance * towards_eye;
   camera.height_mm = 2 * half_height;
   return camera;
+}
+
+Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection, const AnatomicalFrame& frame) {
+  const Direction direction = direction_of(view, frame);
+  Camera camera;
+  camera.projection = projection;
+  camera.position = direction.towards_eye;
+  camera.target = glm::dvec3(0);
+  camera.up = direction.up;
+  return fit(camera, model, aspect);
 }
 
 View view_of(const Camera& camera, const Model& model, double aspect) {

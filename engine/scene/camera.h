@@ -39,6 +39,9 @@ NamedView view_named(std::string_view name);
 Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection = Camera::Projection::perspective,
            const AnatomicalFrame& frame = {});
 
+/// The model seen along the camera's own line of sight, all of it in the picture as above.
+Camera fit(const Camera& camera, const Model& model, double aspect);
+
 /// One eye: what it sees, for the model's coordinates in metres. A stereo pair is two of these.
 struct View {
   glm::mat4 world_to_eye{1};    // eye looks along -z, y up

@@ -1,0 +1,49 @@
+#include "engine/app/certificate.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "engine/app/words.h"
+
+namespace odontoscope::app {
+namespace {
+
+constexpr std::size_t most_shells_told = 4;
+
+void add_shells(const std::string& structure, const SurfaceReport& report, Certificate& certificate) {
+  const std::vector<std::string> defects = defects_in_words(report);
+  if (!defects.empty()) certificate.findings.push_back({false, fmt::format("{}: {}", structure, fmt::join(defects, ", "))});
+  for (std::size_t i = 0; i < std::min(report.shells.size(), most_shells_told); ++i) {
+    const Shell& shell = report.shells[i];
+    certificate.findings.push_back({defects.empty() && shell.kind != Shell::Kind::open, fmt::format("{}: {}", structure, shell_in_words(shell))});
+  }
+  if (report.shells.size() > most_shells_told)
+    certificate.findings.push_back({defects.empty(), fmt::format("{}: {} more", structure, counted(report.shells.size() - most_shells_told, "surface"))});
+}
+
+Certificate proven(const Shown::Proven& facts) {
+  Certificate certificate{Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
+  certificate.findings.push_back({true, fmt::format("Every one of the {} has positive volume, and each face belongs to at most two.", counted(facts.tetrahedra, "tetrahedron", "tetrahedra"))});
+  certificate.findings.push_back({true, fmt::format("Cut at each of the {}, the model is exactly the contours given.", counted(facts.slices, "slice"))});
+  for (std::size_t i = 0; i < facts.reports.size(); ++i) add_shells(facts.structures[i], facts.reports[i], certificate);
+  return certificate;
+}
+
+}  // namespace
+
+Certificate certificate_of(const Shown& shown, const Progress& progress) {
+  if (shown.proven) return proven(*shown.proven);
+  Certificate certificate{Certificate::Verdict::sound, "Sound: closed, manifold, facing one way", {}};
+  for (const NamedSurface& named : shown.surfaces) {
+    progress.check();
+    const SurfaceReport report = inspect(named.surface);
+    if (!report.closed_oriented_manifold()) certificate.verdict = Certificate::Verdict::wanting;
+    add_shells(named.structure, report, certificate);
+  }
+  if (certificate.verdict == Certificate::Verdict::wanting) certificate.headline = "Found wanting: not a closed oriented manifold";
+  return certificate;
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "engine/app/certificate.h"
+#include "engine/app/command.h"
+#include "engine/app/outputs.h"
+#include "engine/app/scene_words.h"
+#include "engine/app/shown_input.h"
+#include "engine/picture/png.h"
+#include "engine/ui/viewer.h"
+#include "engine/ui/window_loop.h"
+#include "engine/view/offscreen.h"
+
+namespace odontoscope::app {
+namespace {
+
+struct Options {
+  std::string input;
+  VolumeWords volume;
+  SceneWords scene;
+  std::string size;
+  std::string screenshot;
+};
+
+/// About what the window will be, for the first camera.
+constexpr PixelSize usual_view{1000, 800};
+
+VolumeWords volume_words(const LoadRequest& request, const Options& options) {
+  if (request.from_command_line) return options.volume;
+  VolumeWords words;
+  if (!request.iso) return words;
+  words.isos = {fmt::format("{}", *request.iso)};
+  words.min_area = request.min_area_mm2;
+  return words;
+}
+
+std::string title_of(const std::string& file) {
+  if (file.empty()) return "Sample molar";
+  std::filesystem::path path(file);
+  if (!path.has_filename()) path = path.parent_path();
+  return path.stem().string();
+}
+
+/// Runs on the viewer's thread for such work.
+LoadedModel load(const LoadRequest& request, const Progress& progress, const Options& options, Session session) {
+  session.watched = progress;
+  Shown shown = shown_from(request.file, volume_words(request, options), session);
+  LoadedModel loaded;
+  loaded.title = title_of(request.file);
+  loaded.certificate = certificate_of(shown, progress);
+  for (const NamedSurface& named : shown.surfaces) loaded.triangles += named.surface.triangles.size();
+  const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
+  loaded.scene = scene_from(words, shown.model, shown.overlays, usual_view);
+  loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
+  loaded.model = std::move(shown.model);
+  loaded.overlays = std::move(shown.overlays);
+  const bool whole_scene = !words.scene_file.empty();
+  loaded.camera_given = whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
+  loaded.background_given = whole_scene || !words.background.empty();
+  loaded.back_faces_given = whole_scene || !words.back_faces.empty();
+  return loaded;
+}
+
+ViewerOptions viewer_options(const Options& options, const Settings& settings, const Session& session) {
+  ViewerOptions viewer;
+  viewer.load = [&options, session](const LoadRequest& request, const Progress& progress) { return load(request, progress, options, session); };
+  viewer.is_volume = named_like_a_volume;
+  viewer.settings = settings;
+  return viewer;
+}
+
+LoadRequest first_request(const Options& options) { return {.file = options.input, .iso = {}, .min_area_mm2 = 0, .from_command_line = true}; }
+
+/// What the window would show, drawn without one.
+ExitCode take_screenshot(const Options& options, Session& session) {
+  Settings settings;
+  if (!options.size.empty()) settings.window = size_from(options.size);
+  known_ending(options.screenshot, {".png"});
+  refuse_unwritable({.inputs = options.input.empty() ? std::vector<std::string>{} : std::vector{options.input}, .outputs = {options.screenshot}});
+  const std::unique_ptr<GlContext> context = make_context();
+  const Framebuffer pixels(context->gl(), {settings.window, {GL_RGBA8}});
+  ViewerOptions viewer_settings = viewer_options(options, settings, session);
+  viewer_settings.coarse_when_slow = false;
+  Viewer viewer(context->gl(), shaders_from_environment(), std::move(viewer_settings));
+  viewer.state().drawn_with = context->in_words();
+  viewer.open(first_request(options));
+  constexpr auto pause = std::chrono::milliseconds(5);
+  constexpr int frames_after = 4;
+  for (int left = frames_after; left > 0; left -= viewer.loading() ? 0 : 1) {
+    session.progress().check();
+    viewer.draw({settings.window, 1, viewer.loading() ? 0.0 : 1.0}, {pixels.id(), 0, 0, settings.window});
+    if (viewer.loading()) std::this_thread::sleep_for(pause);
+  }
+  if (viewer.failure()) std::rethrow_exception(viewer.failure());
+  write_all({{options.screenshot, png_bytes(read_pixels(context->gl(), pixels.id(), settings.window))}}, session.interrupts);
+  session.console.say(fmt::format("Wrote {}", options.screenshot));
+  return ExitCode::done;
+}
+
+ExitCode show_window(const Options& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
+  Settings settings = read.settings;
+  if (!options.size.empty()) settings.window = size_from(options.size);
+  Window window({.size = settings.window});
+  ViewerOptions viewer_settings = viewer_options(options, settings, session);
+  viewer_settings.clipboard = {[&window] { return window.clipboard(); }, [&window](const std::string& text) { window.set_clipboard(text); }};
+  Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));
+  viewer.state().drawn_with = window.context().in_words();
+  if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
+  session.console.say(fmt::format("Drawn with {}.", window.context().in_words()));
+  viewer.open(first_request(options));
+  run_in_window(viewer, window, session.interrupts.token());
+  const Settings& now = viewer.state().settings;
+  if (!(now == read.settings)) {
+    const auto held = session.interrupts.hold();
+    write_settings(now, remembered);
+  }
+  session.progress().check();
+  return ExitCode::done;
+}
+
+ExitCode view(const Options& options, Session& session) {
+  refuse_senseless(options.scene);
+  if (options.volume.any_level()) understood(options.volume);
+  const std::filesystem::path remembered = settings_file();
+  if (!options.size.empty()) size_from(options.size);
+  const ReadSettings read = options.screenshot.empty() ? read_settings(remembered) : ReadSettings{};
+  if (!read.complaint.empty()) session.console.complain(read.complaint);
+  if (!options.screenshot.empty()) return take_screenshot(options, session);
+  return show_window(options, read, remembered, session);
+}
+
+}  // namespace
+
+Command view_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("view", "A window to look at a model: turn it, cut it open, measure it");
+  const auto options = std::make_shared<Options>();
+  parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
+  parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
+  parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
+  add_scene_options(*parser, options->scene);
+  add_volume_options(*parser, options->volume);
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope view\n"
+      "  odontoscope view molar.json --section buccal\n"
+      "  odontoscope view tooth.nrrd --iso 120 --min-area 4\n"
+      "\n"
+      "Press ? in the window for mouse and keys; docs/viewer.md has more. Files can be dropped on the window.\n"
+      "Settings: $XDG_CONFIG_HOME/odontoscope/viewer.json, which may be deleted.\n");
+  return {parser, [options](Session& session) { return view(*options, session); }};
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,77 @@
+#include "engine/ui/actions.h"
+
+#include <algorithm>
+#include <array>
+
+namespace odontoscope {
+
+namespace {
+
+constexpr std::array<ActionKey, 22> keys = {{
+    {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
+    {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
+    {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
+    {"4", Action::view_distal, "from distal (away from it)", U'4'},
+    {"5", Action::view_occlusal, "from occlusal (the biting surface)", U'5'},
+    {"6", Action::view_apical, "from apical (the root tips)", U'6'},
+    {"0", Action::view_three_quarter, "from three quarters", U'0'},
+    {"F", Action::fit, "fit all into the picture", U'f'},
+    {"P", Action::toggle_projection, "perspective or parallel", U'p'},
+    {"B", Action::next_back_faces, "back faces: cull, show, tint", U'b'},
+    {"W", Action::toggle_wire, "triangle edges", U'w'},
+    {"S", Action::toggle_section, "section on or off", U's'},
+    {"R", Action::flip_section, "cut away the other side", U'r'},
+    {"M", Action::measure_distance, "measure a distance", U'm'},
+    {"T", Action::measure_thickness, "measure a wall's thickness", U't'},
+    {"F12", Action::take_picture, "take a picture", 0, Key::f12},
+    {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
+    {"Ctrl O", Action::open_file, "open a file", 0, Key::o, true},
+    {"Tab", Action::toggle_panel, "panel on or off", 0, Key::tab},
+    {"?", Action::toggle_help, "this list", U'?'},
+    {"F1", Action::toggle_help, "this list", 0, Key::f1},
+    {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
+}};
+
+constexpr std::array<Gesture, 7> mouse = {{
+    {"Drag", "turn"},
+    {"Right drag, Shift drag", "move"},
+    {"Wheel", "nearer and farther, at the pointer"},
+    {"Double click", "turn round this point"},
+    {"Arrow keys", "turn; with Shift: move"},
+    {"+  \xE2\x88\x92", "nearer, farther"},
+    {"Drop a file", "open it"},
+}};
+
+char32_t small(char32_t character) { return character >= U'A' && character <= U'Z' ? character - U'A' + U'a' : character; }
+
+}  // namespace
+
+std::span<const ActionKey> action_keys() { return keys; }
+
+std::span<const Gesture> gestures() { return mouse; }
+
+std::optional<Action> action_for(const TextTyped& text) {
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
+  return found == keys.end() ? std::nullopt : std::optional(found->action);
+}
+
+std::optional<Action> action_for(const KeyChanged& pressed) {
+  if (!pressed.down || pressed.key == Key::other) return std::nullopt;
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
+  return found == keys.end() ? std::nullopt : std::optional(found->action);
+}
+
+std::optional<NamedView> view_of(Action action) {
+  switch (action) {
+    case Action::view_three_quarter: return NamedView::three_quarter;
+    case Action::view_buccal: return NamedView::buccal;
+    case Action::view_lingual: return NamedView::lingual;
+    case Action::view_mesial: return NamedView::mesial;
+    case Action::view_distal: return NamedView::distal;
+    case Action::view_occlusal: return NamedView::occlusal;
+    case Action::view_apical: return NamedView::apical;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,199 @@
+#include "engine/ui/cards.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "engine/ui/actions.h"
+#include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
+
+namespace odontoscope {
+
+namespace {
+
+using widgets::scaled;
+
+/// A card in the middle of the viewport, as high as what it holds.
+class Card {
+ public:
+  Card(const char* id, const Area& viewport, float width) {
+    const float most = static_cast<float>(viewport.width) - scaled(32);
+    ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(scaled(width), most), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(24), scaled(20)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(3);
+  }
+  ~Card() { ImGui::End(); }
+  Card(const Card&) = delete;
+  Card& operator=(const Card&) = delete;
+};
+
+void title(const Interface& interface, const char* words) {
+  ImGui::PushFont(interface.large);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words);
+  ImGui::PopTextWrapPos();
+  ImGui::PopFont();
+}
+
+void wrapped(const std::string& words) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+std::string name_of(const std::string& file) { return file.empty() ? "the sample molar" : std::filesystem::path(file).filename().string(); }
+
+void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
+  const Card card("loading", viewport, 400);
+  title(interface, fmt::format("Making {}", name_of(loading.request().file)).c_str());
+  const LoadJob::Stage stage = loading.stage();
+  widgets::remark(interface, loading.cancelling() ? "Stopping\xE2\x80\xA6" : stage_in_words(stage.name));
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = scaled(6);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, height / 2);
+  const float done = static_cast<float>(std::clamp(stage.fraction, 0.02, 1.0));
+  list.AddRectFilled(corner, {corner.x + done * width, corner.y + height}, theme::accent, height / 2);
+  ImGui::Dummy({width, height + scaled(6)});
+  if (widgets::wide_button("Cancel")) state.cancel_loading = true;
+}
+
+void trouble_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("trouble", viewport, 520);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
+  title(interface, "That did not work");
+  ImGui::PopStyleColor();
+  wrapped(state.trouble);
+  ImGui::Dummy({0, scaled(2)});
+  if (widgets::wide_button("Close")) state.trouble.clear();
+}
+
+void question_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("question", viewport, 460);
+  title(interface, name_of(state.question->file).c_str());
+  wrapped("This is a volume. At which grey value does the surface lie?");
+  widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
+  ImGui::InputDouble("grey value", &state.question->iso, 0, 0, "%g");
+  ImGui::InputDouble("mm\xC2\xB2, smallest contour", &state.question->min_area_mm2, 0, 0, "%g");
+  state.question->min_area_mm2 = std::max(state.question->min_area_mm2, 0.0);
+  if (widgets::wide_button("Make the model", true)) {
+    state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_mm2, false};
+    state.question.reset();
+    return;
+  }
+  if (widgets::wide_button("Cancel")) state.question.reset();
+}
+
+void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("open", viewport, 560);
+  title(interface, "Open a file");
+  widgets::remark(interface, "A contour stack, a GLB, STL or PLY mesh, or a volume. Dropping it on the window does the same. Nothing typed: the sample molar.");
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  bool open = ImGui::InputText("##file", &*state.file_asked_for, ImGuiInputTextFlags_EnterReturnsTrue);
+  open = widgets::wide_button("Open", true) || open;
+  if (open) {
+    state.to_load = LoadRequest{*state.file_asked_for, {}, 0, false};
+    state.file_asked_for.reset();
+    return;
+  }
+  if (widgets::wide_button("Cancel")) state.file_asked_for.reset();
+}
+
+void key_row(const Interface& interface, std::string_view printed, std::string_view words, float column) {
+  ImGui::PushFont(interface.bold);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::accent);
+  ImGui::TextUnformatted(printed.data(), printed.data() + printed.size());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ImGui::SameLine(column);
+  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+void help_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("help", viewport, 780);
+  title(interface, "Mouse and keys");
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
+  ImGui::Columns(2, "columns", false);
+  ImGui::SetColumnWidth(0, scaled(372));
+  for (const Gesture& gesture : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
+  ImGui::Dummy({0, scaled(6)});
+  std::set<Action> told;
+  std::size_t row = 0;
+  for (const ActionKey& key : action_keys()) {
+    if (!told.insert(key.action).second) continue;   // a second key for the same
+    constexpr std::size_t rows_at_left = 7;
+    if (row++ == rows_at_left) ImGui::NextColumn();
+    const float start = row > rows_at_left ? ImGui::GetColumnOffset() + scaled(78) : scaled(72);
+    key_row(interface, key.printed, key.words, start);
+  }
+  ImGui::Columns(1);
+  ImGui::PopStyleVar();
+  ImGui::Dummy({0, scaled(4)});
+  if (widgets::wide_button("Close")) state.help = false;
+}
+
+void empty_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("empty", viewport, 420);
+  title(interface, "Nothing to look at yet");
+  widgets::remark(interface, "Drop a contour stack, a mesh or a volume here.");
+  if (widgets::wide_button("Show the sample molar", true)) state.to_load = LoadRequest{};
+  if (widgets::wide_button("Open\xE2\x80\xA6")) state.todo.push_back(Action::open_file);
+}
+
+void draw_notices(const ViewerState& state, const Interface& interface, const Area& viewport) {
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  float bottom = static_cast<float>(viewport.top + viewport.height) - scaled(20);
+  const float wrap = std::min(scaled(520), static_cast<float>(viewport.width) - scaled(60));
+  for (auto notice = state.notices.rbegin(); notice != state.notices.rend(); ++notice) {
+    const char* words = notice->words.c_str();
+    ImFont* font = interface.regular;
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words);
+    const float middle = static_cast<float>(viewport.left + viewport.width / 2);
+    const ImVec2 low(middle - size.x / 2 - scaled(16), bottom - size.y - scaled(20)), high(middle + size.x / 2 + scaled(16), bottom);
+    list.AddRectFilled(low, high, theme::rgb(0x252b32, 240), scaled(8));
+    list.AddRect(low, high, notice->bad ? theme::bad : theme::line, scaled(8));
+    list.AddText(font, font->FontSize, {low.x + scaled(16), low.y + scaled(10)}, notice->bad ? theme::bad : theme::text, words, nullptr, wrap);
+    bottom = low.y - scaled(8);
+  }
+}
+
+}  // namespace
+
+std::string stage_in_words(std::string_view stage) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> known = {{{"read", "Reading the file"},
+                                                                                   {"contours", "Tracing contours through the volume"},
+                                                                                   {"simplify", "Leaving out points that say nothing"},
+                                                                                   {"validate", "Checking the contours"},
+                                                                                   {"conform", "Triangulating the slices"},
+                                                                                   {"slabs", "Joining neighbouring slices"},
+                                                                                   {"plates", "Closing what ends between slices"},
+                                                                                   {"assemble", "Putting the slabs together"},
+                                                                                   {"certify", "Proving that the model is sound"},
+                                                                                   {"shade", "Preparing the picture"}}};
+  for (const auto& [name, words] : known)
+    if (stage == name) return std::string(words);
+  return stage.empty() ? "Beginning" : fmt::format("Working: {}", stage);
+}
+
+void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport) {
+  if (loading) loading_card(state, *loading, interface, viewport);
+  else if (!state.trouble.empty()) trouble_card(state, interface, viewport);
+  else if (state.question) question_card(state, interface, viewport);
+  else if (state.file_asked_for) open_card(state, interface, viewport);
+  else if (state.help) help_card(state, interface, viewport);
+  else if (!state.shown) empty_card(state, interface, viewport);
+  draw_notices(state, interface, viewport);
+}
+
+}  // namespace odontoscope

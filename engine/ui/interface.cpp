@@ -1,0 +1,150 @@
+#include "engine/ui/interface.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/ui/fonts.h"
+#include "engine/ui/theme.h"
+
+namespace odontoscope {
+
+namespace {
+
+/// ImGui counts keys by numbers of ours.
+constexpr std::pair<ImGuiKey_, Key> known_keys[] = {
+    {ImGuiKey_Tab, Key::tab},       {ImGuiKey_LeftArrow, Key::left}, {ImGuiKey_RightArrow, Key::right}, {ImGuiKey_UpArrow, Key::up},
+    {ImGuiKey_DownArrow, Key::down}, {ImGuiKey_Home, Key::home},     {ImGuiKey_End, Key::end},          {ImGuiKey_PageUp, Key::page_up},
+    {ImGuiKey_PageDown, Key::page_down}, {ImGuiKey_Enter, Key::enter}, {ImGuiKey_Escape, Key::escape},  {ImGuiKey_Backspace, Key::backspace},
+    {ImGuiKey_Delete, Key::remove}, {ImGuiKey_Space, Key::space},    {ImGuiKey_A, Key::a},              {ImGuiKey_C, Key::c},
+    {ImGuiKey_V, Key::v},           {ImGuiKey_X, Key::x},            {ImGuiKey_Y, Key::y},              {ImGuiKey_Z, Key::z}};
+
+/// Latin with accents, Greek mu and friends, dashes and quotes, arrows.
+constexpr ImWchar characters[] = {0x20, 0xff, 0x100, 0x17f, 0x3bc, 0x3bc, 0x2010, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
+
+
+}  // namespace
+
+Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
+  ImGuiContext* before = ImGui::GetCurrentContext();
+  context_ = ImGui::CreateContext();
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;   // what is remembered is ours to say; see settings.h
+  io.LogFilename = nullptr;
+  io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
+  for (const auto& [theirs, ours] : known_keys) io.KeyMap[theirs] = static_cast<int>(ours);
+  io.ClipboardUserData = this;
+  io.GetClipboardTextFn = [](void* self) -> const char* {
+    Interface& interface = *static_cast<Interface*>(self);
+    if (interface.clipboard_.get) interface.copied_ = interface.clipboard_.get();
+    return interface.copied_.c_str();
+  };
+  io.SetClipboardTextFn = [](void* self, const char* text) {
+    Interface& interface = *static_cast<Interface*>(self);
+    interface.copied_ = text;
+    if (interface.clipboard_.set) interface.clipboard_.set(interface.copied_);
+  };
+  if (before) ImGui::SetCurrentContext(before);
+}
+
+Interface::~Interface() {
+  if (ImGui::GetCurrentContext() == context_) ImGui::SetCurrentContext(nullptr);
+  ImGui::DestroyContext(context_);
+}
+
+void Interface::feed(const Event& event) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiIO& io = ImGui::GetIO();
+  const auto hold = [&io](const Modifiers& with) {
+    io.KeyShift = with.shift;
+    io.KeyCtrl = with.control;
+    io.KeyAlt = with.alt;
+  };
+  if (const auto* move = std::get_if<MouseMoved>(&event)) {
+    io.MousePos = {static_cast<float>(move->x), static_cast<float>(move->y)};
+  } else if (const auto* button = std::get_if<MouseButtonChanged>(&event)) {
+    const auto i = static_cast<std::size_t>(button->button);
+    down_[i] = button->down;
+    pressed_[i] = pressed_[i] || button->down;   // a click shorter than a frame is a click all the same
+    hold(button->with);
+  } else if (const auto* scroll = std::get_if<Scrolled>(&event)) {
+    io.MouseWheel += static_cast<float>(scroll->along);
+    io.MouseWheelH += static_cast<float>(scroll->across);
+  } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
+    io.KeysDown[static_cast<int>(key->key)] = key->down && key->key != Key::other;
+    hold(key->with);
+  } else if (const auto* text = std::get_if<TextTyped>(&event)) {
+    io.AddInputCharacter(text->character);
+  } else if (std::get_if<FocusLost>(&event)) {
+    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    std::fill(std::begin(down_), std::end(down_), false);
+    hold({});
+  }
+}
+
+void Interface::begin(const FrameInput& input) {
+  ImGui::SetCurrentContext(context_);
+  if (input.scale != scale_) make_letters(input.scale);
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(input.size.width), static_cast<float>(input.size.height)};
+  io.DeltaTime = std::max(static_cast<float>(input.seconds), 1e-4f);
+  for (std::size_t i = 0; i < 3; ++i) io.MouseDown[i] = down_[i] || std::exchange(pressed_[i], false);
+  ImGui::NewFrame();
+}
+
+ImDrawData* Interface::end() {
+  ImGui::Render();
+  return ImGui::GetDrawData();
+}
+
+void Interface::make_letters(float scale) {
+  scale_ = scale;
+  ++font_version_;
+  ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+  atlas.Clear();
+  atlas.TexDesiredWidth = 1024;
+  const auto add = [&](std::span<const unsigned char> bytes, float size) {
+    ImFontConfig config;
+    config.FontDataOwnedByAtlas = false;
+    config.OversampleH = 2;
+    config.OversampleV = 1;
+    return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), size * scale, &config, characters);
+  };
+  regular = add(regular_font(), theme::text_size);
+  bold = add(bold_font(), theme::text_size);
+  small = add(regular_font(), theme::small_size);
+  large = add(bold_font(), theme::large_size);
+  atlas.Build();
+  theme::apply(ImGui::GetStyle(), scale);
+}
+
+ImFontAtlas& Interface::letters() const {
+  ImGui::SetCurrentContext(context_);
+  return *ImGui::GetIO().Fonts;
+}
+
+bool Interface::covers(double x, double y) const {
+  const ImVec2 place(static_cast<float>(x), static_cast<float>(y));
+  for (const ImGuiWindow* window : context_->Windows) {
+    if (!window->WasActive && !window->Active) continue;
+    if (window->Hidden || window->Flags & (ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_ChildWindow)) continue;
+    if (window->IsFallbackWindow) continue;
+    if (window->Rect().Contains(place)) return true;
+  }
+  return false;
+}
+
+bool Interface::wants_text() const { return context_->IO.WantTextInput; }
+
+Pointer Interface::pointer() const {
+  switch (context_->MouseCursor) {
+    case ImGuiMouseCursor_TextInput: return Pointer::text;
+    case ImGuiMouseCursor_Hand: return Pointer::hand;
+    default: return Pointer::arrow;
+  }
+}
+
+}  // namespace odontoscope

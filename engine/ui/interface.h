@@ -1,0 +1,61 @@
+#pragma once
+// Dear ImGui as a value: its context, letters and colours, fed with our events.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "engine/view/input.h"
+
+struct ImDrawData;
+struct ImFont;
+struct ImFontAtlas;
+struct ImGuiContext;
+
+namespace odontoscope {
+
+/// Texts that others copied, and ours for them. Empty functions: a clipboard of our own.
+struct Clipboard {
+  std::function<std::string()> get;
+  std::function<void(const std::string&)> set;
+};
+
+class Interface {
+ public:
+  explicit Interface(Clipboard clipboard = {});
+  ~Interface();
+  Interface(const Interface&) = delete;
+  Interface& operator=(const Interface&) = delete;
+
+  void feed(const Event& event);
+  /// Between the two, ImGui's functions draw into this interface. The letters are made anew when the scale changes.
+  void begin(const FrameInput& input);
+  ImDrawData* end();
+
+  /// Counts up whenever the letters were made anew.
+  int font_version() const { return font_version_; }
+  ImFontAtlas& letters() const;
+
+  /// Does a panel lie over this place of the picture, as far as the last frame knows?
+  bool covers(double x, double y) const;
+  /// A text field has the keyboard.
+  bool wants_text() const;
+  Pointer pointer() const;
+
+  ImFont* regular = nullptr;
+  ImFont* bold = nullptr;
+  ImFont* small = nullptr;
+  ImFont* large = nullptr;
+
+ private:
+  void make_letters(float scale);
+
+  Clipboard clipboard_;
+  std::string copied_;
+  ImGuiContext* context_ = nullptr;
+  float scale_ = 0;
+  int font_version_ = 0;
+  bool down_[3] = {}, pressed_[3] = {};
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,84 @@
+#pragma once
+// A model in the making, off the frame's thread: how far it is, how to stop it, and what came of it.
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/measure/pick.h"
+#include "engine/scene/overlay.h"
+#include "engine/scene/scene.h"
+#include "recon/core/progress.h"
+
+namespace odontoscope {
+
+/// What to load. Where a volume's surface lies is asked for unless the command line said it.
+struct LoadRequest {
+  std::string file;              // empty: the sample molar
+  std::optional<double> iso;     // of a volume: the grey value at its surface
+  double min_area_mm2 = 0;       // of a volume: smaller contours are noise
+  bool from_command_line = false;
+};
+
+/// Is the surface what it should be? In words for a person.
+struct Certificate {
+  enum class Verdict { certified, sound, wanting };   // proven with its solid; closed, oriented and manifold; neither
+  struct Finding {
+    bool good = true;
+    std::string words;
+  };
+  Verdict verdict = Verdict::wanting;
+  std::string headline;
+  std::vector<Finding> findings;
+};
+
+/// All that the viewer knows of what it shows.
+struct LoadedModel {
+  std::string title;
+  Model model;
+  OverlaySource overlays;
+  std::shared_ptr<const Pickable> pickable;   // never null
+  Scene scene;                   // a good first look
+  Certificate certificate;
+  std::size_t triangles = 0;
+  /// What the person said about `scene` and the viewer therefore leaves as it is; the rest follows window and settings.
+  bool camera_given = false, background_given = false, back_faces_given = false;
+};
+
+/// Runs on a thread of its own. Throws what readers and the engine throw; Cancelled after a stop was requested.
+using Loader = std::function<LoadedModel(const LoadRequest&, const Progress&)>;
+
+class LoadJob {
+ public:
+  LoadJob(Loader loader, LoadRequest request);
+  /// Stops the work and waits until it has noticed.
+  ~LoadJob() = default;
+  LoadJob(const LoadJob&) = delete;
+  LoadJob& operator=(const LoadJob&) = delete;
+
+  struct Stage {
+    std::string name;
+    double fraction = 0;
+  };
+  Stage stage() const;
+  const LoadRequest& request() const { return request_; }
+  void cancel() { thread_.request_stop(); }
+  bool cancelling() const { return thread_.get_stop_token().stop_requested(); }
+  bool finished() const;
+  /// Precondition: finished, and not taken before. Throws what the loader threw.
+  LoadedModel take() { return result_.get(); }
+
+ private:
+  LoadRequest request_;
+  mutable std::mutex mutex_;
+  Stage stage_;
+  std::future<LoadedModel> result_;
+  std::jthread thread_;   // last: it uses the others
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,165 @@
+#include "engine/ui/marks.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/ui/theme.h"
+
+namespace odontoscope {
+
+namespace {
+
+constexpr double compass_radius = 44, compass_margin = 72, dot_radius = 9;   // interface pixels
+
+struct CompassPoint {
+  const char* letter;
+  const char* name;
+  Action action;
+  glm::dvec3 direction;
+};
+
+const std::array<CompassPoint, 6>& compass_points() {
+  static const AnatomicalFrame tooth;
+  static const std::array<CompassPoint, 6> points = {{{"B", "buccal", Action::view_buccal, tooth.buccal},
+                                                      {"L", "lingual", Action::view_lingual, -tooth.buccal},
+                                                      {"M", "mesial", Action::view_mesial, tooth.mesial},
+                                                      {"D", "distal", Action::view_distal, -tooth.mesial},
+                                                      {"O", "occlusal", Action::view_occlusal, tooth.occlusal},
+                                                      {"A", "apical", Action::view_apical, -tooth.occlusal}}};
+  return points;
+}
+
+struct PlacedPoint {
+  const CompassPoint* point;
+  double x, y, depth;   // pixels; towards the eye is positive
+};
+
+/// Farthest first.
+std::array<PlacedPoint, 6> placed(const ViewPane& pane, float scale) {
+  const CameraAxes axes = axes_of(pane.camera);
+  const double x = pane.area.left + pane.area.width - scale * compass_margin, y = pane.area.top + scale * compass_margin;
+  std::array<PlacedPoint, 6> all;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const CompassPoint& point = compass_points()[i];
+    all[i] = {&point, x + scale * compass_radius * glm::dot(point.direction, axes.right), y - scale * compass_radius * glm::dot(point.direction, axes.up),
+              glm::dot(point.direction, axes.towards_eye)};
+  }
+  std::stable_sort(all.begin(), all.end(), [](const PlacedPoint& a, const PlacedPoint& b) { return a.depth < b.depth; });
+  return all;
+}
+
+ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+ImVec2 vec(const glm::dvec2& p) { return vec(p.x, p.y); }
+
+ImU32 faded(ImU32 colour, double opacity) {
+  const auto alpha = static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * (colour >> IM_COL32_A_SHIFT));
+  return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
+}
+
+/// Words that can be read on any ground.
+void outlined(ImDrawList& list, ImFont* font, float size, const ImVec2& place, ImU32 colour, const char* words) {
+  for (const auto& [dx, dy] : {std::pair{-1.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}, {0.0f, 1.0f}})
+    list.AddText(font, size, {place.x + dx, place.y + dy}, theme::mark_outline, words);
+  list.AddText(font, size, place, colour, words);
+}
+
+}  // namespace
+
+glm::dvec2 place_in(const Area& area, double x, double y) {
+  const double half = area.height / 2;
+  return {(x - area.left - area.width / 2) / half, (area.top + half - y) / half};
+}
+
+glm::dvec2 pixel_of(const Area& area, const glm::dvec2& place) {
+  const double half = area.height / 2;
+  return {area.left + area.width / 2 + half * place.x, area.top + half - half * place.y};
+}
+
+double handle_reach(const Area& area, float scale) { return 96 * scale / (area.height / 2); }
+double handle_tolerance(const Area& area, float scale) { return 14 * scale / (area.height / 2); }
+
+std::optional<Action> compass_hit(const ViewPane& pane, float scale, double x, double y) {
+  const auto points = placed(pane, scale);
+  for (auto p = points.rbegin(); p != points.rend(); ++p)   // nearest first
+    if (std::hypot(x - p->x, y - p->y) <= scale * (dot_radius + 3)) return p->point->action;
+  return std::nullopt;
+}
+
+void draw_compass(const ViewPane& pane, const Interface& interface, float scale, std::optional<Action> hovered) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const double x = pane.area.left + pane.area.width - scale * compass_margin, y = pane.area.top + scale * compass_margin;
+  list.AddCircleFilled(vec(x, y), static_cast<float>(scale * (compass_radius + 20)), theme::rgb(0x14181c, hovered ? 150 : 110), 64);
+  const char* words = nullptr;
+  for (const PlacedPoint& p : placed(pane, scale)) {
+    const bool lit = hovered == p.point->action, nearest = p.depth > 0.92;
+    const double opacity = lit ? 1 : 0.35 + 0.65 * (0.5 + 0.5 * p.depth);
+    const bool positive = p.point->action == Action::view_buccal || p.point->action == Action::view_mesial || p.point->action == Action::view_occlusal;
+    const ImU32 colour = faded(positive ? theme::accent : theme::rgb(0x8fa0ae), opacity);
+    list.AddLine(vec(x, y), vec(p.x, p.y), faded(colour, 0.8), 1.6f * scale);
+    list.AddCircleFilled(vec(p.x, p.y), static_cast<float>(scale * (lit ? dot_radius + 2 : dot_radius)), lit ? theme::mark : colour, 24);
+    const float size = interface.small->FontSize;
+    const ImVec2 extent = interface.small->CalcTextSizeA(size, 1e9f, 0, p.point->letter);
+    list.AddText(interface.small, size, vec(p.x - extent.x / 2, p.y - extent.y / 2), faded(theme::rgb(0x10151a), std::max(opacity, 0.7)), p.point->letter);
+    if (lit || (nearest && !hovered)) words = p.point->name;
+  }
+  if (!words) return;
+  const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, words);
+  outlined(list, interface.bold, interface.bold->FontSize, vec(x - extent.x / 2, y + scale * (compass_radius + 26)), theme::text, words);
+}
+
+ScaleBar scale_bar(const ViewPane& pane, double most_pixels) {
+  const double mm_per_pixel = half_height_at(pane.camera, depth_of(pane.camera, pane.camera.target)) / (pane.area.height / 2);
+  const double most = mm_per_pixel * most_pixels;
+  double length = std::pow(10, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0})
+    if (factor * length <= most) {
+      length *= factor;
+      break;
+    }
+  const std::string words = length >= 1000 ? fmt::format("{:g} m", length / 1000)
+                            : length >= 0.01 ? fmt::format("{:g} mm", length)
+                                             : fmt::format("{:g} \xCE\xBCm", length * 1000);
+  return {length / mm_per_pixel, words};
+}
+
+void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scale) {
+  const ScaleBar bar = scale_bar(pane, 160 * scale);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const double left = pane.area.left + 24 * scale, right = left + bar.pixels, y = pane.area.top + pane.area.height - 26 * scale, tick = 5 * scale;
+  const std::pair<float, ImU32> strokes[] = {{4.5f * scale, theme::mark_outline}, {2.0f * scale, theme::text}};
+  for (const auto& [width, colour] : strokes) {
+    list.AddLine(vec(left, y), vec(right, y), colour, width);
+    list.AddLine(vec(left, y - tick), vec(left, y + tick), colour, width);
+    list.AddLine(vec(right, y - tick), vec(right, y + tick), colour, width);
+  }
+  outlined(list, interface.bold, interface.bold->FontSize, vec(left + 2 * scale, y - 26 * scale), theme::text, bar.words.c_str());
+}
+
+void draw_section_handle(const ViewPane& pane, const Section& section, float scale, std::optional<SectionGrip> lit) {
+  const auto handle = section_handle(section, pane.camera, handle_reach(pane.area, scale));
+  if (!handle) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(vec(pane.area.left, pane.area.top), vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));
+  std::vector<ImVec2> outline;
+  for (const glm::dvec2& place : handle->outline) outline.push_back(vec(pixel_of(pane.area, place)));
+  const ImVec2 knob = vec(pixel_of(pane.area, handle->knob)), tip = vec(pixel_of(pane.area, handle->tip));
+  const auto colour = [&](SectionGrip grip) { return lit == grip ? theme::text : theme::mark; };
+  list.AddPolyline(outline.data(), static_cast<int>(outline.size()), theme::mark_outline, ImDrawFlags_Closed, 4 * scale);
+  list.AddPolyline(outline.data(), static_cast<int>(outline.size()), faded(theme::mark, 0.85), ImDrawFlags_Closed, 1.8f * scale);
+  list.AddLine(knob, tip, theme::mark_outline, 5 * scale);
+  list.AddLine(knob, tip, faded(theme::mark, handle->tip_faces_eye ? 1 : 0.6), 2.4f * scale);
+  for (const auto& [place, grip] : {std::pair{tip, SectionGrip::turn}, {knob, SectionGrip::slide}}) {
+    const float radius = (lit == grip ? 10.0f : 8.0f) * scale;
+    list.AddCircleFilled(place, radius + 1.6f * scale, theme::mark_outline, 32);
+    if (grip == SectionGrip::turn) list.AddCircleFilled(place, radius, colour(grip), 32);
+    else list.AddRectFilled({place.x - 0.8f * radius, place.y - 0.8f * radius}, {place.x + 0.8f * radius, place.y + 0.8f * radius}, colour(grip), 2 * scale);
+  }
+  list.PopClipRect();
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,187 @@
+#include "engine/ui/panels.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "engine/navigate/section_handle.h"
+#include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
+
+namespace odontoscope {
+
+namespace {
+
+using widgets::scaled;
+
+void heading(const ViewerState& state, const Interface& interface) {
+  ImGui::PushFont(interface.large);
+  ImGui::TextUnformatted(state.shown ? state.shown->title.c_str() : "Odontoscope");
+  ImGui::PopFont();
+  if (state.shown) widgets::remark(interface, fmt::format("{} triangles, {} structure{}", state.shown->triangles, state.shown->model.parts.size(), state.shown->model.parts.size() == 1 ? "" : "s"));
+}
+
+/// Two buttons side by side, each half as wide as the panel.
+void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::Button(left, {width, 0})) state.todo.push_back(on_left);
+  ImGui::SameLine();
+  if (ImGui::Button(right, {width, 0})) state.todo.push_back(on_right);
+}
+
+void structure_row(Look& look, const Interface&) {
+  ImGui::PushID(look.structure.c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(2), scaled(2)});
+  widgets::eye("eye", look.visible);
+  ImGui::SameLine();
+  widgets::swatch("colour", look.colour);
+  ImGui::SameLine(0, scaled(6));
+  ImGui::BeginGroup();
+  ImGui::PushStyleColor(ImGuiCol_Text, look.visible ? theme::text : theme::quiet);
+  double percent = 100.0 * look.opacity;
+  if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%")) look.opacity = static_cast<float>(percent / 100);
+  ImGui::PopStyleColor();
+  ImGui::EndGroup();
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void report_section(const ViewerState& state, const Interface& interface) {
+  if (!state.shown) return;
+  const Certificate& certificate = state.shown->certificate;
+  const bool good = certificate.verdict != Certificate::Verdict::wanting;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, inset = scaled(12);
+  const float wrap = width - 2 * inset - scaled(20);
+  ImGui::PushFont(interface.bold);
+  const float height = ImGui::CalcTextSize(certificate.headline.c_str(), nullptr, false, wrap).y + 2 * scaled(9);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, good ? theme::rgb(0x1f3a2e) : theme::rgb(0x45262a), scaled(6));
+  list.AddRectFilled(corner, {corner.x + scaled(4), corner.y + height}, good ? theme::good : theme::bad, scaled(6), ImDrawFlags_RoundCornersLeft);
+  ImGui::SetCursorScreenPos({corner.x + inset, corner.y + scaled(9)});
+  ImGui::BeginGroup();
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * inset);
+  widgets::marked(interface, good, certificate.headline);
+  ImGui::PopTextWrapPos();
+  ImGui::EndGroup();
+  ImGui::PopFont();
+  ImGui::SetCursorScreenPos({corner.x, corner.y + height});
+  ImGui::Dummy({width, 0});
+  if (!widgets::section(interface, "Report", !good)) return;
+  ImGui::PushFont(interface.small);
+  for (const Certificate::Finding& finding : certificate.findings) widgets::marked(interface, finding.good, finding.words);
+  ImGui::PopFont();
+}
+
+void structures_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Structures")) return;
+  for (Look& look : state.scene.looks) structure_row(look, interface);
+}
+
+void faces_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Faces")) return;
+  int mode = static_cast<int>(state.scene.back_faces);
+  if (widgets::choice("back faces", mode, {"Cull", "Two-sided", "Tint"})) state.scene.back_faces = static_cast<BackFaces>(mode);
+  constexpr const char* explained[] = {"Faces seen from behind are left out, as games and web pages do: a wrongly turned triangle is a hole.",
+                                       "Faces seen from behind are drawn like any other.",
+                                       "Faces seen from behind are magenta. On a sound model there are none to see from outside."};
+  widgets::remark(interface, explained[mode]);
+  widgets::toggle("Triangle edges", state.scene.wire);
+  double strength = state.scene.occlusion.on ? state.scene.occlusion.strength : 0;
+  if (widgets::slider("Shadow in fissures", strength, 0, 2, "%.1f")) {
+    state.scene.occlusion.on = strength > 0.02;
+    state.scene.occlusion.strength = static_cast<float>(strength);
+  }
+}
+
+void section_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Section")) return;
+  bool on = state.scene.section.has_value();
+  if (widgets::toggle("Cut the model open", on)) state.todo.push_back(Action::toggle_section);
+  if (!state.scene.section || !state.shown) return;
+  Section& section = *state.scene.section;
+  const Model& model = state.shown->model;
+  const AnatomicalFrame tooth;
+  const std::pair<const char*, glm::dvec3> sides[] = {{"Buccal", tooth.buccal}, {"Mesial", tooth.mesial}, {"Occlusal", tooth.occlusal}};
+  int chosen = -1;
+  for (int i = 0; i < 3; ++i)
+    if (std::abs(glm::dot(glm::normalize(section.normal), sides[i].second)) > 0.99999) chosen = i;
+  if (widgets::choice("side", chosen, {"Buccal", "Mesial", "Occlusal"})) section = with_offset({section.point_mm, sides[chosen].second}, 0, model);
+  double offset = offset_of(section, model);
+  if (widgets::slider("Position", offset, -model.radius_mm, model.radius_mm, "%+.2f mm")) section = with_offset(section, offset, model);
+  SectionAngles angles = angles_of(section);
+  const bool turned = widgets::slider("Turn", angles.round_deg, -180, 180, "%.0f\xC2\xB0");
+  if (widgets::slider("Tilt", angles.up_deg, -90, 90, "%.0f\xC2\xB0") || turned) {
+    const double kept = offset_of(section, model);
+    section = with_offset({section.point_mm, normal_of(angles)}, kept, model);
+  }
+  if (widgets::wide_button("Cut away the other side")) state.todo.push_back(Action::flip_section);
+  widgets::remark(interface, "In the picture: drag the knob to move the plane, the arrow's tip to turn it.");
+}
+
+void camera_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "View")) return;
+  int projection = static_cast<int>(state.scene.camera.projection);
+  if (widgets::choice("projection", projection, {"Perspective", "Parallel"})) state.todo.push_back(Action::toggle_projection);
+  two_buttons(state, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
+  int backdrop = static_cast<int>(state.settings.backdrop);
+  if (widgets::choice("backdrop", backdrop, {"Dark", "Light", "White"})) {
+    state.settings.backdrop = static_cast<Backdrop>(backdrop);
+    state.scene.background = background_of(state.settings.backdrop);
+  }
+}
+
+void picture_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Picture", false)) return;
+  PictureSettings& picture = state.settings.picture;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Size");
+  const float field = scaled(84);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * field - scaled(22));
+  ImGui::SetNextItemWidth(field);
+  ImGui::InputInt("##width", &picture.width, 0);
+  ImGui::SameLine(0, scaled(6));
+  ImGui::TextUnformatted("\xC3\x97");
+  ImGui::SameLine(0, scaled(6));
+  ImGui::SetNextItemWidth(field);
+  ImGui::BeginDisabled(picture.as_seen);
+  ImGui::InputInt("##height", &picture.height, 0);
+  ImGui::EndDisabled();
+  if (!ImGui::IsAnyItemActive()) {
+    picture.width = std::clamp(picture.width, 16, 16384);
+    picture.height = std::clamp(picture.height, 16, 16384);
+  }
+  widgets::toggle("Same shape as the view", picture.as_seen);
+  ImGui::TextUnformatted("Samples a pixel");
+  int samples = picture.side - 1;
+  if (widgets::choice("samples", samples, {"1", "4", "9", "16"})) picture.side = samples + 1;
+  widgets::toggle("Transparent background", picture.transparent);
+  if (widgets::wide_button("Take a picture", true)) state.todo.push_back(Action::take_picture);
+  if (widgets::wide_button("Save camera and looks")) state.todo.push_back(Action::save_scene);
+  widgets::remark(interface, "Files go to the folder that the viewer was started in.");
+}
+
+void draw_panel(ViewerState& state, const Interface& interface, const Area& area) {
+  ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
+  ImGui::SetNextWindowSize({static_cast<float>(area.width), static_cast<float>(area.height)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+  ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PopStyleVar();
+  heading(state, interface);
+  if (state.shown) {
+    report_section(state, interface);
+    structures_section(state, interface);
+    faces_section(state, interface);
+    section_section(state, interface);
+    camera_section(state, interface);
+    picture_section(state, interface);
+  }
+  ImGui::Dummy({0, scaled(2)});
+  two_buttons(state, "Open\xE2\x80\xA6", Action::open_file, "Keys  ?", Action::toggle_help);
+  ImGui::End();
+}
+
+}  // namespace odontoscope

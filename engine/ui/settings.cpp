@@ -1,0 +1,196 @@
+#include "engine/ui/settings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "engine/picture/image.h"
+#include "engine/scene/scene_json.h"
+#include "recon/core/atomic_file.h"
+#include "recon/core/error.h"
+#include "recon/core/read_file.h"
+
+namespace odontoscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* format_name = "odontoscope.viewer-settings";
+constexpr std::size_t most_bytes = 64 * 1024;
+/// Deeper than any settings are, and far from what would overflow the stack.
+constexpr int deepest = 8;
+
+/// Sets what makes sense and remembers the first thing that does not.
+class Reader {
+ public:
+  Reader(const Json& object, std::string& complaint) : object_(object), complaint_(complaint) {}
+
+  void read(const char* key, int& value, int low, int high) const {
+    double wide = value;
+    if (number(key, wide, low, high)) value = static_cast<int>(std::lround(wide));
+  }
+  void read(const char* key, float& value, float low, float high) const {
+    double wide = value;
+    if (number(key, wide, low, high)) value = static_cast<float>(wide);
+  }
+  void read(const char* key, bool& value) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return;
+    if (found->is_boolean()) value = found->get<bool>();
+    else complain(key, "is neither true nor false");
+  }
+  template <class Value>
+  void read(const char* key, Value& value, std::initializer_list<std::pair<const char*, Value>> words) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return;
+    if (found->is_string())
+      for (const auto& [word, meaning] : words)
+        if (*found == word) return void(value = meaning);
+    complain(key, "is none of the words that it may be");
+  }
+  Reader inside(const char* key) const {
+    static const Json empty = Json::object();
+    const auto found = object_.find(key);
+    if (found == object_.end()) return {empty, complaint_};
+    if (found->is_object()) return {*found, complaint_};
+    complain(key, "is no object");
+    return {empty, complaint_};
+  }
+
+ private:
+  bool number(const char* key, double& value, double low, double high) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return false;
+    if (!found->is_number()) return complain(key, "is no number");
+    const double wanted = found->get<double>();
+    if (!(wanted >= low && wanted <= high)) return complain(key, fmt::format("is not between {} and {}", low, high));
+    value = wanted;
+    return true;
+  }
+  bool complain(const char* key, std::string_view wrong) const {
+    if (complaint_.empty()) complaint_ = fmt::format("\"{}\" {}", key, wrong);
+    return false;
+  }
+
+  const Json& object_;
+  std::string& complaint_;
+};
+
+constexpr std::initializer_list<std::pair<const char*, BackFaces>> back_faces_words = {
+    {"cull", BackFaces::cull}, {"show", BackFaces::show}, {"tint", BackFaces::tint}};
+constexpr std::initializer_list<std::pair<const char*, Camera::Projection>> projection_words = {
+    {"perspective", Camera::Projection::perspective}, {"parallel", Camera::Projection::parallel}};
+constexpr std::initializer_list<std::pair<const char*, Backdrop>> backdrop_words = {
+    {"dark", Backdrop::dark}, {"light", Backdrop::light}, {"white", Backdrop::white}};
+
+template <class Value>
+const char* word_for(Value value, std::initializer_list<std::pair<const char*, Value>> words) {
+  for (const auto& [word, meaning] : words)
+    if (meaning == value) return word;
+  return "";
+}
+
+Json parsed(const std::string& text) {
+  const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) {
+    if (depth > deepest) throw std::length_error("too deep");
+    return true;
+  };
+  try {
+    return Json::parse(text, shallow);
+  } catch (const std::exception&) {
+    return Json(nlohmann::detail::value_t::discarded);
+  }
+}
+
+}  // namespace
+
+Background background_of(Backdrop backdrop) {
+  switch (backdrop) {
+    case Backdrop::light: return {};
+    case Backdrop::white: return {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
+    case Backdrop::dark: break;
+  }
+  return {Background::Kind::gradient, colour_of(0x3d4854), colour_of(0x14181c)};
+}
+
+std::string to_json(const Settings& settings) {
+  const Json json{{"format", format_name},
+                  {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
+                  {"panel", settings.panel},
+                  {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
+                  {"back_faces", word_for(settings.back_faces, back_faces_words)},
+                  {"projection", word_for(settings.projection, projection_words)},
+                  {"backdrop", word_for(settings.backdrop, backdrop_words)},
+                  {"picture",
+                   {{"width", settings.picture.width},
+                    {"height", settings.picture.height},
+                    {"as_seen", settings.picture.as_seen},
+                    {"samples_a_side", settings.picture.side},
+                    {"transparent", settings.picture.transparent}}}};
+  return json.dump(2) + "\n";
+}
+
+ReadSettings settings_from_json(const std::string& text) {
+  ReadSettings read;
+  if (text.size() > most_bytes) return {{}, "it is larger than settings can be"};
+  const Json json = parsed(text);
+  if (!json.is_object() || !json.contains("format") || json["format"] != format_name) return {{}, "it is no settings file of this viewer"};
+  const Reader reader(json, read.complaint);
+  Settings& settings = read.settings;
+  const Reader window = reader.inside("window");
+  window.read("width", settings.window.width, 640, 16384);
+  window.read("height", settings.window.height, 420, 16384);
+  reader.read("panel", settings.panel);
+  reader.read("text_scale", settings.text_scale, 0.7f, 2.5f);
+  reader.read("back_faces", settings.back_faces, back_faces_words);
+  reader.read("projection", settings.projection, projection_words);
+  reader.read("backdrop", settings.backdrop, backdrop_words);
+  const Reader picture = reader.inside("picture");
+  picture.read("width", settings.picture.width, 16, most_picture_side);
+  picture.read("height", settings.picture.height, 16, most_picture_side);
+  picture.read("as_seen", settings.picture.as_seen);
+  picture.read("samples_a_side", settings.picture.side, 1, 4);
+  picture.read("transparent", settings.picture.transparent);
+  return read;
+}
+
+std::filesystem::path settings_file() {
+  const auto folder = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    const std::filesystem::path path = value ? value : "";
+    return path.is_absolute() ? path : std::filesystem::path();   // the XDG rule: a relative one counts as not set
+  };
+  if (const auto config = folder("XDG_CONFIG_HOME"); !config.empty()) return config / "odontoscope" / "viewer.json";
+  if (const auto home = folder("HOME"); !home.empty()) return home / ".config" / "odontoscope" / "viewer.json";
+  return {};
+}
+
+ReadSettings read_settings(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.empty() || !std::filesystem::exists(file, error)) return {};
+  if (!std::filesystem::is_regular_file(file, error)) return {{}, fmt::format("The settings are left aside: {} is no ordinary file.", file.string())};
+  std::string text;
+  try {
+    text = read_file(file.string(), most_bytes);
+  } catch (const Error& wrong) {
+    return {{}, fmt::format("The settings are left aside: {}", wrong.what())};
+  }
+  ReadSettings read = settings_from_json(text);
+  if (!read.complaint.empty()) read.complaint = fmt::format("{}: {}. What makes no sense is left at its default.", file.string(), read.complaint);
+  return read;
+}
+
+void write_settings(const Settings& settings, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(file.parent_path(), error);
+  if (error) throw FileError(file.parent_path().string(), fmt::format("the folder cannot be made ({})", error.message()), "The settings are not remembered.");
+  AtomicFile written(file);
+  written.write(to_json(settings));
+  written.commit();
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,53 @@
+#pragma once
+// What the viewer remembers from one run to the next.
+//
+// A small JSON file, $XDG_CONFIG_HOME/odontoscope/viewer.json (~/.config where that is not set). Deleting it brings back the
+// defaults; whatever it holds, the viewer starts: what makes no sense is left at its default and said once.
+
+#include <filesystem>
+#include <string>
+
+#include "engine/gpu/framebuffer.h"
+#include "engine/scene/scene.h"
+
+namespace odontoscope {
+
+enum class Backdrop { dark, light, white };
+
+struct PictureSettings {
+  int width = 2400, height = 1800;
+  bool as_seen = true;        // the height follows the shape of the view
+  int side = 3;               // samples a pixel along one axis
+  bool transparent = false;
+  friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
+};
+
+struct Settings {
+  PixelSize window{1280, 800};
+  bool panel = true;
+  float text_scale = 1;       // on top of the screen's own
+  BackFaces back_faces = BackFaces::cull;
+  Camera::Projection projection = Camera::Projection::perspective;
+  Backdrop backdrop = Backdrop::dark;
+  PictureSettings picture;
+  friend bool operator==(const Settings&, const Settings&) = default;
+};
+
+Background background_of(Backdrop backdrop);
+
+struct ReadSettings {
+  Settings settings;
+  std::string complaint;      // empty if all was well or there was no file
+};
+
+std::string to_json(const Settings& settings);
+/// Never throws for what the text holds.
+ReadSettings settings_from_json(const std::string& text);
+
+/// Empty if the environment names no home.
+std::filesystem::path settings_file();
+ReadSettings read_settings(const std::filesystem::path& file);
+/// Whole or not at all, the folder made if need be. Throws FileError.
+void write_settings(const Settings& settings, const std::filesystem::path& file);
+
+}  // namespace odontoscope

@@ -1,0 +1,282 @@
+#include "engine/ui/viewer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "engine/gpu/graphics_error.h"
+#include "engine/navigate/moves.h"
+#include "engine/ui/actions.h"
+#include "engine/ui/cards.h"
+#include "engine/ui/marks.h"
+#include "engine/ui/panels.h"
+#include "engine/ui/theme.h"
+
+namespace odontoscope {
+
+namespace {
+
+/// A fine picture that takes longer than this is drawn only once nothing moves, for so long.
+constexpr double slow_picture_seconds = 0.030, still_seconds = 0.15;
+/// Samples beyond which a picture on the screen is not refined, for the memory that it takes.
+constexpr double most_screen_samples = 10e6;
+
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Called in a catch block.
+std::string words_for_current_exception() {
+  try {
+    throw;
+  } catch (const Error& error) {
+    return error.what();
+  } catch (const std::bad_alloc&) {
+    return "This machine has not enough memory for that. Make it smaller: fewer slices, or a larger smallest contour.";
+  } catch (const std::exception& error) {
+    return InternalError(error.what()).what();
+  }
+}
+
+BackFaces after(BackFaces mode) {
+  switch (mode) {
+    case BackFaces::cull: return BackFaces::show;
+    case BackFaces::show: return BackFaces::tint;
+    case BackFaces::tint: break;
+  }
+  return BackFaces::cull;
+}
+
+}  // namespace
+
+Viewer::Viewer(const Gl& gl, const ShaderLibrary& shaders, ViewerOptions options)
+    : gl_(&gl), options_(std::move(options)), interface_(options_.clipboard), interface_pass_(gl, shaders), renderer_(gl, shaders) {
+  state_.settings = options_.settings;
+}
+
+Viewer::~Viewer() {
+  for (std::future<std::string>& writing : writing_) writing.wait();
+}
+
+void Viewer::open(LoadRequest request) {
+  if (job_) {
+    job_->cancel();
+    stopped_jobs_.push_back(std::move(job_));
+  }
+  state_.trouble.clear();
+  failure_ = nullptr;
+  if (!request.iso && !request.from_command_line && options_.is_volume(request.file)) {
+    state_.question = VolumeQuestion{.file = std::move(request.file)};
+    return;
+  }
+  job_ = std::make_unique<LoadJob>(options_.load, std::move(request));
+}
+
+void Viewer::draw(const FrameInput& input, const Target& target) {
+  scale_ = input.scale * state_.settings.text_scale;
+  lay_out(input);
+  if (!events_.empty()) frames_to_settle_ = 3;
+  else if (frames_to_settle_ > 0) --frames_to_settle_;
+  for (const Event& event : std::exchange(events_, {})) {
+    interface_.feed(event);
+    react(event);
+  }
+  for (const Action action : std::exchange(state_.todo, {})) perform(action);
+  if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
+  lay_out(input);
+  take_finished_load();
+  take_written();
+  advance(input.seconds);
+  show_hovered();
+  lay_out(input);
+  draw_model(input, target);
+  draw_interface(input, target);
+}
+
+/// One view now; a comparison will be two beside each other.
+void Viewer::lay_out(const FrameInput& input) {
+  const double left = state_.settings.panel ? std::min<double>(theme::panel_width * scale_, input.size.width / 2.0) : 0;
+  const double whole = std::round(left);
+  panes_ = {{{whole, 0, input.size.width - whole, static_cast<double>(input.size.height)}, state_.scene.camera}};
+}
+
+void Viewer::take_finished_load() {
+  std::erase_if(stopped_jobs_, [](const auto& job) { return job->finished(); });
+  if (std::exchange(state_.cancel_loading, false) && job_) job_->cancel();
+  if (!job_ || !job_->finished()) return;
+  const std::unique_ptr<LoadJob> job = std::move(job_);
+  failure_ = nullptr;
+  try {
+    show(std::make_shared<const LoadedModel>(job->take()));
+  } catch (const Cancelled&) {
+    notice("Stopped.");
+  } catch (...) {
+    failure_ = std::current_exception();
+    state_.trouble = words_for_current_exception();
+  }
+}
+
+void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
+  gpu_model_ = upload(*gl_, shown->model);
+  state_.scene = shown->scene;
+  if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
+  if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
+  if (!shown->camera_given)
+    state_.scene.camera = fit(NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
+  state_.shown = std::move(shown);
+  state_.section_put_away.reset();
+  state_.tool = Tool::look;
+  transition_.reset();
+  drag_.reset();
+}
+
+void Viewer::advance(double seconds) {
+  now_ += seconds;
+  for (Notice& shown : state_.notices) shown.seconds_left -= seconds;
+  std::erase_if(state_.notices, [](const Notice& shown) { return shown.seconds_left <= 0; });
+  if (!transition_) return;
+  state_.scene.camera = transition_->advance(seconds);
+  if (transition_->over()) transition_.reset();
+}
+
+void Viewer::go_to(const Camera& camera) { transition_.emplace(state_.scene.camera, camera); }
+
+void Viewer::perform(Action action) {
+  ViewerState& state = state_;
+  switch (action) {
+    case Action::toggle_panel: state.settings.panel = !state.settings.panel; return;
+    case Action::toggle_help: state.help = !state.help; return;
+    case Action::open_file: state.file_asked_for = ""; return;
+    case Action::escape: escape(); return;
+    default: break;
+  }
+  if (!state.shown) return;
+  const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
+  const double aspect = panes_.front().area.aspect();
+  if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
+  switch (action) {
+    case Action::fit: go_to(fit(goal, state.shown->model, aspect)); break;
+    case Action::toggle_projection: {
+      const bool parallel = goal.projection == Camera::Projection::parallel;
+      transition_.reset();
+      state.scene.camera = with_projection(goal, parallel ? Camera::Projection::perspective : Camera::Projection::parallel);
+      state.settings.projection = state.scene.camera.projection;
+      break;
+    }
+    case Action::next_back_faces: state.scene.back_faces = after(state.scene.back_faces); break;
+    case Action::toggle_wire: state.scene.wire = !state.scene.wire; break;
+    case Action::toggle_section: toggle_section(); break;
+    case Action::flip_section:
+      if (state.scene.section) state.scene.section->normal = -state.scene.section->normal;
+      break;
+    case Action::take_picture: take_picture(); break;
+    case Action::save_scene: save_scene(); break;
+    default: break;
+  }
+}
+
+void Viewer::toggle_section() {
+  if (state_.scene.section) {
+    state_.section_put_away = std::exchange(state_.scene.section, std::nullopt);
+    return;
+  }
+  if (state_.section_put_away) {
+    state_.scene.section = state_.section_put_away;
+    return;
+  }
+  // The half towards the eye goes: one sees into the other.
+  const AnatomicalFrame tooth;
+  const glm::dvec3 eye = axes_of(state_.scene.camera).towards_eye;
+  glm::dvec3 normal = tooth.buccal;
+  for (const glm::dvec3& side : {-tooth.buccal, tooth.mesial, -tooth.mesial})
+    if (glm::dot(side, eye) > glm::dot(normal, eye)) normal = side;
+  state_.scene.section = with_offset({{}, normal}, 0, state_.shown->model);
+  state_.scene.section = Section{state_.shown->model.bounds_mm.centre(), normal};
+}
+
+void Viewer::escape() {
+  if (job_) job_->cancel();
+  else if (!state_.trouble.empty()) state_.trouble.clear();
+  else if (state_.question) state_.question.reset();
+  else if (state_.file_asked_for) state_.file_asked_for.reset();
+  else if (state_.help) state_.help = false;
+  else state_.tool = Tool::look;
+}
+
+void Viewer::notice(std::string words, bool bad) {
+  constexpr std::size_t most = 3;
+  state_.notices.push_back({std::move(words), bad});
+  if (state_.notices.size() > most) state_.notices.erase(state_.notices.begin());
+}
+
+void Viewer::draw_model(const FrameInput& input, const Target& target) {
+  if (!(picture_.size() == input.size)) {
+    picture_ = Framebuffer(*gl_, {input.size, {GL_RGBA8}});
+    drawn_ = {};
+  }
+  DrawnModel wanted{state_.shown, state_.scene, {}, input.size, drawn_.side};
+  for (const ViewPane& pane : panes_) wanted.areas.push_back(pane.area);
+  const bool changed = wanted != drawn_;
+  if (changed) still_since_ = now_;
+  const bool affordable = static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side <= most_screen_samples;
+  const bool wait = options_.coarse_when_slow && slowest_fine_picture_ > slow_picture_seconds && now_ - still_since_ < still_seconds;
+  wanted.side = !affordable ? 1 : !wait ? options_.side : changed ? 1 : drawn_.side;
+  if (wanted != drawn_) {
+    if (!state_.shown) {
+      const GLfloat ground[4] = {0.085f, 0.1f, 0.118f, 1};
+      picture_.bind();
+      gl_->ClearBufferfv(GL_COLOR, 0, ground);
+    } else {
+      const double start = clock_seconds();
+      std::vector<Pane> eyes;
+      for (const ViewPane& pane : panes_) {
+        const PixelSize size{static_cast<int>(pane.area.width), static_cast<int>(pane.area.height)};
+        const int bottom = input.size.height - static_cast<int>(pane.area.top) - size.height;
+        eyes.push_back({odontoscope::view_of(pane.camera, state_.shown->model, pane.area.aspect()), {picture_.id(), static_cast<int>(pane.area.left), bottom, size}});
+      }
+      renderer_.draw(gpu_model_, state_.scene, eyes, {wanted.side});
+      gl_->Finish();
+      if (wanted.side == options_.side) slowest_fine_picture_ = 0.5 * slowest_fine_picture_ + 0.5 * (clock_seconds() - start);
+    }
+    drawn_ = std::move(wanted);
+  }
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  gl_->BlitFramebuffer(0, 0, input.size.width, input.size.height, target.left, target.bottom, target.left + input.size.width,
+                       target.bottom + input.size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void Viewer::draw_interface(const FrameInput& input, const Target& target) {
+  FrameInput scaled = input;
+  scaled.scale = scale_;
+  interface_.begin(scaled);
+  const Area& viewport = panes_.front().area;
+  if (state_.shown) {
+    for (const ViewPane& pane : panes_) {
+      draw_scale_bar(pane, interface_, scale_);
+      draw_compass(pane, interface_, scale_, hovered_compass_);
+      if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
+    }
+  }
+  if (state_.settings.panel) draw_panel(state_, interface_, {0, 0, viewport.left, viewport.height});
+  draw_cards(state_, job_.get(), interface_, viewport);
+  const ImDrawData* drawn = interface_.end();
+  interface_pass_.draw(interface_, *drawn, target);
+  state_.settings.back_faces = state_.shown ? state_.scene.back_faces : state_.settings.back_faces;
+}
+
+double Viewer::patience() const {
+  if (transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
+  constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
+  if (job_ || !writing_.empty()) return loading;
+  if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
+  return idle;
+}
+
+std::string Viewer::title() const { return state_.shown ? fmt::format("{} \xE2\x80\x94 Odontoscope", state_.shown->title) : "Odontoscope"; }
+
+}  // namespace odontoscope

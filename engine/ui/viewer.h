@@ -1,0 +1,156 @@
+#pragma once
+// The viewer: events and time in, pictures out. A window's loop and a test without a display drive the very same object.
+
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/navigate/section_handle.h"
+#include "engine/navigate/transition.h"
+#include "engine/render/renderer.h"
+#include "engine/ui/interface.h"
+#include "engine/ui/interface_pass.h"
+#include "engine/ui/loading.h"
+#include "engine/ui/viewer_state.h"
+#include "engine/view/input.h"
+
+namespace odontoscope {
+
+struct ViewerOptions {
+  Loader load;
+  /// Must a person say where its surface lies? By its name; must be quick.
+  std::function<bool(const std::string& file)> is_volume = [](const std::string&) { return false; };
+  Settings settings;
+  /// Where pictures and scenes are saved; empty: the current folder.
+  std::filesystem::path folder;
+  Clipboard clipboard;
+  /// Samples a pixel along one axis for a picture that stands still. While it moves, one, if this machine is too slow for more and
+  /// `coarse_when_slow`; without that, pictures depend on nothing but the state.
+  int side = 2;
+  bool coarse_when_slow = true;
+};
+
+class Viewer {
+ public:
+  /// The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError, InternalError.
+  Viewer(const Gl& gl, const ShaderLibrary& shaders, ViewerOptions options);
+  /// Stops a running load and finishes writing pictures.
+  ~Viewer();
+
+  /// Begins to load; the model that is shown stays until the new one is ready.
+  void open(LoadRequest request);
+  /// Kept until the next frame.
+  void handle(const Event& event) { events_.push_back(event); }
+  /// Does what was asked for since the last frame, and draws.
+  void draw(const FrameInput& input, const Target& target);
+
+  /// How long the next frame may wait for an event; 0 while something moves.
+  double patience() const;
+  bool loading() const { return job_ != nullptr; }
+  /// What the last load ended with, if it failed; the person has been told.
+  const std::exception_ptr& failure() const { return failure_; }
+  Pointer pointer() const { return pointer_; }
+  std::string title() const;
+  /// The part of the picture that the panel leaves, and the views in it, as last drawn.
+  const std::vector<ViewPane>& panes() const { return panes_; }
+
+  ViewerState& state() { return state_; }
+  const ViewerState& state() const { return state_; }
+
+ private:
+  // viewer.cpp: a frame
+  void take_finished_load();
+  void show(std::shared_ptr<const LoadedModel> shown);
+  void advance(double seconds);
+  void perform(Action action);
+  void lay_out(const FrameInput& input);
+  void draw_model(const FrameInput& input, const Target& target);
+  void draw_interface(const FrameInput& input, const Target& target);
+  void toggle_section();
+  void escape();
+  void go_to(const Camera& camera);
+  void notice(std::string words, bool bad = false);
+
+  // viewer_gestures.cpp: mouse and keys
+  void react(const Event& event);
+  void on_move(const MouseMoved& move);
+  void on_button(const MouseButtonChanged& button);
+  void on_scroll(const Scrolled& scroll);
+  void on_key(const KeyChanged& key);
+  void on_text(const TextTyped& text);
+  void on_drop(const FilesDropped& drop);
+  void on_press(const MouseButtonChanged& button);
+  void on_click(double x, double y);
+  const ViewPane* pane_at(double x, double y) const;
+  void set_camera(const Camera& camera);
+  /// The surface under a pixel, or the plane through the camera's target.
+  glm::dvec3 anchor_at(const ViewPane& pane, double x, double y) const;
+  void show_hovered();
+
+  // viewer_files.cpp: pictures and scenes
+  std::filesystem::path new_file(const std::string& stem, const std::string& ending);
+  void take_picture();
+  void save_scene();
+  void take_written();
+
+  struct Drag {
+    enum class What { orbit, pan, section };
+    What what = What::orbit;
+    MouseButton button = MouseButton::left;
+    double x = 0, y = 0;             // where the hand is
+    double start_x = 0, start_y = 0;
+    bool moved = false;              // far enough to be no click
+    glm::dvec3 anchor{0};
+    SectionGrip grip = SectionGrip::slide;
+  };
+  struct Click {
+    double x = 0, y = 0, when = -1e9;
+  };
+  /// What the kept picture of the model shows; if nothing differs it is shown again.
+  struct DrawnModel {
+    std::shared_ptr<const LoadedModel> shown;
+    Scene scene;
+    std::vector<Area> areas;
+    PixelSize size;
+    int side = 0;
+    bool operator==(const DrawnModel&) const = default;
+  };
+
+  const Gl* gl_;
+  ViewerOptions options_;
+  ViewerState state_;
+  Interface interface_;
+  InterfacePass interface_pass_;
+  Renderer renderer_;
+  GpuModel gpu_model_;
+  Framebuffer picture_;
+  DrawnModel drawn_;
+  double slowest_fine_picture_ = 0;   // seconds
+  double still_since_ = 0;
+
+  std::vector<Event> events_;
+  std::vector<ViewPane> panes_;
+  float scale_ = 1;
+  double now_ = 0;
+  int frames_to_settle_ = 3;          // panels need a frame or two to follow an event
+  double mouse_x_ = -1, mouse_y_ = -1;
+  std::optional<Drag> drag_;
+  Click last_click_;
+  std::optional<Action> hovered_compass_;
+  std::optional<SectionGrip> hovered_grip_;
+  Pointer pointer_ = Pointer::arrow;
+  std::optional<Transition> transition_;
+  std::unique_ptr<LoadJob> job_;
+  std::exception_ptr failure_;
+  std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
+  std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
+  std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
+};
+
+}  // namespace odontoscope

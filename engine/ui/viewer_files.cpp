@@ -1,0 +1,89 @@
+// What the viewer saves: pictures and scenes.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+
+#include "engine/gpu/graphics_error.h"
+#include "engine/picture/png.h"
+#include "engine/scene/scene_json.h"
+#include "engine/ui/viewer.h"
+#include "engine/view/offscreen.h"
+#include "recon/core/atomic_file.h"
+
+namespace odontoscope {
+
+namespace {
+
+/// Letters, digits, - and _ only: titles come from files.
+std::string as_file_name(const std::string& title) {
+  std::string name;
+  for (const char c : title) name += std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' ? c : '-';
+  return name.empty() ? "odontoscope" : name;
+}
+
+}  // namespace
+
+/// STEM-001.ENDING, the first that there is not yet; nothing is ever overwritten.
+std::filesystem::path Viewer::new_file(const std::string& stem, const std::string& ending) {
+  const std::filesystem::path folder = options_.folder.empty() ? std::filesystem::current_path() : options_.folder;
+  constexpr int most = 10'000;
+  for (int number = 1; number < most; ++number) {
+    const std::filesystem::path file = folder / fmt::format("{}-{:03}{}", as_file_name(stem), number, ending);
+    std::error_code error;
+    if (!std::filesystem::exists(file, error) && names_given_.insert(file).second) return file;
+  }
+  throw FileError(folder.string(), fmt::format("it holds {} files of that name", most), "Clear up a little.");
+}
+
+void Viewer::take_picture() {
+  const PictureSettings& settings = state_.settings.picture;
+  PictureOptions options{.size = {settings.width, settings.height}, .render = {.side = settings.side}};
+  if (settings.as_seen) options.size.height = std::max(1, static_cast<int>(std::lround(settings.width / panes_.front().area.aspect())));
+  Scene scene = state_.scene;
+  if (settings.transparent) scene.background.kind = Background::Kind::transparent;
+  try {
+    const std::filesystem::path file = new_file(state_.shown->title, ".png");
+    refuse_undrawable(*gl_, options.size, options.render);
+    AtomicFile place(file);   // trouble with the folder is told before the work
+    Image image = picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options);
+    writing_.push_back(std::async(std::launch::async, [image = std::move(image), place = std::move(place)]() mutable {
+      place.write(png_bytes(image));
+      place.commit();
+      return fmt::format("Saved {} ({} \xC3\x97 {})", place.target().string(), image.width, image.height);
+    }));
+  } catch (const Error& error) {
+    state_.trouble = error.what();
+  }
+}
+
+void Viewer::save_scene() {
+  try {
+    const std::filesystem::path file = new_file(state_.shown->title + "-scene", ".json");
+    Scene scene = state_.scene;
+    if (transition_) scene.camera = transition_->goal();
+    AtomicFile written(file);
+    written.write(to_json(scene));
+    written.commit();
+    notice(fmt::format("Saved {}. odontoscope render --scene draws it again.", file.string()));
+  } catch (const Error& error) {
+    state_.trouble = error.what();
+  }
+}
+
+void Viewer::take_written() {
+  std::erase_if(writing_, [this](std::future<std::string>& writing) {
+    if (writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    try {
+      notice(writing.get());
+    } catch (const std::exception& error) {
+      state_.trouble = error.what();
+    }
+    return true;
+  });
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,173 @@
+// Mouse and keys in the picture.
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/navigate/moves.h"
+#include "engine/ui/actions.h"
+#include "engine/ui/marks.h"
+#include "engine/ui/viewer.h"
+
+namespace odontoscope {
+
+namespace {
+
+constexpr double turn_over_height_deg = 200;        // for a drag as long as the picture is high
+constexpr double notch_factor = 1.16, key_factor = 1.2, key_turn_deg = 10, key_pan = 0.08;
+constexpr double click_slack = 4, double_click_slack = 6, double_click_seconds = 0.4;   // interface pixels
+
+}  // namespace
+
+const ViewPane* Viewer::pane_at(double x, double y) const {
+  if (interface_.covers(x, y)) return nullptr;
+  const auto found = std::find_if(panes_.begin(), panes_.end(), [&](const ViewPane& pane) { return pane.area.holds(x, y); });
+  return found == panes_.end() ? nullptr : &*found;
+}
+
+void Viewer::set_camera(const Camera& camera) {
+  transition_.reset();
+  state_.scene.camera = within_reach(camera, state_.shown->model);
+  for (ViewPane& pane : panes_) pane.camera = state_.scene.camera;
+}
+
+glm::dvec3 Viewer::anchor_at(const ViewPane& pane, double x, double y) const {
+  return point_at_depth_of(pane.camera, place_in(pane.area, x, y), pane.camera.target);
+}
+
+void Viewer::react(const Event& event) {
+  if (const auto* move = std::get_if<MouseMoved>(&event)) on_move(*move);
+  else if (const auto* button = std::get_if<MouseButtonChanged>(&event)) on_button(*button);
+  else if (const auto* scroll = std::get_if<Scrolled>(&event)) on_scroll(*scroll);
+  else if (const auto* key = std::get_if<KeyChanged>(&event)) on_key(*key);
+  else if (const auto* text = std::get_if<TextTyped>(&event)) on_text(*text);
+  else if (const auto* drop = std::get_if<FilesDropped>(&event)) on_drop(*drop);
+  else if (std::get_if<FocusLost>(&event)) drag_.reset();
+}
+
+void Viewer::on_move(const MouseMoved& move) {
+  mouse_x_ = move.x;
+  mouse_y_ = move.y;
+  if (!drag_ || !state_.shown) return;
+  Drag& drag = *drag_;
+  drag.moved = drag.moved || std::hypot(move.x - drag.start_x, move.y - drag.start_y) > click_slack * scale_;
+  if (!drag.moved) return;
+  const ViewPane& pane = panes_.front();
+  const glm::dvec2 from = place_in(pane.area, drag.x, drag.y), to = place_in(pane.area, move.x, move.y);
+  const Camera camera = state_.scene.camera;
+  switch (drag.what) {
+    case Drag::What::orbit: {
+      const glm::dvec2 degrees = 0.5 * turn_over_height_deg * (to - from);
+      set_camera(orbit(camera, {degrees.x, -degrees.y, camera.target}));
+      break;
+    }
+    case Drag::What::pan: set_camera(pan(camera, from, to, drag.anchor)); break;
+    case Drag::What::section:
+      if (state_.scene.section)
+        state_.scene.section = dragged(*state_.scene.section, drag.grip, camera, handle_reach(pane.area, scale_), from, to, state_.shown->model);
+      break;
+  }
+  drag.x = move.x;
+  drag.y = move.y;
+}
+
+void Viewer::on_button(const MouseButtonChanged& button) {
+  if (button.down) {
+    if (!drag_ && state_.shown && !job_) on_press(button);
+    return;
+  }
+  if (!drag_ || drag_->button != button.button) return;
+  const Drag drag = *drag_;
+  drag_.reset();
+  if (!drag.moved && drag.button == MouseButton::left && drag.what != Drag::What::section) on_click(mouse_x_, mouse_y_);
+}
+
+void Viewer::on_press(const MouseButtonChanged& button) {
+  const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
+  if (!pane) return;
+  if (button.button == MouseButton::left) {
+    if (const auto named = compass_hit(*pane, scale_, mouse_x_, mouse_y_)) {
+      state_.todo.push_back(*named);
+      return;
+    }
+  }
+  Drag drag{.button = button.button, .x = mouse_x_, .y = mouse_y_, .start_x = mouse_x_, .start_y = mouse_y_};
+  drag.anchor = anchor_at(*pane, mouse_x_, mouse_y_);
+  if (button.button != MouseButton::left || button.with.shift) drag.what = Drag::What::pan;
+  else if (state_.scene.section) {
+    const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
+    const auto grip = handle ? grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_)) : std::nullopt;
+    if (grip) {
+      drag.what = Drag::What::section;
+      drag.grip = *grip;
+    }
+  }
+  drag_ = drag;
+}
+
+void Viewer::on_click(double x, double y) {
+  const bool second = now_ - last_click_.when < double_click_seconds && std::hypot(x - last_click_.x, y - last_click_.y) < double_click_slack * scale_;
+  last_click_ = second ? Click{} : Click{x, y, now_};
+  const ViewPane* pane = pane_at(x, y);
+  if (!pane || !second) return;
+  go_to(centred_on(state_.scene.camera, anchor_at(*pane, x, y)));
+}
+
+void Viewer::on_scroll(const Scrolled& scroll) {
+  const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
+  if (!pane || !state_.shown || scroll.along == 0) return;
+  const double notches = std::clamp(scroll.along, -10.0, 10.0);
+  set_camera(zoom(state_.scene.camera, std::pow(notch_factor, notches), anchor_at(*pane, mouse_x_, mouse_y_)));
+}
+
+void Viewer::on_key(const KeyChanged& key) {
+  if (!key.down) return;
+  if (interface_.wants_text() && key.key != Key::escape) return;
+  if (const auto action = action_for(key)) {
+    state_.todo.push_back(*action);
+    return;
+  }
+  if (!state_.shown) return;
+  glm::dvec2 direction{0};
+  if (key.key == Key::left) direction = {-1, 0};
+  else if (key.key == Key::right) direction = {1, 0};
+  else if (key.key == Key::up) direction = {0, 1};
+  else if (key.key == Key::down) direction = {0, -1};
+  else return;
+  const Camera& camera = state_.scene.camera;
+  if (key.with.shift) set_camera(pan(camera, {0, 0}, key_pan * direction, camera.target));
+  else set_camera(orbit(camera, {key_turn_deg * direction.x, -key_turn_deg * direction.y, camera.target}));
+}
+
+void Viewer::on_text(const TextTyped& text) {
+  if (interface_.wants_text()) return;
+  if (const auto action = action_for(text)) {
+    state_.todo.push_back(*action);
+    return;
+  }
+  if (!state_.shown) return;
+  if (text.character == U'+' || text.character == U'=') set_camera(zoom(state_.scene.camera, key_factor, state_.scene.camera.target));
+  if (text.character == U'-') set_camera(zoom(state_.scene.camera, 1 / key_factor, state_.scene.camera.target));
+}
+
+void Viewer::on_drop(const FilesDropped& drop) {
+  if (!drop.files.empty()) state_.to_load = LoadRequest{drop.files.front(), {}, 0, false};
+  if (drop.files.size() > 1) notice("One file at a time: the first was taken.");
+}
+
+void Viewer::show_hovered() {
+  hovered_compass_.reset();
+  hovered_grip_.reset();
+  pointer_ = interface_.pointer();
+  if (!state_.shown || drag_) return;
+  const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
+  if (!pane) return;
+  hovered_compass_ = compass_hit(*pane, scale_, mouse_x_, mouse_y_);
+  if (!hovered_compass_ && state_.scene.section) {
+    const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
+    if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
+  }
+  if (hovered_compass_ || hovered_grip_) pointer_ = Pointer::hand;
+  else if (state_.tool != Tool::look) pointer_ = Pointer::cross;
+}
+
+}  // namespace odontoscope

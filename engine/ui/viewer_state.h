@@ -1,0 +1,71 @@
+#pragma once
+// What the viewer's panels read and change: plain values. What takes the viewer's help to do is asked for as an action.
+
+#include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/scene/scene.h"
+#include "engine/ui/loading.h"
+#include "engine/ui/settings.h"
+
+namespace odontoscope {
+
+/// What a click in the picture does. Moving the camera works with every tool.
+enum class Tool { look, distance, thickness };
+
+enum class Action {
+  view_three_quarter, view_buccal, view_lingual, view_mesial, view_distal, view_occlusal, view_apical,
+  fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
+  measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape
+};
+
+/// A rectangle of the picture in pixels from the upper left.
+struct Area {
+  double left = 0, top = 0, width = 0, height = 0;
+  double aspect() const { return height > 0 ? width / height : 1; }
+  bool holds(double x, double y) const { return x >= left && y >= top && x < left + width && y < top + height; }
+  friend bool operator==(const Area&, const Area&) = default;
+};
+
+/// A few words that go away by themselves.
+struct Notice {
+  std::string words;
+  bool bad = false;
+  double seconds_left = 6;
+};
+
+/// A dropped volume: where does its surface lie?
+struct VolumeQuestion {
+  std::string file;
+  double iso = 120;
+  double min_area_mm2 = 4;
+};
+
+/// What is in one part of the picture: one eye. Two of them will be a comparison or a headset.
+struct ViewPane {
+  Area area;
+  Camera camera;
+};
+
+struct ViewerState {
+  std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
+  Scene scene;
+  Settings settings;
+  Tool tool = Tool::look;
+  std::optional<Section> section_put_away; // what switching the section off and on again brings back
+  bool help = false;
+  std::optional<std::string> file_asked_for;   // being typed
+  std::optional<VolumeQuestion> question;
+  std::string trouble;                     // an error to read and close; empty if none
+  std::vector<Notice> notices;
+  std::string drawn_with;                  // the context in words
+
+  std::vector<Action> todo;                // asked for, done in the next frame
+  std::optional<LoadRequest> to_load;      // likewise
+  bool cancel_loading = false;
+};
+
+}  // namespace odontoscope

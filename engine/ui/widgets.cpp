@@ -1,0 +1,188 @@
+#include "engine/ui/widgets.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/ui/theme.h"
+
+namespace odontoscope::widgets {
+
+float scaled(float size) { return size * ImGui::GetFontSize() / theme::text_size; }
+
+bool section(const Interface& interface, const char* title, bool open_at_first) {
+  ImGuiStorage& storage = *ImGui::GetStateStorage();
+  const ImGuiID id = ImGui::GetID(title);
+  bool open = storage.GetBool(id, open_at_first);
+  ImGui::Dummy({0, scaled(2)});
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({corner.x, corner.y - scaled(4)}, {corner.x + width, corner.y - scaled(4)}, theme::line);
+  if (ImGui::InvisibleButton(title, {width, height})) storage.SetBool(id, open = !open);
+  const ImU32 colour = ImGui::IsItemHovered() ? theme::accent : theme::text;
+  ImGui::PushFont(interface.bold);
+  list.AddText({corner.x, corner.y + 0.5f * (height - ImGui::GetFontSize())}, colour, title);
+  ImGui::PopFont();
+  const float s = scaled(4);
+  const ImVec2 middle(corner.x + width - 2 * s, corner.y + height / 2);
+  const ImVec2 down[] = {{middle.x - s, middle.y - s / 2}, {middle.x, middle.y + s / 2}, {middle.x + s, middle.y - s / 2}};
+  const ImVec2 aside[] = {{middle.x - s / 2, middle.y - s}, {middle.x + s / 2, middle.y}, {middle.x - s / 2, middle.y + s}};
+  list.AddPolyline(open ? down : aside, 3, ImGui::IsItemHovered() ? theme::accent : theme::quiet, 0, scaled(1.6f));
+  return open;
+}
+
+void remark(const Interface& interface, const std::string& words) {
+  ImGui::PushFont(interface.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+bool choice(const char* id, int& chosen, const std::vector<const char*>& words) {
+  ImGui::PushID(id);
+  bool changed = false;
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, scaled(6));
+  float weight = 0;   // long words get more room
+  for (const char* word : words) weight += ImGui::CalcTextSize(word).x + scaled(16);
+  float left = corner.x;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const ImVec2 size = ImGui::CalcTextSize(words[i]);
+    const float share = width * (size.x + scaled(16)) / weight;
+    ImGui::SetCursorScreenPos({left, corner.y});
+    if (ImGui::InvisibleButton(words[i], {share, height}) && chosen != static_cast<int>(i)) {
+      chosen = static_cast<int>(i);
+      changed = true;
+    }
+    const bool active = chosen == static_cast<int>(i);
+    const float inset = scaled(2);
+    if (active || ImGui::IsItemHovered())
+      list.AddRectFilled({left + inset, corner.y + inset}, {left + share - inset, corner.y + height - inset}, active ? theme::accent_dark : theme::hovered, scaled(5));
+    list.AddText({left + 0.5f * (share - size.x), corner.y + 0.5f * (height - size.y)}, active ? theme::text : theme::quiet, words[i]);
+    left += share;
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+bool toggle(const char* words, bool& on) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = scaled(24), width = ImGui::GetContentRegionAvail().x;
+  const bool pressed = ImGui::InvisibleButton(words, {width, height});
+  if (pressed) on = !on;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float radius = scaled(8), track = scaled(30);
+  const float middle = corner.y + height / 2;
+  const ImU32 back = on ? theme::accent_dark : ImGui::IsItemHovered() ? theme::pressed : theme::hovered;
+  list.AddRectFilled({corner.x, middle - radius}, {corner.x + track, middle + radius}, back, radius);
+  list.AddCircleFilled({on ? corner.x + track - radius : corner.x + radius, middle}, radius - scaled(2.5f), on ? theme::text : theme::quiet, 24);
+  list.AddText({corner.x + track + scaled(10), middle - ImGui::GetFontSize() / 2}, theme::text, words);
+  return pressed;
+}
+
+bool slider(const char* words, double& value, double low, double high, const char* format) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(20);
+  ImGui::InvisibleButton(words, {width, height});
+  const bool held = ImGui::IsItemActive(), near = ImGui::IsItemHovered() || held;
+  const float radius = scaled(7), left = corner.x + radius, right = corner.x + width - radius;
+  bool changed = false;
+  if (held) {
+    const double share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
+    const double wanted = low + share * (high - low);
+    changed = wanted != value;
+    value = wanted;
+  }
+  const float share = static_cast<float>(std::clamp((value - low) / (high - low), 0.0, 1.0));
+  const float middle = corner.y + line + scaled(10), knob = left + share * (right - left);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText(corner, theme::text, words);
+  char number[64];
+  std::snprintf(number, sizeof number, format, value);
+  list.AddText({corner.x + width - ImGui::CalcTextSize(number).x, corner.y}, theme::quiet, number);
+  list.AddRectFilled({left, middle - scaled(2)}, {right, middle + scaled(2)}, theme::hovered, scaled(2));
+  list.AddRectFilled({left, middle - scaled(2)}, {knob, middle + scaled(2)}, theme::accent, scaled(2));
+  list.AddCircleFilled({knob, middle}, near ? radius : radius - scaled(1), near ? theme::text : theme::accent, 24);
+  return changed;
+}
+
+bool eye(const char* id, bool& open) {
+  const float size = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const bool pressed = ImGui::InvisibleButton(id, {size, size});
+  if (pressed) open = !open;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 colour = ImGui::IsItemHovered() ? theme::accent : open ? theme::text : theme::quiet;
+  const ImVec2 middle(corner.x + size / 2, corner.y + size / 2);
+  const float half = scaled(8), lift = scaled(7);
+  const ImVec2 left(middle.x - half, middle.y), right(middle.x + half, middle.y);
+  list.AddBezierQuadratic(left, {middle.x, middle.y + lift * (open ? 1.2f : 1)}, right, colour, scaled(1.5f), 16);
+  if (open) {
+    list.AddBezierQuadratic(left, {middle.x, middle.y - lift * 1.2f}, right, colour, scaled(1.5f), 16);
+    list.AddCircleFilled(middle, scaled(2.6f), colour, 16);
+  } else {
+    for (const float x : {-0.5f, 0.0f, 0.5f})
+      list.AddLine({middle.x + x * half, middle.y + lift * 0.5f}, {middle.x + 1.25f * x * half, middle.y + lift * 0.95f}, colour, scaled(1.4f));
+  }
+  return pressed;
+}
+
+bool swatch(const char* id, Colour& colour) {
+  ImGui::PushID(id);
+  const float size = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  if (ImGui::InvisibleButton("swatch", {size, size})) ImGui::OpenPopup("picker");
+  const float inset = scaled(5);
+  const ImU32 fill = ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, 1});
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, fill, scaled(4));
+  if (ImGui::IsItemHovered()) list.AddRect({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, theme::text, scaled(4), 0, scaled(1.5f));
+  bool changed = false;
+  if (ImGui::BeginPopup("picker")) {
+    float channels[3] = {colour.red, colour.green, colour.blue};
+    ImGui::SetNextItemWidth(scaled(200));
+    changed = ImGui::ColorPicker3("##colour", channels, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
+    if (changed) colour = {channels[0], channels[1], channels[2]};
+    ImGui::EndPopup();
+  }
+  ImGui::PopID();
+  return changed;
+}
+
+bool wide_button(const char* words, bool strong) {
+  if (strong) {
+    ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_dark);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::rgb(0x358792));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::accent);
+  }
+  const bool pressed = ImGui::Button(words, {ImGui::GetContentRegionAvail().x, 0});
+  if (strong) ImGui::PopStyleColor(3);
+  return pressed;
+}
+
+void marked(const Interface&, bool good, const std::string& words) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight(), s = scaled(4.5f);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImVec2 middle(corner.x + scaled(6), corner.y + line / 2);
+  if (good) {
+    const ImVec2 tick[] = {{middle.x - s, middle.y}, {middle.x - s * 0.2f, middle.y + s * 0.8f}, {middle.x + s, middle.y - s * 0.8f}};
+    list.AddPolyline(tick, 3, theme::good, 0, scaled(2));
+  } else {
+    list.AddLine({middle.x - s, middle.y - s}, {middle.x + s, middle.y + s}, theme::bad, scaled(2));
+    list.AddLine({middle.x - s, middle.y + s}, {middle.x + s, middle.y - s}, theme::bad, scaled(2));
+  }
+  ImGui::SetCursorScreenPos({corner.x + scaled(20), corner.y});
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace odontoscope::widgets

@@ -1,0 +1,43 @@
+#pragma once
+// The few controls that the panels are made of, drawn in one style. They are called between Interface::begin and end.
+
+#include <imgui.h>
+
+#include <string>
+#include <vector>
+
+#include "engine/scene/colour.h"
+#include "engine/ui/interface.h"
+
+namespace odontoscope::widgets {
+
+/// A heading that folds what follows. true: it is open.
+bool section(const Interface& interface, const char* title, bool open_at_first = true);
+
+/// Words in the quiet colour, wrapped.
+void remark(const Interface& interface, const std::string& words);
+
+/// One of a few, side by side. true: another was chosen.
+bool choice(const char* id, int& chosen, const std::vector<const char*>& words);
+
+/// On or off, with words behind.
+bool toggle(const char* words, bool& on);
+
+/// A slider under its name, with its value at the right.
+bool slider(const char* words, double& value, double low, double high, const char* format);
+
+/// An eye, open or shut.
+bool eye(const char* id, bool& open);
+
+/// A square of the colour that opens a picker.
+bool swatch(const char* id, Colour& colour);
+
+/// A button over the whole width; `strong`: in the accent's colour.
+bool wide_button(const char* words, bool strong = false);
+
+/// A coloured dot, then words.
+void marked(const Interface& interface, bool good, const std::string& words);
+
+float scaled(float size);   // by the letters' size, so by the screen's scale
+
+}  // namespace odontoscope::widgets

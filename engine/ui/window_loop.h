@@ -1,0 +1,14 @@
+#pragma once
+// The viewer in a window, until it is closed.
+
+#include <stop_token>
+
+#include "engine/ui/viewer.h"
+#include "engine/view/window.h"
+
+namespace odontoscope {
+
+/// Returns when the window is closed or a stop is requested. Draws when something happens, and rests otherwise.
+void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop);
+
+}  // namespace odontoscope

@@ -1,0 +1,162 @@
+#include "engine/view/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace odontoscope {
+
+namespace {
+
+constexpr PixelSize smallest{640, 420};
+
+Modifiers modifiers_of(int bits) {
+  return {(bits & GLFW_MOD_SHIFT) != 0, (bits & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0, (bits & GLFW_MOD_ALT) != 0};
+}
+
+Key key_of(int code) {
+  constexpr std::array<std::pair<int, Key>, 27> keys = {{{GLFW_KEY_LEFT, Key::left},
+                                                         {GLFW_KEY_RIGHT, Key::right},
+                                                         {GLFW_KEY_UP, Key::up},
+                                                         {GLFW_KEY_DOWN, Key::down},
+                                                         {GLFW_KEY_HOME, Key::home},
+                                                         {GLFW_KEY_END, Key::end},
+                                                         {GLFW_KEY_PAGE_UP, Key::page_up},
+                                                         {GLFW_KEY_PAGE_DOWN, Key::page_down},
+                                                         {GLFW_KEY_TAB, Key::tab},
+                                                         {GLFW_KEY_ENTER, Key::enter},
+                                                         {GLFW_KEY_KP_ENTER, Key::enter},
+                                                         {GLFW_KEY_ESCAPE, Key::escape},
+                                                         {GLFW_KEY_BACKSPACE, Key::backspace},
+                                                         {GLFW_KEY_DELETE, Key::remove},
+                                                         {GLFW_KEY_SPACE, Key::space},
+                                                         {GLFW_KEY_A, Key::a},
+                                                         {GLFW_KEY_C, Key::c},
+                                                         {GLFW_KEY_O, Key::o},
+                                                         {GLFW_KEY_S, Key::s},
+                                                         {GLFW_KEY_V, Key::v},
+                                                         {GLFW_KEY_X, Key::x},
+                                                         {GLFW_KEY_Y, Key::y},
+                                                         {GLFW_KEY_Z, Key::z},
+                                                         {GLFW_KEY_F1, Key::f1},
+                                                         {GLFW_KEY_F12, Key::f12},
+                                                         {GLFW_KEY_UNKNOWN, Key::other},
+                                                         {GLFW_KEY_LAST, Key::other}}};
+  const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& pair) { return pair.first == code; });
+  return found == keys.end() ? Key::other : found->second;
+}
+
+/// Letters where the keyboard's layout has them, not where an American one has.
+int key_by_layout(int code, int scancode) {
+  if (code < GLFW_KEY_A || code > GLFW_KEY_Z) return code;
+  const char* printed = glfwGetKeyName(code, scancode);
+  if (!printed || printed[1] != '\0') return code;
+  if (printed[0] >= 'a' && printed[0] <= 'z') return GLFW_KEY_A + (printed[0] - 'a');
+  return code;
+}
+
+std::optional<MouseButton> button_of(int code) {
+  switch (code) {
+    case GLFW_MOUSE_BUTTON_LEFT: return MouseButton::left;
+    case GLFW_MOUSE_BUTTON_RIGHT: return MouseButton::right;
+    case GLFW_MOUSE_BUTTON_MIDDLE: return MouseButton::middle;
+    default: return std::nullopt;
+  }
+}
+
+}  // namespace
+
+struct Window::Inbox {
+  std::vector<Event> events;
+  std::array<GLFWcursor*, 4> pointers{};
+  Pointer pointer = Pointer::arrow;
+
+  static Inbox& of(GLFWwindow* window) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(window)); }
+};
+
+Window::Window(const WindowOptions& options) : context_(open_window(options)), inbox_(std::make_unique<Inbox>()) {
+  GLFWwindow* window = context_->handle();
+  glfwSwapInterval(1);
+  glfwSetWindowSizeLimits(window, smallest.width, smallest.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  inbox_->pointers = {glfwCreateStandardCursor(GLFW_ARROW_CURSOR), glfwCreateStandardCursor(GLFW_HAND_CURSOR),
+                      glfwCreateStandardCursor(GLFW_IBEAM_CURSOR), glfwCreateStandardCursor(GLFW_CROSSHAIR_CURSOR)};
+  glfwSetWindowUserPointer(window, inbox_.get());
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    int across = 1, down = 1, pixels_across = 1, pixels_down = 1;
+    glfwGetWindowSize(w, &across, &down);
+    glfwGetFramebufferSize(w, &pixels_across, &pixels_down);
+    Inbox::of(w).events.push_back(MouseMoved{x * pixels_across / std::max(across, 1), y * pixels_down / std::max(down, 1)});
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int code, int action, int bits) {
+    if (const auto button = button_of(code)) Inbox::of(w).events.push_back(MouseButtonChanged{*button, action == GLFW_PRESS, modifiers_of(bits)});
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double across, double along) {
+    const auto held = [w](int left, int right) { return glfwGetKey(w, left) == GLFW_PRESS || glfwGetKey(w, right) == GLFW_PRESS; };
+    const Modifiers with{held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), false};
+    Inbox::of(w).events.push_back(Scrolled{across, along, with});
+  });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int bits) {
+    Inbox::of(w).events.push_back(KeyChanged{key_of(key_by_layout(code, scancode)), action != GLFW_RELEASE, modifiers_of(bits)});
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { Inbox::of(w).events.push_back(TextTyped{character}); });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** names) {
+    Inbox::of(w).events.push_back(FilesDropped{{names, names + count}});
+  });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    if (!focused) Inbox::of(w).events.push_back(FocusLost{});
+  });
+}
+
+Window::~Window() {
+  for (GLFWcursor* pointer : inbox_->pointers)
+    if (pointer) glfwDestroyCursor(pointer);
+}
+
+PixelSize Window::size() const {
+  PixelSize size;
+  glfwGetFramebufferSize(context_->handle(), &size.width, &size.height);
+  return size;
+}
+
+PixelSize Window::outer_size() const {
+  PixelSize size;
+  glfwGetWindowSize(context_->handle(), &size.width, &size.height);
+  return size;
+}
+
+float Window::scale() const {
+  float across = 1, down = 1;
+  glfwGetWindowContentScale(context_->handle(), &across, &down);
+  return std::clamp(std::max(across, down), 0.75f, 4.0f);
+}
+
+std::vector<Event> Window::events(double patience_seconds) {
+  if (patience_seconds > 0) glfwWaitEventsTimeout(patience_seconds);
+  else glfwPollEvents();
+  return std::exchange(inbox_->events, {});
+}
+
+bool Window::closing() const { return glfwWindowShouldClose(context_->handle()); }
+
+void Window::show() { glfwSwapBuffers(context_->handle()); }
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(context_->handle(), title.c_str()); }
+
+void Window::set_pointer(Pointer pointer) {
+  if (pointer == inbox_->pointer) return;
+  inbox_->pointer = pointer;
+  if (pointer != Pointer::none) glfwSetCursor(context_->handle(), inbox_->pointers[static_cast<std::size_t>(pointer)]);
+}
+
+std::string Window::clipboard() const {
+  const char* text = glfwGetClipboardString(context_->handle());
+  return text ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(context_->handle(), text.c_str()); }
+
+}  // namespace odontoscope
