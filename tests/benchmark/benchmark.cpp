@@ -1,5 +1,6 @@
 // Is the engine as fast as it should be? Bare Delaunay triangulation of all slabs against everything from contours in memory
-// to the certified surface, in one run on one machine, and the ratios; then peak memory for each contour point.
+// to the certified surface, in one run on one machine, and the ratios; DT against DB (distance field and marching cubes), with how far DB stays off
+// the contours at each grid; then peak memory for each contour point.
 //
 //   odontoscope_benchmark              the molar; Google Benchmark's own options apply
 //   odontoscope_benchmark --large      also a made-up stack of 2,000 slices with 2,000 points each (minutes, and gigabytes)
@@ -12,8 +13,12 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <vector>
 
+#include "recon/compare/contour_fit.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/distance/db_reconstruction.h"
+#include "recon/input/validate.h"
 #include "tests/benchmark/bare_delaunay.h"
 #include "tests/benchmark/inputs.h"
 #include "tests/benchmark/peak_memory.h"
@@ -26,6 +31,26 @@ using benchmark_inputs::points_of;
 constexpr const char* bare = "bare Delaunay, 1 thread";
 constexpr const char* whole_1 = "contours to certified, 1 thread";
 constexpr const char* whole_2 = "contours to certified, 2 threads";
+
+constexpr std::size_t db_grids[] = {64, 128, 256, 512};
+
+std::string db_name(std::size_t grid) { return "DB, grid " + std::to_string(grid) + ", 1 thread"; }
+
+DbOptions db_options(std::size_t grid) {
+  DbOptions options;
+  options.grid.columns = options.grid.rows = grid;
+  options.threads = 1;
+  return options;
+}
+
+/// From contours in memory to the inspected surface, as for DT.
+void contours_by_distance(benchmark::State& state, const ContourStack& stack, std::size_t grid) {
+  for (auto _ : state) {
+    const DbReconstruction result = reconstruct_by_distance(stack, db_options(grid));
+    state.counters["triangles"] = double(result.surfaces.at(0).report.triangles);
+    for (const DbStageTime& stage : result.seconds) state.counters[stage.stage + "_ms"] = stage.seconds * 1e3;
+  }
+}
 
 void bare_delaunay(benchmark::State& state, const ContourStack& stack) {
   const BareDelaunay slabs(stack);
@@ -59,7 +84,7 @@ class Reporter : public benchmark::ConsoleReporter {
     }
     ConsoleReporter::ReportRuns(runs);
   }
-  Seconds least(const char* name) const {
+  Seconds least(const std::string& name) const {
     const auto found = least_.find(name);
     return found == least_.end() ? Seconds{} : found->second;
   }
@@ -78,6 +103,27 @@ void print_ratios(const Reporter& reporter) {
   if (one.wall > 0 && two.wall > 0)
     std::printf("two threads are %.2f times as fast as one (bar: at least 1.8); it takes two idle cores to tell\n",
                 one.wall / two.wall);
+}
+
+/// All structures' contours to their surfaces, mm.
+ContourFit fit_of_db(const ContourStack& stack, std::size_t grid) {
+  const ContourStack sorted = ordered(stack).stack;
+  std::vector<WeightedFit> fits;
+  for (const DbSurface& made : reconstruct_by_distance(stack, db_options(grid)).surfaces)
+    fits.push_back({contour_fit(sorted, made.structure, made.surface), contour_length(sorted, made.structure)});
+  return joined(fits);
+}
+
+/// DT passes through the contours; no grid does, so there is no equal distance: what a grid costs in time is set beside what it lacks.
+void print_dt_against_db(const Reporter& reporter, const ContourStack& stack) {
+  const Seconds dt = reporter.least(whole_1);
+  for (const std::size_t grid : db_grids) {
+    const Seconds db = reporter.least(db_name(grid));
+    if (dt.wall == 0 || db.wall == 0) continue;
+    const ContourFit fit = fit_of_db(stack, grid);
+    std::printf("DB on %zu x %zu takes %.2f times as long as DT, %.2f in processor time; contours to surface %.4f mm on average, %.3f at most (DT: 0)\n",
+                grid, grid, db.wall / dt.wall, db.processor / dt.processor, fit.contours_to_surface.mean, fit.contours_to_surface.largest);
+  }
 }
 
 void print_memory(const char* name, const PeakMemory& memory, std::size_t points) {
@@ -124,11 +170,14 @@ int main(int argc, char** argv) {
   add(bare, [&](benchmark::State& state) { bare_delaunay(state, molar.stack); });
   add(whole_1, [&](benchmark::State& state) { contours_to_certified(state, molar.stack, 1); });
   add(whole_2, [&](benchmark::State& state) { contours_to_certified(state, molar.stack, 2); });
+  for (const std::size_t grid : db_grids)
+    add(db_name(grid).c_str(), [&molar, grid](benchmark::State& state) { contours_by_distance(state, molar.stack, grid); });
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   print_ratios(reporter);
+  print_dt_against_db(reporter, molar.stack);
   print_memory(molar.name.c_str(), memory, points_of(molar.stack));
   return 0;
 }

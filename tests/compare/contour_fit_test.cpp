@@ -94,6 +94,8 @@ TEST(ContourFit, MeasuresHowFarASurfaceIsOff) {
   EXPECT_NEAR(fit.contours_to_surface.mean, 0.1, 1e-12);
   EXPECT_NEAR(fit.section_to_contours.largest, 0.1 * std::sqrt(2), 1e-12);   // in the corners
   EXPECT_NEAR(fit.section_to_contours.mean, 0.1, 1e-3);
+  const ContourFit at_corners = contour_fit(stack, "tooth", wider, {.samples = 0});
+  EXPECT_NEAR(at_corners.contours_to_surface.largest, 0.1, 1e-12);
 }
 
 TEST(ContourFit, CountsTheCanalsThatACoarseGridLoses) {

@@ -68,8 +68,9 @@ TEST(Field, IsTheDistanceToTheNearestOfAllEdges) {
 
 TEST(Field, IsZeroExactlyOnAContour) {
   // Ten points over a width of 8 put grid points on x = -0.5, 0.5, ..., 8.5; the slanted edge passes through some of them.
-  const Ring shape{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, slanted{{0.5, 2.5}, {3.5, 5.5}, {2.5, 6.5}, {0.5, 6.5}};
-  const ContourStack stack = ordered(stack_of({{shape, slanted}, {shape}})).stack;
+  const Ring shape{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, slanted{{0.5, 2.5}, {3.5, 5.5}, {2.5, 6.5}, {0.5, 6.5}},
+      pointed{{5.6, 4.1}, {7.3, 4.2}, {6.5, 6.5}};   // its tip alone is on a grid point
+  const ContourStack stack = ordered(stack_of({{shape, slanted, pointed}, {shape}})).stack;
   const Grid grid = make_grid(stack, {.columns = 10, .rows = 10, .splits = {}});
   ASSERT_EQ(grid.x(1), 0.5);
   const Field field = sample_field(stack, "tooth", grid, {FieldKind::sign});
@@ -78,10 +79,10 @@ TEST(Field, IsZeroExactlyOnAContour) {
     for (std::size_t i = 0; i < grid.columns; ++i)
       if (field.values[grid.index(i, j, 1)] == 0) zeros.push_back({grid.x(i), grid.y(j)});
   const std::vector<std::pair<double, double>> expected{{0.5, 2.5}, {0.5, 3.5}, {1.5, 3.5}, {0.5, 4.5}, {2.5, 4.5}, {0.5, 5.5},
-                                                        {3.5, 5.5}, {0.5, 6.5}, {1.5, 6.5}, {2.5, 6.5}};
+                                                        {3.5, 5.5}, {0.5, 6.5}, {1.5, 6.5}, {2.5, 6.5}, {6.5, 6.5}};
   EXPECT_EQ(zeros, expected);
   EXPECT_EQ(field.values[grid.index(2, 5, 1)], 1) << "in the hole";
-  EXPECT_EQ(field.values[grid.index(5, 5, 1)], -1) << "beside it";
+  EXPECT_EQ(field.values[grid.index(5, 2, 1)], -1) << "beside it";
 }
 
 TEST(Field, HybridHoldsDistancesInCrossedVoxelsOnly) {

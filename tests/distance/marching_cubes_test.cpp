@@ -125,12 +125,13 @@ TEST(MarchingCubes, PointsLieOnTheirGridEdges) {
 
 TEST(MarchingCubes, PointsOnAStraightContourLieOnIt) {
   // A block from x = 0 to 4 without corners nearby: distances are linear there, so interpolation meets the contour.
-  const std::vector<Ring> section{rectangle({0, -20}, {4, 20})};
-  const Made m = made(stack_of({section, section, section}), "tooth", 21, CaseTable::classic, FieldKind::signed_distance);
+  // The last slice is wider, so that the contours lie anywhere between grid points.
+  const std::vector<Ring> section{rectangle({0, -20}, {4, 20})}, wider{rectangle({-0.3, -20}, {5, 20})};
+  const Made m = made(stack_of({section, section, wider}), "tooth", 21, CaseTable::classic, FieldKind::signed_distance);
   std::size_t seen = 0;
   for (std::size_t i = 0; i < m.surface.mesh.points.size(); ++i) {
     const Point3& p = m.surface.mesh.points[i];
-    if (m.surface.edge_of_point[i].axis != 0 || std::abs(p.y) > 10) continue;
+    if (m.surface.edge_of_point[i].axis != 0 || std::abs(p.y) > 10 || p.z > spacing) continue;
     EXPECT_NEAR(std::min(std::abs(p.x), std::abs(p.x - 4)), 0, 1e-12);
     ++seen;
   }
