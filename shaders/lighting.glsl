@@ -26,7 +26,8 @@ float gloss_of(vec3 normal, vec3 to_eye, vec3 to_light, float roughness) {
   float spread = n_h * n_h * (a2 - 1.0) + 1.0;
   float k = 0.5 * roughness * roughness;
   float visible = 0.25 / ((n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k));
-  float fresnel = 0.04 + 0.96 * pow(1.0 - v_h, 5.0);
+  float off = 1.0 - v_h, off2 = off * off;
+  float fresnel = 0.04 + 0.96 * off2 * off2 * off;
   return n_l * fresnel * visible * a2 / (spread * spread);
 }
 

@@ -1,4 +1,6 @@
 // From the linear supersampled picture to sRGB on the screen: mean of each pixel's samples, background, curve, encoding.
+#include "tone.glsl"
+
 uniform sampler2D picture;
 uniform int side;              // samples a pixel along one axis
 uniform ivec2 corner;          // of the target's viewport
@@ -8,17 +10,6 @@ uniform vec3 background_bottom;
 uniform int transparent;
 
 layout(location = 0) out vec4 out_colour;
-
-/// Highlights fade into white instead of stopping at it.
-vec3 shoulder(vec3 colour) {
-  const float start = 0.78;
-  vec3 over = max(colour - start, 0.0);
-  return min(colour, start) + (1.0 - start) * (1.0 - exp(-over / (1.0 - start)));
-}
-
-vec3 encoded(vec3 colour) {
-  return mix(1.055 * pow(colour, vec3(1.0 / 2.4)) - 0.055, 12.92 * colour, lessThanEqual(colour, vec3(0.0031308)));
-}
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) - corner;

@@ -1,6 +1,10 @@
 // A lit fragment, premultiplied, with its ambient light and its depth in targets of their own.
+// DIRECT: the finished picture's colour instead, opaque and uncut: a shader that discards nothing is tested for depth first.
 // PEEL: only what lies behind the layer before and in front of the opaque surfaces. WIRE: the triangles' edges are drawn.
 #include "lighting.glsl"
+#ifdef DIRECT
+#include "tone.glsl"
+#endif
 
 in Vertex {
   vec3 world_position;
@@ -25,15 +29,21 @@ uniform sampler2D opaque_depth;
 uniform int first_layer;
 #endif
 
+#ifdef DIRECT
+layout(location = 0) out vec4 out_colour;
+#else
 layout(location = 0) out vec4 out_light;
 layout(location = 1) out vec4 out_ambient;
 layout(location = 2) out float out_depth;
+#endif
 
 const float roughness = 0.38;
 const vec3 wire_colour = vec3(0.02, 0.025, 0.035);
 
 void main() {
+#ifndef DIRECT
   if (dot(section.xyz, from.world_position) > section.w) discard;
+#endif
 #ifdef PEEL
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   if (gl_FragCoord.z >= texelFetch(opaque_depth, pixel, 0).r) discard;
@@ -55,7 +65,11 @@ void main() {
   alpha = mix(alpha, 1.0, 0.8 * line);
 #endif
   Reflected light = reflected(normal, to_eye, base, roughness);
+#ifdef DIRECT
+  out_colour = vec4(encoded(clamp(shoulder(light.diffuse + light.gloss + light.ambient), 0.0, 1.0)), 1.0);
+#else
   out_light = vec4(alpha * light.diffuse + light.gloss, alpha);
   out_ambient = vec4(alpha * light.ambient, alpha);
   out_depth = gl_FragCoord.z;
+#endif
 }

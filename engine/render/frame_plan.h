@@ -48,6 +48,7 @@ struct FramePlan {
   bool parallel = false;
   Occlusion occlusion;
 
+  bool cut() const { return section != glm::vec4(0, 0, 0, 1); }
   float occlusion_reach() const { return occlusion.reach * radius; }
 };
 

@@ -20,8 +20,17 @@ void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& option
     throw GraphicsError("picture-too-large", fmt::format("{} x {} samples would take too much memory (at most {} in all)", width, height, most_samples), remedy);
 }
 
+namespace {
+
+bool needs_no_layers(const FramePlan& plan) {
+  const bool edges = plan.wire || std::any_of(plan.opaque.begin(), plan.opaque.end(), [](const DrawnPart& part) { return part.wire; });
+  return plan.side == 1 && !plan.occlusion.on && plan.translucent.empty() && plan.capped.empty() && !plan.cut() && plan.lines.empty() && !edges;
+}
+
+}  // namespace
+
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
+    : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
                     const GpuOverlay* overlay) {
@@ -32,6 +41,7 @@ void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const P
 }
 
 void Renderer::draw(const FramePlan& plan, const Background& background, const Target& target) {
+  if (needs_no_layers(plan)) return draw_finished(plan, background, target);
   const Buffers& buffers = buffers_for(plan.size);
   buffers.opaque.begin();
   surfaces_.draw_opaque(plan);
@@ -55,6 +65,21 @@ void Renderer::draw(const FramePlan& plan, const Background& background, const T
   }
   add_layer(plan, buffers, buffers.opaque);
   resolve_.draw(plan, buffers.picture, background, target);
+}
+
+void Renderer::draw_finished(const FramePlan& plan, const Background& background, const Target& target) {
+  if (target.with_depth) {
+    background_.fill(background, target);
+    surfaces_.draw_finished(plan);
+    return;
+  }
+  if (finished_.size() != plan.size) finished_ = Framebuffer(*gl_, {plan.size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
+  background_.fill(background, {finished_.id(), 0, 0, plan.size});
+  surfaces_.draw_finished(plan);
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.id());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  gl_->BlitFramebuffer(0, 0, plan.size.width, plan.size.height, target.left, target.bottom, target.left + plan.size.width,
+                       target.bottom + plan.size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Renderer::add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/gpu/shader_library.h"
+#include "engine/render/background_pass.h"
 #include "engine/render/cap_pass.h"
 #include "engine/render/compose_pass.h"
 #include "engine/render/gpu_model.h"
@@ -57,9 +58,12 @@ class Renderer {
   };
   const Buffers& buffers_for(PixelSize size);
   void draw(const FramePlan& plan, const Background& background, const Target& target);
+  /// The short way, for what needs no layers: opaque surfaces without ambient occlusion, one sample a pixel.
+  void draw_finished(const FramePlan& plan, const Background& background, const Target& target);
   void add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const;
 
   const Gl* gl_;
+  BackgroundPass background_;
   SurfacePass surfaces_;
   CapPass caps_;
   LinePass lines_;
@@ -67,6 +71,7 @@ class Renderer {
   ComposePass compose_;
   ResolvePass resolve_;
   std::unique_ptr<Buffers> buffers_;
+  Framebuffer finished_;
 };
 
 }  // namespace odontoscope

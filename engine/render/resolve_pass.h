@@ -11,6 +11,8 @@ struct Target {
   GLuint framebuffer = 0;
   int left = 0, bottom = 0;
   PixelSize size;
+  /// The framebuffer has a depth buffer that may be used, and whose content is worth nothing before and after. Saves a copy of the picture.
+  bool with_depth = false;
 };
 
 class ResolvePass {

@@ -28,6 +28,7 @@ void set_culling(const Gl& gl, BackFaces back_faces) {
 
 SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl),
+      finished_(gl, shaders, {"surface.vert", "surface.frag", {}, {"DIRECT"}}),
       opaque_(gl, shaders, {"surface.vert", "surface.frag"}),
       opaque_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"WIRE"}}),
       peel_(gl, shaders, {"surface.vert", "surface.frag", {}, {"PEEL"}}),
@@ -65,6 +66,11 @@ void SurfacePass::draw_opaque(const FramePlan& plan) const {
   draw(plan, plan.opaque, opaque_, false);
   opaque_wire_.use();
   draw(plan, plan.opaque, opaque_wire_, true);
+}
+
+void SurfacePass::draw_finished(const FramePlan& plan) const {
+  finished_.use();
+  draw(plan, plan.opaque, finished_, false);
 }
 
 bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const {

@@ -14,6 +14,10 @@ class SurfacePass {
   /// Into the layer that is bound.
   void draw_opaque(const FramePlan& plan) const;
 
+  /// The opaque ones as the finished picture shows them where nothing darkens or covers them, into the framebuffer that is bound.
+  /// Precondition: none is drawn with its edges.
+  void draw_finished(const FramePlan& plan) const;
+
   /// Empties `layer` and draws the nearest translucent surface behind `before` (null: behind the eye) and in front of
   /// `opaque` (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001). Surfaces at exactly equal depth become one
   /// layer, the first structure's. false: there was none left.
@@ -24,7 +28,7 @@ class SurfacePass {
   void draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const;
 
   const Gl* gl_;
-  Program opaque_, opaque_wire_, peel_, peel_wire_;
+  Program finished_, opaque_, opaque_wire_, peel_, peel_wire_;
   GlObject any_drawn_;
 };
 

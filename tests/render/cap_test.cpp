@@ -56,19 +56,19 @@ TEST_F(Caps, OfABoxFollowsThePlane) {
 TEST_F(Caps, OfAPlaneBesideTheModelIsNothing) {
   const Model model = make_model({{"ball", ball({{}, 2})}});
   Scene scene = plain_scene(model, height_mm);
-  const Image whole = draw(model, scene, size);
+  const Image whole = draw(model, scene, size, 2);
   scene.section = Section{{0, 3, 0}, {0, 1, 0}};
-  EXPECT_EQ(draw(model, scene, size), whole);
+  EXPECT_EQ(draw(model, scene, size, 2), whole);
   scene.section = Section{{0, -3, 0}, {0, 1, 0}};
-  EXPECT_FALSE(content_of(draw(model, scene, size)).shows_something()) << "all of it is cut away";
+  EXPECT_FALSE(content_of(draw(model, scene, size, 2)).shows_something()) << "all of it is cut away";
 }
 
 TEST_F(Caps, AreNotSeenFromBehind) {
   const Model model = make_model({{"ball", ball({{}, 5})}});
   Scene scene = plain_scene(model, height_mm);
-  const Image whole = draw(model, scene, size);
+  const Image whole = draw(model, scene, size, 2);
   scene.section = Section{{0, 0, 0}, {0, -1, 0}};   // the half behind is gone
-  EXPECT_EQ(draw(model, scene, size), whole);
+  EXPECT_EQ(draw(model, scene, size, 2), whole);
 }
 
 TEST_F(Caps, OfAnInnerStructureLiesOnThatOfTheOuter) {

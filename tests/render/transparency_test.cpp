@@ -51,12 +51,12 @@ TEST_F(Transparency, WhatIsOpaqueHidesWhatLiesBehind) {
   Scene scene = plain_scene(model, 12);
   scene.look_of("front")->opacity = 1;
   scene.look_of("behind")->opacity = 0.5f;
-  const Image both = draw(model, scene);
+  const Image both = draw(model, scene, {160, 120}, 2);
   scene.look_of("behind")->visible = false;
-  EXPECT_EQ(draw(model, scene), both);
+  EXPECT_EQ(draw(model, scene, {160, 120}, 2), both);
   scene.look_of("front")->opacity = 0.99f;
   scene.look_of("behind")->visible = true;
-  EXPECT_NE(draw(model, scene), both);
+  EXPECT_NE(draw(model, scene, {160, 120}, 2), both);
 }
 
 TEST_F(Transparency, OpacityOneAndVeryNearlyOneLookAlike) {
