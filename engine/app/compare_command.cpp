@@ -12,8 +12,6 @@
 #include "engine/app/volume_options.h"
 #include "engine/app/words.h"
 #include "recon/compare/compare.h"
-#include "recon/input/stack_json.h"
-#include "recon/input/validate.h"
 #include "recon/output/comparison_json.h"
 #include "recon/output/comparison_page.h"
 
@@ -30,18 +28,7 @@ struct Options {
 void refuse_senseless(const Options& options) {
   if (!options.report.empty()) known_ending(options.report, {".json"});
   if (!options.html.empty()) known_ending(options.html, {".html"});
-  if (options.words.any_level() || (!options.words.min_area && options.words.spacing.empty() && !named_like_a_volume(options.input))) return;
-  throw UsageError("nothing says where in a volume the surface lies", "Give --iso T for an image, --label N for a label map");
-}
-
-ContourStack contours_of(const Options& options, Session& session) {
-  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session);
-  ContourStack stack = read_stack(options.input);
-  if (options.words.simplify) {
-    validate(stack, session.progress());
-    stack = simplify_told(stack, {*options.words.simplify}, session);
-  }
-  return stack;
+  refuse_volume_without_level(options.input, options.words);
 }
 
 void tell(const Comparison& comparison, Console& console) {
@@ -80,7 +67,7 @@ ExitCode compare_methods(const Options& options, Session& session) {
   }
   refuse_unwritable(files);
 
-  const Comparison comparison = compare(contours_of(options, session), engines, session.progress());
+  const Comparison comparison = compare(contours_of_input(options.input, options.words, session), engines, session.progress());
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
   if (!options.html.empty()) contents.push_back({options.html, comparison_page(comparison)});

@@ -17,7 +17,6 @@
 #include "engine/app/volume_options.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/input/links_json.h"
-#include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
@@ -77,15 +76,7 @@ void refuse_senseless(const Options& options) {
   }
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
-  if (options.words.any_level()) return;
-  if (options.words.min_area || !options.words.spacing.empty()) {
-    throw UsageError("--min-area and --spacing are about volumes, and nothing says where in a volume the surface lies",
-                     "Give --iso T for an image, --label N for a label map");
-  }
-  if (named_like_a_volume(options.input)) {
-    throw UsageError(fmt::format("{} looks like a volume, and nothing says where in it the surface lies", options.input),
-                     "Give --iso T for an image, --label N for a label map");
-  }
+  refuse_volume_without_level(options.input, options.words);
 }
 
 PlannedFiles planned_files(const Options& options) {
@@ -93,16 +84,6 @@ PlannedFiles planned_files(const Options& options) {
   if (!options.links.empty()) files.inputs.push_back(options.links);
   if (!options.report.empty()) files.outputs.push_back(options.report);
   return files;
-}
-
-ContourStack contours_of(const Options& options, Session& session) {
-  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session);
-  ContourStack stack = read_stack(options.input);
-  if (options.words.simplify) {
-    validate(stack, session.progress());
-    stack = simplify_told(stack, {*options.words.simplify}, session);
-  }
-  return stack;
 }
 
 /// The links file, checked here so that messages name it.
@@ -153,7 +134,7 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  ContourStack stack = contours_of(options, session);
+  ContourStack stack = contours_of_input(options.input, options.words, session);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
   const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, options, session);
   session.progress().check();

@@ -10,6 +10,8 @@
 #include "engine/app/words.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/input/stack_json.h"
+#include "recon/input/validate.h"
 
 namespace odontoscope::app {
 namespace {
@@ -99,6 +101,28 @@ bool named_like_a_volume(const std::string& file) {
     if (file.ends_with(ending)) return true;
   }
   return false;
+}
+
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session) {
+  if (words.any_level()) return contours_told(file, understood(words), session);
+  ContourStack stack = read_stack(file);
+  if (words.simplify) {
+    validate(stack, session.progress());
+    stack = simplify_told(stack, {*words.simplify}, session);
+  }
+  return stack;
+}
+
+void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {
+  if (words.any_level()) return;
+  if (words.min_area || !words.spacing.empty()) {
+    throw UsageError("--min-area and --spacing are about volumes, and nothing says where in a volume the surface lies",
+                     "Give --iso T for an image, --label N for a label map");
+  }
+  if (named_like_a_volume(file)) {
+    throw UsageError(fmt::format("{} looks like a volume, and nothing says where in it the surface lies", file),
+                     "Give --iso T for an image, --label N for a label map");
+  }
 }
 
 }  // namespace odontoscope::app

@@ -34,6 +34,13 @@ ContourStack contours_told(const std::string& file, const VolumeContourOptions& 
 /// A valid stack with fewer points, and tells how many.
 ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOptions& options, Session& session);
 
+/// From a volume if `words` say where its surface lies, otherwise from a contour stack, simplified if they ask for it. Throws as the
+/// readers do.
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session);
+
+/// UsageError for a volume, or words about one, without a word on where its surface lies.
+void refuse_volume_without_level(const std::string& file, const VolumeWords& words);
+
 /// Does the name look like a volume's: a folder, or an ending that read_volume knows?
 bool named_like_a_volume(const std::string& file);
 

@@ -43,7 +43,7 @@ auto timed(ComparedMethod& method, Make make) {
 
 ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
   ComparedMethod method;
-  method.name = "DT";
+  method.name = std::string("DT");
   method.made_by = fmt::format("Delaunay, correspondence {}", name(options.dt.correspondence));
   Reconstruction made = timed(method, [&] { return reconstruct(stack, options.dt, progress); });
   method.certified = made.certified;

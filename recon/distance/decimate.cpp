@@ -1,5 +1,6 @@
 #include "recon/distance/decimate.h"
 
+#include <fmt/format.h>
 #include <meshoptimizer.h>
 
 #include <algorithm>
@@ -63,9 +64,9 @@ DecimatedSurface decimate(const SurfaceMesh& surface, const DecimateOptions& opt
   return result;
 }
 
-const char* decimation_library() {
+std::string decimation_library() {
   static_assert(MESHOPTIMIZER_VERSION >= 180, "meshopt_simplify has other arguments");
-  return "meshoptimizer";
+  return fmt::format("meshoptimizer {}.{}", MESHOPTIMIZER_VERSION / 1000, MESHOPTIMIZER_VERSION % 1000 / 10);
 }
 
 }  // namespace odontoscope

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "recon/mesh/meshes.h"
 #include "recon/mesh/surface_report.h"
@@ -32,6 +33,6 @@ struct DecimatedSurface {
 DecimatedSurface decimate(const SurfaceMesh& surface, const DecimateOptions& options);
 
 /// "meshoptimizer 0.18": for reports.
-const char* decimation_library();
+std::string decimation_library();
 
 }  // namespace odontoscope
