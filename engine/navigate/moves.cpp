@@ -27,9 +27,9 @@ Camera turned(const Camera& camera, double degrees, const glm::dvec3& axis, cons
   return result;
 }
 
-/// How far the eye stands above the plane at right angles to `axis`.
-double elevation_deg(const Camera& camera, const glm::dvec3& axis) {
-  return glm::degrees(std::asin(std::clamp(glm::dot(axes_of(camera).towards_eye, axis), -1.0, 1.0)));
+/// How far the eye stands above the plane at right angles to `axis`; beyond 90 it hangs upside down. Exact at the poles, too.
+double elevation_deg(const CameraAxes& axes, const glm::dvec3& axis) {
+  return glm::degrees(std::atan2(glm::dot(axes.towards_eye, axis), glm::dot(axes.up, axis)));
 }
 
 }  // namespace
@@ -37,12 +37,10 @@ double elevation_deg(const Camera& camera, const glm::dvec3& axis) {
 Camera orbit(const Camera& camera, const Orbit& orbit) {
   Camera result = camera;
   result.up = axes_of(camera).up;   // at right angles, so that it stays sound over the pole
-  const bool upright = glm::dot(result.up, orbit.axis) > -1e-9;
-  double tilt = orbit.tilt_deg;
-  if (upright) {
-    const double now = elevation_deg(camera, orbit.axis);
-    tilt = std::clamp(now + tilt, -90.0, 90.0) - now;
-  }
+  const double now = elevation_deg(axes_of(camera), orbit.axis);
+  constexpr double slack_deg = 1e-3;
+  const bool upright = std::abs(now) <= 90 + slack_deg;
+  const double tilt = upright ? std::clamp(now + orbit.tilt_deg, -90.0, 90.0) - now : orbit.tilt_deg;
   result = turned(result, -tilt, axes_of(result).right, orbit.pivot);
   return turned(result, upright ? -orbit.turn_deg : orbit.turn_deg, orbit.axis, orbit.pivot);
 }

@@ -121,11 +121,11 @@ void key_row(const Interface& interface, std::string_view printed, std::string_v
 }
 
 void help_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("help", viewport, 780);
+  const Card card("help", viewport, 760);
   title(interface, "Mouse and keys");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
   ImGui::Columns(2, "columns", false);
-  ImGui::SetColumnWidth(0, scaled(372));
+  ImGui::SetColumnWidth(0, scaled(400));
   for (const Gesture& gesture : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
   ImGui::Dummy({0, scaled(6)});
   std::set<Action> told;
@@ -134,8 +134,7 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
     if (!told.insert(key.action).second) continue;   // a second key for the same
     constexpr std::size_t rows_at_left = 7;
     if (row++ == rows_at_left) ImGui::NextColumn();
-    const float start = row > rows_at_left ? ImGui::GetColumnOffset() + scaled(78) : scaled(72);
-    key_row(interface, key.printed, key.words, start);
+    key_row(interface, key.printed, key.words, scaled(72));
   }
   ImGui::Columns(1);
   ImGui::PopStyleVar();

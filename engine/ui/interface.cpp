@@ -36,6 +36,7 @@ Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   for (const auto& [theirs, ours] : known_keys) io.KeyMap[theirs] = static_cast<int>(ours);
+  io.UserData = this;   // see widgets.cpp
   io.ClipboardUserData = this;
   io.GetClipboardTextFn = [](void* self) -> const char* {
     Interface& interface = *static_cast<Interface*>(self);
@@ -91,7 +92,11 @@ void Interface::begin(const FrameInput& input) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(input.size.width), static_cast<float>(input.size.height)};
   io.DeltaTime = std::max(static_cast<float>(input.seconds), 1e-4f);
-  for (std::size_t i = 0; i < 3; ++i) io.MouseDown[i] = down_[i] || std::exchange(pressed_[i], false);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool pressed = std::exchange(pressed_[i], false);
+    io.MouseDown[i] = down_[i] || pressed;
+  }
+  places.clear();
   ImGui::NewFrame();
 }
 

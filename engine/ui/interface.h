@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/view/input.h"
 
@@ -41,6 +42,13 @@ class Interface {
   /// A text field has the keyboard.
   bool wants_text() const;
   Pointer pointer() const;
+
+  /// Where the controls of the last frame were, by ImGui's id: for whoever drives the interface by script.
+  struct Place {
+    unsigned id = 0;
+    float left = 0, top = 0, right = 0, bottom = 0;
+  };
+  std::vector<Place> places;
 
   ImFont* regular = nullptr;
   ImFont* bold = nullptr;

@@ -20,7 +20,7 @@ namespace odontoscope {
 /// What to load. Where a volume's surface lies is asked for unless the command line said it.
 struct LoadRequest {
   std::string file;              // empty: the sample molar
-  std::optional<double> iso;     // of a volume: the grey value at its surface
+  std::optional<double> iso = {};   // of a volume: the grey value at its surface
   double min_area_mm2 = 0;       // of a volume: smaller contours are noise
   bool from_command_line = false;
 };

@@ -14,7 +14,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double compass_radius = 44, compass_margin = 72, dot_radius = 9;   // interface pixels
+constexpr double compass_radius = 44, compass_margin = 84, dot_radius = 9;   // interface pixels
 
 struct CompassPoint {
   const char* letter;
@@ -160,6 +160,66 @@ void draw_section_handle(const ViewPane& pane, const Section& section, float sca
     else list.AddRectFilled({place.x - 0.8f * radius, place.y - 0.8f * radius}, {place.x + 0.8f * radius, place.y + 0.8f * radius}, colour(grip), 2 * scale);
   }
   list.PopClipRect();
+}
+
+namespace {
+
+void draw_dot(ImDrawList& list, const ImVec2& place, float scale) {
+  list.AddCircleFilled(place, 6.5f * scale, theme::mark_outline, 24);
+  list.AddCircleFilled(place, 4.5f * scale, theme::mark, 24);
+}
+
+void draw_length(const ViewPane& pane, const glm::dvec3& from, const glm::dvec3& to, const std::string& words, const Interface& interface, float scale) {
+  const auto a = place_of(pane.camera, from), b = place_of(pane.camera, to);
+  if (!a || !b) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 start = vec(pixel_of(pane.area, *a)), end = vec(pixel_of(pane.area, *b));
+  list.AddLine(start, end, theme::mark_outline, 5 * scale);
+  list.AddLine(start, end, theme::mark, 2.2f * scale);
+  draw_dot(list, start, scale);
+  draw_dot(list, end, scale);
+  ImFont* font = interface.bold;
+  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
+  const ImVec2 corner((start.x + end.x) / 2 + 12 * scale, (start.y + end.y) / 2 - extent.y / 2);
+  list.AddRectFilled({corner.x - 8 * scale, corner.y - 5 * scale}, {corner.x + extent.x + 8 * scale, corner.y + extent.y + 5 * scale}, theme::rgb(0x14181c, 225), 6 * scale);
+  list.AddText(font, font->FontSize, corner, theme::mark, words.c_str());
+}
+
+}  // namespace
+
+void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(vec(pane.area.left, pane.area.top), vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));
+  if (measured.ends.size() == 2) {
+    draw_length(pane, measured.ends[0].point_mm, measured.ends[1].point_mm, fmt::format("{:.2f} mm", distance_between_mm(measured.ends[0], measured.ends[1])), interface, scale);
+  } else if (measured.wall_at && measured.wall) {
+    draw_length(pane, measured.wall_at->point_mm, measured.wall->opposite_mm, fmt::format("{:.2f} mm", measured.wall->along_normal_mm), interface, scale);
+  } else if (measured.wall_at || !measured.ends.empty()) {
+    const auto place = place_of(pane.camera, measured.wall_at ? measured.wall_at->point_mm : measured.ends[0].point_mm);
+    if (place) draw_dot(list, vec(pixel_of(pane.area, *place)), scale);
+  }
+  list.PopClipRect();
+}
+
+void draw_readout(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale) {
+  std::string words;
+  if (const auto& hit = state.under_pointer) {
+    const glm::dvec3& p = hit->point_mm;
+    words = fmt::format("{}{}   {:.2f}  {:.2f}  {:.2f} mm", hit->structure, hit->triangle ? "" : ", cut", p.x, p.y, p.z);
+  }
+  ImFont* font = interface.small;
+  const double right = pane.area.left + pane.area.width - 20 * scale, bottom = pane.area.top + pane.area.height - 34 * scale;
+  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
+  outlined(*ImGui::GetBackgroundDrawList(), font, font->FontSize, vec(right - extent.x, bottom), theme::text, words.c_str());
+  if (state.tool == Tool::look) return;
+  const bool second = state.tool == Tool::distance && state.measured.ends.size() == 1;
+  const char* told = state.tool == Tool::thickness ? "Click a surface to measure the wall behind it" : second ? "Click the second point" : "Click the first point";
+  font = interface.bold;
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, told);
+  const ImVec2 corner = vec(pane.area.left + (pane.area.width - size.x) / 2, pane.area.top + 22 * scale);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({corner.x - 14 * scale, corner.y - 8 * scale}, {corner.x + size.x + 14 * scale, corner.y + size.y + 8 * scale}, theme::rgb(0x14181c, 225), 8 * scale);
+  list.AddText(font, font->FontSize, corner, theme::mark, told);
 }
 
 }  // namespace odontoscope

@@ -32,4 +32,10 @@ void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scal
 
 void draw_section_handle(const ViewPane& pane, const Section& section, float scale, std::optional<SectionGrip> lit);
 
+/// Points, lines and lengths that were measured.
+void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale);
+
+/// What is under the pointer and where, or what to click next.
+void draw_readout(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale);
+
 }  // namespace odontoscope

@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "engine/navigate/section_handle.h"
 #include "engine/ui/theme.h"
@@ -15,11 +17,23 @@ namespace {
 
 using widgets::scaled;
 
-void heading(const ViewerState& state, const Interface& interface) {
+/// 102,804
+std::string grouped(std::size_t count) {
+  std::string digits = fmt::format("{}", count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+void heading(ViewerState& state, const Interface& interface) {
   ImGui::PushFont(interface.large);
   ImGui::TextUnformatted(state.shown ? state.shown->title.c_str() : "Odontoscope");
   ImGui::PopFont();
-  if (state.shown) widgets::remark(interface, fmt::format("{} triangles, {} structure{}", state.shown->triangles, state.shown->model.parts.size(), state.shown->model.parts.size() == 1 ? "" : "s"));
+  const float button = scaled(30);
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
+  if (ImGui::Button("?", {button, button})) state.todo.push_back(Action::toggle_help);
+  if (!state.shown) return;
+  const std::size_t structures = state.shown->scene.looks.size();
+  widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
 }
 
 /// Two buttons side by side, each half as wide as the panel.
@@ -89,12 +103,53 @@ void faces_section(ViewerState& state, const Interface& interface) {
                                        "Faces seen from behind are drawn like any other.",
                                        "Faces seen from behind are magenta. On a sound model there are none to see from outside."};
   widgets::remark(interface, explained[mode]);
-  widgets::toggle("Triangle edges", state.scene.wire);
   double strength = state.scene.occlusion.on ? state.scene.occlusion.strength : 0;
   if (widgets::slider("Shadow in fissures", strength, 0, 2, "%.1f")) {
     state.scene.occlusion.on = strength > 0.02;
     state.scene.occlusion.strength = static_cast<float>(strength);
   }
+}
+
+void overlays_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Overlays", false) || !state.shown) return;
+  const OverlaySource& source = state.shown->overlays;
+  OverlayChoice& overlays = state.scene.overlays;
+  widgets::toggle("Triangle edges", state.scene.wire);
+  ImGui::BeginDisabled(source.contours.slices.empty());
+  widgets::toggle("Contours of the slices", overlays.contours);
+  ImGui::EndDisabled();
+  widgets::toggle("Faulty edges", overlays.edges);
+  if (overlays.edges && source.faulty_edges.empty()) widgets::remark(interface, "There are none: every edge has two triangles that agree.");
+  ImGui::BeginDisabled(source.slabs() == 0);
+  bool slab = overlays.slab.has_value();
+  if (widgets::toggle("Tetrahedra of one slab", slab)) {
+    overlays.slab = slab ? std::optional(source.slabs() / 2) : std::nullopt;
+    constexpr float clear_enough = 0.12f;   // what surrounds the tetrahedra must let them be seen
+    if (slab)
+      for (Look& look : state.scene.looks) look.opacity = std::min(look.opacity, clear_enough);
+  }
+  ImGui::EndDisabled();
+  if (overlays.slab && source.slabs() > 0) {
+    double number = static_cast<double>(*overlays.slab), shrink = 100.0 * overlays.shrink;
+    if (widgets::slider("Slab", number, 0, static_cast<double>(source.slabs() - 1), "%.0f")) overlays.slab = static_cast<std::size_t>(std::lround(number));
+    if (widgets::slider("Size of each", shrink, 20, 100, "%.0f %%")) overlays.shrink = static_cast<float>(shrink / 100);
+  }
+  if (source.slabs() == 0) widgets::remark(interface, "A mesh file has neither contours nor tetrahedra: open the contour stack for those.");
+}
+
+void measure_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Measure")) return;
+  int tool = state.tool == Tool::distance ? 0 : state.tool == Tool::thickness ? 1 : -1;
+  if (widgets::choice("tool", tool, {"Distance", "Wall thickness"})) state.todo.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
+  const Measured& measured = state.measured;
+  if (measured.ends.size() == 2) {
+    ImGui::Text("%.3f mm", distance_between_mm(measured.ends[0], measured.ends[1]));
+    widgets::remark(interface, fmt::format("from {} to {}, straight", measured.ends[0].structure, measured.ends[1].structure));
+  } else if (measured.wall) {
+    ImGui::Text("%.3f mm", measured.wall->along_normal_mm);
+    widgets::remark(interface, fmt::format("{}, straight through. The largest ball that fits in is {:.3f} mm across.", measured.wall_at->structure, measured.wall->largest_ball_mm));
+  }
+  if (state.tool != Tool::look && widgets::wide_button("Done")) state.todo.push_back(Action::escape);
 }
 
 void section_section(ViewerState& state, const Interface& interface) {
@@ -176,11 +231,13 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     structures_section(state, interface);
     faces_section(state, interface);
     section_section(state, interface);
+    measure_section(state, interface);
+    overlays_section(state, interface);
     camera_section(state, interface);
     picture_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});
-  two_buttons(state, "Open\xE2\x80\xA6", Action::open_file, "Keys  ?", Action::toggle_help);
+  if (widgets::wide_button("Open a file\xE2\x80\xA6")) state.todo.push_back(Action::open_file);
   ImGui::End();
 }
 

@@ -12,6 +12,8 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
 void report_section(const ViewerState& state, const Interface& interface);
 void structures_section(ViewerState& state, const Interface& interface);
 void faces_section(ViewerState& state, const Interface& interface);
+void overlays_section(ViewerState& state, const Interface& interface);
+void measure_section(ViewerState& state, const Interface& interface);
 void section_section(ViewerState& state, const Interface& interface);
 void camera_section(ViewerState& state, const Interface& interface);
 void picture_section(ViewerState& state, const Interface& interface);

@@ -122,6 +122,8 @@ void Viewer::take_finished_load() {
 
 void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   gpu_model_ = upload(*gl_, shown->model);
+  gpu_overlay_ = {};
+  overlays_made_ = {};
   state_.scene = shown->scene;
   if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
@@ -130,6 +132,8 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   state_.shown = std::move(shown);
   state_.section_put_away.reset();
   state_.tool = Tool::look;
+  state_.measured = {};
+  state_.under_pointer.reset();
   transition_.reset();
   drag_.reset();
 }
@@ -173,10 +177,18 @@ void Viewer::perform(Action action) {
     case Action::flip_section:
       if (state.scene.section) state.scene.section->normal = -state.scene.section->normal;
       break;
+    case Action::measure_distance: choose(Tool::distance); break;
+    case Action::measure_thickness: choose(Tool::thickness); break;
     case Action::take_picture: take_picture(); break;
     case Action::save_scene: save_scene(); break;
     default: break;
   }
+}
+
+/// The tool, or looking if it was already that.
+void Viewer::choose(Tool tool) {
+  state_.tool = state_.tool == tool ? Tool::look : tool;
+  state_.measured = {};
 }
 
 void Viewer::toggle_section() {
@@ -194,7 +206,6 @@ void Viewer::toggle_section() {
   glm::dvec3 normal = tooth.buccal;
   for (const glm::dvec3& side : {-tooth.buccal, tooth.mesial, -tooth.mesial})
     if (glm::dot(side, eye) > glm::dot(normal, eye)) normal = side;
-  state_.scene.section = with_offset({{}, normal}, 0, state_.shown->model);
   state_.scene.section = Section{state_.shown->model.bounds_mm.centre(), normal};
 }
 
@@ -204,13 +215,20 @@ void Viewer::escape() {
   else if (state_.question) state_.question.reset();
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
-  else state_.tool = Tool::look;
+  else if (state_.tool != Tool::look) state_.tool = Tool::look;
+  else state_.measured = {};
 }
 
 void Viewer::notice(std::string words, bool bad) {
   constexpr std::size_t most = 3;
   state_.notices.push_back({std::move(words), bad});
   if (state_.notices.size() > most) state_.notices.erase(state_.notices.begin());
+}
+
+void Viewer::make_overlays() {
+  if (!state_.shown || state_.scene.overlays == overlays_made_) return;
+  gpu_overlay_ = upload(*gl_, make_overlay(state_.shown->overlays, state_.scene.overlays, state_.shown->model));
+  overlays_made_ = state_.scene.overlays;
 }
 
 void Viewer::draw_model(const FrameInput& input, const Target& target) {
@@ -232,13 +250,14 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
       gl_->ClearBufferfv(GL_COLOR, 0, ground);
     } else {
       const double start = clock_seconds();
+      make_overlays();
       std::vector<Pane> eyes;
       for (const ViewPane& pane : panes_) {
         const PixelSize size{static_cast<int>(pane.area.width), static_cast<int>(pane.area.height)};
         const int bottom = input.size.height - static_cast<int>(pane.area.top) - size.height;
         eyes.push_back({odontoscope::view_of(pane.camera, state_.shown->model, pane.area.aspect()), {picture_.id(), static_cast<int>(pane.area.left), bottom, size}});
       }
-      renderer_.draw(gpu_model_, state_.scene, eyes, {wanted.side});
+      renderer_.draw(gpu_model_, state_.scene, eyes, {wanted.side}, &gpu_overlay_);
       gl_->Finish();
       if (wanted.side == options_.side) slowest_fine_picture_ = 0.5 * slowest_fine_picture_ + 0.5 * (clock_seconds() - start);
     }
@@ -258,6 +277,8 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   if (state_.shown) {
     for (const ViewPane& pane : panes_) {
       draw_scale_bar(pane, interface_, scale_);
+      draw_measured(pane, state_.measured, interface_, scale_);
+      draw_readout(pane, state_, interface_, scale_);
       draw_compass(pane, interface_, scale_, hovered_compass_);
       if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }

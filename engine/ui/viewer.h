@@ -23,13 +23,13 @@
 namespace odontoscope {
 
 struct ViewerOptions {
-  Loader load;
+  Loader load = {};
   /// Must a person say where its surface lies? By its name; must be quick.
   std::function<bool(const std::string& file)> is_volume = [](const std::string&) { return false; };
-  Settings settings;
+  Settings settings = {};
   /// Where pictures and scenes are saved; empty: the current folder.
-  std::filesystem::path folder;
-  Clipboard clipboard;
+  std::filesystem::path folder = {};
+  Clipboard clipboard = {};
   /// Samples a pixel along one axis for a picture that stands still. While it moves, one, if this machine is too slow for more and
   /// `coarse_when_slow`; without that, pictures depend on nothing but the state.
   int side = 2;
@@ -60,6 +60,7 @@ class Viewer {
   /// The part of the picture that the panel leaves, and the views in it, as last drawn.
   const std::vector<ViewPane>& panes() const { return panes_; }
 
+  const Interface& interface() const { return interface_; }
   ViewerState& state() { return state_; }
   const ViewerState& state() const { return state_; }
 
@@ -70,8 +71,10 @@ class Viewer {
   void advance(double seconds);
   void perform(Action action);
   void lay_out(const FrameInput& input);
+  void make_overlays();
   void draw_model(const FrameInput& input, const Target& target);
   void draw_interface(const FrameInput& input, const Target& target);
+  void choose(Tool tool);
   void toggle_section();
   void escape();
   void go_to(const Camera& camera);
@@ -87,8 +90,10 @@ class Viewer {
   void on_drop(const FilesDropped& drop);
   void on_press(const MouseButtonChanged& button);
   void on_click(double x, double y);
+  void measure_at(const Hit& hit);
   const ViewPane* pane_at(double x, double y) const;
   void set_camera(const Camera& camera);
+  std::optional<Hit> hit_at(const ViewPane& pane, double x, double y) const;
   /// The surface under a pixel, or the plane through the camera's target.
   glm::dvec3 anchor_at(const ViewPane& pane, double x, double y) const;
   void show_hovered();
@@ -129,6 +134,8 @@ class Viewer {
   InterfacePass interface_pass_;
   Renderer renderer_;
   GpuModel gpu_model_;
+  GpuOverlay gpu_overlay_;
+  OverlayChoice overlays_made_;
   Framebuffer picture_;
   DrawnModel drawn_;
   double slowest_fine_picture_ = 0;   // seconds

@@ -30,7 +30,14 @@ void Viewer::set_camera(const Camera& camera) {
   for (ViewPane& pane : panes_) pane.camera = state_.scene.camera;
 }
 
+std::optional<Hit> Viewer::hit_at(const ViewPane& pane, double x, double y) const {
+  if (!state_.shown) return std::nullopt;
+  const SightLine line = sight_line(pane.camera, place_in(pane.area, x, y));
+  return pick(*state_.shown->pickable, state_.scene, {line.origin, line.direction});
+}
+
 glm::dvec3 Viewer::anchor_at(const ViewPane& pane, double x, double y) const {
+  if (const auto hit = hit_at(pane, x, y)) return hit->point_mm;
   return point_at_depth_of(pane.camera, place_in(pane.area, x, y), pane.camera.target);
 }
 
@@ -108,8 +115,26 @@ void Viewer::on_click(double x, double y) {
   const bool second = now_ - last_click_.when < double_click_seconds && std::hypot(x - last_click_.x, y - last_click_.y) < double_click_slack * scale_;
   last_click_ = second ? Click{} : Click{x, y, now_};
   const ViewPane* pane = pane_at(x, y);
-  if (!pane || !second) return;
-  go_to(centred_on(state_.scene.camera, anchor_at(*pane, x, y)));
+  if (!pane) return;
+  const auto hit = hit_at(*pane, x, y);
+  if (state_.tool != Tool::look) {
+    if (hit) measure_at(*hit);
+  } else if (second && hit) {
+    go_to(centred_on(state_.scene.camera, hit->point_mm));
+  }
+}
+
+void Viewer::measure_at(const Hit& hit) {
+  Measured& measured = state_.measured;
+  if (state_.tool == Tool::distance) {
+    if (measured.ends.size() != 1) measured = {};
+    measured.ends.push_back(hit);
+    return;
+  }
+  measured = {};
+  measured.wall_at = hit;
+  measured.wall = wall_thickness(*state_.shown->pickable, hit);
+  if (!measured.wall) notice(hit.triangle ? "No wall here: straight into the material there is no other side." : "Measure walls on a surface, not on the cut.");
 }
 
 void Viewer::on_scroll(const Scrolled& scroll) {
@@ -157,6 +182,7 @@ void Viewer::on_drop(const FilesDropped& drop) {
 void Viewer::show_hovered() {
   hovered_compass_.reset();
   hovered_grip_.reset();
+  state_.under_pointer.reset();
   pointer_ = interface_.pointer();
   if (!state_.shown || drag_) return;
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
@@ -166,6 +192,7 @@ void Viewer::show_hovered() {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
   }
+  if (!hovered_compass_ && !hovered_grip_) state_.under_pointer = hit_at(*pane, mouse_x_, mouse_y_);
   if (hovered_compass_ || hovered_grip_) pointer_ = Pointer::hand;
   else if (state_.tool != Tool::look) pointer_ = Pointer::cross;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/measure/wall_thickness.h"
 #include "engine/scene/scene.h"
 #include "engine/ui/loading.h"
 #include "engine/ui/settings.h"
@@ -28,6 +29,13 @@ struct Area {
   double aspect() const { return height > 0 ? width / height : 1; }
   bool holds(double x, double y) const { return x >= left && y >= top && x < left + width && y < top + height; }
   friend bool operator==(const Area&, const Area&) = default;
+};
+
+/// What was measured last; the marks stay until something else is.
+struct Measured {
+  std::vector<Hit> ends;                   // of a distance: one or two
+  std::optional<Hit> wall_at;
+  std::optional<WallThickness> wall;
 };
 
 /// A few words that go away by themselves.
@@ -55,6 +63,8 @@ struct ViewerState {
   Scene scene;
   Settings settings;
   Tool tool = Tool::look;
+  Measured measured;
+  std::optional<Hit> under_pointer;
   std::optional<Section> section_put_away; // what switching the section off and on again brings back
   bool help = false;
   std::optional<std::string> file_asked_for;   // being typed

@@ -9,6 +9,18 @@
 
 namespace odontoscope::widgets {
 
+namespace {
+
+/// An invisible button whose place can be asked for.
+bool area(const char* id, const ImVec2& size) {
+  const bool pressed = ImGui::InvisibleButton(id, size);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  static_cast<Interface*>(ImGui::GetIO().UserData)->places.push_back({ImGui::GetItemID(), low.x, low.y, high.x, high.y});
+  return pressed;
+}
+
+}  // namespace
+
 float scaled(float size) { return size * ImGui::GetFontSize() / theme::text_size; }
 
 bool section(const Interface& interface, const char* title, bool open_at_first) {
@@ -20,7 +32,7 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddLine({corner.x, corner.y - scaled(4)}, {corner.x + width, corner.y - scaled(4)}, theme::line);
-  if (ImGui::InvisibleButton(title, {width, height})) storage.SetBool(id, open = !open);
+  if (area(title, {width, height})) storage.SetBool(id, open = !open);
   const ImU32 colour = ImGui::IsItemHovered() ? theme::accent : theme::text;
   ImGui::PushFont(interface.bold);
   list.AddText({corner.x, corner.y + 0.5f * (height - ImGui::GetFontSize())}, colour, title);
@@ -57,7 +69,7 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
     const ImVec2 size = ImGui::CalcTextSize(words[i]);
     const float share = width * (size.x + scaled(16)) / weight;
     ImGui::SetCursorScreenPos({left, corner.y});
-    if (ImGui::InvisibleButton(words[i], {share, height}) && chosen != static_cast<int>(i)) {
+    if (area(words[i], {share, height}) && chosen != static_cast<int>(i)) {
       chosen = static_cast<int>(i);
       changed = true;
     }
@@ -75,7 +87,7 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
 bool toggle(const char* words, bool& on) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = scaled(24), width = ImGui::GetContentRegionAvail().x;
-  const bool pressed = ImGui::InvisibleButton(words, {width, height});
+  const bool pressed = area(words, {width, height});
   if (pressed) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float radius = scaled(8), track = scaled(30);
@@ -90,9 +102,9 @@ bool toggle(const char* words, bool& on) {
 bool slider(const char* words, double& value, double low, double high, const char* format) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(20);
-  ImGui::InvisibleButton(words, {width, height});
+  area(words, {width, height});
   const bool held = ImGui::IsItemActive(), near = ImGui::IsItemHovered() || held;
-  const float radius = scaled(7), left = corner.x + radius, right = corner.x + width - radius;
+  const float radius = scaled(7), left = corner.x + radius - scaled(2), right = corner.x + width - radius + scaled(2);
   bool changed = false;
   if (held) {
     const double share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
@@ -116,7 +128,7 @@ bool slider(const char* words, double& value, double low, double high, const cha
 bool eye(const char* id, bool& open) {
   const float size = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const bool pressed = ImGui::InvisibleButton(id, {size, size});
+  const bool pressed = area(id, {size, size});
   if (pressed) open = !open;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImU32 colour = ImGui::IsItemHovered() ? theme::accent : open ? theme::text : theme::quiet;
@@ -138,7 +150,7 @@ bool swatch(const char* id, Colour& colour) {
   ImGui::PushID(id);
   const float size = ImGui::GetFrameHeight();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton("swatch", {size, size})) ImGui::OpenPopup("picker");
+  if (area("swatch", {size, size})) ImGui::OpenPopup("picker");
   const float inset = scaled(5);
   const ImU32 fill = ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, 1});
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -157,13 +169,14 @@ bool swatch(const char* id, Colour& colour) {
 }
 
 bool wide_button(const char* words, bool strong) {
-  if (strong) {
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_dark);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme::rgb(0x358792));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, theme::accent);
-  }
-  const bool pressed = ImGui::Button(words, {ImGui::GetContentRegionAvail().x, 0});
-  if (strong) ImGui::PopStyleColor(3);
+  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(words);
+  const bool pressed = area(words, {width, height});
+  const bool near = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  const ImU32 calm = strong ? theme::accent_dark : theme::raised, lit = strong ? theme::rgb(0x358792) : theme::hovered;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, held ? theme::pressed : near ? lit : calm, scaled(6));
+  list.AddText({corner.x + 0.5f * (width - size.x), corner.y + 0.5f * (height - size.y)}, theme::text, words);
   return pressed;
 }
 

@@ -1,0 +1,73 @@
+#pragma once
+// A person at the viewer, scripted: moves, clicks, types, waits, and looks at the pixels.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/ui/viewer.h"
+#include "engine/view/offscreen.h"
+
+namespace odontoscope::testing_support {
+
+/// A tooth of three balls, so simple that a frame takes no time, as the viewer's loader would deliver it.
+LoadedModel toy_tooth();
+
+class ViewerTest : public ::testing::Test {
+ protected:
+  static constexpr PixelSize size{960, 640};
+
+  void SetUp() override;
+  /// Nothing may be left behind that the driver complained of.
+  void TearDown() override;
+
+  /// A fresh viewer over the loader; the model is not loaded yet.
+  Viewer& make_viewer(ViewerOptions options = {});
+  /// One that shows the toy tooth and has settled.
+  Viewer& viewer_with_tooth(ViewerOptions options = {});
+
+  void frame(double seconds = 1.0 / 60);
+  void frames(int count, double seconds = 1.0 / 60);
+  void wait_until_loaded();
+  void move(double x, double y);
+  void press(MouseButton button = MouseButton::left, Modifiers with = {});
+  void release(MouseButton button = MouseButton::left);
+  void click(double x, double y);
+  void drag(double x, double y, double to_x, double to_y, MouseButton button = MouseButton::left, Modifiers with = {});
+  void scroll(double x, double y, double notches);
+  void type(char32_t character);
+  void press_key(Key key, Modifiers with = {});
+
+  /// Near the right end of the control with this label, inside the ids given.
+  glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
+  void click_control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
+
+  Image picture();
+  /// Kept in the build's folder tests/ui/pictures, to be looked at.
+  void keep_picture(const std::string& name);
+  Viewer& viewer() { return *viewer_; }
+  const Gl& gl() const { return context_->gl(); }
+  float scale_ = 1;
+  PixelSize size_ = size;
+
+ private:
+  std::unique_ptr<GlContext> context_;
+  Framebuffer pixels_;
+  std::unique_ptr<Viewer> viewer_;
+};
+
+/// A folder of its own, gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder();
+  ~ScratchFolder();
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace odontoscope::testing_support
