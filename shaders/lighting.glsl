@@ -18,17 +18,17 @@ struct Reflected {
 };
 
 /// Reflection of a rough dielectric (Walter, Marschner, Li, Torrance, EGSR 2007), its Fresnel term after Schlick.
+/// The vector half way between eye and light is not needed itself: the dot products with it follow from the others.
 float gloss_of(vec3 normal, vec3 to_eye, vec3 to_light, float roughness) {
-  vec3 half_way = normalize(to_eye + to_light);
-  float n_h = max(dot(normal, half_way), 0.0), n_l = max(dot(normal, to_light), 0.0);
-  float n_v = max(dot(normal, to_eye), 1e-3), v_h = max(dot(to_eye, half_way), 0.0);
+  float n_e = dot(normal, to_eye), n_t = dot(normal, to_light), squared = max(2.0 + 2.0 * dot(to_eye, to_light), 1e-6);
+  float n_l = max(n_t, 0.0), n_v = max(n_e, 1e-3), n_sum = max(n_e + n_t, 0.0), n_h2 = n_sum * n_sum / squared;
   float a2 = roughness * roughness * roughness * roughness;
-  float spread = n_h * n_h * (a2 - 1.0) + 1.0;
+  float spread = n_h2 * (a2 - 1.0) + 1.0;
   float k = 0.5 * roughness * roughness;
-  float visible = 0.25 / ((n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k));
-  float off = 1.0 - v_h, off2 = off * off;
+  float shadowed = (n_l * (1.0 - k) + k) * (n_v * (1.0 - k) + k);
+  float off = max(1.0 - 0.5 * sqrt(squared), 0.0), off2 = off * off;
   float fresnel = 0.04 + 0.96 * off2 * off2 * off;
-  return n_l * fresnel * visible * a2 / (spread * spread);
+  return 0.25 * n_l * fresnel * a2 / (shadowed * spread * spread);
 }
 
 /// Light wraps a little around the terminator, as it does in tissue that scatters it inside.

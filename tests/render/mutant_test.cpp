@@ -56,7 +56,7 @@ std::vector<NamedMutation> mutations() {
        })},
       {"FlatNormals", of_shader("surface.frag", "normalize(from.eye_normal)",
                                 "normalize(cross(dFdx(from.eye_position), dFdy(from.eye_position)))")},
-      {"WrongColourSpace", of_shader("resolve.frag", "1.055 * pow(colour, vec3(1.0 / 2.4)) - 0.055", "colour")},
+      {"WrongColourSpace", of_shader("tone.glsl", "mix(curve,", "mix(colour,")},
       {"CameraMovedOnePercent", of_scene([](Scene& scene) {
          const glm::dvec3 sight = scene.camera.target - scene.camera.position;
          const glm::dvec3 aside = glm::normalize(glm::cross(sight, scene.camera.up)) * glm::length(sight) * 0.01;
