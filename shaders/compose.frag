@@ -2,6 +2,8 @@
 uniform sampler2D light;
 uniform sampler2D ambient;
 uniform sampler2D occlusion;
+uniform ivec2 low;            // what is drawn lies from here
+uniform ivec2 high;           // to before here
 uniform int occluded;
 uniform float same_surface;   // metres of depth within which neighbours share their occlusion
 
@@ -9,11 +11,10 @@ layout(location = 0) out vec4 out_colour;
 
 float evened_occlusion(ivec2 pixel) {
   vec2 here = texelFetch(occlusion, pixel, 0).rg;
-  ivec2 last = textureSize(occlusion, 0) - 1;
   float sum = 0.0, weights = 0.0;
   for (int y = -2; y < 2; ++y)
     for (int x = -2; x < 2; ++x) {
-      vec2 there = texelFetch(occlusion, clamp(pixel + ivec2(x, y), ivec2(0), last), 0).rg;
+      vec2 there = texelFetch(occlusion, clamp(pixel + ivec2(x, y), low, high - 1), 0).rg;
       float weight = abs(there.g - here.g) < same_surface ? 1.0 : 0.0;
       sum += weight * there.r;
       weights += weight;

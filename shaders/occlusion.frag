@@ -4,6 +4,8 @@ uniform sampler2D depth;
 uniform mat4 eye_to_clip;
 uniform mat4 clip_to_eye;
 uniform vec2 pixels;
+uniform ivec2 low;         // the depths from here
+uniform ivec2 high;        // to before here are of this frame
 uniform float reach;       // metres
 uniform float strength;
 
@@ -24,9 +26,8 @@ vec3 eye_position(ivec2 pixel) { return eye_position(pixel, texelFetch(depth, pi
 
 /// Of the neighbours on both sides, the nearer in depth lies on the same surface.
 vec3 step_along(vec3 here, ivec2 pixel, ivec2 offset) {
-  ivec2 last = ivec2(pixels) - 1;
-  vec3 ahead = eye_position(clamp(pixel + offset, ivec2(0), last)) - here;
-  vec3 behind = here - eye_position(clamp(pixel - offset, ivec2(0), last));
+  vec3 ahead = eye_position(clamp(pixel + offset, low, high - 1)) - here;
+  vec3 behind = here - eye_position(clamp(pixel - offset, low, high - 1));
   return abs(ahead.z) < abs(behind.z) ? ahead : behind;
 }
 
@@ -52,7 +53,7 @@ void main() {
     float part = (float(i) + 0.5 + float(turn) / 32.0) / (float(samples) + 0.5);
     float angle = start + part * turns * two_pi;
     ivec2 there = pixel + ivec2(round(part * disk * vec2(cos(angle), sin(angle))));
-    if (any(lessThan(there, ivec2(0))) || any(greaterThanEqual(there, ivec2(pixels)))) continue;
+    if (any(lessThan(there, low)) || any(greaterThanEqual(there, high))) continue;
     vec3 towards = eye_position(there) - here;
     float squared = dot(towards, towards);
     float weight = max(1.0 - squared / (reach * reach), 0.0);

@@ -23,6 +23,8 @@ void ComposePass::draw(const FramePlan& plan, const Layer& layer, const Framebuf
   program_.set("light", 0);
   program_.set("ambient", 1);
   program_.set("occlusion", 2);
+  program_.set("low", plan.touched.low);
+  program_.set("high", plan.touched.high);
   program_.set("occluded", occlusion ? 1 : 0);
   program_.set("same_surface", same_surface * plan.occlusion_reach());
   layer.bind_light(0);

@@ -1,6 +1,7 @@
 #include "engine/render/frame_plan.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -28,6 +29,24 @@ std::vector<const GpuPart*> surfaces_of(const std::string& solid, const GpuModel
   return surfaces;
 }
 
+/// Pixels around the model for the width of lines.
+constexpr int margin = 8;
+
+/// Everything if part of the model's box lies behind the eye.
+PixelRectangle touched_by(const GpuModel& model, const FramePlan& plan) {
+  const glm::ivec2 size(plan.size.width, plan.size.height);
+  glm::vec2 low(1), high(-1);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const glm::vec3 place(corner & 1u ? model.high.x : model.low.x, corner & 2u ? model.high.y : model.low.y, corner & 4u ? model.high.z : model.low.z);
+    const glm::vec4 clip = plan.view.eye_to_clip * plan.view.world_to_eye * glm::vec4(place, 1);
+    if (!(clip.w > 0) || clip.z < -clip.w) return {{0, 0}, size};
+    low = glm::min(low, glm::vec2(clip) / clip.w);
+    high = glm::max(high, glm::vec2(clip) / clip.w);
+  }
+  const auto pixel = [&](const glm::vec2& place) { return glm::ivec2(glm::floor(0.5f * (glm::clamp(place, -1.0f, 1.0f) + 1.0f) * glm::vec2(size))); };
+  return {glm::max(pixel(low) - margin * plan.side, glm::ivec2(0)), glm::min(pixel(high) + margin * plan.side + 1, size)};
+}
+
 constexpr glm::vec4 keeps_everything{0, 0, 0, 1};
 
 void add_overlay(const GpuOverlay& overlay, const GpuModel& model, const Scene& scene, FramePlan& plan) {
@@ -52,6 +71,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.view = view;
   plan.size = {side * size.width, side * size.height};
   plan.side = side;
+  plan.touched = touched_by(model, plan);
   plan.centre = model.centre;
   plan.radius = model.radius;
   plan.back_faces = scene.back_faces;

@@ -32,9 +32,15 @@ struct DrawnLines {
   bool whole = false;
 };
 
+/// Pixels from the lower left corner; the upper right one lies outside.
+struct PixelRectangle {
+  glm::ivec2 low{0}, high{0};
+};
+
 struct FramePlan {
   View view;
   PixelSize size;                       // that the passes draw: the picture's size times `side`
+  PixelRectangle touched;               // holds all that is drawn, with a margin: whole pictures are mostly background
   int side = 1;                         // samples a pixel along one axis
   std::vector<DrawnPart> opaque;
   std::vector<DrawnPart> translucent;

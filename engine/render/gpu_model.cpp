@@ -48,6 +48,8 @@ GpuPart upload(const Gl& gl, const ModelPart& part) {
 GpuModel upload(const Gl& gl, const Model& model) {
   GpuModel uploaded;
   uploaded.origin_mm = model.origin_mm;
+  uploaded.low = glm::vec3(metres_per_mm * (model.bounds_mm.low - model.origin_mm));
+  uploaded.high = glm::vec3(metres_per_mm * (model.bounds_mm.high - model.origin_mm));
   uploaded.centre = glm::vec3(metres_per_mm * (model.bounds_mm.centre() - model.origin_mm));
   uploaded.radius = static_cast<float>(metres_per_mm * model.radius_mm);
   for (const ModelPart& part : model.parts)

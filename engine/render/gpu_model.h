@@ -22,7 +22,8 @@ struct GpuPart {
 struct GpuModel {
   std::vector<GpuPart> parts;   // those with at least one triangle
   glm::dvec3 origin_mm{0};
-  glm::vec3 centre{0};          // metres, of the model's box
+  glm::vec3 low{0}, high{0};    // metres, the model's box
+  glm::vec3 centre{0};          // of that box
   float radius = 1;             // metres, around `centre`
 };
 

@@ -17,6 +17,8 @@ void OcclusionPass::draw(const FramePlan& plan, const Layer& layer, const Frameb
   program_.set("eye_to_clip", plan.view.eye_to_clip);
   program_.set("clip_to_eye", glm::inverse(plan.view.eye_to_clip));
   program_.set("pixels", glm::vec2(plan.size.width, plan.size.height));
+  program_.set("low", plan.touched.low);
+  program_.set("high", plan.touched.high);
   program_.set("reach", plan.occlusion_reach());
   program_.set("strength", plan.occlusion.strength);
   layer.bind_depth(0);

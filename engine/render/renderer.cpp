@@ -43,14 +43,16 @@ void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const P
 void Renderer::draw(const FramePlan& plan, const Background& background, const Target& target) {
   if (needs_no_layers(plan)) return draw_finished(plan, background, target);
   const Buffers& buffers = buffers_for(plan.size);
+  constexpr GLfloat nothing[4] = {0, 0, 0, 0};
+  buffers.picture.bind();
+  gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  gl_->Enable(GL_SCISSOR_TEST);
+  gl_->Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
   buffers.opaque.begin();
   surfaces_.draw_opaque(plan);
   caps_.draw(plan);
   lines_.draw(plan);
 
-  constexpr GLfloat nothing[4] = {0, 0, 0, 0};
-  buffers.picture.bind();
-  gl_->ClearBufferfv(GL_COLOR, 0, nothing);
   if (!plan.lines.empty()) {
     const Layer& hints = buffers.peeled[0];
     lines_.draw_hidden(plan, buffers.opaque, hints);
@@ -64,6 +66,7 @@ void Renderer::draw(const FramePlan& plan, const Background& background, const T
     before = &layer;
   }
   add_layer(plan, buffers, buffers.opaque);
+  gl_->Disable(GL_SCISSOR_TEST);
   resolve_.draw(plan, buffers.picture, background, target);
 }
 
