@@ -23,12 +23,14 @@ struct Options {
 
 void tell(const CanalExperiment& experiment, Console& console) {
   const auto words = [&](const CanalResult& result) {
-    return fmt::format("{}; a hole in {} of {} slices, genus {}, {}", result.open_through ? "open" : "closed", result.open_slices,
-                       experiment.slices, result.genus, counted(result.surfaces, "surface"));
+    return fmt::format("{}; a hole in {} of {} slices, genus {}, {}", result.open_through ? "open" : "closed",
+                       result.open_slices, experiment.slices, result.genus, counted(result.surfaces, "surface"));
   };
-  console.say(fmt::format("A canal of {} mm in a tooth of 10 mm, {}:", measured(experiment.tooth.canal), counted(experiment.slices, "slice")));
+  console.say(fmt::format("A canal of {} mm in a tooth of 10 mm, {}:", measured(experiment.tooth.canal),
+                          counted(experiment.slices, "slice")));
   console.say(fmt::format("DT:          {}", words(experiment.dt)));
-  for (const CanalResult& result : experiment.db) console.say(fmt::format("DB grid {:>4}: {}", result.grid, words(result)));
+  for (const CanalResult& result : experiment.db)
+    console.say(fmt::format("DB grid {:>4}: {}", result.grid, words(result)));
 }
 
 ExitCode run_experiment(const Options& options, Session& session) {
@@ -61,7 +63,8 @@ Command canal_command(CLI::App& root) {
   const auto options = std::make_shared<Options>();
   constexpr int most_points = 2048;
   parser->add_option("--width", options->width, "Width of the canal, mm (default: 0.25)")->type_name("MM");
-  repeatable(parser->add_option("--grid", options->grids, "Grid points along x and y; repeatable (default: 16 to 128 by 4)"))
+  repeatable(
+      parser->add_option("--grid", options->grids, "Grid points along x and y; repeatable (default: 16 to 128 by 4)"))
       ->type_name("N")
       ->check(whole_number_from_one_to(most_points));
   parser->add_option("-o,--output", options->plot, "Plot of survival over grid size")->type_name("FILE.svg");

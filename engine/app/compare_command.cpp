@@ -48,11 +48,13 @@ void tell(const Comparison& comparison, Console& console) {
   console.say("");
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
-    console.say(fmt::format("{} to {}: {} mm on average and {} mm at most; back: {} and {}", comparison.methods[pair.first].name,
-                            comparison.methods[pair.second].name, measured(d.there.mean), measured(d.there.largest),
-                            measured(d.back.mean), measured(d.back.largest)));
+    console.say(fmt::format("{} to {}: {} mm on average and {} mm at most; back: {} and {}",
+                            comparison.methods[pair.first].name, comparison.methods[pair.second].name,
+                            measured(d.there.mean), measured(d.there.largest), measured(d.back.mean),
+                            measured(d.back.largest)));
   }
-  for (const ComparedMethod& method : comparison.methods) console.say(fmt::format("{}: {}", method.name, method.made_by));
+  for (const ComparedMethod& method : comparison.methods)
+    console.say(fmt::format("{}: {}", method.name, method.made_by));
 }
 
 ExitCode compare_methods(const Options& options, Session& session) {
@@ -67,7 +69,8 @@ ExitCode compare_methods(const Options& options, Session& session) {
   }
   refuse_unwritable(files);
 
-  const Comparison comparison = compare(contours_of_input(options.input, options.words, session), engines, session.progress());
+  const Comparison comparison =
+      compare(contours_of_input(options.input, options.words, session), engines, session.progress());
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
   if (!options.html.empty()) contents.push_back({options.html, comparison_page(comparison)});
@@ -83,7 +86,9 @@ ExitCode compare_methods(const Options& options, Session& session) {
 Command compare_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("compare", "DT, DB and decimated DB of the same contours, side by side");
   const auto options = std::make_shared<Options>();
-  parser->add_option("INPUT", options->input, "Contour stack (.json), or with --iso or --label a volume")->required()->type_name("");
+  parser->add_option("INPUT", options->input, "Contour stack (.json), or with --iso or --label a volume")
+      ->required()
+      ->type_name("");
   parser->add_option("--report", options->report, "All that was measured, for scripts")->type_name("FILE.json");
   parser->add_option("--html", options->html, "The same as a page")->type_name("FILE.html");
   add_volume_options(*parser, options->words);

@@ -24,10 +24,11 @@ GridOptions grid_in(const std::string& text) {
   GridOptions grid;
   if (text.empty()) return grid;
   const std::size_t cross = text.find('x');
-  const auto columns = whole(std::string_view(text).substr(0, cross), limits::least_grid_points, limits::most_grid_points);
-  const auto rows = cross == std::string::npos
-                        ? columns
-                        : whole(std::string_view(text).substr(cross + 1), limits::least_grid_points, limits::most_grid_points);
+  const auto columns =
+      whole(std::string_view(text).substr(0, cross), limits::least_grid_points, limits::most_grid_points);
+  const auto rows = cross == std::string::npos ? columns
+                                               : whole(std::string_view(text).substr(cross + 1),
+                                                       limits::least_grid_points, limits::most_grid_points);
   if (!columns || !rows) {
     throw UsageError(fmt::format("--grid {}: that is no number of grid points", text),
                      fmt::format("Write N or NxM, such as 128 or 128x96, each from {} to {}", limits::least_grid_points,
@@ -59,17 +60,17 @@ void add_db_options(CLI::App& parser, DbWords& words) {
                                        "Marching cubes: classic (default), classic-unoriented or consistent")
       ->type_name("NAME")
       ->group(group);
-  add_choice<std::optional<FieldKind>>(parser, "--field", words.field,
-                                       {{"signed-distance", FieldKind::signed_distance},
-                                        {"sign", FieldKind::sign},
-                                        {"hybrid", FieldKind::hybrid}},
-                                       "What the grid holds: hybrid (default), signed-distance or sign")
+  add_choice<std::optional<FieldKind>>(
+      parser, "--field", words.field,
+      {{"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}, {"hybrid", FieldKind::hybrid}},
+      "What the grid holds: hybrid (default), signed-distance or sign")
       ->type_name("NAME")
       ->group(group);
   repeatable(parser.add_option("--split", words.splits, "Height of an empty layer that ends what it parts; repeatable"))
       ->type_name("Z")
       ->group(group);
-  parser.add_option("--decimate", words.decimate, "At most T triangles in all, or as few as half a grid spacing allows")
+  parser
+      .add_option("--decimate", words.decimate, "At most T triangles in all, or as few as half a grid spacing allows")
       ->type_name("T|max")
       ->group(group);
 }

@@ -12,11 +12,11 @@ namespace odontoscope::app {
 
 /// As typed; not yet understood.
 struct DbWords {
-  std::string grid;   // "N" or "NxM"; empty: the default
+  std::string grid;  // "N" or "NxM"; empty: the default
   std::optional<CaseTable> cases;
   std::optional<FieldKind> field;
   std::vector<double> splits;
-  std::string decimate;   // "T" or "max"; empty: none
+  std::string decimate;  // "T" or "max"; empty: none
 
   bool any() const { return !grid.empty() || cases || field || !splits.empty() || !decimate.empty(); }
 };

@@ -43,8 +43,10 @@ CanalResult judged(const SurfaceMesh& surface, const SurfaceReport& report, cons
   result.triangles = report.triangles;
   bool closed = true;
   for (const Shell& shell : report.shells) {
-    if (shell.kind == Shell::Kind::open) closed = false;
-    else result.genus += shell.genus;
+    if (shell.kind == Shell::Kind::open)
+      closed = false;
+    else
+      result.genus += shell.genus;
   }
   result.open_through = closed && result.surfaces == 1 && result.genus == 1;
   return result;
@@ -61,7 +63,8 @@ std::vector<std::size_t> usual_grids() {
 
 ContourStack tooth_with_canal(const CanalTooth& tooth) {
   if (!(tooth.canal >= least_canal && tooth.canal <= most_canal)) {
-    throw UsageError(fmt::format("a canal of {} mm", tooth.canal), fmt::format("Use {} to {} mm", least_canal, most_canal));
+    throw UsageError(fmt::format("a canal of {} mm", tooth.canal),
+                     fmt::format("Use {} to {} mm", least_canal, most_canal));
   }
   constexpr int tooth_points = 96, canal_points = 24;
   ContourStack stack;
@@ -69,8 +72,8 @@ ContourStack tooth_with_canal(const CanalTooth& tooth) {
     const double share = static_cast<double>(k) / static_cast<double>(slices - 1);
     const double width = apex_width + share * (crown_width - apex_width);
     std::vector<Point2> canal = ring(tooth.canal, canal_centre(share, tooth.canal), canal_points);
-    stack.slices.push_back({share * height,
-                            {{"tooth", ring(width, {}, tooth_points)}, {"tooth", {canal.rbegin(), canal.rend()}}}});
+    stack.slices.push_back(
+        {share * height, {{"tooth", ring(width, {}, tooth_points)}, {"tooth", {canal.rbegin(), canal.rend()}}}});
   }
   return stack;
 }

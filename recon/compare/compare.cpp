@@ -19,7 +19,7 @@ namespace {
 template <class Make>
 auto timed(ComparedMethod& method, Make make) {
   constexpr int most_runs = 3;
-  constexpr double long_enough = 1;   // second
+  constexpr double long_enough = 1;  // second
   using Clock = std::chrono::steady_clock;
   std::optional<decltype(make())> made;
   for (int run = 0; run < most_runs; ++run) {
@@ -51,11 +51,12 @@ ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, 
   return method;
 }
 
-ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it, const Progress& progress) {
+ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it,
+                      const Progress& progress) {
   ComparedMethod method;
   method.name = std::move(name_of_it);
-  method.made_by = fmt::format("grid {} x {}, field {}, table {}", options.grid.columns, options.grid.rows, name(options.field.kind),
-                               name(options.cases));
+  method.made_by = fmt::format("grid {} x {}, field {}, table {}", options.grid.columns, options.grid.rows,
+                               name(options.field.kind), name(options.cases));
   DbReconstruction made = timed(method, [&] { return reconstruct_by_distance(stack, options, progress); });
   method.certified = made.certified;
   for (DbSurface& one : made.surfaces) method.surfaces.push_back({one.structure, std::move(one.surface)});
@@ -72,11 +73,13 @@ SurfaceMesh as_one(const std::vector<NamedSurface>& surfaces) {
   return whole;
 }
 
-void judge(ComparedMethod& method, const ContourStack& sorted, const DistanceOptions& options, const Progress& progress) {
+void judge(ComparedMethod& method, const ContourStack& sorted, const DistanceOptions& options,
+           const Progress& progress) {
   method.report = inspect(as_one(method.surfaces));
   std::vector<WeightedFit> fits;
   for (const NamedSurface& one : method.surfaces) {
-    fits.push_back({contour_fit(sorted, one.structure, one.surface, options, progress), contour_length(sorted, one.structure)});
+    fits.push_back(
+        {contour_fit(sorted, one.structure, one.surface, options, progress), contour_length(sorted, one.structure)});
   }
   method.fit = joined(fits);
 }
@@ -130,11 +133,13 @@ Comparison run(const ContourStack& stack, const CompareOptions& options, const P
   result.methods.push_back(run_dt(stack, options, progress));
   result.methods.push_back(run_db(stack, full, "DB", progress));
   result.methods.push_back(run_db(stack, fewer, "DB decimated", progress));
-  result.methods.back().made_by +=
-      fewer.decimation->triangles ? fmt::format(", decimated to {}", *fewer.decimation->triangles) : ", decimated to the most possible";
+  result.methods.back().made_by += fewer.decimation->triangles
+                                       ? fmt::format(", decimated to {}", *fewer.decimation->triangles)
+                                       : ", decimated to the most possible";
   for (ComparedMethod& method : result.methods) judge(method, sorted, options.distance, progress);
   for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-    result.pairs.push_back(measure_pair(result.methods, static_cast<std::size_t>(a), static_cast<std::size_t>(b), options.distance, progress));
+    result.pairs.push_back(measure_pair(result.methods, static_cast<std::size_t>(a), static_cast<std::size_t>(b),
+                                        options.distance, progress));
   }
   return result;
 }
@@ -143,7 +148,8 @@ Comparison run(const ContourStack& stack, const CompareOptions& options, const P
 
 Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
   CompareOptions with_threads = options;
-  const int threads = options.dt.threads > 0 ? options.dt.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads =
+      options.dt.threads > 0 ? options.dt.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   with_threads.dt.threads = with_threads.db.threads = threads;
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);

@@ -37,14 +37,14 @@ struct MethodPicture {
 
 /// One column.
 struct ComparedMethod {
-  std::string name;                     // "DT", "DB", "DB decimated"
-  std::string made_by;                  // how, in a few words
-  std::vector<NamedSurface> surfaces;   // in order of first appearance of the structure
-  SurfaceReport report;                 // of all structures' surfaces as one mesh
+  std::string name;                    // "DT", "DB", "DB decimated"
+  std::string made_by;                 // how, in a few words
+  std::vector<NamedSurface> surfaces;  // in order of first appearance of the structure
+  SurfaceReport report;                // of all structures' surfaces as one mesh
   bool certified = false;
-  ContourFit fit;                       // of all structures, means weighted by length of contours
-  double seconds = 0;                   // contours in memory to inspected surface; the least of the runs
-  std::optional<std::size_t> peak_memory;   // bytes above what was there before
+  ContourFit fit;                          // of all structures, means weighted by length of contours
+  double seconds = 0;                      // contours in memory to inspected surface; the least of the runs
+  std::optional<std::size_t> peak_memory;  // bytes above what was there before
   std::vector<MethodPicture> pictures;
 };
 
@@ -55,7 +55,7 @@ struct ComparedPair {
 };
 
 struct Comparison {
-  std::string source;                   // of the stack
+  std::string source;  // of the stack
   std::size_t slices = 0, contours = 0, points = 0;
   std::vector<ComparedMethod> methods;
   std::vector<ComparedPair> pairs;
@@ -65,9 +65,10 @@ struct Comparison {
   int threads = 1, runs = 1;
 };
 
-/// Validates `stack` (InputError). A method is run again, up to three times, while it takes less than a second, and its least time
-/// counts. Stages are those of the engines and of surface_distance. Runs in arenas of its own with `options.dt.threads`. Throws what the engines
-/// do. Times and memory apart, the result depends on nothing but the input.
+/// Validates `stack` (InputError). A method is run again, up to three times, while it takes less than a second, and its
+/// least time counts. Stages are those of the engines and of surface_distance. Runs in arenas of its own with
+/// `options.dt.threads`. Throws what the engines do. Times and memory apart, the result depends on nothing but the
+/// input.
 Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress = {});
 
 /// A line of the table: what is measured, and its value for each method in words.

@@ -37,7 +37,7 @@ class Walker {
   explicit Walker(double step) : step_(step) {}
   template <class Visit>
   void walk(const Point2& a, const Point2& b, Visit visit) {
-    const double here = length(a, b);   // an endless step (no samples) visits nothing
+    const double here = length(a, b);  // an endless step (no samples) visits nothing
     for (; next_ < passed_ + here; next_ += step_) {
       const double share = std::clamp((next_ - passed_) / here, 0.0, 1.0);
       visit(Point2{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
@@ -58,7 +58,7 @@ std::vector<Point3> places_on_contours(const ContourStack& stack, const std::str
   Walker walker(whole / static_cast<double>(samples));
   for (const Slice& slice : stack.slices) {
     for_each_edge(slice, structure, [&](const Point2& a, const Point2& b) {
-      places.push_back({a.x, a.y, slice.z});   // corners too: extremes are found there
+      places.push_back({a.x, a.y, slice.z});  // corners too: extremes are found there
       walker.walk(a, b, [&](const Point2& p) { places.push_back({p.x, p.y, slice.z}); });
     });
   }
@@ -133,13 +133,13 @@ double distance_to(const std::vector<Point2>& ring, const Point2& p) {
 /// Square cells, those that may hold a larger circle first.
 struct Cell {
   Point2 middle;
-  double half, clearance;   // clearance of the middle, negative outside
+  double half, clearance;  // clearance of the middle, negative outside
   double best() const { return clearance + half * std::numbers::sqrt2; }
   friend bool operator<(const Cell& a, const Cell& b) { return a.best() < b.best(); }
 };
 
-/// Largest circle within `outer` and outside all of `within`: cells are quartered, the most promising first, until none can be better by more than a
-/// hundredth of the contour's size.
+/// Largest circle within `outer` and outside all of `within`: cells are quartered, the most promising first, until none
+/// can be better by more than a hundredth of the contour's size.
 Passage widest_place(const std::vector<Point2>& outer, const std::vector<const std::vector<Point2>*>& within) {
   const auto clearance = [&](const Point2& p) {
     double least = distance_to(outer, p);
@@ -150,15 +150,16 @@ Passage widest_place(const std::vector<Point2>& outer, const std::vector<const s
     }
     return counts ? least : -least;
   };
-  const auto [left, right] = std::minmax_element(outer.begin(), outer.end(), [](auto& a, auto& b) { return a.x < b.x; });
+  const auto [left, right] =
+      std::minmax_element(outer.begin(), outer.end(), [](auto& a, auto& b) { return a.x < b.x; });
   const auto [low, high] = std::minmax_element(outer.begin(), outer.end(), [](auto& a, auto& b) { return a.y < b.y; });
   const double size = std::max(right->x - left->x, high->y - low->y);
   const Point2 middle{(left->x + right->x) / 2, (low->y + high->y) / 2};
   std::priority_queue<Cell> cells;
   cells.push({middle, size / 2, clearance(middle)});
   Cell best = cells.top();
-  constexpr double precision = 0.005;        // of a radius, over the size
-  constexpr std::size_t most_cells = 20'000;   // rings as thin as a hair stay unresolved
+  constexpr double precision = 0.005;         // of a radius, over the size
+  constexpr std::size_t most_cells = 20'000;  // rings as thin as a hair stay unresolved
   for (std::size_t seen = 0; !cells.empty() && seen < most_cells; ++seen) {
     const Cell cell = cells.top();
     cells.pop();
@@ -185,7 +186,8 @@ void count(PassageCounts& counts, double width, bool kept) {
 }
 
 PassageCounts sum(const PassageCounts& a, const PassageCounts& b) {
-  PassageCounts all{a.all + b.all, a.lost + b.lost, std::max(a.thinnest_kept, b.thinnest_kept), std::max(a.widest_lost, b.widest_lost)};
+  PassageCounts all{a.all + b.all, a.lost + b.lost, std::max(a.thinnest_kept, b.thinnest_kept),
+                    std::max(a.widest_lost, b.widest_lost)};
   if (a.thinnest_kept > 0 && b.thinnest_kept > 0) all.thinnest_kept = std::min(a.thinnest_kept, b.thinnest_kept);
   return all;
 }
@@ -235,7 +237,8 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
     count(passage.hole ? fit.holes : fit.solids, passage.width, kept);
   }
   progress.check();
-  if (const auto distance = distance_to_surface(places_on_contours(ordered_stack, structure, options.samples), surface, progress)) {
+  if (const auto distance =
+          distance_to_surface(places_on_contours(ordered_stack, structure, options.samples), surface, progress)) {
     fit.contours_to_surface = *distance;
   }
   double whole = 0;
@@ -245,7 +248,8 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
   std::vector<SliceMeasure> measures(cuts.size());
   tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t k) {
     if (progress.stop.stop_requested()) return;
-    measures[k] = measure_section(cuts[k], ordered_stack.slices[k], structure, whole / static_cast<double>(options.samples));
+    measures[k] =
+        measure_section(cuts[k], ordered_stack.slices[k], structure, whole / static_cast<double>(options.samples));
   });
   progress.check();
   SliceMeasure all;

@@ -26,7 +26,8 @@ std::optional<std::size_t> peak_memory_of(const std::function<void()>& work) {
 #ifdef __GLIBC__
   ::malloc_trim(0);
 #endif
-  const bool reset = static_cast<bool>(std::ofstream("/proc/self/clear_refs") << "5" << std::flush);   // VmHWM counts anew
+  const bool reset =
+      static_cast<bool>(std::ofstream("/proc/self/clear_refs") << "5" << std::flush);  // VmHWM counts anew
   const std::size_t before = status("VmRSS");
   work();
   const std::size_t peak = status("VmHWM");

@@ -12,14 +12,15 @@ namespace {
 
 std::string whole(std::size_t count) {
   std::string digits = fmt::format("{}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
   return digits;
 }
 
 std::string measured(double value) {
   if (value == 0) return "0";
   constexpr double readable = 1e-4, whole_from = 1000;
-  if (std::abs(value) >= whole_from) return fmt::format("{}{}", value < 0 ? "-" : "", whole(static_cast<std::size_t>(std::llround(std::abs(value)))));
+  if (std::abs(value) >= whole_from)
+    return fmt::format("{}{}", value < 0 ? "-" : "", whole(static_cast<std::size_t>(std::llround(std::abs(value)))));
   return std::abs(value) < readable ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
@@ -84,7 +85,8 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
   add("thinnest solid that survives, mm", [](Method m) { return width(m.fit.solids.thinnest_kept); });
   add("seconds", [](Method m) { return measured(m.seconds); });
   add("peak memory, MiB", [](Method m) {
-    return m.peak_memory ? fmt::format("{:.0f}", static_cast<double>(*m.peak_memory) / (1024.0 * 1024.0)) : std::string("not known");
+    return m.peak_memory ? fmt::format("{:.0f}", static_cast<double>(*m.peak_memory) / (1024.0 * 1024.0))
+                         : std::string("not known");
   });
   return rows;
 }

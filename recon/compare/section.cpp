@@ -17,7 +17,8 @@ Point2 crossing(const Point3& below, const Point3& above, double z) {
   return {below.x + share * (above.x - below.x), below.y + share * (above.y - below.y)};
 }
 
-void cut(const SurfaceMesh& surface, const Triangle& t, double z, bool on_is_below, std::vector<SectionSegment>& segments) {
+void cut(const SurfaceMesh& surface, const Triangle& t, double z, bool on_is_below,
+         std::vector<SectionSegment>& segments) {
   std::array<Point2, 2> ends;
   std::size_t count = 0;
   for (int i = 0; i < 3; ++i) {
@@ -33,13 +34,15 @@ bool is_inside(const std::vector<SectionSegment>& segments, const Point2& place)
   constexpr int directions = 7;
   int odd = 0;
   for (int d = 0; d < directions; ++d) {
-    const double angle = 0.1 + 2 * std::numbers::pi * d / directions;   // not along the grid
+    const double angle = 0.1 + 2 * std::numbers::pi * d / directions;  // not along the grid
     const double cx = std::cos(angle), cy = std::sin(angle);
     bool inside = false;
     for (const SectionSegment& s : segments) {
       // In axes turned so that the ray runs along the first.
-      const double ax = (s.from.x - place.x) * cx + (s.from.y - place.y) * cy, ay = (s.from.y - place.y) * cx - (s.from.x - place.x) * cy;
-      const double bx = (s.to.x - place.x) * cx + (s.to.y - place.y) * cy, by = (s.to.y - place.y) * cx - (s.to.x - place.x) * cy;
+      const double ax = (s.from.x - place.x) * cx + (s.from.y - place.y) * cy,
+                   ay = (s.from.y - place.y) * cx - (s.from.x - place.x) * cy;
+      const double bx = (s.to.x - place.x) * cx + (s.to.y - place.y) * cy,
+                   by = (s.to.y - place.y) * cx - (s.to.x - place.x) * cy;
       if ((ay <= 0) == (by <= 0)) continue;
       if (ax + (bx - ax) * (ay / (ay - by)) > 0) inside = !inside;
     }
@@ -57,7 +60,8 @@ std::vector<Section> sections(const SurfaceMesh& surface, const std::vector<doub
   std::vector<Section> result(heights.size());
   for (const Triangle& t : surface.triangles) {
     const auto [low, high] = std::minmax({surface.points[t[0]].z, surface.points[t[1]].z, surface.points[t[2]].z});
-    const auto first = std::lower_bound(order.begin(), order.end(), low, [&](std::size_t i, double z) { return heights[i] < z; });
+    const auto first =
+        std::lower_bound(order.begin(), order.end(), low, [&](std::size_t i, double z) { return heights[i] < z; });
     for (auto i = first; i != order.end() && heights[*i] <= high; ++i) {
       cut(surface, t, heights[*i], false, result[*i].below);
       cut(surface, t, heights[*i], true, result[*i].above);

@@ -72,7 +72,8 @@ CellTriangles triangles_of(const BaseCase& base) {
   cell.base = static_cast<std::uint8_t>(base.number);
   for (const std::string_view polygon : base.polygons) {
     std::vector<CellEdge> edges;
-    for (std::size_t at = 0; at < polygon.size(); at += 3) edges.push_back(edge_between(polygon[at] - '0', polygon[at + 1] - '0'));
+    for (std::size_t at = 0; at < polygon.size(); at += 3)
+      edges.push_back(edge_between(polygon[at] - '0', polygon[at + 1] - '0'));
     for (std::size_t i = 1; i + 1 < edges.size(); ++i) cell.edges.at(cell.count++) = {edges[0], edges[i], edges[i + 1]};
   }
   return cell;
@@ -186,7 +187,8 @@ std::array<CellEdge, 4> edges_of(CellFace face) {
   const int axis = face / 2, side = face % 2, along_u = (axis + 1) % 3, along_v = (axis + 2) % 3;
   const int base = side << axis;
   const auto edge = [](int from, int along) { return edge_between(from, from | 1 << along); };
-  return {edge(base, along_u), edge(base | 1 << along_v, along_u), edge(base, along_v), edge(base | 1 << along_u, along_v)};
+  return {edge(base, along_u), edge(base | 1 << along_v, along_u), edge(base, along_v),
+          edge(base | 1 << along_u, along_v)};
 }
 
 std::vector<FaceSegment> face_segments(const CellTriangles& cell, CellFace face) {
@@ -197,7 +199,8 @@ std::vector<FaceSegment> face_segments(const CellTriangles& cell, CellFace face)
       const auto from = std::find(edges.begin(), edges.end(), triangle[i]);
       const auto to = std::find(edges.begin(), edges.end(), triangle[(i + 1) % 3]);
       if (from == edges.end() || to == edges.end()) continue;
-      segments.push_back({static_cast<std::uint8_t>(from - edges.begin()), static_cast<std::uint8_t>(to - edges.begin())});
+      segments.push_back(
+          {static_cast<std::uint8_t>(from - edges.begin()), static_cast<std::uint8_t>(to - edges.begin())});
     }
   }
   return segments;
@@ -227,7 +230,8 @@ bool is_ambiguous(CaseNumber cell, CellFace face) {
   const int axis = face / 2, side = face % 2;
   const int u = 1 << ((axis + 1) % 3), v = 1 << ((axis + 2) % 3), base = side << axis;
   const auto inside = [cell](int corner) { return (cell >> corner & 1) != 0; };
-  return inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) && inside(base) != inside(base | u);
+  return inside(base) == inside(base | u | v) && inside(base | u) == inside(base | v) &&
+         inside(base) != inside(base | u);
 }
 
 }  // namespace odontoscope

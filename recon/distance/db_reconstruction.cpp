@@ -23,7 +23,8 @@ class Stopwatch {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
     last_ = now;
-    const auto known = std::find_if(times_.begin(), times_.end(), [stage](const DbStageTime& t) { return t.stage == stage; });
+    const auto known =
+        std::find_if(times_.begin(), times_.end(), [stage](const DbStageTime& t) { return t.stage == stage; });
     if (known != times_.end()) {
       known->seconds += seconds;
     } else {
@@ -55,12 +56,14 @@ void decimate_all(DbReconstruction& result, const DecimateOptions& wanted, const
   std::size_t triangles = 0, done = 0;
   for (const DbSurface& made : result.surfaces) triangles += made.surface.triangles.size();
   DecimateOptions options = wanted;
-  if (options.largest_error == 0) options.largest_error = limits::decimation_error * std::max(result.grid.dx, result.grid.dy);
+  if (options.largest_error == 0)
+    options.largest_error = limits::decimation_error * std::max(result.grid.dx, result.grid.dy);
   for (DbSurface& made : result.surfaces) {
     progress.check();
     progress.tell("decimate", static_cast<double>(done++) / static_cast<double>(result.surfaces.size()));
     if (wanted.triangles) {
-      const double share = static_cast<double>(made.surface.triangles.size()) / static_cast<double>(std::max<std::size_t>(triangles, 1));
+      const double share =
+          static_cast<double>(made.surface.triangles.size()) / static_cast<double>(std::max<std::size_t>(triangles, 1));
       options.triangles = static_cast<std::size_t>(share * static_cast<double>(*wanted.triangles));
     }
     DecimatedSurface fewer = decimate(made.surface, options);
@@ -77,7 +80,7 @@ DbReconstruction run(const ContourStack& stack, const DbOptions& options, const 
   const ContourStack sorted = ordered(stack).stack;
   const std::vector<std::string> structures = structures_of(sorted);
   count_input(sorted, result);
-  result.grid = make_grid(sorted, options.grid);   // one field at a time is in memory
+  result.grid = make_grid(sorted, options.grid);  // one field at a time is in memory
   watch.lap("prepare");
   for (const std::string& structure : structures) {
     const Field field = sample_field(sorted, structure, result.grid, options.field, progress);
@@ -103,8 +106,10 @@ DbReconstruction run(const ContourStack& stack, const DbOptions& options, const 
 
 }  // namespace
 
-DbReconstruction reconstruct_by_distance(const ContourStack& stack, const DbOptions& options, const Progress& progress) {
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+DbReconstruction reconstruct_by_distance(const ContourStack& stack, const DbOptions& options,
+                                         const Progress& progress) {
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   DbReconstruction result = arena.execute([&] { return run(stack, options, progress); });

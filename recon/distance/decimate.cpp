@@ -19,7 +19,8 @@ std::vector<FloatPoint> relative_points(const SurfaceMesh& surface) {
   std::vector<FloatPoint> points;
   points.reserve(surface.points.size());
   for (const Point3& p : surface.points) {
-    points.push_back({static_cast<float>(p.x - low.x), static_cast<float>(p.y - low.y), static_cast<float>(p.z - low.z)});
+    points.push_back(
+        {static_cast<float>(p.x - low.x), static_cast<float>(p.y - low.y), static_cast<float>(p.z - low.z)});
   }
   return points;
 }
@@ -29,7 +30,7 @@ SurfaceMesh used_part(const SurfaceMesh& surface, const std::vector<unsigned>& c
   std::vector<PointIndex> number(surface.points.size(), unused);
   for (const unsigned corner : corners) number[corner] = 0;
   SurfaceMesh used;
-  for (std::size_t v = 0; v < number.size(); ++v) {   // points keep their order
+  for (std::size_t v = 0; v < number.size(); ++v) {  // points keep their order
     if (number[v] == unused) continue;
     number[v] = static_cast<PointIndex>(used.points.size());
     used.points.push_back(surface.points[v]);
@@ -51,12 +52,13 @@ DecimatedSurface decimate(const SurfaceMesh& surface, const DecimateOptions& opt
   for (const Triangle& t : surface.triangles) corners.insert(corners.end(), t.begin(), t.end());
 
   const float scale = meshopt_simplifyScale(points.front().data(), points.size(), sizeof(FloatPoint));
-  const float error = options.triangles ? std::numeric_limits<float>::max() : static_cast<float>(options.largest_error) / scale;
+  const float error =
+      options.triangles ? std::numeric_limits<float>::max() : static_cast<float>(options.largest_error) / scale;
   std::vector<unsigned> kept(corners.size());
   float reached = 0;
   const std::size_t count =
-      meshopt_simplify(kept.data(), corners.data(), corners.size(), points.front().data(), points.size(), sizeof(FloatPoint),
-                       3 * options.triangles.value_or(0), error, 0, &reached);
+      meshopt_simplify(kept.data(), corners.data(), corners.size(), points.front().data(), points.size(),
+                       sizeof(FloatPoint), 3 * options.triangles.value_or(0), error, 0, &reached);
   kept.resize(count);
   result.surface = used_part(surface, kept);
   result.report = inspect(result.surface);

@@ -1,11 +1,11 @@
 #pragma once
 // Fewer triangles for a DB surface, cracked or not.
 //
-// Edges are collapsed onto one of their ends in order of quadric error, by the meshoptimizer library (meshopt_simplify), which
-// bears meshes that are no manifolds: open borders collapse along themselves, vertices where more meets stay. It works in single precision
-// on coordinates taken relative to the surface, but the points of the result are points of the surface, bit for bit. It does not promise
-// to keep topology, nor to keep the surface from cutting through itself: the report tells what came out. One thread; the same input
-// gives the same result.
+// Edges are collapsed onto one of their ends in order of quadric error, by the meshoptimizer library
+// (meshopt_simplify), which bears meshes that are no manifolds: open borders collapse along themselves, vertices where
+// more meets stay. It works in single precision on coordinates taken relative to the surface, but the points of the
+// result are points of the surface, bit for bit. It does not promise to keep topology, nor to keep the surface from
+// cutting through itself: the report tells what came out. One thread; the same input gives the same result.
 
 #include <cstddef>
 #include <optional>
@@ -26,7 +26,7 @@ struct DecimateOptions {
 struct DecimatedSurface {
   SurfaceMesh surface;
   SurfaceReport report;
-  double error = 0;   // mm, as the library measures it
+  double error = 0;  // mm, as the library measures it
 };
 
 /// Precondition: indices in range. An empty surface stays empty.

@@ -14,8 +14,8 @@ namespace odontoscope {
 namespace {
 
 struct Face {
-  GridPlace at;   // its lowest corner
-  int axis;       // of its normal
+  GridPlace at;  // its lowest corner
+  int axis;      // of its normal
 };
 
 /// The one face that has both edges.
@@ -36,8 +36,13 @@ Point3 middle(const Point3& a, const Point3& b) { return {(a.x + b.x) / 2, (a.y 
 
 Defect defect_at(const Grid& grid, const Field& field, const SurfaceMesh& mesh, const Face& face, DefectKind kind,
                  PointIndex a, PointIndex b) {
-  Defect defect{.kind = kind, .from = std::min(a, b), .to = std::max(a, b), .at = {}, .axis = face.axis,
-                .first = face.at, .second = face.at};
+  Defect defect{.kind = kind,
+                .from = std::min(a, b),
+                .to = std::max(a, b),
+                .at = {},
+                .axis = face.axis,
+                .first = face.at,
+                .second = face.at};
   if (defect.first[face.axis] == 0) throw InternalError("a defect on the border of the grid");
   --defect.first[face.axis];
   defect.at = middle(mesh.points[defect.from], mesh.points[defect.to]);
@@ -48,8 +53,9 @@ Defect defect_at(const Grid& grid, const Field& field, const SurfaceMesh& mesh, 
 }
 
 void sort(std::vector<Defect>& defects) {
-  std::sort(defects.begin(), defects.end(),
-            [](const Defect& a, const Defect& b) { return std::tie(a.from, a.to, a.kind) < std::tie(b.from, b.to, b.kind); });
+  std::sort(defects.begin(), defects.end(), [](const Defect& a, const Defect& b) {
+    return std::tie(a.from, a.to, a.kind) < std::tie(b.from, b.to, b.kind);
+  });
 }
 
 // --- from the table --------------------------------------------------------------------------------------------------
@@ -62,7 +68,8 @@ class PointFinder {
   PointIndex operator()(const GridEdge& edge) const {
     const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge,
                                         [](const GridEdge& a, const GridEdge& b) { return order(a) < order(b); });
-    if (found == edges_.end() || *found != edge) throw InternalError("a table uses an edge that the surface does not cross");
+    if (found == edges_.end() || *found != edge)
+      throw InternalError("a table uses an edge that the surface does not cross");
     return static_cast<PointIndex>(found - edges_.begin());
   }
 
@@ -88,10 +95,14 @@ class Meetings {
       }
     }
   }
-  const FaceMeeting& operator()(CaseNumber first, CaseNumber second, int axis) const { return all_[place(first, second, axis)]; }
+  const FaceMeeting& operator()(CaseNumber first, CaseNumber second, int axis) const {
+    return all_[place(first, second, axis)];
+  }
 
  private:
-  static std::size_t place(int first, int second, int axis) { return static_cast<std::size_t>(axis << 16 | first << 8 | second); }
+  static std::size_t place(int first, int second, int axis) {
+    return static_cast<std::size_t>(axis << 16 | first << 8 | second);
+  }
   static bool share_corners(int first, int second, int axis) {
     for (int corner = 0; corner < 8; ++corner) {
       if ((corner >> axis & 1) == 0 && (second >> corner & 1) != (first >> (corner | 1 << axis) & 1)) return false;
@@ -133,17 +144,19 @@ std::vector<Defect> defects_of(const Grid& grid, const Field& field, const March
     const bool crowded = mate == EdgeMates::many;
     const bool misoriented = mate < EdgeMates::no_edge && mate > h && start(mesh, mate) == a;
     if (mate != EdgeMates::none && !crowded && !misoriented) continue;
-    const DefectKind kind = crowded ? DefectKind::nonmanifold : misoriented ? DefectKind::misoriented : DefectKind::crack;
+    const DefectKind kind = crowded       ? DefectKind::nonmanifold
+                            : misoriented ? DefectKind::misoriented
+                                          : DefectKind::crack;
     const Face face = common_face(surface.edge_of_point[a], surface.edge_of_point[b]);
     defects.push_back(defect_at(grid, field, mesh, face, kind, a, b));
   }
   sort(defects);
-  defects.erase(std::unique(defects.begin(), defects.end()), defects.end());   // a crowded edge is met several times
+  defects.erase(std::unique(defects.begin(), defects.end()), defects.end());  // a crowded edge is met several times
   return defects;
 }
 
-std::vector<Defect> predicted_defects(const Grid& grid, const Field& field, CaseTable table, const MarchedSurface& surface,
-                                      const Progress& progress) {
+std::vector<Defect> predicted_defects(const Grid& grid, const Field& field, CaseTable table,
+                                      const MarchedSurface& surface, const Progress& progress) {
   const Meetings meetings(table);
   const PointFinder point(surface);
   std::vector<std::vector<Defect>> by_layer(grid.layers.size() - 1);
@@ -160,8 +173,8 @@ std::vector<Defect> predicted_defects(const Grid& grid, const Field& field, Case
           const FaceMeeting& met = meetings(case_at(grid, field, before), second, axis);
           const Face face{cell, axis};
           const auto add = [&](const FaceSegment& s, DefectKind kind) {
-            by_layer[layer].push_back(defect_at(grid, field, surface.mesh, face, kind, point(edge_of_face(face, s.from)),
-                                                point(edge_of_face(face, s.to))));
+            by_layer[layer].push_back(defect_at(grid, field, surface.mesh, face, kind,
+                                                point(edge_of_face(face, s.from)), point(edge_of_face(face, s.to))));
           };
           for (const FaceSegment& s : met.unmatched) add(s, DefectKind::crack);
           for (const FaceSegment& s : met.misoriented) add(s, DefectKind::misoriented);
@@ -182,15 +195,19 @@ std::string in_words(const Defect& defect, CaseTable table) {
     return fmt::format("cell ({}, {}, {}), case {} ({}base case {})", at[0], at[1], at[2], number,
                        known.complement ? "complement of " : "", known.base);
   };
-  const std::string where = fmt::format("Table {}: {} and {} share a face across {}", name(table), cell(defect.first, defect.first_case),
-                                        cell(defect.second, defect.second_case), "xyz"[defect.axis]);
+  const std::string where =
+      fmt::format("Table {}: {} and {} share a face across {}", name(table), cell(defect.first, defect.first_case),
+                  cell(defect.second, defect.second_case), "xyz"[defect.axis]);
   switch (defect.kind) {
     case DefectKind::crack:
-      return where + ". Two of its corners, across a diagonal, are inside; one cell keeps these two apart, the other the two that "
-                     "are outside, so this edge has a triangle on one side only: a crack.";
+      return where +
+             ". Two of its corners, across a diagonal, are inside; one cell keeps these two apart, the other the two "
+             "that "
+             "are outside, so this edge has a triangle on one side only: a crack.";
     case DefectKind::misoriented:
-      return where + ". One case is the complement of its base case, and its triangles were not turned over: the two "
-                     "triangles at this edge face opposite sides, and one is invisible once back faces are culled.";
+      return where +
+             ". One case is the complement of its base case, and its triangles were not turned over: the two "
+             "triangles at this edge face opposite sides, and one is invisible once back faces are culled.";
     case DefectKind::nonmanifold:
       return where + ". More than two triangles meet in this edge.";
   }

@@ -21,7 +21,7 @@ class FieldSampler {
 
   Field run() {
     Field field{structure_, std::vector<double>(grid_.size(), limits::empty_value)};
-    constexpr double signs_share = 0.2;   // of the time, roughly
+    constexpr double signs_share = 0.2;  // of the time, roughly
     distance::for_each_layer(grid_.layers.size(), stage, Share{0, signs_share}, progress_, [&](std::size_t k) {
       if (is_empty(k)) return;
       distance::sample_signs(slice(k), structure_, grid_, signs_of(k));
@@ -38,7 +38,8 @@ class FieldSampler {
   bool is_empty(std::size_t layer) const {
     if (!grid_.layers[layer].slice) return true;
     const auto& contours = slice(layer).contours;
-    return std::none_of(contours.begin(), contours.end(), [this](const Contour& c) { return c.structure == structure_; });
+    return std::none_of(contours.begin(), contours.end(),
+                        [this](const Contour& c) { return c.structure == structure_; });
   }
   std::span<std::int8_t> signs_of(std::size_t layer) {
     return std::span(signs_).subspan(layer * grid_.layer_size(), grid_.layer_size());
@@ -46,7 +47,8 @@ class FieldSampler {
 
   void fill_layer(std::size_t layer, std::span<double> values) {
     const std::span<const std::int8_t> signs = signs_of(layer);
-    std::transform(signs.begin(), signs.end(), values.begin(), [](std::int8_t sign) { return sign * limits::empty_value; });
+    std::transform(signs.begin(), signs.end(), values.begin(),
+                   [](std::int8_t sign) { return sign * limits::empty_value; });
     if (kind_ == FieldKind::sign) return;
     std::vector<std::uint8_t> wanted(values.size(), kind_ == FieldKind::signed_distance ? 1 : 0);
     if (kind_ == FieldKind::hybrid) {

@@ -31,7 +31,8 @@ Axis axis_over(const Bounds& bounds, std::size_t points) {
   bool apart = spacing > 0 && axis.origin < bounds.low && last > bounds.high;
   // Rounding is coarsest at the end that is farthest from zero, and each end is one.
   for (const std::size_t i : {std::size_t{0}, points - 2}) {
-    apart = apart && axis.origin + static_cast<double>(i) * spacing < axis.origin + static_cast<double>(i + 1) * spacing;
+    apart =
+        apart && axis.origin + static_cast<double>(i) * spacing < axis.origin + static_cast<double>(i + 1) * spacing;
   }
   if (apart) return axis;
   throw UsageError(fmt::format("a grid of {} points is finer than numbers near {} can tell apart", points, bounds.low),
@@ -64,9 +65,9 @@ void add_splits(std::vector<GridLayer>& layers, const std::vector<double>& split
     const auto above = std::lower_bound(layers.begin(), layers.end(), z,
                                         [](const GridLayer& layer, double height) { return layer.z < height; });
     if (above->z == z) {
-      throw UsageError(fmt::format("a split at z = {}, where there is {} already", z,
-                                   above->slice ? "a slice" : "a split"),
-                       "Give a height between two slices, each only once");
+      throw UsageError(
+          fmt::format("a split at z = {}, where there is {} already", z, above->slice ? "a slice" : "a split"),
+          "Give a height between two slices, each only once");
     }
     layers.insert(above, {z, std::nullopt});
   }

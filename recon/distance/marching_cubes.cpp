@@ -16,7 +16,8 @@ namespace {
 using distance::Share;
 constexpr std::string_view stage = "marching cubes";
 
-/// Four corners of a cell on one column, as bits of its case: (y, z) at bit 2 y + 4 z, for x = 0; shifted by one for x = 1.
+/// Four corners of a cell on one column, as bits of its case: (y, z) at bit 2 y + 4 z, for x = 0; shifted by one for x
+/// = 1.
 class CaseRow {
  public:
   CaseRow(const Grid& grid, const Field& field) : grid_(grid), field_(field), bits_(grid.columns) {}
@@ -50,9 +51,11 @@ class Marcher {
 
   MarchedSurface run() {
     constexpr double count_share = 0.3;
-    distance::for_each_layer(grid_.layers.size(), stage, Share{0, count_share}, progress_, [this](std::size_t k) { count(k); });
+    distance::for_each_layer(grid_.layers.size(), stage, Share{0, count_share}, progress_,
+                             [this](std::size_t k) { count(k); });
     number();
-    distance::for_each_layer(grid_.layers.size(), stage, Share{count_share, 1}, progress_, [this](std::size_t k) { fill(k); });
+    distance::for_each_layer(grid_.layers.size(), stage, Share{count_share, 1}, progress_,
+                             [this](std::size_t k) { fill(k); });
     return std::move(surface_);
   }
 
@@ -60,7 +63,8 @@ class Marcher {
   bool inside(std::size_t index) const { return field_.values[index] < 0; }
   bool last(std::size_t layer) const { return layer + 1 == grid_.layers.size(); }
 
-  /// Calls visit(edge, point index of its far end) for each crossed edge that starts on the layer along the given axes, in order.
+  /// Calls visit(edge, point index of its far end) for each crossed edge that starts on the layer along the given axes,
+  /// in order.
   template <class Visit>
   void crossed_edges(std::size_t layer, int first_axis, int last_axis, Visit visit) const {
     const std::array<std::size_t, 3> step{1, grid_.columns, grid_.layer_size()};
@@ -70,7 +74,8 @@ class Marcher {
         for (int axis = first_axis; axis <= last_axis; ++axis) {
           if ((axis == 0 && column + 1 == grid_.columns) || (axis == 1 && row + 1 == grid_.rows)) continue;
           if (inside(here) == inside(here + step[axis])) continue;
-          visit(GridEdge{{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(layer)},
+          visit(GridEdge{{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row),
+                          static_cast<std::uint32_t>(layer)},
                          static_cast<std::uint8_t>(axis)},
                 here, here + step[axis]);
         }
@@ -86,7 +91,8 @@ class Marcher {
     CaseRow row_of_cases(grid_, field_);
     for (std::size_t row = 0; row + 1 < grid_.rows; ++row) {
       row_of_cases.read(row, layer);
-      for (std::size_t column = 0; column + 1 < grid_.columns; ++column) counts.triangles += cases_[row_of_cases.at(column)].count;
+      for (std::size_t column = 0; column + 1 < grid_.columns; ++column)
+        counts.triangles += cases_[row_of_cases.at(column)].count;
     }
   }
 
@@ -100,8 +106,9 @@ class Marcher {
       triangles += here.triangles;
     }
     if (triangles > limits::triangles || points >= std::numeric_limits<PointIndex>::max()) {
-      throw UsageError(fmt::format("the grid gives a surface of {} triangles, more than {}", triangles, limits::triangles),
-                       "Use a coarser grid");
+      throw UsageError(
+          fmt::format("the grid gives a surface of {} triangles, more than {}", triangles, limits::triangles),
+          "Use a coarser grid");
     }
     surface_.mesh.points.resize(points);
     surface_.edge_of_point.resize(points);
@@ -124,7 +131,8 @@ class Marcher {
     std::array<std::vector<PointIndex>, 3> along;
   };
 
-  void number_edges(std::size_t layer, int first_axis, int last_axis, std::size_t first, bool place, PointNumbers& numbers) {
+  void number_edges(std::size_t layer, int first_axis, int last_axis, std::size_t first, bool place,
+                    PointNumbers& numbers) {
     for (int axis = first_axis; axis <= last_axis; ++axis) numbers.along[axis].resize(grid_.layer_size());
     std::size_t next = first;
     crossed_edges(layer, first_axis, last_axis, [&](const GridEdge& edge, std::size_t from, std::size_t to) {
@@ -185,7 +193,8 @@ void check_border(const Grid& grid, const Field& field) {
     const bool end = layer == 0 || layer + 1 == grid.layers.size();
     for (std::size_t row = 0; row < grid.rows; ++row) {
       const std::size_t step = end || row == 0 || row + 1 == grid.rows ? 1 : grid.columns - 1;
-      for (std::size_t column = 0; column < grid.columns; column += step) leaves = leaves || negative(column, row, layer);
+      for (std::size_t column = 0; column < grid.columns; column += step)
+        leaves = leaves || negative(column, row, layer);
     }
   }
   if (leaves) throw InternalError("the surface leaves the grid");
@@ -201,7 +210,8 @@ MarchedSurface march(const Grid& grid, const Field& field, CaseTable table, cons
 CaseNumber case_at(const Grid& grid, const Field& field, const GridPlace& cell) {
   unsigned bits = 0;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const std::size_t index = grid.index(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1));
+    const std::size_t index =
+        grid.index(cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1));
     bits |= static_cast<unsigned>(field.values[index] < 0) << corner;
   }
   return static_cast<CaseNumber>(bits);

@@ -1,5 +1,6 @@
 #pragma once
-// Work on numbered layers, each independent of the others, in the caller's TBB arena. For the .cpp files of this room only.
+// Work on numbered layers, each independent of the others, in the caller's TBB arena. For the .cpp files of this room
+// only.
 
 #include <tbb/parallel_for.h>
 
@@ -11,7 +12,8 @@
 
 namespace odontoscope::distance {
 
-/// Calls work(i) for i in [0, count); tells how much of [from, to] of the stage is done, and throws Cancelled once asked to stop.
+/// Calls work(i) for i in [0, count); tells how much of [from, to] of the stage is done, and throws Cancelled once
+/// asked to stop.
 struct Share {
   double from = 0, to = 1;
 };

@@ -41,7 +41,8 @@ std::size_t first_from(double value, double guess, std::size_t count, PlaceOf pl
 
 class SignSampler {
  public:
-  SignSampler(const Grid& grid, std::span<std::int8_t> signs) : grid_(grid), signs_(signs), flips_(signs.size(), 0), on_(signs.size(), 0) {}
+  SignSampler(const Grid& grid, std::span<std::int8_t> signs)
+      : grid_(grid), signs_(signs), flips_(signs.size(), 0), on_(signs.size(), 0) {}
 
   void add(const Point2& a, const Point2& b) {
     mark_point(a);
@@ -70,7 +71,8 @@ class SignSampler {
     return first_from(y, (y - grid_.y0) / grid_.dy, grid_.rows, [this](std::size_t row) { return grid_.y(row); });
   }
   std::size_t first_column(double x) const {
-    return first_from(x, (x - grid_.x0) / grid_.dx, grid_.columns, [this](std::size_t column) { return grid_.x(column); });
+    return first_from(x, (x - grid_.x0) / grid_.dx, grid_.columns,
+                      [this](std::size_t column) { return grid_.x(column); });
   }
 
   void mark_point(const Point2& p) {
@@ -110,7 +112,7 @@ class SignSampler {
 
 struct Segment {
   Point2 from;
-  double dx, dy, per_length2;   // per_length2: 1 / length^2
+  double dx, dy, per_length2;  // per_length2: 1 / length^2
 
   double squared_distance(double x, double y) const {
     const double px = x - from.x, py = y - from.y;
@@ -121,7 +123,7 @@ struct Segment {
 };
 
 struct Block {
-  std::size_t left, right, low, high;   // columns [left, right), rows [low, high)
+  std::size_t left, right, low, high;  // columns [left, right), rows [low, high)
 };
 
 class DistanceSampler {
@@ -134,8 +136,8 @@ class DistanceSampler {
       // Points are distinct, but the square of their distance may underflow: then the edge is as good as its end.
       segments_.push_back({a, dx, dy, length2 > 0 && std::isfinite(1 / length2) ? 1 / length2 : 0});
     });
-    slack_ = limits::distance_slack * std::hypot(grid.dx * static_cast<double>(grid.columns),
-                                                 grid.dy * static_cast<double>(grid.rows));
+    slack_ = limits::distance_slack *
+             std::hypot(grid.dx * static_cast<double>(grid.columns), grid.dy * static_cast<double>(grid.rows));
   }
 
   void run() {
@@ -167,7 +169,8 @@ class DistanceSampler {
       squared[i] = segments_[candidates[i]].squared_distance(x, y);
       least = std::min(least, squared[i]);
     }
-    // A point of the block has its nearest edge within least + radius, and that edge is at most a radius farther from the centre.
+    // A point of the block has its nearest edge within least + radius, and that edge is at most a radius farther from
+    // the centre.
     const double reach = std::sqrt(least) + 2 * radius + slack_;
     std::vector<std::uint32_t> kept;
     for (std::size_t i = 0; i < candidates.size(); ++i) {

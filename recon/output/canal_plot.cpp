@@ -19,12 +19,15 @@ class Plot {
   }
 
   std::string text() const {
-    std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-                                  "font-family=\"system-ui,sans-serif\" font-size=\"14\">\n"
-                                  "<rect width=\"{0}\" height=\"{1}\" fill=\"#fdfcf9\"/>\n",
-                                  width, height);
-    svg += fmt::format("<text x=\"{}\" y=\"26\" font-size=\"17\">A canal of {} mm in a tooth of 10 mm: where is it still open?</text>\n", left,
-                       experiment_.tooth.canal);
+    std::string svg = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
+        "font-family=\"system-ui,sans-serif\" font-size=\"14\">\n"
+        "<rect width=\"{0}\" height=\"{1}\" fill=\"#fdfcf9\"/>\n",
+        width, height);
+    svg += fmt::format(
+        "<text x=\"{}\" y=\"26\" font-size=\"17\">A canal of {} mm in a tooth of 10 mm: where is it still "
+        "open?</text>\n",
+        left, experiment_.tooth.canal);
     return svg + axes() + dt_line() + db_dots() + legend() + "</svg>\n";
   }
 
@@ -38,23 +41,29 @@ class Plot {
   std::string axes() const {
     std::string svg;
     for (int percent = 0; percent <= 100; percent += 25) {
-      svg += fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#e2ded2\"/>"
-                         "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}%</text>\n",
-                         left, width - right, y(percent / 100.0), left - 8, y(percent / 100.0) + 5, percent);
+      svg += fmt::format(
+          "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#e2ded2\"/>"
+          "<text x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}%</text>\n",
+          left, width - right, y(percent / 100.0), left - 8, y(percent / 100.0) + 5, percent);
     }
     const double step = std::max(1.0, std::pow(2.0, std::floor(std::log2(largest_ / 5))));
     for (double grid = step; grid <= largest_; grid += step) {
-      svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x(grid), height - bottom + 20, grid);
+      svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", x(grid),
+                         height - bottom + 20, grid);
     }
-    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">grid points along x and y</text>\n", (left + width - right) / 2,
-                       height - 14);
-    return svg + fmt::format("<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">slices with the canal open</text>\n",
-                             (top + height - bottom) / 2);
+    svg += fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">grid points along x and y</text>\n",
+                       (left + width - right) / 2, height - 14);
+    return svg + fmt::format(
+                     "<text transform=\"translate(18 {}) rotate(-90)\" text-anchor=\"middle\">slices with the canal "
+                     "open</text>\n",
+                     (top + height - bottom) / 2);
   }
 
   std::string dt_line() const {
-    return fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\" stroke-width=\"3\"{4}/>\n", left, width - right,
-                       y(share(experiment_.dt)), dt_colour, experiment_.dt.open_through ? "" : " stroke-dasharray=\"6 6\"");
+    return fmt::format(
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\" stroke-width=\"3\"{4}/>\n", left,
+        width - right, y(share(experiment_.dt)), dt_colour,
+        experiment_.dt.open_through ? "" : " stroke-dasharray=\"6 6\"");
   }
 
   std::string db_dots() const {
@@ -62,22 +71,30 @@ class Plot {
     for (const CanalResult& result : experiment_.db) {
       const double px = x(static_cast<double>(result.grid)), py = y(share(result));
       line += fmt::format("{:.1f},{:.1f} ", px, py);
-      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"><title>grid {}: open in {} of "
-                         "{} slices, genus {}, {} surfaces</title></circle>\n",
-                         px, py, result.open_through ? db_colour : "#fdfcf9", db_colour, result.grid, result.open_slices,
-                         experiment_.slices, result.genus, result.surfaces);
+      svg += fmt::format(
+          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\" fill=\"{}\" stroke=\"{}\" stroke-width=\"2\"><title>grid {}: "
+          "open in {} of "
+          "{} slices, genus {}, {} surfaces</title></circle>\n",
+          px, py, result.open_through ? db_colour : "#fdfcf9", db_colour, result.grid, result.open_slices,
+          experiment_.slices, result.genus, result.surfaces);
     }
-    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.45\"/>\n", line, db_colour) + svg;
+    return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-opacity=\"0.45\"/>\n", line,
+                       db_colour) +
+           svg;
   }
 
   std::string legend() const {
     constexpr double row = 46;
-    return fmt::format("<line x1=\"{0}\" x2=\"{1}\" y1=\"{2}\" y2=\"{2}\" stroke=\"{3}\" stroke-width=\"3\"/><text x=\"{4}\" y=\"{5}\">DT: {6}</text>\n"
-                       "<circle cx=\"{7}\" cy=\"{2}\" r=\"5\" fill=\"{8}\" stroke=\"{8}\" stroke-width=\"2\"/><text x=\"{9}\" y=\"{5}\">DB, open all the way</text>\n"
-                       "<circle cx=\"{10}\" cy=\"{2}\" r=\"5\" fill=\"#fdfcf9\" stroke=\"{8}\" stroke-width=\"2\"/><text x=\"{11}\" y=\"{5}\">DB, closed somewhere</text>\n",
-                       left, left + 28, row, dt_colour, left + 36, row + 5,
-                       experiment_.dt.open_through ? "open all the way" : "closed somewhere", left + 210, db_colour, left + 222, left + 410,
-                       left + 422);
+    return fmt::format(
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2}\" y2=\"{2}\" stroke=\"{3}\" stroke-width=\"3\"/><text x=\"{4}\" "
+        "y=\"{5}\">DT: {6}</text>\n"
+        "<circle cx=\"{7}\" cy=\"{2}\" r=\"5\" fill=\"{8}\" stroke=\"{8}\" stroke-width=\"2\"/><text x=\"{9}\" "
+        "y=\"{5}\">DB, open all the way</text>\n"
+        "<circle cx=\"{10}\" cy=\"{2}\" r=\"5\" fill=\"#fdfcf9\" stroke=\"{8}\" stroke-width=\"2\"/><text x=\"{11}\" "
+        "y=\"{5}\">DB, closed somewhere</text>\n",
+        left, left + 28, row, dt_colour, left + 36, row + 5,
+        experiment_.dt.open_through ? "open all the way" : "closed somewhere", left + 210, db_colour, left + 222,
+        left + 410, left + 422);
   }
 
   const CanalExperiment& experiment_;

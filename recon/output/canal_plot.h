@@ -7,7 +7,8 @@
 
 namespace odontoscope {
 
-/// SVG: over the grid's size the share of slices in which the canal is open, filled dots where it is open all the way; DT as a line.
+/// SVG: over the grid's size the share of slices in which the canal is open, filled dots where it is open all the way;
+/// DT as a line.
 std::string canal_plot(const CanalExperiment& experiment);
 
 }  // namespace odontoscope

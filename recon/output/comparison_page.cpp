@@ -7,17 +7,26 @@
 namespace odontoscope {
 namespace {
 
-constexpr const char* colours[] = {"#2a7f62", "#c8553d", "#d99a2b"};   // DT, DB, DB decimated
+constexpr const char* colours[] = {"#2a7f62", "#c8553d", "#d99a2b"};  // DT, DB, DB decimated
 
 std::string escaped(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '&': result += "&amp;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
@@ -66,12 +75,13 @@ std::string main_table(const Comparison& comparison) {
 
 std::string distance_table(const Comparison& comparison) {
   std::string html =
-      "<table><thead><tr><th>surfaces</th><th>mean there</th><th>most there</th><th>mean back</th><th>most back</th></tr></thead><tbody>\n";
+      "<table><thead><tr><th>surfaces</th><th>mean there</th><th>most there</th><th>mean back</th><th>most "
+      "back</th></tr></thead><tbody>\n";
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
     html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
-                        escaped(comparison.methods[pair.first].name), escaped(comparison.methods[pair.second].name), d.there.mean,
-                        d.there.largest, d.back.mean, d.back.largest);
+                        escaped(comparison.methods[pair.first].name), escaped(comparison.methods[pair.second].name),
+                        d.there.mean, d.there.largest, d.back.mean, d.back.largest);
   }
   return html + "</tbody></table>\n";
 }
@@ -85,23 +95,26 @@ std::string angle_chart(const ComparedMethod& method, const char* colour) {
     most = std::max(most, count);
   }
   constexpr double width = 320, height = 150, base = 120;
-  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"smallest angles of {}\">\n", width, height,
-                                escaped(method.name));
+  std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"smallest angles of {}\">\n",
+                                width, height, escaped(method.name));
   const double bar = width / static_cast<double>(std::max<std::size_t>(angles.histogram.size(), 1));
   for (std::size_t i = 0; i < angles.histogram.size(); ++i) {
     const double tall = (base - 20) * static_cast<double>(angles.histogram[i]) / static_cast<double>(most);
     const double percent = all > 0 ? 100.0 * static_cast<double>(angles.histogram[i]) / static_cast<double>(all) : 0;
     const double x = bar * static_cast<double>(i);
-    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", x + 2, base - tall, bar - 4, tall,
-                       colour);
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}%</text>", x + bar / 2, base - tall - 4,
-                       percent);
-    const double from = angles.histogram_low +
-                        (angles.histogram_high - angles.histogram_low) * static_cast<double>(i) / static_cast<double>(angles.histogram.size());
-    svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}</text>\n", x + 6, base + 14, from);
+    svg += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>", x + 2,
+                       base - tall, bar - 4, tall, colour);
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}%</text>",
+                       x + bar / 2, base - tall - 4, percent);
+    const double from = angles.histogram_low + (angles.histogram_high - angles.histogram_low) * static_cast<double>(i) /
+                                                   static_cast<double>(angles.histogram.size());
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{}\" font-size=\"10\" text-anchor=\"middle\">{:.0f}</text>\n", x + 6,
+                       base + 14, from);
   }
-  return svg + fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\">smallest angle of a triangle, degrees</text></svg>\n",
-                           width / 2, height - 3);
+  return svg + fmt::format(
+                   "<text x=\"{}\" y=\"{}\" font-size=\"11\" text-anchor=\"middle\">smallest angle of a triangle, "
+                   "degrees</text></svg>\n",
+                   width / 2, height - 3);
 }
 
 std::string charts(const Comparison& comparison) {
@@ -124,8 +137,9 @@ std::string pictures(const Comparison& comparison) {
     for (const ComparedMethod& method : comparison.methods) {
       if (n >= method.pictures.size()) continue;
       const MethodPicture& picture = method.pictures[n];
-      html += fmt::format("<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}: {}</figcaption></figure>\n",
-                          escaped(picture.caption), base64(picture.png), escaped(method.name), escaped(picture.caption));
+      html += fmt::format(
+          "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}: {}</figcaption></figure>\n",
+          escaped(picture.caption), base64(picture.png), escaped(method.name), escaped(picture.caption));
     }
     html += "</div>\n";
   }
@@ -136,17 +150,22 @@ std::string pictures(const Comparison& comparison) {
 
 std::string comparison_page(const Comparison& comparison) {
   const std::string title = comparison.source.empty() ? std::string("contours") : escaped(comparison.source);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-                     "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
   html += fmt::format("<title>DT and DB of {}</title><style>{}</style></head><body>\n", title, style);
-  html += fmt::format("<h1>DT and DB of {}</h1>\n<p class=\"small\">{} slices, {} contours, {} points. DB: grid of {} x {} points in {} "
-                      "layers, field {}, table {}. {} thread{}.</p>\n",
-                      title, comparison.slices, comparison.contours, comparison.points, comparison.grid.columns, comparison.grid.rows,
-                      comparison.grid.layers.size(), name(comparison.field), name(comparison.cases), comparison.threads,
-                      comparison.threads == 1 ? "" : "s");
+  html += fmt::format(
+      "<h1>DT and DB of {}</h1>\n<p class=\"small\">{} slices, {} contours, {} points. DB: grid of {} x {} points in "
+      "{} "
+      "layers, field {}, table {}. {} thread{}.</p>\n",
+      title, comparison.slices, comparison.contours, comparison.points, comparison.grid.columns, comparison.grid.rows,
+      comparison.grid.layers.size(), name(comparison.field), name(comparison.cases), comparison.threads,
+      comparison.threads == 1 ? "" : "s");
   html += main_table(comparison);
-  html += "<p class=\"small\">DT passes through the contours by proof; what is measured above is the rounding of the measurement. A section "
-          "counts as lost if, at its widest place, the model has void for material or material for void.</p>\n";
+  html +=
+      "<p class=\"small\">DT passes through the contours by proof; what is measured above is the rounding of the "
+      "measurement. A section "
+      "counts as lost if, at its widest place, the model has void for material or material for void.</p>\n";
   html += pictures(comparison);
   html += fmt::format("<h2>How far apart, mm</h2>\n{}", distance_table(comparison));
   html += fmt::format("<h2>How even the triangles are</h2>\n{}", charts(comparison));

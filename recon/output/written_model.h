@@ -13,14 +13,14 @@ namespace odontoscope {
 struct WrittenSurface {
   const std::string& structure;
   const SurfaceMesh& surface;
-  const SurfaceReport& report;   // of `surface`
+  const SurfaceReport& report;  // of `surface`
 };
 
 /// Lives no longer than the model that it was made of.
 struct WrittenModel {
   std::vector<WrittenSurface> solids;
-  bool certified = false;           // by the engine; a writer still looks at the reports
-  std::size_t slices_checked = 0;   // whose section was proven; 0 for DB, which proves none
+  bool certified = false;          // by the engine; a writer still looks at the reports
+  std::size_t slices_checked = 0;  // whose section was proven; 0 for DB, which proves none
 
   WrittenModel() = default;
   WrittenModel(const Reconstruction& made) : certified(made.certified), slices_checked(made.slices_checked) {

@@ -50,7 +50,8 @@ TEST(Compare, HasARowOfEachMeasureForEachMethod) {
   const std::vector<ComparisonRow> rows = comparison_rows(comparison);
   EXPECT_GE(rows.size(), 20u);
   for (const ComparisonRow& row : rows) EXPECT_EQ(row.values.size(), 3u) << row.what;
-  EXPECT_EQ(rows[1].values, (std::vector<std::string>{"yes", "no", comparison.methods[2].report.closed_oriented_manifold() ? "yes" : "no"}));
+  EXPECT_EQ(rows[1].values, (std::vector<std::string>{
+                                "yes", "no", comparison.methods[2].report.closed_oriented_manifold() ? "yes" : "no"}));
 }
 
 /// The report less what differs between runs.
@@ -88,8 +89,8 @@ TEST(ComparisonPage, StandsAloneAndHoldsThePicturesThatItIsGiven) {
   comparison.methods[1].pictures.push_back({{'M', 'a'}, "a < b"});
   comparison.methods[2].pictures.push_back({{'M'}, "c"});
   const std::string page = comparison_page(comparison);
-  for (const char* held : {"data:image/png;base64,TWFu\"", "base64,TWE=\"", "base64,TQ==\"", "from the side", "a &lt; b",
-                           "&lt;script&gt;&amp;&quot;", "boundary edges", "<svg"}) {
+  for (const char* held : {"data:image/png;base64,TWFu\"", "base64,TWE=\"", "base64,TQ==\"", "from the side",
+                           "a &lt; b", "&lt;script&gt;&amp;&quot;", "boundary edges", "<svg"}) {
     EXPECT_NE(page.find(held), std::string::npos) << held;
   }
   EXPECT_EQ(page.find("<script>"), std::string::npos);

@@ -33,7 +33,7 @@ TEST(Sections, FollowTheSurfaceJustBelowAndJustAboveThePlane) {
   const auto cuts = sections(box(), {1, 0, 2, 5});
   EXPECT_NEAR(whole_length(cuts[0].below), 14, 1e-12);
   EXPECT_NEAR(whole_length(cuts[0].above), 14, 1e-12);
-  EXPECT_EQ(whole_length(cuts[1].below), 0);   // it begins here
+  EXPECT_EQ(whole_length(cuts[1].below), 0);  // it begins here
   EXPECT_NEAR(whole_length(cuts[1].above), 14, 1e-12);
   EXPECT_NEAR(whole_length(cuts[2].below), 14, 1e-12);
   EXPECT_EQ(whole_length(cuts[2].above), 0);
@@ -42,8 +42,8 @@ TEST(Sections, FollowTheSurfaceJustBelowAndJustAboveThePlane) {
 
 TEST(Sections, TellMaterialFromVoidDespiteACrackAndWhateverTheOrientation) {
   SurfaceMesh mesh = box();
-  mesh.triangles.pop_back();                                  // a hole in one wall
-  std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);      // and a triangle turned over
+  mesh.triangles.pop_back();                              // a hole in one wall
+  std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);  // and a triangle turned over
   const Section cut = sections(mesh, {1})[0];
   EXPECT_TRUE(is_material(cut, {2, 1.5}));
   EXPECT_FALSE(is_material(cut, {-1, 1.5}));
@@ -52,16 +52,18 @@ TEST(Sections, TellMaterialFromVoidDespiteACrackAndWhateverTheOrientation) {
 
 TEST(Passages, AreAsWideAsTheLargestCircleThatFits) {
   // A disc of radius 3 with a hole of radius 1 off its middle, and a square island in a square hole.
-  const ContourStack stack = ordered(stack_of({{circle(3), circle(1, {1.2, 0})},
-                                               {rectangle({0, 0}, {9, 9}), rectangle({1, 1}, {8, 8}), rectangle({3, 2.5}, {6, 5.5})}})).stack;
+  const ContourStack stack =
+      ordered(stack_of({{circle(3), circle(1, {1.2, 0})},
+                        {rectangle({0, 0}, {9, 9}), rectangle({1, 1}, {8, 8}), rectangle({3, 2.5}, {6, 5.5})}}))
+          .stack;
   const std::vector<Passage> all = passages(stack, "tooth");
   ASSERT_EQ(all.size(), 5u);
-  EXPECT_NEAR(all[0].width, 3.2, 0.07);   // between the disc's far side and the hole
+  EXPECT_NEAR(all[0].width, 3.2, 0.07);  // between the disc's far side and the hole
   EXPECT_FALSE(all[0].hole);
   EXPECT_NEAR(all[1].width, 2, 0.03);
   EXPECT_TRUE(all[1].hole);
   EXPECT_NEAR(all[1].middle.x, 1.2, 0.05);
-  EXPECT_NEAR(all[2].width, 1.17, 0.1);    // in a corner: 1 wide, and r (1 + sqrt 2) to the hole's corner
+  EXPECT_NEAR(all[2].width, 1.17, 0.1);  // in a corner: 1 wide, and r (1 + sqrt 2) to the hole's corner
   EXPECT_TRUE(all[3].hole);
   EXPECT_NEAR(all[4].width, 3, 0.04);
   EXPECT_FALSE(all[4].hole);
@@ -85,14 +87,15 @@ TEST(ContourFit, OfDtIsPerfectForEveryShape) {
 }
 
 TEST(ContourFit, MeasuresHowFarASurfaceIsOff) {
-  const ContourStack stack = ordered(stack_of({{rectangle({0, 0}, {4, 3})}, {rectangle({0, 0}, {4, 3})}, {rectangle({0, 0}, {4, 3})}})).stack;
-  SurfaceMesh wider;   // the box, 0.1 beyond on all sides in the plane, from -1 to 3 along z
+  const ContourStack stack =
+      ordered(stack_of({{rectangle({0, 0}, {4, 3})}, {rectangle({0, 0}, {4, 3})}, {rectangle({0, 0}, {4, 3})}})).stack;
+  SurfaceMesh wider;  // the box, 0.1 beyond on all sides in the plane, from -1 to 3 along z
   wider = box();
   for (Point3& p : wider.points) p = {p.x > 0 ? 4.1 : -0.1, p.y > 0 ? 3.1 : -0.1, p.z > 0 ? 3.0 : -1.0};
   const ContourFit fit = contour_fit(stack, "tooth", wider);
   EXPECT_NEAR(fit.contours_to_surface.largest, 0.1, 1e-12);
   EXPECT_NEAR(fit.contours_to_surface.mean, 0.1, 1e-12);
-  EXPECT_NEAR(fit.section_to_contours.largest, 0.1 * std::sqrt(2), 1e-12);   // in the corners
+  EXPECT_NEAR(fit.section_to_contours.largest, 0.1 * std::sqrt(2), 1e-12);  // in the corners
   EXPECT_NEAR(fit.section_to_contours.mean, 0.1, 1e-3);
   const ContourFit at_corners = contour_fit(stack, "tooth", wider, {.samples = 0});
   EXPECT_NEAR(at_corners.contours_to_surface.largest, 0.1, 1e-12);

@@ -67,7 +67,8 @@ TEST(Cases, UseEveryCutEdgeAndNoOther) {
   for (const CaseTable table : tables) {
     for (int cell = 0; cell < 256; ++cell) {
       std::set<int> used;
-      for (const auto& triangle : cell_triangles(table)[cell].triangles()) used.insert(triangle.begin(), triangle.end());
+      for (const auto& triangle : cell_triangles(table)[cell].triangles())
+        used.insert(triangle.begin(), triangle.end());
       for (CellEdge edge = 0; edge < 12; ++edge) {
         EXPECT_EQ(used.contains(edge), is_cut(cell, edge)) << name(table) << " case " << cell << " edge " << int(edge);
       }
@@ -81,8 +82,10 @@ std::vector<std::pair<int, int>> open_sides(const CellTriangles& cell) {
   for (const auto& t : cell.triangles()) {
     for (int i = 0; i < 3; ++i) {
       const auto partner = sides.find({t[(i + 1) % 3], t[i]});
-      if (partner != sides.end()) sides.erase(partner);
-      else sides.insert({t[i], t[(i + 1) % 3]});
+      if (partner != sides.end())
+        sides.erase(partner);
+      else
+        sides.insert({t[i], t[(i + 1) % 3]});
     }
   }
   return {sides.begin(), sides.end()};
@@ -106,7 +109,8 @@ TEST(Cases, FacesCarryOneSegmentIfCutAndTwoIfAmbiguous) {
         const auto edges = edges_of(face);
         const auto cut = std::count_if(edges.begin(), edges.end(), [&](CellEdge e) { return is_cut(cell, e); });
         EXPECT_EQ(is_ambiguous(static_cast<CaseNumber>(cell), face), cut == 4);
-        EXPECT_EQ(face_segments(cell_triangles(table)[cell], face).size(), std::size_t(cut / 2)) << name(table) << " case " << cell;
+        EXPECT_EQ(face_segments(cell_triangles(table)[cell], face).size(), std::size_t(cut / 2))
+            << name(table) << " case " << cell;
       }
     }
   }
@@ -133,7 +137,8 @@ int wrongly_turned(CaseTable table) {
   for (int cell = 0; cell < 256; ++cell) {
     for (const auto& t : cell_triangles(table)[cell].triangles()) {
       const Vector normal = cross(minus(middle(t[1]), middle(t[0])), minus(middle(t[2]), middle(t[0])));
-      double votes = 0;   // of the cut edges at its corners: the normal must point from inside to outside along all of them, in sum
+      double votes =
+          0;  // of the cut edges at its corners: the normal must point from inside to outside along all of them, in sum
       for (const CellEdge edge : t) {
         auto [from, to] = corners_of(edge);
         if ((cell >> from & 1) == 0) std::swap(from, to);
@@ -159,16 +164,18 @@ TEST(Cases, FollowFromTheFifteenBaseCases) {
   std::map<int, int> by_base;
   for (const CellTriangles& cell : cell_triangles(CaseTable::classic)) ++by_base[cell.base];
   // Sizes of the classes of the 256 cases under rotation and complement; they sum up to 256.
-  const std::map<int, int> sizes{{0, 2},  {1, 16}, {2, 24}, {3, 24}, {4, 8},   {5, 48},  {6, 48}, {7, 16},
-                                 {8, 6},  {9, 8},  {10, 6}, {11, 12}, {12, 24}, {13, 2}, {14, 12}};
+  const std::map<int, int> sizes{{0, 2}, {1, 16}, {2, 24}, {3, 24},  {4, 8},   {5, 48}, {6, 48}, {7, 16},
+                                 {8, 6}, {9, 8},  {10, 6}, {11, 12}, {12, 24}, {13, 2}, {14, 12}};
   EXPECT_EQ(by_base, sizes);
 }
 
 TEST(Cases, ConsistentDiffersFromClassicWhereAComplementHasAnAmbiguousFaceOnly) {
   for (int cell = 0; cell < 256; ++cell) {
     bool ambiguous = false;
-    for (CellFace face = 0; face < 6; ++face) ambiguous = ambiguous || is_ambiguous(static_cast<CaseNumber>(cell), face);
-    const bool differs = cell_triangles(CaseTable::classic)[cell].edges != cell_triangles(CaseTable::consistent)[cell].edges;
+    for (CellFace face = 0; face < 6; ++face)
+      ambiguous = ambiguous || is_ambiguous(static_cast<CaseNumber>(cell), face);
+    const bool differs =
+        cell_triangles(CaseTable::classic)[cell].edges != cell_triangles(CaseTable::consistent)[cell].edges;
     EXPECT_EQ(differs, ambiguous && std::popcount(unsigned(cell)) > 4) << cell;
   }
 }

@@ -34,7 +34,8 @@ TEST(Db, TellsTheTruthAboutItsSurfaces) {
   const DbReconstruction classic = reconstruct_by_distance(corners_under_a_block(), with(48, CaseTable::classic));
   EXPECT_FALSE(classic.certified);
   EXPECT_GT(classic.surfaces.at(0).report.boundary_edges, 0u);
-  const DbReconstruction unoriented = reconstruct_by_distance(corners_under_a_block(), with(48, CaseTable::classic_unoriented));
+  const DbReconstruction unoriented =
+      reconstruct_by_distance(corners_under_a_block(), with(48, CaseTable::classic_unoriented));
   EXPECT_FALSE(unoriented.certified);
   EXPECT_GT(unoriented.surfaces.at(0).report.misoriented_edges, 0u);
 }
@@ -44,7 +45,8 @@ TEST(Db, TakesAnyNamedShape) {
     SCOPED_TRACE(shape.name);
     const DbReconstruction result = reconstruct_by_distance(shape.stack, with(24, CaseTable::consistent));
     const SurfaceReport& report = result.surfaces.at(0).report;
-    EXPECT_EQ(report.boundary_edges + report.nonmanifold_edges + report.misoriented_edges + report.nonmanifold_vertices, 0u);
+    EXPECT_EQ(report.boundary_edges + report.nonmanifold_edges + report.misoriented_edges + report.nonmanifold_vertices,
+              0u);
   }
 }
 
@@ -52,7 +54,7 @@ TEST(Db, ASplitEndsWhatItParts) {
   DbOptions options = with(32, CaseTable::consistent);
   const ContourStack column = stack_of({{circle(2)}, {circle(2)}, {circle(2)}, {circle(2)}});
   EXPECT_EQ(reconstruct_by_distance(column, options).surfaces.at(0).report.shells.size(), 1u);
-  options.grid.splits = {1.25};   // between the last two of 0, 0.5, 1, 1.5
+  options.grid.splits = {1.25};  // between the last two of 0, 0.5, 1, 1.5
   const DbReconstruction split = reconstruct_by_distance(column, options);
   EXPECT_EQ(split.surfaces.at(0).report.shells.size(), 2u);
   EXPECT_TRUE(split.certified);
@@ -90,7 +92,7 @@ TEST(Db, DecimatesToTheMostPossibleWithinHalfASpacing) {
   EXPECT_LT(made.report.triangles, made.before.triangles / 2);
   EXPECT_GT(made.report.triangles, 100u);
   EXPECT_LE(*made.decimation_error, 0.5 * std::max(result.grid.dx, result.grid.dy));
-  EXPECT_EQ(result.certified, made.report.closed_oriented_manifold());   // small cracks may close, or not
+  EXPECT_EQ(result.certified, made.report.closed_oriented_manifold());  // small cracks may close, or not
 }
 
 bool same_bytes(const DbReconstruction& a, const DbReconstruction& b) {

@@ -28,7 +28,8 @@ struct Made {
   SurfaceReport report;
 };
 
-Made made(const ContourStack& given, const std::string& structure, std::size_t points, CaseTable table, FieldKind kind = FieldKind::hybrid) {
+Made made(const ContourStack& given, const std::string& structure, std::size_t points, CaseTable table,
+          FieldKind kind = FieldKind::hybrid) {
   const ContourStack stack = ordered(given).stack;
   Made result{make_grid(stack, {.columns = points, .rows = points, .splits = {}}), {}, {}, {}};
   result.field = sample_field(stack, structure, result.grid, {kind});
@@ -37,7 +38,9 @@ Made made(const ContourStack& given, const std::string& structure, std::size_t p
   return result;
 }
 
-bool has_zero(const Field& field) { return std::find(field.values.begin(), field.values.end(), 0) != field.values.end(); }
+bool has_zero(const Field& field) {
+  return std::find(field.values.begin(), field.values.end(), 0) != field.values.end();
+}
 
 TEST(MarchingCubes, ConsistentIsAlwaysAClosedOrientedManifoldUpToTrianglesWithoutArea) {
   std::size_t plain = 0, with_zeros = 0;
@@ -139,7 +142,8 @@ TEST(MarchingCubes, PointsOnAStraightContourLieOnIt) {
 }
 
 TEST(MarchingCubes, SurfacesFaceOutwardsAndEncloseTheRightVolume) {
-  // A column of 4 x 3 with a hole of 2 x 1 through it, 4 slices high (1.5 mm), and caps between 0 and 0.5 mm beyond each end.
+  // A column of 4 x 3 with a hole of 2 x 1 through it, 4 slices high (1.5 mm), and caps between 0 and 0.5 mm beyond
+  // each end.
   const std::vector<Ring> section{rectangle({0, 0}, {4, 3}), rectangle({1, 1}, {3, 2})};
   const Made m = made(stack_of({section, section, section, section}), "tooth", 64, CaseTable::consistent);
   ASSERT_EQ(m.report.shells.size(), 1u);
@@ -155,7 +159,9 @@ TEST(MarchingCubes, AContourThroughGridPointsGivesTrianglesWithoutAreaButKeepsTh
   const Made m = made(stack_of({section, section}), "tooth", 10, CaseTable::consistent);
   ASSERT_TRUE(has_zero(m.field));
   EXPECT_GT(m.report.degenerate_triangles, 0u);
-  EXPECT_EQ(m.report.boundary_edges + m.report.nonmanifold_edges + m.report.misoriented_edges + m.report.nonmanifold_vertices, 0u);
+  EXPECT_EQ(
+      m.report.boundary_edges + m.report.nonmanifold_edges + m.report.misoriented_edges + m.report.nonmanifold_vertices,
+      0u);
   EXPECT_FALSE(m.report.closed_oriented_manifold());
 }
 
@@ -180,7 +186,8 @@ TEST(MarchingCubes, GivesTheSameBytesOnAnyNumberOfThreads) {
   };
   const Made one = with(1), many = with(7);
   EXPECT_GT(one.surface.mesh.triangles.size(), 10'000u);
-  EXPECT_EQ(std::memcmp(one.field.values.data(), many.field.values.data(), one.field.values.size() * sizeof(double)), 0);
+  EXPECT_EQ(std::memcmp(one.field.values.data(), many.field.values.data(), one.field.values.size() * sizeof(double)),
+            0);
   EXPECT_TRUE(same_bytes(one.surface, many.surface));
 }
 
