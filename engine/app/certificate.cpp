@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "engine/app/words.h"
 
@@ -12,12 +14,19 @@ namespace {
 
 constexpr std::size_t most_shells_told = 4;
 
+/// "mm²" where the terminal's words say "mm^2".
+std::string typeset(std::string words) {
+  for (const auto& [plain, raised] : {std::pair{"^2", "\xC2\xB2"}, {"^3", "\xC2\xB3"}})
+    for (std::size_t at = words.find(plain); at != std::string::npos; at = words.find(plain, at)) words.replace(at, 2, raised);
+  return words;
+}
+
 void add_shells(const std::string& structure, const SurfaceReport& report, Certificate& certificate) {
   const std::vector<std::string> defects = defects_in_words(report);
   if (!defects.empty()) certificate.findings.push_back({false, fmt::format("{}: {}", structure, fmt::join(defects, ", "))});
   for (std::size_t i = 0; i < std::min(report.shells.size(), most_shells_told); ++i) {
     const Shell& shell = report.shells[i];
-    certificate.findings.push_back({defects.empty() && shell.kind != Shell::Kind::open, fmt::format("{}: {}", structure, shell_in_words(shell))});
+    certificate.findings.push_back({defects.empty() && shell.kind != Shell::Kind::open, fmt::format("{}: {}", structure, typeset(shell_in_words(shell)))});
   }
   if (report.shells.size() > most_shells_told)
     certificate.findings.push_back({defects.empty(), fmt::format("{}: {} more", structure, counted(report.shells.size() - most_shells_told, "surface"))});

@@ -83,8 +83,12 @@ void question_card(ViewerState& state, const Interface& interface, const Area& v
   title(interface, name_of(state.question->file).c_str());
   wrapped("This is a volume. At which grey value does the surface lie?");
   widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
-  ImGui::InputDouble("grey value", &state.question->iso, 0, 0, "%g");
-  ImGui::InputDouble("mm\xC2\xB2, smallest contour", &state.question->min_area_mm2, 0, 0, "%g");
+  ImGui::TextUnformatted("Grey value");
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputDouble("##iso", &state.question->iso, 0, 0, "%g");
+  ImGui::TextUnformatted("Leave out contours smaller than, mm\xC2\xB2");
+  ImGui::SetNextItemWidth(-1);
+  ImGui::InputDouble("##area", &state.question->min_area_mm2, 0, 0, "%g");
   state.question->min_area_mm2 = std::max(state.question->min_area_mm2, 0.0);
   if (widgets::wide_button("Make the model", true)) {
     state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_mm2, false};

@@ -4,9 +4,9 @@ namespace odontoscope::theme {
 
 void apply(ImGuiStyle& style, float scale) {
   style = ImGuiStyle();
-  style.WindowPadding = {16, 14};
+  style.WindowPadding = {16, 12};
   style.FramePadding = {10, 6};
-  style.ItemSpacing = {8, 8};
+  style.ItemSpacing = {8, 6};
   style.ItemInnerSpacing = {8, 6};
   style.WindowRounding = 8;
   style.ChildRounding = 6;

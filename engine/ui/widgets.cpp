@@ -27,7 +27,7 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   ImGuiStorage& storage = *ImGui::GetStateStorage();
   const ImGuiID id = ImGui::GetID(title);
   bool open = storage.GetBool(id, open_at_first);
-  ImGui::Dummy({0, scaled(2)});
+  ImGui::Dummy({0, 0});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -101,7 +101,7 @@ bool toggle(const char* words, bool& on) {
 
 bool slider(const char* words, double& value, double low, double high, const char* format) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(20);
+  const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(18);
   area(words, {width, height});
   const bool held = ImGui::IsItemActive(), near = ImGui::IsItemHovered() || held;
   const float radius = scaled(7), left = corner.x + radius - scaled(2), right = corner.x + width - radius + scaled(2);
@@ -113,7 +113,7 @@ bool slider(const char* words, double& value, double low, double high, const cha
     value = wanted;
   }
   const float share = static_cast<float>(std::clamp((value - low) / (high - low), 0.0, 1.0));
-  const float middle = corner.y + line + scaled(10), knob = left + share * (right - left);
+  const float middle = corner.y + line + scaled(9), knob = left + share * (right - left);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddText(corner, theme::text, words);
   char number[64];

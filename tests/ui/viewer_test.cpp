@@ -61,7 +61,7 @@ TEST_F(Looking, RightAndShiftDragMoveWhatIsUnderThePointer) {
     drag(from.x, from.y, from.x + 60, from.y - 40, shift ? MouseButton::left : MouseButton::right, {.shift = shift});
     EXPECT_LT(glm::distance(pixel(hit->point_mm), from + glm::dvec2(60, -40)), 0.5);
     type(U'0');
-    frames(60);
+    frames(5, 0.1);
   }
 }
 
@@ -82,7 +82,7 @@ TEST_F(Looking, ADoubleClickMakesThePivot) {
   click(middle_x() + 40, middle_y() - 60);
   EXPECT_GT(glm::distance(camera().target, point), 0.5);
   click(middle_x() + 40, middle_y() - 60);
-  frames(60);
+  frames(5, 0.1);
   EXPECT_LT(glm::distance(camera().target, point), 1e-6);
   EXPECT_LT(glm::distance(pixel(point), glm::dvec2(middle_x(), middle_y())), 0.5);
 }
@@ -92,7 +92,7 @@ TEST_F(Looking, TwoSlowClicksAreNoDoubleClick) {
   click(middle_x(), middle_y());
   frames(10, 0.1);
   click(middle_x(), middle_y());
-  frames(30);
+  frames(5, 0.1);
   EXPECT_EQ(camera(), before);
 }
 
@@ -103,7 +103,7 @@ TEST_F(Looking, EachStandardViewIsWhereItSays) {
   for (const auto& [key, side] : views) {
     type(key);
     EXPECT_EQ(viewer().patience(), 0);   // on its way
-    frames(60);
+    frames(5, 0.1);
     EXPECT_NEAR(glm::dot(axes_of(camera()).towards_eye, side), 1, 1e-9);
     EXPECT_GT(content_of(picture()).colours, 100u);
   }
@@ -117,7 +117,7 @@ TEST_F(Looking, TheCompassLeadsToItsNames) {
     for (double x = area().left + area().width - 150; x < area().left + area().width; x += 6) {
       if (compass_hit(pane, 1, x, y) != Action::view_mesial) continue;
       click(x, y);
-      frames(60);
+      frames(5, 0.1);
       EXPECT_NEAR(axes_of(camera()).towards_eye.x, 1, 1e-9);
       ++reached;
       y = x = 1e9;
@@ -171,7 +171,7 @@ TEST_F(Looking, TheSectionsHandleMovesAndTurnsIt) {
 
 TEST_F(Looking, DistancesAreThoseBetweenThePoints) {
   type(U'5');
-  frames(60);
+  frames(5, 0.1);
   type(U'm');
   EXPECT_EQ(viewer().state().tool, Tool::distance);
   click(middle_x() - 100, middle_y());
