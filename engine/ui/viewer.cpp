@@ -20,8 +20,9 @@ namespace odontoscope {
 
 namespace {
 
-/// A fine picture that takes longer than this is drawn only once nothing moves, for so long.
-constexpr double slow_picture_seconds = 0.030, still_seconds = 0.15;
+/// A fine picture that takes longer than the first is drawn only once nothing moves, for so long; one that takes longer than the
+/// last not at all, since nothing would answer meanwhile.
+constexpr double slow_picture_seconds = 0.030, still_seconds = 0.15, too_slow_seconds = 0.8;
 /// Samples beyond which a picture on the screen is not refined, for the memory that it takes.
 constexpr double most_screen_samples = 10e6;
 
@@ -125,6 +126,8 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   gpu_overlay_ = {};
   overlays_made_ = {};
   state_.scene = shown->scene;
+  // The same plane, its handle where the model is.
+  if (auto& section = state_.scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
   if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
   if (!shown->camera_given)
@@ -240,9 +243,10 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
   for (const ViewPane& pane : panes_) wanted.areas.push_back(pane.area);
   const bool changed = wanted != drawn_;
   if (changed) still_since_ = now_;
-  const bool affordable = static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side <= most_screen_samples;
-  const bool wait = options_.coarse_when_slow && slowest_fine_picture_ > slow_picture_seconds && now_ - still_since_ < still_seconds;
-  wanted.side = !affordable ? 1 : !wait ? options_.side : changed ? 1 : drawn_.side;
+  const bool too_large = static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side > most_screen_samples;
+  const bool too_slow = options_.coarse_when_slow && fine_picture_seconds_ > too_slow_seconds;
+  const bool wait = options_.coarse_when_slow && fine_picture_seconds_ > slow_picture_seconds && now_ - still_since_ < still_seconds;
+  wanted.side = changed && (too_large || too_slow || wait) ? 1 : too_large || too_slow || wait ? drawn_.side : options_.side;
   if (wanted != drawn_) {
     if (!state_.shown) {
       const GLfloat ground[4] = {0.085f, 0.1f, 0.118f, 1};
@@ -259,7 +263,8 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
       }
       renderer_.draw(gpu_model_, state_.scene, eyes, {wanted.side}, &gpu_overlay_);
       gl_->Finish();
-      if (wanted.side == options_.side) slowest_fine_picture_ = 0.5 * slowest_fine_picture_ + 0.5 * (clock_seconds() - start);
+      const double finer = static_cast<double>(options_.side) / wanted.side;
+      fine_picture_seconds_ = 0.5 * fine_picture_seconds_ + 0.5 * finer * finer * (clock_seconds() - start);
     }
     drawn_ = std::move(wanted);
   }

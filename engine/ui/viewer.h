@@ -138,7 +138,7 @@ class Viewer {
   OverlayChoice overlays_made_;
   Framebuffer picture_;
   DrawnModel drawn_;
-  double slowest_fine_picture_ = 0;   // seconds
+  double fine_picture_seconds_ = 0.5;   // about what one takes; a slow machine's guess until one was drawn
   double still_since_ = 0;
 
   std::vector<Event> events_;
