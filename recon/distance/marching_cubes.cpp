@@ -23,12 +23,12 @@ class CaseRow {
   CaseRow(const Grid& grid, const Field& field) : grid_(grid), field_(field), bits_(grid.columns) {}
 
   void read(std::size_t row, std::size_t layer) {
-    const double* values[4];
-    for (int i = 0; i < 4; ++i) values[i] = &field_.values[grid_.index(0, row + (i & 1), layer + (i >> 1))];
-    for (std::size_t column = 0; column < grid_.columns; ++column) {
-      unsigned bits = 0;
-      for (int i = 0; i < 4; ++i) bits |= static_cast<unsigned>(values[i][column] < 0) << (2 * i);
-      bits_[column] = static_cast<std::uint8_t>(bits);
+    const double* const low = &field_.values[grid_.index(0, row, layer)];
+    const double *const next = low + grid_.columns, *const high = low + grid_.layer_size(),
+                        *const high_next = high + grid_.columns;
+    for (std::size_t i = 0; i < grid_.columns; ++i) {
+      bits_[i] = static_cast<std::uint8_t>((low[i] < 0 ? 1 : 0) | (next[i] < 0 ? 1 << 2 : 0) |
+                                           (high[i] < 0 ? 1 << 4 : 0) | (high_next[i] < 0 ? 1 << 6 : 0));
     }
   }
   CaseNumber at(std::size_t column) const { return static_cast<CaseNumber>(bits_[column] | bits_[column + 1] << 1); }
