@@ -125,11 +125,11 @@ void key_row(const Interface& interface, std::string_view printed, std::string_v
 }
 
 void help_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("help", viewport, 760);
+  const Card card("help", viewport, 840);
   title(interface, "Mouse and keys");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
   ImGui::Columns(2, "columns", false);
-  ImGui::SetColumnWidth(0, scaled(400));
+  ImGui::SetColumnWidth(0, scaled(420));
   for (const Gesture& gesture : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
   ImGui::Dummy({0, scaled(6)});
   std::set<Action> told;
@@ -174,7 +174,7 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 }  // namespace
 
 std::string stage_in_words(std::string_view stage) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> known = {{{"read", "Reading the file"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 11> known = {{{"read", "Reading the file"},
                                                                                    {"contours", "Tracing contours through the volume"},
                                                                                    {"simplify", "Leaving out points that say nothing"},
                                                                                    {"validate", "Checking the contours"},
@@ -183,7 +183,8 @@ std::string stage_in_words(std::string_view stage) {
                                                                                    {"plates", "Closing what ends between slices"},
                                                                                    {"assemble", "Putting the slabs together"},
                                                                                    {"certify", "Proving that the model is sound"},
-                                                                                   {"shade", "Preparing the picture"}}};
+                                                                                   {"shade", "Smoothing the light"},
+                                                                                   {"prepare picking", "Preparing to measure"}}};
   for (const auto& [name, words] : known)
     if (stage == name) return std::string(words);
   return stage.empty() ? "Beginning" : fmt::format("Working: {}", stage);
@@ -194,7 +195,7 @@ void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& int
   else if (!state.trouble.empty()) trouble_card(state, interface, viewport);
   else if (state.question) question_card(state, interface, viewport);
   else if (state.file_asked_for) open_card(state, interface, viewport);
-  else if (state.help) help_card(state, interface, viewport);
+  else if (state.help) help_card(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});   // long, so over all
   else if (!state.shown) empty_card(state, interface, viewport);
   draw_notices(state, interface, viewport);
 }
