@@ -72,6 +72,7 @@ TEST(SectionHandle, TheTipFollowsTheHand) {
   const Section turned = dragged(start, SectionGrip::turn, camera, reach, handle.tip, hand, cube());
   EXPECT_LT(glm::distance(section_handle(turned, camera, reach)->tip, hand), 1e-6);
   EXPECT_EQ(turned.point_mm, start.point_mm);
+  EXPECT_GT(glm::dot(turned.normal, axes_of(camera).towards_eye), 0);   // on the side where it was
 }
 
 TEST(SectionAngles, GoThereAndBack) {

@@ -120,6 +120,15 @@ TEST_F(Panels, HelpListsTheKeys) {
   EXPECT_FALSE(viewer().state().help);
 }
 
+TEST_F(Panels, DragsOnACardDoNotReachThePicture) {
+  type(U'?');
+  frames(3);
+  const Camera before = viewer().state().scene.camera;
+  const Area area = viewer().panes().front().area;
+  drag(area.left + 60, size_.height / 2.0, area.left + 160, size_.height / 2.0 + 30);
+  EXPECT_EQ(viewer().state().scene.camera, before);
+}
+
 TEST_F(Panels, TypingAFileNameIsNoCommand) {
   press_key(Key::o, {.control = true});
   ASSERT_TRUE(viewer().state().file_asked_for);
