@@ -24,7 +24,11 @@ std::string measured(double value) {
   return std::abs(value) < readable ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
-std::string distance(const OneWayDistance& d) { return fmt::format("{} / {}", measured(d.mean), measured(d.largest)); }
+/// Below a millionth of a nanometre only the rounding of coordinates is told.
+std::string distance(const OneWayDistance& d) {
+  const auto words = [](double mm) { return mm > 0 && mm < 1e-12 ? std::string("<1e-12") : measured(mm); };
+  return fmt::format("{} / {}", words(d.mean), words(d.largest));
+}
 
 std::size_t shells_of(const SurfaceReport& report, Shell::Kind kind) {
   std::size_t count = 0;
