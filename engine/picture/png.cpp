@@ -1,7 +1,9 @@
 #include "engine/picture/png.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
+#include <cstdlib>
 #include <memory>
 #include <string_view>
 
@@ -9,6 +11,25 @@
 #include "recon/core/error.h"
 #include "recon/core/read_file.h"
 
+namespace {
+
+constexpr int png_compression = 4;   // of zlib's 9: a tenth larger than the best in a third of the time
+
+/// In place of stb's own compression: zlib is several times faster and packs closer. The caller frees the bytes.
+unsigned char* compressed(unsigned char* data, int size, int* compressed_size, int level) {
+  uLongf room = compressBound(static_cast<uLong>(size));
+  auto* const bytes = static_cast<unsigned char*>(std::malloc(room));
+  if (!bytes || compress2(bytes, &room, data, static_cast<uLong>(size), level) != Z_OK) {
+    std::free(bytes);
+    return nullptr;
+  }
+  *compressed_size = static_cast<int>(room);
+  return bytes;
+}
+
+}  // namespace
+
+#define STBIW_ZLIB_COMPRESS(data, size, compressed_size, quality) compressed(data, size, compressed_size, png_compression)
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
 #define STB_IMAGE_STATIC
