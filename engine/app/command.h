@@ -41,6 +41,7 @@ Command render_command(CLI::App& root);
 Command view_command(CLI::App& root);
 Command compare_command(CLI::App& root);
 Command canal_command(CLI::App& root);
+Command figures_command(CLI::App& root);
 Command compare_images_command(CLI::App& root);
 
 }  // namespace odontoscope::app

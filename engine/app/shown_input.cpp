@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/app/sniff.h"
+#include "engine/scene/shells.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/input/stack_json.h"
@@ -17,26 +17,6 @@
 
 namespace odontoscope::app {
 namespace {
-
-/// The shells of one kind, on their own points.
-SurfaceMesh shells_of(const Solid& solid, Shell::Kind kind) {
-  SurfaceMesh part;
-  constexpr PointIndex none = std::numeric_limits<PointIndex>::max();
-  std::vector<PointIndex> moved(solid.surface.points.size(), none);
-  for (std::size_t t = 0; t < solid.surface.triangles.size(); ++t) {
-    if (solid.report.shells[solid.report.shell_of[t]].kind != kind) continue;
-    Triangle triangle = solid.surface.triangles[t];
-    for (PointIndex& vertex : triangle) {
-      if (moved[vertex] == none) {
-        moved[vertex] = static_cast<PointIndex>(part.points.size());
-        part.points.push_back(solid.surface.points[vertex]);
-      }
-      vertex = moved[vertex];
-    }
-    part.triangles.push_back(triangle);
-  }
-  return part;
-}
 
 constexpr std::string_view external_suffix = " external", cavity_suffix = " cavity";
 
@@ -55,14 +35,10 @@ Found found_in(ContourStack stack, Session& session) {
   found.overlays.contours = std::move(stack);
   found.proven = Shown::Proven{{}, {}, made.counts.kept, made.slices_checked};
   for (Solid& solid : made.solids) {
-    std::vector<NamedSurface>& surfaces = found.surfaces;
-    surfaces.push_back({solid.structure, shells_of(solid, Shell::Kind::external), solid.structure});
-    SurfaceMesh cavities = shells_of(solid, Shell::Kind::cavity);
+    add_shells(solid.structure, solid.surface, solid.report, found.surfaces);
     found.proven->structures.push_back(solid.structure);
     found.proven->reports.push_back(std::move(solid.report));
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
-    if (cavities.triangles.empty()) continue;
-    surfaces.push_back({solid.structure + std::string(cavity_suffix), std::move(cavities), solid.structure, true});
   }
   return found;
 }

@@ -63,9 +63,9 @@ ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::
   return method;
 }
 
-SurfaceMesh as_one(const std::vector<NamedSurface>& surfaces) {
+SurfaceMesh as_one(const std::vector<ComparedSurface>& surfaces) {
   SurfaceMesh whole;
-  for (const NamedSurface& one : surfaces) {
+  for (const ComparedSurface& one : surfaces) {
     const auto first = static_cast<PointIndex>(whole.points.size());
     whole.points.insert(whole.points.end(), one.surface.points.begin(), one.surface.points.end());
     for (const auto& [a, b, c] : one.surface.triangles) whole.triangles.push_back({first + a, first + b, first + c});
@@ -77,7 +77,7 @@ void judge(ComparedMethod& method, const ContourStack& sorted, const DistanceOpt
            const Progress& progress) {
   method.report = inspect(as_one(method.surfaces));
   std::vector<WeightedFit> fits;
-  for (const NamedSurface& one : method.surfaces) {
+  for (const ComparedSurface& one : method.surfaces) {
     fits.push_back(
         {contour_fit(sorted, one.structure, one.surface, options, progress), contour_length(sorted, one.structure)});
   }

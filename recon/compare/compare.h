@@ -24,7 +24,8 @@ struct CompareOptions {
   DistanceOptions distance;
 };
 
-struct NamedSurface {
+/// Of one structure.
+struct ComparedSurface {
   std::string structure;
   SurfaceMesh surface;
 };
@@ -39,7 +40,7 @@ struct MethodPicture {
 struct ComparedMethod {
   std::string name;                    // "DT", "DB", "DB decimated"
   std::string made_by;                 // how, in a few words
-  std::vector<NamedSurface> surfaces;  // in order of first appearance of the structure
+  std::vector<ComparedSurface> surfaces;  // in order of first appearance of the structure
   SurfaceReport report;                // of all structures' surfaces as one mesh
   bool certified = false;
   ContourFit fit;                          // of all structures, means weighted by length of contours

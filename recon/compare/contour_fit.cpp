@@ -71,12 +71,12 @@ struct SliceMeasure {
 };
 
 template <class Visit>
-void for_each_segment(const Section& section, Visit visit) {
+void for_each_segment(const PlaneSection& section, Visit visit) {
   for (const auto* side : {&section.below, &section.above}) std::for_each(side->begin(), side->end(), visit);
 }
 
 /// From the ends of the segments and places along them to the slice's contours.
-SliceMeasure measure_section(const Section& section, const Slice& slice, const std::string& structure, double step) {
+SliceMeasure measure_section(const PlaneSection& section, const Slice& slice, const std::string& structure, double step) {
   SliceMeasure measure;
   Segments edges;
   for_each_edge(slice, structure, [&](const Point2& a, const Point2& b) {
@@ -242,7 +242,7 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
     fit.contours_to_surface = *distance;
   }
   double whole = 0;
-  for (const Section& section : cuts) {
+  for (const PlaneSection& section : cuts) {
     for_each_segment(section, [&whole](const SectionSegment& s) { whole += length(s.from, s.to); });
   }
   std::vector<SliceMeasure> measures(cuts.size());

@@ -53,11 +53,11 @@ bool is_inside(const std::vector<SectionSegment>& segments, const Point2& place)
 
 }  // namespace
 
-std::vector<Section> sections(const SurfaceMesh& surface, const std::vector<double>& heights) {
+std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights) {
   std::vector<std::size_t> order(heights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return heights[a] < heights[b]; });
-  std::vector<Section> result(heights.size());
+  std::vector<PlaneSection> result(heights.size());
   for (const Triangle& t : surface.triangles) {
     const auto [low, high] = std::minmax({surface.points[t[0]].z, surface.points[t[1]].z, surface.points[t[2]].z});
     const auto first =
@@ -70,7 +70,7 @@ std::vector<Section> sections(const SurfaceMesh& surface, const std::vector<doub
   return result;
 }
 
-bool is_material(const Section& section, const Point2& place) {
+bool is_material(const PlaneSection& section, const Point2& place) {
   return is_inside(section.below, place) || is_inside(section.above, place);
 }
 

@@ -16,14 +16,14 @@ struct SectionSegment {
 /// triangles. They differ where the model begins, ends or has a flat piece in the plane. A side of a triangle that lies
 /// in the plane is given as it is, without rounding. For any surface, closed or not: what is missing in the surface is
 /// missing in the section.
-struct Section {
+struct PlaneSection {
   std::vector<SectionSegment> below, above;
 };
-std::vector<Section> sections(const SurfaceMesh& surface, const std::vector<double>& heights);
+std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights);
 
 /// Is there material at this place of the plane, below it or above it? By the number of segments between the place and
 /// far away, odd being inside, and the majority of seven directions, so that a crack hides at most some of them.
 /// Orientation plays no part.
-bool is_material(const Section& section, const Point2& place);
+bool is_material(const PlaneSection& section, const Point2& place);
 
 }  // namespace odontoscope

@@ -44,7 +44,7 @@ TEST(Sections, TellMaterialFromVoidDespiteACrackAndWhateverTheOrientation) {
   SurfaceMesh mesh = box();
   mesh.triangles.pop_back();                              // a hole in one wall
   std::swap(mesh.triangles[4][0], mesh.triangles[4][1]);  // and a triangle turned over
-  const Section cut = sections(mesh, {1})[0];
+  const PlaneSection cut = sections(mesh, {1})[0];
   EXPECT_TRUE(is_material(cut, {2, 1.5}));
   EXPECT_FALSE(is_material(cut, {-1, 1.5}));
   EXPECT_FALSE(is_material(cut, {9, 1.5}));
