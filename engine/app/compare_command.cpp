@@ -11,6 +11,8 @@
 #include "engine/app/outputs.h"
 #include "engine/app/volume_options.h"
 #include "engine/app/words.h"
+#include "engine/figures/comparison_pictures.h"
+#include "engine/gpu/context.h"
 #include "recon/compare/compare.h"
 #include "recon/output/comparison_json.h"
 #include "recon/output/comparison_page.h"
@@ -57,6 +59,17 @@ void tell(const Comparison& comparison, Console& console) {
     console.say(fmt::format("{}: {}", method.name, method.made_by));
 }
 
+/// Pictures, where this machine can draw; else why not.
+std::string draw(Comparison& comparison, Session& session) {
+  try {
+    const auto context = make_context({.backend = Backend::automatic, .window_allowed = true});
+    figures::add_pictures(comparison, context->gl(), session.progress());
+    return {};
+  } catch (const GraphicsError& error) {
+    return error.what();
+  }
+}
+
 ExitCode compare_methods(const Options& options, Session& session) {
   refuse_senseless(options);
   if (options.words.any_level()) understood(options.words);
@@ -69,14 +82,16 @@ ExitCode compare_methods(const Options& options, Session& session) {
   }
   refuse_unwritable(files);
 
-  const Comparison comparison =
+  Comparison comparison =
       compare(contours_of_input(options.input, options.words, session), engines, session.progress());
+  const std::string no_pictures = options.report.empty() && options.html.empty() ? std::string() : draw(comparison, session);
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
   if (!options.html.empty()) contents.push_back({options.html, comparison_page(comparison)});
   session.progress().check();
   write_all(contents, session.interrupts);
   tell(comparison, session.console);
+  if (!no_pictures.empty()) session.console.say(fmt::format("No pictures, and nothing about what is seen through: {}", no_pictures));
   for (const FileContent& file : contents) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return ExitCode::done;
 }
@@ -90,7 +105,7 @@ Command compare_command(CLI::App& root) {
       ->required()
       ->type_name("");
   parser->add_option("--report", options->report, "All that was measured, for scripts")->type_name("FILE.json");
-  parser->add_option("--html", options->html, "The same as a page")->type_name("FILE.html");
+  parser->add_option("--html", options->html, "The same as a page, with pictures where this machine can draw")->type_name("FILE.html");
   add_volume_options(*parser, options->words);
   add_db_options(*parser, options->db);
   parser->footer(

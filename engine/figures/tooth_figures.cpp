@@ -86,12 +86,13 @@ Figure tooth_by_db(ToothModels& tooth) {
   figure.aspect = portrait;
   const ToothModel& model = tooth.db();
   figure.caption = fmt::format(
-      "DB on a grid of {0} x {0} points a slice, classic marching cubes. Near the tips of the roots, where a section reaches well beyond the one below it, there are "
-      "ridges, one a slice, that the contours do not have. They are shallow, but light shows them.",
-      tooth.grid());
+      "DB on a grid of {0} x {0} points a slice, classic marching cubes. {1}", tooth.grid(),
+      tooth.is_sample() ? "Near the tips of the roots, where a section reaches well beyond the one below it, there are ridges, one a slice, that the contours "
+                          "do not have. They are shallow, but light shows them."
+                        : "Where a section reaches well beyond the one below it there may be ridges, one a slice, that the contours do not have.");
   Panel shaded = tooth_panel("The outside.", model, from_below);
   Panel ridges = shaded;
-  ridges.caption = "The ridges, from near the tip of a root.";
+  ridges.caption = tooth.is_sample() ? "The ridges, from near the tip of a root." : "The lower end from near by.";
   const Point3 tip = lowest_point(model.surfaces);
   const double height = height_of(tooth.outer_contours());
   look_closer(ridges, {tip.x, tip.y, tip.z + 0.11 * height}, 0.14 * height);
@@ -104,10 +105,11 @@ Figure tooth_by_dt(ToothModels& tooth) {
   Figure figure;
   figure.aspect = portrait;
   const ToothModel& model = tooth.dt();
-  figure.caption = "DT on the same contours, seen from the same places: every triangle spans from contour to contour, and the roots are smooth.";
+  figure.caption = "DT on the same contours, seen from the same places: every triangle spans from contour to contour.";
+  if (tooth.is_sample()) figure.caption += " No ridges.";
   Panel shaded = tooth_panel("The outside.", model, from_below);
   Panel near = shaded;
-  near.caption = "The tip of the same root.";
+  near.caption = "The same place.";
   const Point3 tip = lowest_point(model.surfaces);
   const double height = height_of(tooth.outer_contours());
   look_closer(near, {tip.x, tip.y, tip.z + 0.11 * height}, 0.14 * height);
@@ -181,7 +183,7 @@ Figure mesh_details(ToothModels& tooth) {
   Figure figure;
   figure.aspect = square;
   figure.caption = fmt::format(
-      "The tip of a root of figure 5 and 6. The paper counted 7,995 triangles for DT, 94,627 for DB and 3,817 after decimation; here, with contours and grid "
+      "The lower end of the tooth of figures 5 and 6. The paper counted 7,995 triangles for DT, 94,627 for DB and 3,817 after decimation; here, with contours and grid "
       "of our own, {}, {} and {}.",
       whole(tooth.dt().triangles), whole(tooth.db().triangles), whole(tooth.decimated().triangles));
   const Point3 tip = lowest_point(tooth.dt().surfaces);
@@ -193,9 +195,9 @@ Figure mesh_details(ToothModels& tooth) {
     near.scene.wire = true;
     figure.panels.push_back(std::move(near));
   };
-  add("DT: even triangles.", tooth.dt(), dt_colour);
-  add("DB: many small ones, and slivers among them.", tooth.db(), db_colour);
-  add("DB decimated: few, but long and uneven.", tooth.decimated(), decimated_colour);
+  add("DT: its triangles span from contour to contour.", tooth.dt(), dt_colour);
+  add("DB: its triangles are what the grid's cells make of the surface.", tooth.db(), db_colour);
+  add("DB decimated: few, but uneven.", tooth.decimated(), decimated_colour);
   return figure;
 }
 
@@ -287,6 +289,7 @@ Figure inside_the_tooth(ToothModels& tooth) {
   Panel cut = panel("Where we stand, and where we look: the tooth cut open.", {.surfaces = tooth.whole_dt().surfaces}, square, NamedView::buccal);
   cut.scene.section = Section{camera.position, {0, 1, 0}};
   if (Look* pulp = cut.scene.look_of("pulp")) pulp->visible = false;
+  for (Look& look : cut.scene.looks) look.as_body = false;
   cut.strokes.push_back(eye_mark(camera, 0.05 * height_of(tooth.whole_contours())));
   Panel both_sides = within("DB with unoriented cases, both sides drawn.", tooth.whole_unoriented(), solid, camera);
   both_sides.scene.back_faces = BackFaces::show;

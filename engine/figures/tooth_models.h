@@ -31,6 +31,7 @@ class ToothModels {
   explicit ToothModels(ToothOptions options, Progress progress = {});
 
   const std::string& name() const { return inner_.source; }
+  bool is_sample() const { return !options_.contours; }   // what captions say of its shape is known to be true
   std::size_t grid() const { return options_.grid; }
   int threads() const { return options_.threads; }
   const Progress& progress() const { return progress_; }

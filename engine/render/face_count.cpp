@@ -81,6 +81,19 @@ FaceCounts FaceCounter::count(const GpuModel& model, const Scene& scene, const V
   return counts;
 }
 
+namespace {
+
+bool is_tie(const FaceCounts& counts, int x, int y, std::size_t at) {
+  return counts.front[at] == counts.back[at] && counts.front_depth[at] - counts.back_depth[at] <= spread_around(counts, x, y);
+}
+
+}  // namespace
+
+bool back_is_nearest(const FaceCounts& counts, int x, int y) {
+  const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
+  return counts.back_depth[at] < counts.front_depth[at] && !is_tie(counts, x, y, at);
+}
+
 FaceVerdict judge(const FaceCounts& counts) {
   FaceVerdict verdict;
   for (int y = 0; y < counts.size.height; ++y)
@@ -93,8 +106,7 @@ FaceVerdict judge(const FaceCounts& counts) {
       verdict.unbalanced += !balanced;
       if (!(counts.back_depth[at] < counts.front_depth[at])) continue;
       ++verdict.back_nearest;
-      const float gap = counts.front_depth[at] - counts.back_depth[at];
-      verdict.ties += balanced && gap <= spread_around(counts, x, y);
+      verdict.ties += is_tie(counts, x, y, at);
     }
   return verdict;
 }

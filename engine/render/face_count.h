@@ -32,6 +32,9 @@ class FaceCounter {
   Program votes_, depths_;
 };
 
+/// Is the nearest face at this pixel a back? No ties (see judge).
+bool back_is_nearest(const FaceCounts& counts, int x, int y);
+
 struct FaceVerdict {
   std::size_t covered = 0;       // pixels
   std::size_t outline = 0;       // covered pixels with an uncovered one beside, above or below: where most ties are

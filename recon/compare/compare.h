@@ -36,6 +36,13 @@ struct MethodPicture {
   std::string caption;
 };
 
+/// How much of the model one sees through, of all pixels well within the outline of the closed one, from cameras all around. Measured by
+/// whoever can draw.
+struct SeenThrough {
+  std::size_t cameras = 0;
+  double culled = 0, two_sided = 0;   // shares: back faces left out, both sides drawn
+};
+
 /// One column.
 struct ComparedMethod {
   std::string name;                    // "DT", "DB", "DB decimated"
@@ -46,6 +53,7 @@ struct ComparedMethod {
   ContourFit fit;                          // of all structures, means weighted by length of contours
   double seconds = 0;                      // contours in memory to inspected surface; the least of the runs
   std::optional<std::size_t> peak_memory;  // bytes above what was there before
+  std::optional<SeenThrough> seen_through;
   std::vector<MethodPicture> pictures;
 };
 

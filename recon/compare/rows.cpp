@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -87,6 +88,11 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
   add("widest hole that is lost, mm", [](Method m) { return width(m.fit.holes.widest_lost); });
   add("solid sections lost in their slice", [](Method m) { return lost(m.fit.solids); });
   add("thinnest solid that survives, mm", [](Method m) { return width(m.fit.solids.thinnest_kept); });
+  const auto& methods = comparison.methods;
+  if (std::any_of(methods.begin(), methods.end(), [](Method m) { return m.seen_through.has_value(); })) {
+    add("seen through, back faces culled, %", [](Method m) { return m.seen_through ? measured(100 * m.seen_through->culled) : std::string("not known"); });
+    add("seen through, two-sided, %", [](Method m) { return m.seen_through ? measured(100 * m.seen_through->two_sided) : std::string("not known"); });
+  }
   add("seconds", [](Method m) { return measured(m.seconds); });
   add("peak memory, MiB", [](Method m) {
     return m.peak_memory ? fmt::format("{:.0f}", static_cast<double>(*m.peak_memory) / (1024.0 * 1024.0))

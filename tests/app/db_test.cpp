@@ -79,6 +79,14 @@ TEST_F(DbMethod, CompareShowsTheMethodsSideBySide) {
   }
   EXPECT_EQ(report("c.json").at("methods").size(), 3u);
   EXPECT_EQ(bytes_of("c.html").substr(0, 15), "<!DOCTYPE html>");
+  // Either everything that needs drawing or a line that says why not.
+  const bool drawn = bytes_of("c.html").find("data:image/png") != std::string::npos;
+  EXPECT_NE(drawn, compared.says("No pictures"));
+  EXPECT_EQ(drawn, compared.says("seen through"));
+  EXPECT_EQ(drawn, report("c.json").at("methods").at(0).contains("seen_through"));
+  if (drawn) {
+    EXPECT_EQ(report("c.json").at("methods").at(0).at("seen_through").at("culled"), 0);
+  }
 }
 
 TEST_F(DbMethod, CompareRefusesOtherEndingsAndItsInputAsOutput) {
