@@ -48,7 +48,7 @@ void add_faulty_edges(const NamedSurface& named, const glm::dvec3& origin_mm, st
     if (mate == EdgeMates::none) add(LineKind::boundary_edge, h);
     else if (mate < EdgeMates::no_edge && h < mate && start(mesh, mate) == start(mesh, h)) add(LineKind::misoriented_edge, h);
   }
-  const auto ends = [&](HalfEdge h) { return std::minmax(start(mesh, h), end(mesh, h)); };
+  const auto ends = [&](HalfEdge h) { return std::minmax({start(mesh, h), end(mesh, h)}); };   // by value: the other minmax gives references
   for (std::size_t i = 0; i < edges.crowded.size(); ++i)
     if (i == 0 || ends(edges.crowded[i - 1]) != ends(edges.crowded[i])) add(LineKind::non_manifold_edge, edges.crowded[i]);
 }

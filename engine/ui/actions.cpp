@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 22> keys = {{
+constexpr std::array<ActionKey, 31> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -23,6 +23,15 @@ constexpr std::array<ActionKey, 22> keys = {{
     {"R", Action::flip_section, "cut away the other side", U'r'},
     {"M", Action::measure_distance, "measure a distance", U'm'},
     {"T", Action::measure_thickness, "measure a wall's thickness", U't'},
+    {"D", Action::toggle_lab, "DT beside DB, the other method", U'd'},
+    {"L", Action::next_lab_layout, "side by side, split, one in place", U'l'},
+    {"X", Action::swap_methods, "DT or DB in place", U'x'},
+    {"E", Action::toggle_faulty_edges, "faulty edges", U'e'},
+    {"N", Action::next_artefact, "next artefact", U'n'},
+    {"V", Action::previous_artefact, "the artefact before", U'v'},
+    {"G", Action::toggle_lesson, "guided lesson", U'g'},
+    {"PgDn", Action::next_step, "lesson: next", 0, Key::page_down},
+    {"PgUp", Action::previous_step, "lesson: back", 0, Key::page_up},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"Ctrl O", Action::open_file, "open a file", 0, Key::o, true},

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/navigate/section_handle.h"
+#include "engine/ui/lab_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -227,6 +228,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
   ImGui::PopStyleVar();
   heading(state, interface);
   if (state.shown) {
+    lab_section(state, interface);
     report_section(state, interface);
     structures_section(state, interface);
     faces_section(state, interface);

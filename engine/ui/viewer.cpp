@@ -12,6 +12,7 @@
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/cards.h"
+#include "engine/ui/lab_panel.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
@@ -91,6 +92,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   lay_out(input);
   take_finished_load();
   take_written();
+  tend_lab();
   advance(input.seconds);
   show_hovered();
   lay_out(input);
@@ -98,11 +100,12 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   draw_interface(input, target);
 }
 
-/// One view now; a comparison will be two beside each other.
+/// One view, or in DB mode two.
 void Viewer::lay_out(const FrameInput& input) {
   const double left = state_.settings.panel ? std::min<double>(theme::panel_width * scale_, input.size.width / 2.0) : 0;
   const double whole = std::round(left);
-  panes_ = {{{whole, 0, input.size.width - whole, static_cast<double>(input.size.height)}, state_.scene.camera}};
+  viewport_ = {whole, 0, input.size.width - whole, static_cast<double>(input.size.height)};
+  lay_out_lab(viewport_);
 }
 
 void Viewer::take_finished_load() {
@@ -111,8 +114,11 @@ void Viewer::take_finished_load() {
   if (!job_ || !job_->finished()) return;
   const std::unique_ptr<LoadJob> job = std::move(job_);
   failure_ = nullptr;
+  const bool lesson_follows = std::exchange(lesson_after_load_, false);
   try {
     show(std::make_shared<const LoadedModel>(job->take()));
+    sample_shown_ = job->request().file.empty();
+    if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
     notice("Stopped.");
   } catch (...) {
@@ -122,6 +128,7 @@ void Viewer::take_finished_load() {
 }
 
 void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
+  leave_lab();
   gpu_model_ = upload(*gl_, shown->model);
   gpu_overlay_ = {};
   overlays_made_ = {};
@@ -161,7 +168,7 @@ void Viewer::perform(Action action) {
     case Action::escape: escape(); return;
     default: break;
   }
-  if (!state.shown) return;
+  if (!state.shown || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
   if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
@@ -219,6 +226,8 @@ void Viewer::escape() {
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
+  else if (state_.lab.lesson) state_.lab.lesson.reset();
+  else if (state_.lab.artefact) put_artefact_away();
   else state_.measured = {};
 }
 
@@ -239,8 +248,7 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
     picture_ = Framebuffer(*gl_, {input.size, {GL_RGBA8}});
     drawn_ = {};
   }
-  DrawnModel wanted{state_.shown, state_.scene, {}, input.size, drawn_.side};
-  for (const ViewPane& pane : panes_) wanted.areas.push_back(pane.area);
+  DrawnModel wanted{state_.shown, state_.scene, panes_, state_.lab.made, state_.lab.artefact, input.size, drawn_.side};
   const bool changed = wanted != drawn_;
   if (changed) still_since_ = now_;
   const bool too_large = static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side > most_screen_samples;
@@ -255,13 +263,7 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
     } else {
       const double start = clock_seconds();
       make_overlays();
-      std::vector<Pane> eyes;
-      for (const ViewPane& pane : panes_) {
-        const PixelSize size{static_cast<int>(pane.area.width), static_cast<int>(pane.area.height)};
-        const int bottom = input.size.height - static_cast<int>(pane.area.top) - size.height;
-        eyes.push_back({odontoscope::view_of(pane.camera, state_.shown->model, pane.area.aspect()), {picture_.id(), static_cast<int>(pane.area.left), bottom, size}});
-      }
-      renderer_.draw(gpu_model_, state_.scene, eyes, {wanted.side}, &gpu_overlay_);
+      for (const ViewPane& pane : panes_) draw_pane(pane, input.size, wanted.side);
       gl_->Finish();
       const double finer = static_cast<double>(options_.side) / wanted.side;
       fine_picture_seconds_ = 0.5 * fine_picture_seconds_ + 0.5 * finer * finer * (clock_seconds() - start);
@@ -278,17 +280,20 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   FrameInput scaled = input;
   scaled.scale = scale_;
   interface_.begin(scaled);
-  const Area& viewport = panes_.front().area;
+  const Area& viewport = viewport_;
   if (state_.shown) {
     for (const ViewPane& pane : panes_) {
-      draw_scale_bar(pane, interface_, scale_);
-      draw_measured(pane, state_.measured, interface_, scale_);
-      draw_readout(pane, state_, interface_, scale_);
-      draw_compass(pane, interface_, scale_, hovered_compass_);
+      const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
+      if (first) draw_scale_bar(pane, interface_, scale_);
+      if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
+      if (last) draw_readout(pane, state_, interface_, scale_);
+      if (last) draw_compass(pane, interface_, scale_, hovered_compass_);
+      if (pane.seen && !first) continue;   // over the same place as the other half
       if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }
   }
   if (state_.settings.panel) draw_panel(state_, interface_, {0, 0, viewport.left, viewport.height});
+  if (state_.lab.on) draw_lab(state_, panes_, interface_, viewport, scale_);
   draw_cards(state_, job_.get(), interface_, viewport);
   const ImDrawData* drawn = interface_.end();
   interface_pass_.draw(interface_, *drawn, target);
@@ -298,7 +303,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 double Viewer::patience() const {
   if (transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
-  if (job_ || !writing_.empty()) return loading;
+  if (job_ || !writing_.empty() || state_.lab.working) return loading;
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/lab/db_worker.h"
 #include "engine/navigate/section_handle.h"
 #include "engine/navigate/transition.h"
 #include "engine/render/renderer.h"
@@ -80,6 +81,24 @@ class Viewer {
   void go_to(const Camera& camera);
   void notice(std::string words, bool bad = false);
 
+  // viewer_lab.cpp: DB mode
+  bool perform_in_lab(Action action);
+  void enter_lab();
+  void leave_lab();
+  /// Passes what is wanted on to the worker and takes what it made.
+  void tend_lab();
+  void lay_out_lab(const Area& whole);
+  bool on_split_line(double x, double y) const;
+  void lead_to_artefact(std::size_t artefact);
+  /// Shows again what was hidden for it.
+  void put_artefact_away();
+  void step_artefact(int by);
+  void begin_lesson();
+  void go_to_step(std::size_t step);
+  void draw_pane(const ViewPane& pane, PixelSize size, int side);
+  const Model& model_of(const ViewPane& pane) const { return pane.db ? state_.lab.made->model : state_.shown->model; }
+  const Pickable& pickable_of(const ViewPane& pane) const { return pane.db ? *state_.lab.made->pickable : *state_.shown->pickable; }
+
   // viewer_gestures.cpp: mouse and keys
   void react(const Event& event);
   void on_move(const MouseMoved& move);
@@ -90,7 +109,7 @@ class Viewer {
   void on_drop(const FilesDropped& drop);
   void on_press(const MouseButtonChanged& button);
   void on_click(double x, double y);
-  void measure_at(const Hit& hit);
+  void measure_at(const Pickable& pickable, const Hit& hit);
   const ViewPane* pane_at(double x, double y) const;
   void set_camera(const Camera& camera);
   std::optional<Hit> hit_at(const ViewPane& pane, double x, double y) const;
@@ -105,7 +124,7 @@ class Viewer {
   void take_written();
 
   struct Drag {
-    enum class What { orbit, pan, section };
+    enum class What { orbit, pan, section, split };
     What what = What::orbit;
     MouseButton button = MouseButton::left;
     double x = 0, y = 0;             // where the hand is
@@ -113,6 +132,7 @@ class Viewer {
     bool moved = false;              // far enough to be no click
     glm::dvec3 anchor{0};
     SectionGrip grip = SectionGrip::slide;
+    std::size_t pane = 0;            // that it began in
   };
   struct Click {
     double x = 0, y = 0, when = -1e9;
@@ -121,7 +141,9 @@ class Viewer {
   struct DrawnModel {
     std::shared_ptr<const LoadedModel> shown;
     Scene scene;
-    std::vector<Area> areas;
+    std::vector<ViewPane> panes;
+    std::shared_ptr<const LabResult> db;
+    std::optional<std::size_t> artefact;
     PixelSize size;
     int side = 0;
     bool operator==(const DrawnModel&) const = default;
@@ -143,6 +165,7 @@ class Viewer {
 
   std::vector<Event> events_;
   std::vector<ViewPane> panes_;
+  Area viewport_;                     // all of them together
   float scale_ = 1;
   double now_ = 0;
   int frames_to_settle_ = 3;          // panels need a frame or two to follow an event
@@ -156,6 +179,15 @@ class Viewer {
   std::unique_ptr<LoadJob> job_;
   std::exception_ptr failure_;
   std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
+  std::unique_ptr<DbWorker> lab_worker_;
+  std::vector<std::unique_ptr<DbWorker>> left_workers_;  // until they have noticed
+  std::optional<LabOptions> lab_asked_;                  // of the worker
+  GpuModel lab_gpu_model_;
+  GpuOverlay lab_gpu_overlay_;
+  std::shared_ptr<const LabResult> lab_edges_of_;        // that the overlay was made from,
+  std::optional<std::size_t> lab_edges_near_;            // and of which artefact; none: all
+  Framebuffer other_half_;                               // of a split view
+  bool sample_shown_ = false, lesson_after_load_ = false, artefact_when_made_ = false;
   std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
   std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
 };

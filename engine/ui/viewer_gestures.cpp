@@ -20,7 +20,7 @@ constexpr double click_slack = 4, double_click_slack = 6, double_click_seconds =
 
 const ViewPane* Viewer::pane_at(double x, double y) const {
   if (interface_.covers(x, y)) return nullptr;
-  const auto found = std::find_if(panes_.begin(), panes_.end(), [&](const ViewPane& pane) { return pane.area.holds(x, y); });
+  const auto found = std::find_if(panes_.begin(), panes_.end(), [&](const ViewPane& pane) { return pane.shown().holds(x, y); });
   return found == panes_.end() ? nullptr : &*found;
 }
 
@@ -33,7 +33,7 @@ void Viewer::set_camera(const Camera& camera) {
 std::optional<Hit> Viewer::hit_at(const ViewPane& pane, double x, double y) const {
   if (!state_.shown) return std::nullopt;
   const SightLine line = sight_line(pane.camera, place_in(pane.area, x, y));
-  return pick(*state_.shown->pickable, state_.scene, {line.origin, line.direction});
+  return pick(pickable_of(pane), state_.scene, {line.origin, line.direction});
 }
 
 glm::dvec3 Viewer::anchor_at(const ViewPane& pane, double x, double y) const {
@@ -58,7 +58,7 @@ void Viewer::on_move(const MouseMoved& move) {
   Drag& drag = *drag_;
   drag.moved = drag.moved || std::hypot(move.x - drag.start_x, move.y - drag.start_y) > click_slack * scale_;
   if (!drag.moved) return;
-  const ViewPane& pane = panes_.front();
+  const ViewPane& pane = panes_[std::min(drag.pane, panes_.size() - 1)];
   const glm::dvec2 from = place_in(pane.area, drag.x, drag.y), to = place_in(pane.area, move.x, move.y);
   const Camera camera = state_.scene.camera;
   switch (drag.what) {
@@ -68,6 +68,7 @@ void Viewer::on_move(const MouseMoved& move) {
       break;
     }
     case Drag::What::pan: set_camera(pan(camera, from, to, drag.anchor)); break;
+    case Drag::What::split: state_.lab.split = std::clamp((move.x - viewport_.left) / viewport_.width, 0.02, 0.98); break;
     case Drag::What::section:
       if (state_.scene.section)
         state_.scene.section = dragged(*state_.scene.section, drag.grip, camera, handle_reach(pane.area, scale_), from, to, state_.shown->model);
@@ -85,21 +86,23 @@ void Viewer::on_button(const MouseButtonChanged& button) {
   if (!drag_ || drag_->button != button.button) return;
   const Drag drag = *drag_;
   drag_.reset();
-  if (!drag.moved && drag.button == MouseButton::left && drag.what != Drag::What::section) on_click(mouse_x_, mouse_y_);
+  if (!drag.moved && drag.button == MouseButton::left && drag.what != Drag::What::section && drag.what != Drag::What::split) on_click(mouse_x_, mouse_y_);
 }
 
 void Viewer::on_press(const MouseButtonChanged& button) {
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane) return;
   if (button.button == MouseButton::left) {
-    if (const auto named = compass_hit(*pane, scale_, mouse_x_, mouse_y_)) {
+    if (const auto named = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_)) {
       state_.todo.push_back(*named);
       return;
     }
   }
   Drag drag{.button = button.button, .x = mouse_x_, .y = mouse_y_, .start_x = mouse_x_, .start_y = mouse_y_};
   drag.anchor = anchor_at(*pane, mouse_x_, mouse_y_);
-  if (button.button != MouseButton::left || button.with.shift) drag.what = Drag::What::pan;
+  drag.pane = static_cast<std::size_t>(pane - panes_.data());
+  if (button.button == MouseButton::left && on_split_line(mouse_x_, mouse_y_)) drag.what = Drag::What::split;
+  else if (button.button != MouseButton::left || button.with.shift) drag.what = Drag::What::pan;
   else if (state_.scene.section) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     const auto grip = handle ? grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_)) : std::nullopt;
@@ -118,13 +121,13 @@ void Viewer::on_click(double x, double y) {
   if (!pane) return;
   const auto hit = hit_at(*pane, x, y);
   if (state_.tool != Tool::look) {
-    if (hit) measure_at(*hit);
+    if (hit) measure_at(pickable_of(*pane), *hit);
   } else if (second && hit) {
     go_to(centred_on(state_.scene.camera, hit->point_mm));
   }
 }
 
-void Viewer::measure_at(const Hit& hit) {
+void Viewer::measure_at(const Pickable& pickable, const Hit& hit) {
   Measured& measured = state_.measured;
   if (state_.tool == Tool::distance) {
     if (measured.ends.size() != 1) measured = {};
@@ -133,7 +136,7 @@ void Viewer::measure_at(const Hit& hit) {
   }
   measured = {};
   measured.wall_at = hit;
-  measured.wall = wall_thickness(*state_.shown->pickable, hit);
+  measured.wall = wall_thickness(pickable, hit);
   if (!measured.wall) notice(hit.triangle ? "No wall here: straight into the material there is no other side." : "Measure walls on a surface, not on the cut.");
 }
 
@@ -187,13 +190,13 @@ void Viewer::show_hovered() {
   if (!state_.shown || drag_) return;
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane) return;
-  hovered_compass_ = compass_hit(*pane, scale_, mouse_x_, mouse_y_);
+  hovered_compass_ = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_);
   if (!hovered_compass_ && state_.scene.section) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
   }
   if (!hovered_compass_ && !hovered_grip_) state_.under_pointer = hit_at(*pane, mouse_x_, mouse_y_);
-  if (hovered_compass_ || hovered_grip_) pointer_ = Pointer::hand;
+  if (hovered_compass_ || hovered_grip_ || on_split_line(mouse_x_, mouse_y_)) pointer_ = Pointer::hand;
   else if (state_.tool != Tool::look) pointer_ = Pointer::cross;
 }
 

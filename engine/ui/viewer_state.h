@@ -9,6 +9,7 @@
 
 #include "engine/measure/wall_thickness.h"
 #include "engine/scene/scene.h"
+#include "engine/ui/lab_state.h"
 #include "engine/ui/loading.h"
 #include "engine/ui/settings.h"
 
@@ -20,7 +21,8 @@ enum class Tool { look, distance, thickness };
 enum class Action {
   view_three_quarter, view_buccal, view_lingual, view_mesial, view_distal, view_occlusal, view_apical,
   fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
-  measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape
+  measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape,
+  toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
 };
 
 /// A rectangle of the picture in pixels from the upper left.
@@ -52,10 +54,14 @@ struct VolumeQuestion {
   double min_area_mm2 = 4;
 };
 
-/// What is in one part of the picture: one eye. Two of them will be a comparison or a headset.
+/// What is in one part of the picture: one eye. Two of them are a comparison.
 struct ViewPane {
   Area area;
   Camera camera;
+  bool db = false;                         // the DB surface of DB mode instead of the model
+  std::optional<Area> seen = {};           // the part of `area` that is shown, if not all: beside the line of a split view
+  const Area& shown() const { return seen ? *seen : area; }
+  friend bool operator==(const ViewPane&, const ViewPane&) = default;
 };
 
 struct ViewerState {
@@ -69,6 +75,7 @@ struct ViewerState {
   bool help = false;
   std::optional<std::string> file_asked_for;   // being typed
   std::optional<VolumeQuestion> question;
+  LabState lab;
   std::string trouble;                     // an error to read and close; empty if none
   std::vector<Notice> notices;
   std::string drawn_with;                  // the context in words

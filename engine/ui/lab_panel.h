@@ -1,0 +1,26 @@
+#pragma once
+// DB mode's controls in the panel, and what it draws over the picture: which method is where, the line of a split view, the artefact and the lesson.
+
+#include <vector>
+
+#include "engine/ui/interface.h"
+#include "engine/ui/viewer_state.h"
+
+namespace odontoscope {
+
+/// A button while the mode is off; the comparison's numbers and controls while it is on; nothing where no contours are known.
+void lab_section(ViewerState& state, const Interface& interface);
+
+/// Over the picture. Precondition: the mode is on.
+void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport, float scale);
+
+/// DB needs two slices of contours: a mesh from elsewhere has none.
+bool lab_possible(const ViewerState& state);
+
+/// Edges of the shown model by what is wrong with them, as drawn.
+struct FaultyEdges {
+  std::size_t cracks = 0, misoriented = 0, nonmanifold = 0;
+};
+FaultyEdges faulty_edges_of(const LoadedModel& shown);
+
+}  // namespace odontoscope
