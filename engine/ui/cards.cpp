@@ -136,7 +136,7 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
   std::size_t row = 0;
   for (const ActionKey& key : action_keys()) {
     if (!told.insert(key.action).second) continue;   // a second key for the same
-    constexpr std::size_t rows_at_left = 7;
+    constexpr std::size_t rows_at_left = 11;
     if (row++ == rows_at_left) ImGui::NextColumn();
     key_row(interface, key.printed, key.words, scaled(72));
   }

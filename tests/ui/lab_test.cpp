@@ -14,24 +14,27 @@ namespace odontoscope::testing_support {
 namespace {
 
 /// The sample molar with its contours, as the program's loader delivers it.
+LoadedModel load(const SampleOptions& options) {
+  LoadedModel made;
+  made.title = "Sample molar";
+  made.overlays.contours = sample_tooth(ToothKind::molar, options);
+  std::vector<NamedSurface> surfaces;
+  for (Solid& solid : reconstruct(made.overlays.contours).solids) {
+    made.triangles += solid.surface.triangles.size();
+    surfaces.push_back({solid.structure, std::move(solid.surface)});
+  }
+  made.model = make_model(surfaces);
+  made.overlays.faulty_edges = faulty_edges(surfaces, made.model);
+  made.scene = usual_scene(made.model, 1.2);
+  made.scene.occlusion.on = false;
+  made.pickable = std::make_shared<const Pickable>(made.model);
+  made.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
+  return made;
+}
+
+/// Coarse enough to be made in a moment.
 const LoadedModel& molar() {
-  static const LoadedModel loaded = [] {
-    LoadedModel made;
-    made.title = "Sample molar";
-    made.overlays.contours = sample_tooth(ToothKind::molar);
-    std::vector<NamedSurface> surfaces;
-    for (Solid& solid : reconstruct(made.overlays.contours).solids) {
-      made.triangles += solid.surface.triangles.size();
-      surfaces.push_back({solid.structure, std::move(solid.surface)});
-    }
-    made.model = make_model(surfaces);
-    made.overlays.faulty_edges = faulty_edges(surfaces, made.model);
-    made.scene = usual_scene(made.model, 1.2);
-    made.scene.occlusion.on = false;
-    made.pickable = std::make_shared<const Pickable>(made.model);
-    made.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
-    return made;
-  }();
+  static const LoadedModel loaded = load({.slice_spacing = 0.35, .point_spacing = 0.5});
   return loaded;
 }
 
@@ -40,7 +43,7 @@ class Lab : public ViewerTest {
   void SetUp() override {
     ViewerTest::SetUp();
     if (IsSkipped()) return;
-    size_ = {1280, 800};
+    size_ = {900, 640};
     viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return molar(); }});
   }
   LabState& lab() { return viewer().state().lab; }
@@ -53,7 +56,7 @@ class Lab : public ViewerTest {
     ASSERT_TRUE(lab().made && lab().made->options == lab().wanted);
     frames(3);
   }
-  void settle() { frames(12, 0.05); }
+  void settle() { frames(9, 0.06); }
 };
 
 /// The share of a pane's pixels, below its labels and above the card, that two pictures show differently.
@@ -124,7 +127,7 @@ TEST_F(Lab, HolesOfTheUnorientedTableVanishWhenBothSidesAreDrawn) {
   const Image both_sides = picture();
   keep_picture("lab-two-sided");
   EXPECT_GT(share_that_differs(culled, both_sides, db), 0.05);
-  EXPECT_EQ(share_that_differs(culled, both_sides, dt), 0);
+  EXPECT_LT(share_that_differs(culled, both_sides, dt), 1e-4);   // single pixels on a rim, where front and back are equally deep
   // A table whose cases are turned over has no such holes.
   type(U'b');
   type(U'b');
@@ -177,7 +180,7 @@ TEST_F(Lab, LinkedCamerasTurnTogether) {
   EXPECT_NE(viewer().state().scene.camera, before);
   EXPECT_EQ(viewer().panes()[0].camera, viewer().panes()[1].camera);
   // What is pointed at is the method's that one points at.
-  move(right.left + right.width / 2, 400);
+  move(right.left + right.width / 2, 250);   // the crown
   EXPECT_TRUE(viewer().state().under_pointer);
 }
 
@@ -208,7 +211,7 @@ TEST_F(Lab, FramesGoOnWhileItWorks) {
   type(U'd');
   wait_until_made();
   viewer().state().settings.panel = false;
-  lab().wanted.grid = 192;
+  lab().wanted.grid = 160;
   frame();
   int waited = 0;
   for (; lab().working && waited < 100000; ++waited) {
@@ -269,6 +272,8 @@ TEST_F(Lab, CountsOfDtAreThoseOfItsSurface) {
 }
 
 TEST_F(Lab, TheLessonGoesStepByStep) {
+  size_ = {1280, 800};
+  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return load({}); }});   // its claims are of the sample as it is
   type(U'g');
   ASSERT_TRUE(lab().lesson);
   const std::size_t steps = lab().lesson->steps.size();
