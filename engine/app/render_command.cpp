@@ -70,6 +70,8 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, const 
   Renderer renderer(context.gl(), shaders_from_environment());
   const GpuModel gpu_model = upload(context.gl(), shown.model);
   const GpuOverlay overlay = upload(context.gl(), make_overlay(shown.overlays, scene.overlays, shown.model));
+  const bool ct = scene.section && scene.cap.shows == CapLook::Shows::ct;
+  const GpuValueGrid values = ct ? upload(context.gl(), *shown.values, gpu_model) : GpuValueGrid{};
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -77,9 +79,22 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, const 
     session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
     Scene frame = scene;
     if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
-    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay))});
+    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay, ct ? &values : nullptr))});
   }
   return files;
+}
+
+/// Which greys mean what; refuses a cap where nothing is cut.
+void tell_cap(const Options& options, const Shown& shown, const Scene& scene, Console& console) {
+  if (!options.scene.cap.empty() && !scene.section)
+    throw UsageError(fmt::format("--cap {}: nothing is cut open", options.scene.cap), "Say with --section where to cut.");
+  if (!scene.section || scene.cap.shows != CapLook::Shows::ct) return;
+  const ValueGrid& values = *shown.values;
+  const ValueWindow window = scene.cap.window.value_or(values.usual);
+  console.say(fmt::format("The cap shows CT values from {:.6g} (black) to {:.6g} (white){}.", window.low, window.high,
+                          scene.cap.window ? "" : fmt::format(": of the values around the model {:g} % are lower and {:g} % higher", 100 * usual_low, 100 * (1 - usual_high))));
+  if (values.merged != std::array<std::size_t, 3>{1, 1, 1})
+    console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
 }
 
 ExitCode render(const Options& options, Session& session) {
@@ -93,7 +108,8 @@ ExitCode render(const Options& options, Session& session) {
   refuse_undrawable(context->gl(), picture.size, picture.render);
 
   const Shown shown = shown_from(options.input, options.volume, session);
-  const Scene scene = scene_from(options.scene, shown.model, shown.overlays, picture.size);
+  const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
+  tell_cap(options, shown, scene, session.console);
   std::vector<FileContent> files = draw(options, *context, shown, scene, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
@@ -132,6 +148,7 @@ Command render_command(CLI::App& root) {
       "Examples:\n"
       "  odontoscope render -o molar.png\n"
       "  odontoscope render molar.json -o cut.png --section buccal --opacity enamel=1 --opacity dentine=1\n"
+      "  odontoscope render tooth.nrrd -o ct.png --iso 120 --min-area 4 --section buccal --view buccal --cap ct\n"
       "  odontoscope render scan.stl -o holes.png --cull tint\n"
       "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n");
   return {parser, [options](Session& session) { return render(*options, session); }};

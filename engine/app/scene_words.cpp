@@ -74,6 +74,31 @@ BackFaces culling_from(const std::string& text) {
   throw UsageError(fmt::format("--cull {}: that is no way to treat faces seen from behind", text), "Choose on, off or tint.");
 }
 
+constexpr std::string_view ct_word = "ct";
+
+/// "material", "ct", "ct=LOW,HIGH".
+CapLook cap_from(const std::string& text) {
+  if (text == "material") return {};
+  CapLook cap{CapLook::Shows::ct, {}};
+  if (text == ct_word) return cap;
+  const std::size_t start = ct_word.size() + 1, comma = text.find(',');
+  if (!text.starts_with("ct=") || comma == std::string::npos)
+    throw UsageError(fmt::format("--cap {}: a cap cannot show that", text), "Choose material, ct, or ct=LOW,HIGH with the values that are black and white: ct=60,220.");
+  cap.window = ValueWindow{number_in(std::string_view(text).substr(start, comma - start), "--cap"), number_in(std::string_view(text).substr(comma + 1), "--cap")};
+  if (!cap.window->sensible())
+    throw UsageError(fmt::format("--cap {}: that is no range of values", text), "Give the value that is black, then a higher one that is white: ct=60,220.");
+  return cap;
+}
+
+void choose_cap(const SceneWords& words, const ValueGrid* values, Scene& scene) {
+  if (!words.cap.empty()) scene.cap = cap_from(words.cap);
+  if (values || scene.cap.shows == CapLook::Shows::material) return;
+  if (!words.cap.empty())
+    throw UsageError(fmt::format("--cap {}: only a volume has CT values", words.cap), "Give the volume that the model was made from, with --iso.");
+  throw UsageError(fmt::format("{} shows CT values on the cap, and only a volume has them", words.scene_file),
+                   "Give the volume that the model was made from, with --iso, or add --cap material.");
+}
+
 /// How clear what surrounds the tetrahedra becomes, so that they can be seen.
 constexpr float around_tetrahedra = 0.12f;
 
@@ -187,7 +212,7 @@ Section section_from(const std::string& text, const odontoscope::Model& model) {
   return section;
 }
 
-Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, PixelSize size) {
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, const ValueGrid* values, PixelSize size) {
   const double aspect = static_cast<double>(size.width) / size.height;
   Scene scene = usual_scene(model, aspect);
   if (!words.scene_file.empty()) scene = read_scene(words.scene_file, scene);
@@ -195,6 +220,7 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const
   add_overlays(words, overlays, scene);
   change_looks(words, scene);
   if (!words.section.empty()) scene.section = section_from(words.section, model);
+  choose_cap(words, values, scene);
   if (!words.back_faces.empty()) scene.back_faces = culling_from(words.back_faces);
   if (!words.background.empty()) scene.background = background_from(words.background);
   if (words.occlusion) {
@@ -208,6 +234,7 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const
 void refuse_senseless(const SceneWords& words) {
   if (!words.view.empty()) view_named(words.view);
   if (!words.section.empty()) direction_in(words.section.substr(0, words.section.find('@')));
+  if (!words.cap.empty()) cap_from(words.cap);
   if (!words.back_faces.empty()) culling_from(words.back_faces);
   for (const std::string& text : words.overlays) refuse_unknown_overlay(text);
   if (!words.background.empty()) background_from(words.background);
@@ -242,6 +269,9 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
   repeatable(parser.add_option("--colour", words.colour, "e.g. pulp=#c9332e; repeatable"))->type_name("S=#RRGGBB")->group(showing);
   parser.add_option("--section", words.section, "Cut away: +x to -z, buccal, ..., or X,Y,Z; @MM says where, e.g. -x@2.5")
       ->type_name("SIDE[@MM]")
+      ->group(showing);
+  parser.add_option("--cap", words.cap, "Where it is cut: material (default), or a volume's CT values, ct=LOW,HIGH from black to white")
+      ->type_name("WHAT")
       ->group(showing);
   parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")
       ->type_name("MODE")

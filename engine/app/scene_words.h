@@ -9,6 +9,7 @@
 #include "engine/gpu/framebuffer.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/value_grid.h"
 
 namespace odontoscope::app {
 
@@ -20,7 +21,7 @@ struct SceneWords {
   std::vector<std::string> hide;       // "S"
   std::vector<std::string> opacity;    // "S=0.3"
   std::vector<std::string> colour;     // "S=#rrggbb"
-  std::string section, back_faces, background;
+  std::string section, cap, back_faces, background;
   std::vector<std::string> overlays;   // "contours", "edges", "tetrahedra", "tetrahedra=N"
   std::optional<double> occlusion;
   bool wire = false;
@@ -33,8 +34,8 @@ void refuse_senseless(const SceneWords& words);
 
 /// The model's usual scene, then what the scene file says, then the words. Throws UsageError for words that make no sense
 /// (a structure that the model has not, a view that there is none), FileError and InputError for the files.
-/// UsageError, too, for overlays that the input cannot have.
-Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, PixelSize size);
+/// UsageError, too, for overlays that the input cannot have, and for a cap of CT values without `values` (null: the input is no volume).
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, const ValueGrid* values, PixelSize size);
 
 /// "1200x900"; UsageError unless both are from 1 to `most_picture_side`.
 PixelSize size_from(const std::string& text);

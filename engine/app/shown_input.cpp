@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <glm/common.hpp>
+#include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -25,6 +28,7 @@ struct Found {
   std::vector<NamedSurface> surfaces;
   OverlaySource overlays;
   std::optional<Shown::Proven> proven = {};
+  std::shared_ptr<const ValueGrid> values = {};
 };
 
 Found found_in(ContourStack stack, Session& session) {
@@ -40,6 +44,28 @@ Found found_in(ContourStack stack, Session& session) {
     found.proven->reports.push_back(std::move(solid.report));
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
   }
+  return found;
+}
+
+Box bounds_of(const ContourStack& stack) {
+  Box bounds{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
+  for (const Slice& slice : stack.slices)
+    for (const Contour& contour : slice.contours)
+      for (const Point2& point : contour.points) {
+        bounds.low = glm::min(bounds.low, glm::dvec3(point.x, point.y, slice.z));
+        bounds.high = glm::max(bounds.high, glm::dvec3(point.x, point.y, slice.z));
+      }
+  return bounds;
+}
+
+/// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
+Found found_in_volume(const std::string& file, const VolumeContourOptions& options, Session& session) {
+  auto volume = std::make_unique<Volume>();
+  ContourStack stack = contours_told(file, options, session, volume.get());
+  auto values = std::make_shared<const ValueGrid>(value_grid(*volume, bounds_of(stack)));
+  volume.reset();
+  Found found = found_in(std::move(stack), session);
+  found.values = std::move(values);
   return found;
 }
 
@@ -73,7 +99,7 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
 
 Found found_in(const std::string& file, const VolumeWords& words, Session& session) {
   if (file.empty()) return found_in(sample_tooth(ToothKind::molar), session);
-  if (words.any_level()) return found_in(contours_told(file, understood(words), session), session);
+  if (words.any_level()) return found_in_volume(file, understood(words), session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file);
   const FileKind kind = kind_of(bytes);
@@ -92,7 +118,7 @@ Shown shown_from(const std::string& file, const VolumeWords& words, Session& ses
   Found found = found_in(file, words, session);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.proven)};
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven)};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

@@ -2,6 +2,7 @@
 // What a picture is made of: any file that has, or can be made into, surfaces.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "engine/app/volume_options.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
+#include "engine/scene/value_grid.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope::app {
@@ -20,6 +22,7 @@ struct Shown {
   odontoscope::Model model;
   OverlaySource overlays;
   std::vector<NamedSurface> surfaces;   // that the model was made from
+  std::shared_ptr<const ValueGrid> values;   // of the volume that it came from; null for any other input
 
   /// What was proven of the solids whose surfaces these are; empty for a mesh that somebody else made.
   struct Proven {

@@ -54,10 +54,11 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Opt
   loaded.certificate = certificate_of(shown, progress);
   for (const NamedSurface& named : shown.surfaces) loaded.triangles += named.surface.triangles.size();
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
-  loaded.scene = scene_from(words, shown.model, shown.overlays, usual_view);
+  loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.model = std::move(shown.model);
   loaded.overlays = std::move(shown.overlays);
+  loaded.values = std::move(shown.values);
   const bool whole_scene = !words.scene_file.empty();
   loaded.camera_given = whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
   loaded.background_given = whole_scene || !words.background.empty();

@@ -12,6 +12,7 @@
 #include "recon/core/limits.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
+#include "recon/volume/read_volume.h"
 
 namespace odontoscope::app {
 namespace {
@@ -78,8 +79,10 @@ VolumeContourOptions understood(const VolumeWords& words) {
   return options;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeContourOptions& options, Session& session) {
-  VolumeContours found = contours_from_volume(file, options, session.progress());
+ContourStack contours_told(const std::string& file, const VolumeContourOptions& options, Session& session, Volume* volume) {
+  Volume read = read_volume(file, {options.spacing}, session.progress());
+  VolumeContours found = contours_of_volume(read, options, session.progress());
+  if (volume) *volume = std::move(read);
   tell_volume(file, found.volume, session.console);
   tell_levels(found.levels, session.console);
   if (const auto& simpler = found.simplification) {

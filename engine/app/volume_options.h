@@ -28,8 +28,8 @@ void add_volume_options(CLI::App& parser, VolumeWords& words);
 /// Throws UsageError for anything that is no number, name or triple, and for two structures of one name.
 VolumeContourOptions understood(const VolumeWords& words);
 
-/// contours_from_volume, and tells what it found.
-ContourStack contours_told(const std::string& file, const VolumeContourOptions& options, Session& session);
+/// The volume's contours, and tells what it found. `volume`, if not null, is given the volume itself.
+ContourStack contours_told(const std::string& file, const VolumeContourOptions& options, Session& session, Volume* volume = nullptr);
 
 /// A valid stack with fewer points, and tells how many.
 ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOptions& options, Session& session);

@@ -9,6 +9,7 @@ CapPass::CapPass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl),
       count_(gl, shaders, {"surface.vert", "cap_count.frag"}),
       cover_(gl, shaders, {"cap.vert", "surface.frag"}),
+      cover_values_(gl, shaders, {"cap.vert", "cap_values.frag"}),
       no_vertices_(make_vertex_array(gl)) {}
 
 void CapPass::draw(const FramePlan& plan) const {
@@ -43,19 +44,37 @@ void CapPass::cover(const FramePlan& plan, const CappedSolid& solid) const {
   const glm::vec3 normal(plan.section);
   const glm::vec3 other = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 across = glm::normalize(glm::cross(other, normal));
-  cover_.use();
-  set_view(cover_, plan);
+  const Program& program = plan.cap_values ? cover_values_ : cover_;
+  program.use();
+  set_view(program, plan);
+  program.set("centre", plan.centre + (plan.section.w - glm::dot(normal, plan.centre)) * normal);
+  program.set("across", plan.radius * across);
+  program.set("along", plan.radius * glm::cross(normal, across));
+  program.set("normal", normal);
+  if (plan.cap_values) set_values(plan);
+  else set_material(solid);
+  gl_->BindVertexArray(no_vertices_.id());
+  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void CapPass::set_material(const CappedSolid& solid) const {
   cover_.set("section", glm::vec4(0, 0, 0, 1));
-  cover_.set("centre", plan.centre + (plan.section.w - glm::dot(normal, plan.centre)) * normal);
-  cover_.set("across", plan.radius * across);
-  cover_.set("along", plan.radius * glm::cross(normal, across));
-  cover_.set("normal", normal);
   cover_.set("colour", solid.colour);
   cover_.set("back_colour", solid.colour);
   cover_.set("normal_sign", 1.0f);
   cover_.set("opacity", 1.0f);
-  gl_->BindVertexArray(no_vertices_.id());
-  gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void CapPass::set_values(const FramePlan& plan) const {
+  const GpuValueGrid& grid = *plan.cap_values;
+  gl_->ActiveTexture(GL_TEXTURE0);
+  gl_->BindTexture(GL_TEXTURE_3D, grid.texture.id());
+  cover_values_.set("values", 0);
+  cover_values_.set("first", grid.first);
+  cover_values_.set("spacing", grid.step);
+  cover_values_.set("size", grid.size);
+  cover_values_.set("low", static_cast<float>(plan.cap_window.low));
+  cover_values_.set("high", static_cast<float>(plan.cap_window.high));
 }
 
 }  // namespace odontoscope

@@ -66,7 +66,8 @@ void add_overlay(const GpuOverlay& overlay, const GpuModel& model, const Scene& 
 
 }  // namespace
 
-FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side, const GpuOverlay* overlay) {
+FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side, const GpuOverlay* overlay,
+                     const GpuValueGrid* values) {
   FramePlan plan;
   plan.view = view;
   plan.size = {side * size.width, side * size.height};
@@ -92,6 +93,10 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   }
   std::stable_sort(plan.capped.begin(), plan.capped.end(),
                    [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });
+  if (values && scene.cap.shows == CapLook::Shows::ct) {
+    plan.cap_values = values;
+    plan.cap_window = scene.cap.window.value_or(values->usual);
+  }
   if (overlay) add_overlay(*overlay, model, scene, plan);
   return plan;
 }

@@ -7,6 +7,7 @@
 #include "engine/gpu/program.h"
 #include "engine/render/gpu_model.h"
 #include "engine/render/gpu_overlay.h"
+#include "engine/render/gpu_value_grid.h"
 #include "engine/scene/scene.h"
 
 namespace odontoscope {
@@ -45,6 +46,8 @@ struct FramePlan {
   std::vector<DrawnPart> opaque;
   std::vector<DrawnPart> translucent;
   std::vector<CappedSolid> capped;       // largest first; empty if the section is off or seen from its far side
+  const GpuValueGrid* cap_values = nullptr;   // what the caps show; null: the solids' colours
+  ValueWindow cap_window;
   std::vector<DrawnLines> lines;
   glm::vec4 section{0, 0, 0, 1};        // keeps what has dot(xyz, position) <= w; this one keeps everything
   glm::vec3 centre{0};                  // metres
@@ -58,9 +61,9 @@ struct FramePlan {
   float occlusion_reach() const { return occlusion.reach * radius; }
 };
 
-/// `side` squared is the number of samples a pixel; `overlay` null: none.
+/// `side` squared is the number of samples a pixel; `overlay` null: none; `values` null: caps show the material.
 FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side,
-                     const GpuOverlay* overlay = nullptr);
+                     const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr);
 
 /// Sets the uniforms that every pass over surfaces shares. The program is in use.
 void set_view(const Program& program, const FramePlan& plan);

@@ -33,10 +33,10 @@ Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
-                    const GpuOverlay* overlay) {
+                    const GpuOverlay* overlay, const GpuValueGrid* values) {
   for (const Pane& pane : panes) {
     refuse_undrawable(*gl_, pane.target.size, options);
-    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay), scene.background, pane.target);
+    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay, values), scene.background, pane.target);
   }
 }
 

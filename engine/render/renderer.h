@@ -45,9 +45,9 @@ class Renderer {
   /// The context of `gl` is current now and at every call, and outlives this.
   Renderer(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Two panes are a headset, four a split screen. `overlay` null: none. Throws GraphicsError as `refuse_undrawable` does.
+  /// Two panes are a headset, four a split screen. `overlay` null: none; `values` null: caps show the material. Throws GraphicsError as `refuse_undrawable` does.
   void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {},
-            const GpuOverlay* overlay = nullptr);
+            const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr);
 
  private:
   /// What the passes of one size draw into.

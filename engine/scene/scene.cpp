@@ -1,10 +1,16 @@
 #include "engine/scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
 namespace odontoscope {
+
+bool ValueWindow::sensible() const {
+  constexpr double most = 1e30, least_width = 1e-30;
+  return std::abs(low) <= most && std::abs(high) <= most && high - low >= least_width && static_cast<float>(low) < static_cast<float>(high);
+}
 
 namespace {
 

@@ -30,6 +30,23 @@ struct Section {
   friend bool operator==(const Section&, const Section&) = default;
 };
 
+/// The grey values that are shown black and white; what lies between is grey in proportion.
+struct ValueWindow {
+  double low = 0, high = 1;
+  /// Both finite and of a size that graphics processors reckon with, `low` clearly below `high`.
+  bool sensible() const;
+  friend bool operator==(const ValueWindow&, const ValueWindow&) = default;
+};
+
+/// What a section's cap shows: the structure's colour, lit, or the values of the volume that the model came from (see value_grid.h),
+/// which no light changes. A model without a volume has only its material.
+struct CapLook {
+  enum class Shows { material, ct };
+  Shows shows = Shows::material;
+  std::optional<ValueWindow> window;   // none: the volume's usual one
+  friend bool operator==(const CapLook&, const CapLook&) = default;
+};
+
 /// What happens to triangles seen from behind, that is clockwise: left out as game engines and web viewers do, drawn
 /// like any other, or drawn in an alarming colour.
 enum class BackFaces { cull, show, tint };
@@ -65,6 +82,7 @@ struct Scene {
   Camera camera;
   std::vector<Look> looks;
   std::optional<Section> section;
+  CapLook cap;
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
   OverlayChoice overlays;

@@ -32,6 +32,8 @@ const char* name(Background::Kind kind) {
   return "unknown";
 }
 
+const char* name(CapLook::Shows shows) { return shows == CapLook::Shows::ct ? "ct" : "material"; }
+
 /// Reads members of one object; each call leaves `value` alone if the member is missing.
 class Reader {
  public:
@@ -66,6 +68,13 @@ class Reader {
     if (const Json* json = member(key)) {
       if (!json->is_array() || json->size() != 3) refuse("wrong-type", key, "is no list of three numbers");
       value = {number((*json)[0], key), number((*json)[1], key), number((*json)[2], key)};
+    }
+  }
+
+  void read(const char* key, ValueWindow& value) const {
+    if (const Json* json = member(key)) {
+      if (!json->is_array() || json->size() != 2) refuse("wrong-type", key, "is no list of two numbers");
+      value = {number((*json)[0], key), number((*json)[1], key)};
     }
   }
 
@@ -174,6 +183,25 @@ void read_section(const Reader& scene, const std::string& file, Scene& result) {
   result.section = section;
 }
 
+CapLook::Shows cap_named(std::string_view wanted) {
+  for (const auto shows : {CapLook::Shows::material, CapLook::Shows::ct})
+    if (wanted == name(shows)) return shows;
+  throw UsageError(fmt::format("a cap cannot show \"{}\"", wanted), "Choose material or ct.");
+}
+
+void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {
+  const Json* json = scene.member("cap");
+  if (!json) return;
+  const Reader reader(*json, "cap", file);
+  reader.read_word("shows", cap.shows, cap_named);
+  cap.window.reset();
+  if (!reader.member("window")) return;
+  ValueWindow window;
+  reader.read("window", window);
+  if (!window.sensible()) reader.refuse("bad-value", "window", "is no range of values, the lower first");
+  cap.window = window;
+}
+
 void read_surroundings(const Reader& scene, const std::string& file, Scene& result) {
   if (const Json* json = scene.member("background")) {
     const Reader reader(*json, "background", file);
@@ -242,6 +270,8 @@ std::string to_json(const Scene& scene) {
                                   {"visible", look.visible},
                                   {"as_body", look.as_body}});
   if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
+  json["cap"] = {{"shows", name(scene.cap.shows)},
+                 {"window", scene.cap.window ? Json::array({scene.cap.window->low, scene.cap.window->high}) : Json()}};
   json["back_faces"] = name(scene.back_faces);
   json["wire"] = scene.wire;
   json["overlays"] = {{"contours", scene.overlays.contours},
@@ -273,6 +303,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   read_camera(reader, file, scene.camera);
   read_looks(reader, file, scene);
   read_section(reader, file, scene);
+  read_cap(reader, file, scene.cap);
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
   read_overlays(reader, file, scene.overlays);

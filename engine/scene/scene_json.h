@@ -6,6 +6,7 @@
 //              "field_of_view_deg":24,"height_mm":25},
 //    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true,"as_body":false}],
 //    "section":{"point":[0,0,10],"normal":[0,1,0]},
+//    "cap":{"shows":"ct","window":[60,220]},
 //    "back_faces":"cull","wire":false,
 //    "overlays":{"contours":true,"edges":false,"slab":12,"shrink":0.8},
 //    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},

@@ -13,6 +13,7 @@
 #include "engine/measure/pick.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/value_grid.h"
 #include "recon/core/progress.h"
 
 namespace odontoscope {
@@ -42,6 +43,7 @@ struct LoadedModel {
   std::string title;
   Model model;
   OverlaySource overlays;
+  std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
   std::shared_ptr<const Pickable> pickable;   // never null
   Scene scene;                   // a good first look
   Certificate certificate;

@@ -153,6 +153,22 @@ void measure_section(ViewerState& state, const Interface& interface) {
   if (state.tool != Tool::look && widgets::wide_button("Done")) state.todo.push_back(Action::escape);
 }
 
+/// Only what came from a volume has values to show.
+void cap_choice(CapLook& cap, const ValueGrid& values) {
+  int shows = static_cast<int>(cap.shows);
+  if (widgets::choice("cap", shows, {"Material", "CT values"})) cap.shows = static_cast<CapLook::Shows>(shows);
+  if (cap.shows != CapLook::Shows::ct) return;
+  const ValueWindow range = values.range;
+  ValueWindow window = cap.window.value_or(values.usual);
+  const double least = 0.001 * (range.high - range.low);   // that black and white stay apart
+  const bool black = widgets::slider("Black", window.low, range.low, range.high, "%.5g");
+  const bool white = widgets::slider("White", window.high, range.low, range.high, "%.5g");
+  if (!black && !white) return;
+  if (black) window.high = std::max(window.high, window.low + least);
+  else window.low = std::min(window.low, window.high - least);
+  if (window.sensible()) cap.window = window;
+}
+
 void section_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Section")) return;
   bool on = state.scene.section.has_value();
@@ -174,6 +190,7 @@ void section_section(ViewerState& state, const Interface& interface) {
     const double kept = offset_of(section, model);
     section = with_offset({section.point_mm, normal_of(angles)}, kept, model);
   }
+  if (state.shown->values) cap_choice(state.scene.cap, *state.shown->values);
   if (widgets::wide_button("Cut away the other side")) state.todo.push_back(Action::flip_section);
   widgets::remark(interface, "In the picture: drag the knob to move the plane, the arrow's tip to turn it.");
 }

@@ -132,6 +132,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   gpu_model_ = upload(*gl_, shown->model);
   gpu_overlay_ = {};
   overlays_made_ = {};
+  gpu_values_.reset();
   state_.scene = shown->scene;
   // The same plane, its handle where the model is.
   if (auto& section = state_.scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
@@ -241,6 +242,20 @@ void Viewer::make_overlays() {
   if (!state_.shown || state_.scene.overlays == overlays_made_) return;
   gpu_overlay_ = upload(*gl_, make_overlay(state_.shown->overlays, state_.scene.overlays, state_.shown->model));
   overlays_made_ = state_.scene.overlays;
+}
+
+const GpuValueGrid* Viewer::cap_values() {
+  CapLook& cap = state_.scene.cap;
+  if (cap.shows != CapLook::Shows::ct || !state_.scene.section || !state_.shown->values) return nullptr;
+  if (gpu_values_) return &*gpu_values_;
+  try {
+    gpu_values_ = upload(*gl_, *state_.shown->values, gpu_model_);
+    return &*gpu_values_;
+  } catch (const GraphicsError& error) {
+    cap.shows = CapLook::Shows::material;
+    state_.trouble = error.what();
+    return nullptr;
+  }
 }
 
 void Viewer::draw_model(const FrameInput& input, const Target& target) {

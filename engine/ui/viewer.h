@@ -73,6 +73,8 @@ class Viewer {
   void perform(Action action);
   void lay_out(const FrameInput& input);
   void make_overlays();
+  /// What the cap shows, in the graphics processor's memory; null: the material.
+  const GpuValueGrid* cap_values();
   void draw_model(const FrameInput& input, const Target& target);
   void draw_interface(const FrameInput& input, const Target& target);
   void choose(Tool tool);
@@ -158,6 +160,7 @@ class Viewer {
   GpuModel gpu_model_;
   GpuOverlay gpu_overlay_;
   OverlayChoice overlays_made_;
+  std::optional<GpuValueGrid> gpu_values_;   // once they are shown
   Framebuffer picture_;
   DrawnModel drawn_;
   double fine_picture_seconds_ = 0.5;   // about what one takes; a slow machine's guess until one was drawn

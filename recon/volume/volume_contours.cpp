@@ -85,7 +85,10 @@ std::array<double, 3> parse_spacing(std::string_view text) {
 
 VolumeContours contours_from_volume(const std::string& path, const VolumeContourOptions& options,
                                     const Progress& progress) {
-  const Volume volume = read_volume(path, {options.spacing}, progress);
+  return contours_of_volume(read_volume(path, {options.spacing}, progress), options, progress);
+}
+
+VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptions& options, const Progress& progress) {
   const ValueRange range = validate_volume(volume);
   std::vector<LevelTracer> tracers = iso_tracers(volume, range, options.isos);
   std::vector<LevelTracer> label_ones = label_tracers(volume, options.labels);

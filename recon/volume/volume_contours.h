@@ -52,6 +52,9 @@ struct VolumeContours {
 VolumeContours contours_from_volume(const std::string& path, const VolumeContourOptions& options,
                                     const Progress& progress = {});
 
+/// The same of a volume that was read before and passes validate_volume; options.spacing has had its say by then.
+VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptions& options, const Progress& progress = {});
+
 /// "120" or "120=dentine". Without a name the structure is "tooth". Throws UsageError.
 IsoLevel parse_iso_level(std::string_view text);
 /// "3" or "3=pulp". Without a name the structure is "label-3". Throws UsageError.
