@@ -80,6 +80,10 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.parallel = view.eye_to_clip[2][3] == 0;
   plan.occlusion = scene.occlusion;
   if (scene.section) plan.section = plane_of(*scene.section, model);
+  if (values && scene.cap.shows == CapLook::Shows::ct) {
+    plan.cap_values = values;
+    plan.cap_window = scene.cap.window.value_or(values->usual);
+  }
   const bool capped = scene.section && cap_faces_eye(plan.section, plan);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const GpuPart& part = model.parts[i];
@@ -90,13 +94,11 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
     if (look.opacity >= 1) plan.opaque.push_back(drawn);
     else if (look.opacity > 0) plan.translucent.push_back(drawn);
     if (capped && part.structure == part.solid) plan.capped.push_back({surfaces_of(part.solid, model), drawn.colour, part.box_volume});
+    // A volume has values in a cavity, too.
+    if (capped && plan.cap_values && part.structure != part.solid && look.as_body) plan.capped.push_back({{&part}, drawn.colour, part.box_volume});
   }
   std::stable_sort(plan.capped.begin(), plan.capped.end(),
                    [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });
-  if (values && scene.cap.shows == CapLook::Shows::ct) {
-    plan.cap_values = values;
-    plan.cap_window = scene.cap.window.value_or(values->usual);
-  }
   if (overlay) add_overlay(*overlay, model, scene, plan);
   return plan;
 }

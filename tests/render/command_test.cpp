@@ -1,5 +1,6 @@
 // `render` and `compare-images` as a user meets them.
 
+#include <cmath>
 #include <cstdlib>
 
 #include "engine/picture/png.h"
@@ -85,6 +86,53 @@ TEST_F(RenderCommand, AMeshHasNoContoursAndNoTetrahedra) {
   EXPECT_EQ(odontoscope({"render", "cube.stl", "-o", "x.png", "--overlay", "edges"}).exit_code, 0);
 }
 
+/// A ball whose values fall from its middle outwards, as NRRD in text.
+std::string ball_volume() {
+  std::string text = "NRRD0004\ntype: float\ndimension: 3\nsizes: 12 12 12\nspacings: 1 1 1\nencoding: ascii\n\n";
+  for (int k = 0; k < 12; ++k)
+    for (int j = 0; j < 12; ++j)
+      for (int i = 0; i < 12; ++i) text += std::to_string(200 - 20 * std::hypot(i - 5.5, j - 5.5, k - 5.5)) + "\n";
+  return text;
+}
+
+TEST_F(RenderCommand, ACapShowsAVolumesValuesAndComesBackFromASavedScene) {
+  given("ball.nrrd", ball_volume());
+  const auto render_ball = [&](std::vector<std::string> options) {
+    std::vector<std::string> words = {"render", "ball.nrrd", "--iso", "120", "-o", "x.png", "--size", "120x90"};
+    words.insert(words.end(), options.begin(), options.end());
+    return odontoscope(words);
+  };
+  ASSERT_EQ(render_ball({"--section", "buccal", "--view", "buccal"}).exit_code, 0);
+  const Image material = picture();
+  const Ending usual = render_ball({"--section", "buccal", "--view", "buccal", "--cap", "ct"});
+  ASSERT_EQ(usual.exit_code, 0) << usual.err;
+  EXPECT_TRUE(usual.says("(black)")) << usual.out;
+  EXPECT_NE(picture(), material);
+  const Ending told = render_ball({"--section", "buccal", "--view", "buccal", "--cap", "ct=100,180", "--save-scene", "s.json"});
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_TRUE(told.says("from 100 (black) to 180 (white)")) << told.out;
+  const Image drawn = picture();
+  EXPECT_EQ(drawn.pixel(60, 45), (std::array<std::uint8_t, 4>{255, 255, 255, 255}));
+  ASSERT_EQ(render_ball({"--scene", "s.json"}).exit_code, 0);
+  EXPECT_EQ(picture(), drawn);
+  ASSERT_EQ(render_ball({"--scene", "s.json", "--cap", "material"}).exit_code, 0);
+  EXPECT_NE(picture(), drawn);
+  const Ending whole = render_ball({"--cap", "ct"});
+  EXPECT_EQ(whole.exit_code, 2);
+  EXPECT_TRUE(whole.complains("--section")) << whole.err;
+}
+
+TEST_F(RenderCommand, OnlyAVolumeHasValuesForTheCap) {
+  given("s.json", R"({"format":"odontoscope.scene","version":1,"section":{"point":[0,0,0],"normal":[0,1,0]},"cap":{"shows":"ct"}})");
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--section", "buccal", "--cap", "ct"}, {"--scene", "s.json"}}) {
+    const Ending ending = render(words);
+    EXPECT_EQ(ending.exit_code, 2);
+    EXPECT_TRUE(ending.complains("with --iso")) << ending.err;
+    EXPECT_FALSE(exists("x.png"));
+  }
+  EXPECT_EQ(render({"--scene", "s.json", "--cap", "material"}).exit_code, 0);
+}
+
 TEST_F(RenderCommand, AnswersSenselessWordsAndTouchesNoFile) {
   const std::vector<std::pair<std::vector<std::string>, const char*>> wrong = {
       {{"--hide", "enamel"}, "There are: tooth"},
@@ -98,6 +146,11 @@ TEST_F(RenderCommand, AnswersSenselessWordsAndTouchesNoFile) {
       {{"--cull", "sometimes"}, "on, off or tint"},
       {{"--samples", "5"}, "16"},
       {{"--backend", "paper"}, "osmesa"},
+      {{"--cap", "bone"}, "material, ct"},
+      {{"--cap", "ct=5"}, "material, ct"},
+      {{"--cap", "ct=5,x"}, "is no number"},
+      {{"--cap", "ct=5,nan"}, "is no number"},
+      {{"--cap", "ct=9,5"}, "no range of values"},
       {{"--overlay", "spirals"}, "contours, edges or tetrahedra"},
       {{"--overlay", "tetrahedra=x"}, "no number of a slab"},
       {{"--overlay", "tetrahedra="}, "no number of a slab"},

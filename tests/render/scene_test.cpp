@@ -37,6 +37,7 @@ TEST(SceneFiles, ComeBackAsTheyWere) {
   scene.occlusion = {false, 2, 0.3f};
   scene.looks[0] = {"shell", colour_from_hex("#123456"), 0.7f, false, true};
   scene.looks[1].colour = colour_from_hex("#fedcba");
+  scene.cap = {CapLook::Shows::ct, ValueWindow{-1000, 2500.5}};
   EXPECT_EQ(scene_from_json(to_json(scene), Scene{}), scene);
   EXPECT_EQ(to_json(scene_from_json(to_json(scene), Scene{})), to_json(scene));
 }
@@ -68,6 +69,11 @@ TEST(SceneFiles, ThatMakeNoSenseAreRefused) {
   EXPECT_EQ(cause_of(with(R"("structures":[{"name":"a","opacity":1.5}])")), "bad-value");
   EXPECT_EQ(cause_of(with(R"("structures":[{"name":"a","colour":"red"}])")), "bad-value");
   EXPECT_EQ(cause_of(with(R"("section":{"normal":[0,0,0]})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("cap":{"shows":"x-rays"})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("cap":{"window":[5,5]})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("cap":{"window":[1e300,2e300]})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("cap":{"window":[5]})")), "wrong-type");
+  EXPECT_EQ(cause_of(with(R"("cap":{"window":"wide"})")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("wire":1)")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("back_faces":"sometimes")")), "bad-value");
   EXPECT_EQ(cause_of(with(R"("camera":{"position":[1e999,0,0]})")), "unparsable");

@@ -1,5 +1,6 @@
 // The panels, by what a click at the place where a control is drawn changes; each leaves a picture to be looked at.
 #include <glm/geometric.hpp>
+#include <imgui_internal.h>
 
 #include "engine/picture/compare.h"
 #include "tests/ui/driver.h"
@@ -64,6 +65,41 @@ TEST_F(Panels, TheSectionIsSwitchedOnAndLed) {
   click_control("Cut away the other side");
   EXPECT_LT(glm::dot(viewer().state().scene.section->normal, normal), -0.999);
   keep_picture("section-panel");
+}
+
+TEST_F(Panels, TheCapShowsAVolumesValues) {
+  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) {
+    LoadedModel loaded = toy_tooth();
+    Volume volume;
+    volume.size = {2, 2, 2};
+    volume.spacing = {12, 12, 12};
+    volume.origin = {-6, -6, -6};
+    volume.values = {0, 100, 0, 100, 0, 100, 0, 100};
+    loaded.values = std::make_shared<const ValueGrid>(value_grid(volume, loaded.model.bounds_mm));
+    return loaded;
+  }});
+  click_control("Cut the model open");
+  frames(2);
+  const Image material = picture();
+  click_control("CT values", {"cap"});
+  frames(2);
+  EXPECT_EQ(viewer().state().scene.cap.shows, CapLook::Shows::ct);
+  EXPECT_GT(compare(picture(), material).share, 0.02);
+  keep_picture("cap-values");
+  const glm::dvec2 white = control("White");
+  drag(white.x, white.y, 0.5 * white.x, white.y);
+  ASSERT_TRUE(viewer().state().scene.cap.window);
+  EXPECT_LT(viewer().state().scene.cap.window->high, 60);
+  EXPECT_EQ(viewer().state().scene.cap.window->low, 0);
+  click_control("Material", {"cap"});
+  EXPECT_EQ(viewer().state().scene.cap.shows, CapLook::Shows::material);
+}
+
+TEST_F(Panels, AModelWithoutAVolumeHasNoValuesForTheCap) {
+  click_control("Cut the model open");
+  frames(2);
+  const ImGuiID id = ImHashStr("CT values", 0, ImHashStr("cap", 0, ImHashStr("panel")));
+  for (const Interface::Place& place : viewer().interface().places) EXPECT_NE(place.id, id);
 }
 
 TEST_F(Panels, OverlaysAreSwitched) {
