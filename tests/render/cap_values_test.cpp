@@ -171,8 +171,9 @@ TEST(ValueGrids, HoldTheVoxelsAroundTheModel) {
   EXPECT_EQ(grid.merged, (std::array<std::size_t, 3>{1, 1, 1}));
   for (int axis = 0; axis < 3; ++axis) {
     const double last = grid.first_mm[axis] + grid.step_mm[axis] * static_cast<double>(grid.size[static_cast<std::size_t>(axis)] - 1);
-    EXPECT_LE(grid.first_mm[axis], -1 - grid.step_mm[axis]);
-    EXPECT_GE(last, 1 + grid.step_mm[axis]);
+    constexpr double rounding = 1e-9;
+    EXPECT_LE(grid.first_mm[axis], -1 - grid.step_mm[axis] + rounding);
+    EXPECT_GE(last, 1 + grid.step_mm[axis] - rounding);
     EXPECT_LT(last - grid.first_mm[axis], 2 + 5 * grid.step_mm[axis]);
   }
   EXPECT_NEAR(static_cast<double>(grid.values.front()), ramp.at(grid.first_mm), 1e-3);
