@@ -7,29 +7,19 @@
 #include <cmath>
 
 #include "recon/input/validate.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope::app {
-namespace {
-
-std::string with_thousands(std::size_t count) {
-  std::string digits = fmt::format("{}", count);
-  constexpr std::size_t group = 3;
-  for (std::size_t at = digits.size(); at > group; at -= group) digits.insert(at - group, ",");
-  return digits;
-}
-
-}  // namespace
-
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
   const std::string many = plural.empty() ? fmt::format("{}s", singular) : std::string(plural);
-  return fmt::format("{} {}", with_thousands(count), count == 1 ? std::string(singular) : many);
+  return fmt::format("{} {}", grouped(count), count == 1 ? std::string(singular) : many);
 }
 
 std::string measured(double value) {
   constexpr double whole_numbers_from = 1000, plain_down_to = 1e-3;
   const double size = std::abs(value);
   if (size >= whole_numbers_from && size < 1e15) {
-    return (value < 0 ? "-" : "") + with_thousands(static_cast<std::size_t>(std::llround(size)));
+    return (value < 0 ? "-" : "") + grouped(static_cast<std::size_t>(std::llround(size)));
   }
   if (size == 0 || size >= plain_down_to) return fmt::format("{:.3g}", value);
   return fmt::format("{:.2e}", value);

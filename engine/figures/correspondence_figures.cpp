@@ -5,6 +5,7 @@
 #include "engine/figures/contour_sets.h"
 #include "engine/figures/makers.h"
 #include "engine/figures/panels.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -52,8 +53,8 @@ Figure consecutive_contours(ToothModels&) {
   figure.panels.push_back(std::move(top));
   const auto db = db_surfaces(stack, grid / 2), dt = dt_surfaces(stack);
   figure.panels.push_back(with_mesh({}, shaded({}, stack, db, db_colour)));
-  figure.panels.back().caption = fmt::format("DB on a grid of {0} x {0}: {1} triangles.", grid / 2, whole(triangles_of(db)));
-  figure.panels.push_back(with_mesh(fmt::format("DT: {} triangles.", whole(triangles_of(dt))), shaded({}, stack, dt, dt_colour)));
+  figure.panels.back().caption = fmt::format("DB on a grid of {0} x {0}: {1} triangles.", grid / 2, grouped(triangles_of(db)));
+  figure.panels.push_back(with_mesh(fmt::format("DT: {} triangles.", grouped(triangles_of(dt))), shaded({}, stack, dt, dt_colour)));
   return figure;
 }
 
@@ -94,7 +95,7 @@ Figure dt_forced(ToothModels&) {
       "The contours of figure 12(c), which DT would keep apart, connected by the user's word (one line in a links file). Compare with what DB makes of them: "
       "DT's bridge is smooth and takes no more triangles than the rest.";
   figure.panels.push_back(shaded("One solid, as asked for.", stack, surfaces, dt_colour));
-  figure.panels.push_back(with_mesh(fmt::format("Its mesh: {} triangles.", whole(triangles_of(surfaces))), shaded({}, stack, surfaces, dt_colour)));
+  figure.panels.push_back(with_mesh(fmt::format("Its mesh: {} triangles.", grouped(triangles_of(surfaces))), shaded({}, stack, surfaces, dt_colour)));
   return figure;
 }
 

@@ -11,6 +11,7 @@
 
 #include "engine/scene/shells.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -130,12 +131,6 @@ std::size_t triangles_of(const std::vector<NamedSurface>& surfaces) {
   std::size_t count = 0;
   for (const NamedSurface& named : surfaces) count += named.surface.triangles.size();
   return count;
-}
-
-std::string whole(std::size_t count) {
-  std::string digits = fmt::format("{}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
 }
 
 }  // namespace odontoscope::figures

@@ -49,7 +49,5 @@ std::vector<NamedSurface> dt_surfaces(const ContourStack& stack, const std::vect
 std::vector<NamedSurface> db_surfaces(const ContourStack& stack, std::size_t grid, const std::vector<double>& splits = {});
 
 std::size_t triangles_of(const std::vector<NamedSurface>& surfaces);
-/// "12,345".
-std::string whole(std::size_t count);
 
 }  // namespace odontoscope::figures

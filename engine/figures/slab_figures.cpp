@@ -10,6 +10,7 @@
 #include "engine/figures/panels.h"
 #include "engine/figures/slab_steps.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -123,7 +124,7 @@ Figure slab_volume(ToothModels&) {
   figure.caption = fmt::format(
       "DT fills the inside: two sections as of a molar, two roots with their canals below and the trunk with the pulp chamber above, and the {} tetrahedra between them. They are what a "
       "simulation computes on; a distance field with marching cubes gives a surface alone.",
-      whole(mesh.tetrahedra.size()));
+      grouped(mesh.tetrahedra.size()));
   Panel elements = panel("The tetrahedra, each shrunk so that they come apart.",
                          {.surfaces = {{"dentine", shrunk(mesh.points, mesh.tetrahedra, 0.72), "dentine"}}, .crease_deg = 1}, landscape, from_above);
   Panel boundary = panel("Their outside: a closed surface, with the canals running up into the chamber.",

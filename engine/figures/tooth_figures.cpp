@@ -15,6 +15,7 @@
 #include "recon/compare/contour_fit.h"
 #include "recon/core/error.h"
 #include "recon/input/validate.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -70,7 +71,7 @@ Figure tooth_and_contours(ToothModels& tooth) {
   figure.aspect = portrait;
   const ToothModel& model = tooth.whole_dt();
   figure.caption = fmt::format("Contours of {}, {} slices, reconstructed by DT: an outside and an inside, which can be made together or each by itself.",
-                               tooth.name().empty() ? "a tooth" : tooth.name(), whole(tooth.whole_contours().slices.size()));
+                               tooth.name().empty() ? "a tooth" : tooth.name(), grouped(tooth.whole_contours().slices.size()));
   Panel clear = tooth_panel("The model, its outside clear so that the pulp shows.", model);
   const Scene usual = usual_scene(make_model(clear.surfaces), portrait);
   clear.scene.looks = usual.looks;
@@ -96,7 +97,7 @@ Figure tooth_by_db(ToothModels& tooth) {
   const Point3 tip = lowest_point(model.surfaces);
   const double height = height_of(tooth.outer_contours());
   look_closer(ridges, {tip.x, tip.y, tip.z + 0.11 * height}, 0.14 * height);
-  Panel mesh = with_mesh(fmt::format("Its mesh: {} triangles.", whole(model.triangles)), shaded);
+  Panel mesh = with_mesh(fmt::format("Its mesh: {} triangles.", grouped(model.triangles)), shaded);
   figure.panels = {std::move(shaded), std::move(ridges), std::move(mesh)};
   return figure;
 }
@@ -113,7 +114,7 @@ Figure tooth_by_dt(ToothModels& tooth) {
   const Point3 tip = lowest_point(model.surfaces);
   const double height = height_of(tooth.outer_contours());
   look_closer(near, {tip.x, tip.y, tip.z + 0.11 * height}, 0.14 * height);
-  Panel mesh = with_mesh(fmt::format("Its mesh: {} triangles, against {} by DB.", whole(model.triangles), whole(tooth.db().triangles)), shaded);
+  Panel mesh = with_mesh(fmt::format("Its mesh: {} triangles, against {} by DB.", grouped(model.triangles), grouped(tooth.db().triangles)), shaded);
   figure.panels = {std::move(shaded), std::move(near), std::move(mesh)};
   return figure;
 }
@@ -171,7 +172,7 @@ Figure singularity_meshes(ToothModels&) {
   figure.panels.back().strokes = {contour_strokes(made.contours)};
   for (Look& look : figure.panels.back().scene.looks) look.visible = false;
   const auto add = [&](const char* method, const std::vector<NamedSurface>& surfaces, const Colour& colour) {
-    figure.panels.push_back(with_mesh(fmt::format("{}: {} triangles.", method, whole(triangles_of(surfaces))), furcation_panel({}, surfaces, colour)));
+    figure.panels.push_back(with_mesh(fmt::format("{}: {} triangles.", method, grouped(triangles_of(surfaces))), furcation_panel({}, surfaces, colour)));
   };
   add("DT", made.dt, dt_colour);
   add("DB", made.db, db_colour);
@@ -185,7 +186,7 @@ Figure mesh_details(ToothModels& tooth) {
   figure.caption = fmt::format(
       "The lower end of the tooth of figures 5 and 6. The paper counted 7,995 triangles for DT, 94,627 for DB and 3,817 after decimation; here, with contours and grid "
       "of our own, {}, {} and {}.",
-      whole(tooth.dt().triangles), whole(tooth.db().triangles), whole(tooth.decimated().triangles));
+      grouped(tooth.dt().triangles), grouped(tooth.db().triangles), grouped(tooth.decimated().triangles));
   const Point3 tip = lowest_point(tooth.dt().surfaces);
   const double height = height_of(tooth.outer_contours());
   const auto add = [&](const char* caption, const ToothModel& model, const Colour& colour) {
@@ -205,7 +206,7 @@ Figure decimated_shaded(ToothModels& tooth) {
   Figure figure;
   figure.aspect = portrait;
   figure.caption = fmt::format("The DB model after decimation to the most possible ({} of {} triangles are left). It looks blocky, with facets of all sizes.",
-                               whole(tooth.decimated().triangles), whole(tooth.db().triangles));
+                               grouped(tooth.decimated().triangles), grouped(tooth.db().triangles));
   figure.panels.push_back(panel("Shaded triangle by triangle.", {.surfaces = tooth.decimated().surfaces, .crease_deg = 1}, portrait, from_below));
   figure.panels.push_back(with_mesh("With its mesh.", figure.panels.front()));
   return figure;

@@ -10,18 +10,13 @@
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope {
 
 namespace {
 
 using widgets::scaled;
-
-std::string grouped(std::size_t count) {
-  std::string digits = fmt::format("{}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
 
 /// Of the line about back faces, at the bottom.
 constexpr double culling_height = 40;

@@ -11,19 +11,13 @@
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope {
 
 namespace {
 
 using widgets::scaled;
-
-/// 102,804
-std::string grouped(std::size_t count) {
-  std::string digits = fmt::format("{}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
-  return digits;
-}
 
 void heading(ViewerState& state, const Interface& interface) {
   ImGui::PushFont(interface.large);

@@ -7,21 +7,16 @@
 #include <functional>
 
 #include "recon/compare/compare.h"
+#include "recon/core/grouped.h"
 
 namespace odontoscope {
 namespace {
-
-std::string whole(std::size_t count) {
-  std::string digits = fmt::format("{}", count);
-  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, 1, ',');
-  return digits;
-}
 
 std::string measured(double value) {
   if (value == 0) return "0";
   constexpr double readable = 1e-4, whole_from = 1000;
   if (std::abs(value) >= whole_from)
-    return fmt::format("{}{}", value < 0 ? "-" : "", whole(static_cast<std::size_t>(std::llround(std::abs(value)))));
+    return fmt::format("{}{}", value < 0 ? "-" : "", grouped(static_cast<std::size_t>(std::llround(std::abs(value)))));
   return std::abs(value) < readable ? fmt::format("{:.1e}", value) : fmt::format("{:.3g}", value);
 }
 
@@ -52,7 +47,7 @@ double area(const SurfaceReport& report) {
   return sum;
 }
 
-std::string lost(const PassageCounts& counts) { return fmt::format("{} of {}", whole(counts.lost), whole(counts.all)); }
+std::string lost(const PassageCounts& counts) { return fmt::format("{} of {}", grouped(counts.lost), grouped(counts.all)); }
 std::string width(double mm) { return mm > 0 ? measured(mm) : "none"; }
 
 }  // namespace
@@ -65,16 +60,16 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
     rows.push_back(std::move(row));
   };
   using Method = const ComparedMethod&;
-  add("triangles", [](Method m) { return whole(m.report.triangles); });
+  add("triangles", [](Method m) { return grouped(m.report.triangles); });
   add("closed oriented manifold", [](Method m) { return m.report.closed_oriented_manifold() ? "yes" : "no"; });
-  add("boundary edges (cracks)", [](Method m) { return whole(m.report.boundary_edges); });
-  add("misoriented edges", [](Method m) { return whole(m.report.misoriented_edges); });
-  add("non-manifold edges", [](Method m) { return whole(m.report.nonmanifold_edges); });
-  add("non-manifold vertices", [](Method m) { return whole(m.report.nonmanifold_vertices); });
-  add("degenerate triangles", [](Method m) { return whole(m.report.degenerate_triangles); });
-  add("external surfaces", [](Method m) { return whole(shells_of(m.report, Shell::Kind::external)); });
-  add("cavities", [](Method m) { return whole(shells_of(m.report, Shell::Kind::cavity)); });
-  add("open surfaces", [](Method m) { return whole(shells_of(m.report, Shell::Kind::open)); });
+  add("boundary edges (cracks)", [](Method m) { return grouped(m.report.boundary_edges); });
+  add("misoriented edges", [](Method m) { return grouped(m.report.misoriented_edges); });
+  add("non-manifold edges", [](Method m) { return grouped(m.report.nonmanifold_edges); });
+  add("non-manifold vertices", [](Method m) { return grouped(m.report.nonmanifold_vertices); });
+  add("degenerate triangles", [](Method m) { return grouped(m.report.degenerate_triangles); });
+  add("external surfaces", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::external)); });
+  add("cavities", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::cavity)); });
+  add("open surfaces", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::open)); });
   add("genus, all together", [](Method m) { return genus(m.report); });
   add("area, mm^2", [](Method m) { return measured(area(m.report)); });
   add("smallest angle, degrees: median", [](Method m) { return measured(m.report.smallest_angle_deg.median); });

@@ -1,5 +1,5 @@
 #pragma once
-// glTF 2.0, binary: for viewers, web pages and engines. https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
+// glTF 2.0, binary (Khronos Group; ISO/IEC 12113:2022): for viewers, web pages and engines.
 //
 // Metres and single precision. glTF's up is +y and ours, along the tooth, is +z: the coordinates stay as they are, and
 // the root node turns them. Under it one node for each structure's external surfaces ("enamel external"), and one for
