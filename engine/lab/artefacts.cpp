@@ -11,7 +11,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "recon/mesh/half_edges.h"
+#include "recon/mesh/faulty_edges.h"
 
 namespace odontoscope {
 
@@ -43,6 +43,15 @@ glm::dvec3 outward_at(const Grid& grid, const Field& field, const Defect& defect
   return unit_or(outside / out - inside / in, {0, 0, 1});
 }
 
+DefectKind kind_of(EdgeFault fault) {
+  switch (fault) {
+    case EdgeFault::boundary: return DefectKind::crack;
+    case EdgeFault::misoriented: return DefectKind::misoriented;
+    case EdgeFault::nonmanifold: break;
+  }
+  return DefectKind::nonmanifold;
+}
+
 bool before(const LabArtefact& a, const LabArtefact& b) {
   constexpr std::array order = {0, 2, 1};   // crack, misoriented, nonmanifold as DefectKind counts them
   return order[static_cast<std::size_t>(a.kind)] < order[static_cast<std::size_t>(b.kind)];
@@ -72,25 +81,16 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& 
 }
 
 std::vector<LabArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh) {
-  const EdgeMates edges = edge_mates(mesh);
   const auto normal_at = [&](HalfEdge h) {
     const Triangle& t = mesh.triangles[h / 3];
     const glm::dvec3 a = vec(mesh.points[t[0]]), b = vec(mesh.points[t[1]]), c = vec(mesh.points[t[2]]);
     return unit_or(glm::cross(b - a, c - a), {0, 0, 1});
   };
   std::vector<LabArtefact> artefacts;
-  const auto add = [&](DefectKind kind, HalfEdge h) {
+  for (const auto& [fault, h] : faulty_edges(mesh)) {
     const glm::dvec3 middle = 0.5 * (vec(mesh.points[start(mesh, h)]) + vec(mesh.points[end(mesh, h)]));
-    artefacts.push_back({structure, kind, middle, normal_at(h), std::nullopt});
-  };
-  for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
-    const HalfEdge mate = edges.mate[h];
-    if (mate == EdgeMates::none) add(DefectKind::crack, h);
-    else if (mate < EdgeMates::no_edge && h < mate && start(mesh, mate) == start(mesh, h)) add(DefectKind::misoriented, h);
+    artefacts.push_back({structure, kind_of(fault), middle, normal_at(h), std::nullopt});
   }
-  const auto ends = [&](HalfEdge h) { return std::minmax({start(mesh, h), end(mesh, h)}); };   // by value: the other minmax gives references
-  for (std::size_t i = 0; i < edges.crowded.size(); ++i)
-    if (i == 0 || ends(edges.crowded[i - 1]) != ends(edges.crowded[i])) add(DefectKind::nonmanifold, edges.crowded[i]);
   std::stable_sort(artefacts.begin(), artefacts.end(), before);
   return artefacts;
 }

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "recon/mesh/half_edges.h"
+#include "recon/mesh/faulty_edges.h"
 
 namespace odontoscope {
 
@@ -35,22 +35,22 @@ void add_contours(const ContourStack& stack, std::optional<std::size_t> slab, co
   }
 }
 
+LineKind kind_of(EdgeFault fault) {
+  switch (fault) {
+    case EdgeFault::boundary: return LineKind::boundary_edge;
+    case EdgeFault::misoriented: return LineKind::misoriented_edge;
+    case EdgeFault::nonmanifold: break;
+  }
+  return LineKind::non_manifold_edge;
+}
+
 void add_faulty_edges(const NamedSurface& named, const glm::dvec3& origin_mm, std::vector<LineSet>& lines) {
   const SurfaceMesh& mesh = named.surface;
-  const EdgeMates edges = edge_mates(mesh);
-  const auto add = [&](LineKind kind, HalfEdge h) {
-    std::vector<glm::vec3>& points = lines_of(lines, kind, named.structure).points;
+  for (const auto& [fault, h] : faulty_edges(mesh)) {
+    std::vector<glm::vec3>& points = lines_of(lines, kind_of(fault), named.structure).points;
     points.push_back(in_metres(mesh.points[start(mesh, h)], origin_mm));
     points.push_back(in_metres(mesh.points[end(mesh, h)], origin_mm));
-  };
-  for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
-    const HalfEdge mate = edges.mate[h];
-    if (mate == EdgeMates::none) add(LineKind::boundary_edge, h);
-    else if (mate < EdgeMates::no_edge && h < mate && start(mesh, mate) == start(mesh, h)) add(LineKind::misoriented_edge, h);
   }
-  const auto ends = [&](HalfEdge h) { return std::minmax({start(mesh, h), end(mesh, h)}); };   // by value: the other minmax gives references
-  for (std::size_t i = 0; i < edges.crowded.size(); ++i)
-    if (i == 0 || ends(edges.crowded[i - 1]) != ends(edges.crowded[i])) add(LineKind::non_manifold_edge, edges.crowded[i]);
 }
 
 void add_tetrahedron(const TetraMesh& mesh, const Tetrahedron& tetrahedron, const glm::dvec3& origin_mm, float shrink, ModelPart& part) {

@@ -11,7 +11,7 @@
 #include "recon/delaunay/assemble.h"
 #include "recon/delaunay/certify.h"
 #include "recon/delaunay/conform.h"
-#include "recon/delaunay/parallel.h"
+#include "recon/core/parallel.h"
 #include "recon/delaunay/plate.h"
 #include "recon/delaunay/solve_slab.h"
 #include "recon/input/validate.h"

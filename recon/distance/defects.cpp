@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "recon/core/error.h"
-#include "recon/distance/parallel.h"
+#include "recon/core/parallel.h"
 #include "recon/mesh/half_edges.h"
 
 namespace odontoscope {
@@ -160,7 +160,7 @@ std::vector<Defect> predicted_defects(const Grid& grid, const Field& field, Case
   const Meetings meetings(table);
   const PointFinder point(surface);
   std::vector<std::vector<Defect>> by_layer(grid.layers.size() - 1);
-  distance::for_each_layer(by_layer.size(), "predict defects", {}, progress, [&](std::size_t layer) {
+  for_each(by_layer.size(), "predict defects", {}, progress, [&](std::size_t layer) {
     for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
       for (std::uint32_t column = 0; column + 1 < grid.columns; ++column) {
         const GridPlace cell{column, row, static_cast<std::uint32_t>(layer)};

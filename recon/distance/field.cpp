@@ -4,13 +4,12 @@
 #include <limits>
 #include <span>
 
-#include "recon/distance/parallel.h"
+#include "recon/core/parallel.h"
 #include "recon/distance/slice_sampler.h"
 
 namespace odontoscope {
 namespace {
 
-using distance::Share;
 constexpr std::string_view stage = "distance field";
 
 class FieldSampler {
@@ -22,11 +21,11 @@ class FieldSampler {
   Field run() {
     Field field{structure_, std::vector<double>(grid_.size(), limits::empty_value)};
     constexpr double signs_share = 0.2;  // of the time, roughly
-    distance::for_each_layer(grid_.layers.size(), stage, Share{0, signs_share}, progress_, [&](std::size_t k) {
+    for_each(grid_.layers.size(), stage, Share{0, signs_share}, progress_, [&](std::size_t k) {
       if (is_empty(k)) return;
       distance::sample_signs(slice(k), structure_, grid_, signs_of(k));
     });
-    distance::for_each_layer(grid_.layers.size(), stage, Share{signs_share, 1}, progress_, [&](std::size_t k) {
+    for_each(grid_.layers.size(), stage, Share{signs_share, 1}, progress_, [&](std::size_t k) {
       if (is_empty(k)) return;
       fill_layer(k, std::span(field.values).subspan(k * grid_.layer_size(), grid_.layer_size()));
     });

@@ -8,12 +8,11 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/distance/parallel.h"
+#include "recon/core/parallel.h"
 
 namespace odontoscope {
 namespace {
 
-using distance::Share;
 constexpr std::string_view stage = "marching cubes";
 
 /// Four corners of a cell on one column, as bits of its case: (y, z) at bit 2 y + 4 z, for x = 0; shifted by one for x
@@ -51,10 +50,10 @@ class Marcher {
 
   MarchedSurface run() {
     constexpr double count_share = 0.3;
-    distance::for_each_layer(grid_.layers.size(), stage, Share{0, count_share}, progress_,
+    for_each(grid_.layers.size(), stage, Share{0, count_share}, progress_,
                              [this](std::size_t k) { count(k); });
     number();
-    distance::for_each_layer(grid_.layers.size(), stage, Share{count_share, 1}, progress_,
+    for_each(grid_.layers.size(), stage, Share{count_share, 1}, progress_,
                              [this](std::size_t k) { fill(k); });
     return std::move(surface_);
   }
