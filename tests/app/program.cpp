@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace odontoscope::testing_support {
@@ -42,6 +43,7 @@ struct Pipe {
   if (::chdir(call.folder.c_str()) == 0 && ::dup2(nothing, 0) == 0 && ::dup2(out, 1) == 1 && ::dup2(err, 2) == 2) {
     // Whoever started the tests may ignore it, and what is ignored stays ignored.
     ::signal(SIGINT, SIG_DFL);
+    for (const auto& [variable, value] : call.environment) value.empty() ? ::unsetenv(variable.c_str()) : ::setenv(variable.c_str(), value.c_str(), 1);
     ::execv(argv[0], argv.data());
   }
   ::_exit(127);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/output/temporary_folder.h"
@@ -26,6 +27,8 @@ struct Call {
   std::string folder = ".";
   /// Where standard output goes instead of Ending::out.
   std::string out_to = {};
+  /// Set for it; an empty value unsets.
+  std::vector<std::pair<std::string, std::string>> environment = {};
   /// Sent once the program has said something on standard error (it is at work then), and again after each pause.
   std::vector<int> signals = {};
   std::chrono::milliseconds pause{200};
