@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -65,9 +68,28 @@ PictureOptions picture_options(const Options& options) {
   return picture;
 }
 
-std::vector<FileContent> draw(const Options& options, GlContext& context, const Shown& shown, const Scene& scene, Session& session) {
+/// Makes the model on a thread of its own, so that the driver can start and compile meanwhile: each takes about half of the time to a first
+/// picture. Stops the work when it is no longer wanted.
+class ModelOnTheWay {
+ public:
+  ModelOnTheWay(const Options& options, const Session& session)
+      : interrupted_(session.interrupts.token(), [this] { stop_.request_stop(); }), session_(session) {
+    session_.watched = Progress{session.progress().report, stop_.get_token()};
+    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, session_); });
+  }
+  ~ModelOnTheWay() { stop_.request_stop(); }
+
+  Shown get() { return shown_.get(); }
+
+ private:
+  std::stop_source stop_;
+  std::stop_callback<std::function<void()>> interrupted_;
+  Session session_;
+  std::future<Shown> shown_;   // waits for the thread when it goes
+};
+
+std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session) {
   const PictureOptions picture = picture_options(options);
-  Renderer renderer(context.gl(), shaders_from_environment());
   const GpuModel gpu_model = upload(context.gl(), shown.model);
   const GpuOverlay overlay = upload(context.gl(), make_overlay(shown.overlays, scene.overlays, shown.model));
   const bool ct = scene.section && scene.cap.shows == CapLook::Shows::ct;
@@ -104,13 +126,15 @@ ExitCode render(const Options& options, Session& session) {
   refuse_senseless(options.scene);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
+  ModelOnTheWay model(options, session);
   const std::unique_ptr<GlContext> context = make_context(context_options);
   refuse_undrawable(context->gl(), picture.size, picture.render);
+  Renderer renderer(context->gl(), shaders_from_environment());
 
-  const Shown shown = shown_from(options.input, options.volume, session);
+  const Shown shown = model.get();
   const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   tell_cap(options, shown, scene, session.console);
-  std::vector<FileContent> files = draw(options, *context, shown, scene, session);
+  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
   write_all(files, session.interrupts);
