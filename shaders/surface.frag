@@ -1,9 +1,14 @@
 // A lit fragment, premultiplied, with its ambient light and its depth in targets of their own.
 // DIRECT: the finished picture's colour instead, opaque and uncut: a shader that discards nothing is tested for depth first.
+// GRAIN: a cut material, with its texture.
 // PEEL: only what lies behind the layer before and in front of the opaque surfaces. WIRE: the triangles' edges are drawn.
 #include "lighting.glsl"
 #ifdef DIRECT
 #include "tone.glsl"
+#endif
+#ifdef GRAIN
+#include "grain.glsl"
+uniform float grain_size;        // metres
 #endif
 
 in Vertex {
@@ -58,6 +63,9 @@ void main() {
   float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
   alpha = gl_FrontFacing ? alpha : max(alpha, least_back_opacity);
   vec3 base = gl_FrontFacing ? colour : back_colour;
+#ifdef GRAIN
+  base *= grain(from.world_position / grain_size);
+#endif
 #ifdef WIRE
   float nearest = min(min(edge_distance.x, edge_distance.y), edge_distance.z);
   float line = 1.0 - smoothstep(0.5 * wire_width - 0.5, 0.5 * wire_width + 0.5, nearest);

@@ -76,14 +76,15 @@ BackFaces culling_from(const std::string& text) {
 
 constexpr std::string_view ct_word = "ct";
 
-/// "material", "ct", "ct=LOW,HIGH".
+/// "material", "plain", "ct", "ct=LOW,HIGH".
 CapLook cap_from(const std::string& text) {
   if (text == "material") return {};
+  if (text == "plain") return {CapLook::Shows::plain, {}};
   CapLook cap{CapLook::Shows::ct, {}};
   if (text == ct_word) return cap;
   const std::size_t start = ct_word.size() + 1, comma = text.find(',');
   if (!text.starts_with("ct=") || comma == std::string::npos)
-    throw UsageError(fmt::format("--cap {}: a cap cannot show that", text), "Choose material, ct, or ct=LOW,HIGH with the values that are black and white: ct=60,220.");
+    throw UsageError(fmt::format("--cap {}: a cap cannot show that", text), "Choose material, plain, ct, or ct=LOW,HIGH with the values that are black and white: ct=60,220.");
   cap.window = ValueWindow{number_in(std::string_view(text).substr(start, comma - start), "--cap"), number_in(std::string_view(text).substr(comma + 1), "--cap")};
   if (!cap.window->sensible())
     throw UsageError(fmt::format("--cap {}: that is no range of values", text), "Give the value that is black, then a higher one that is white: ct=60,220.");
@@ -92,7 +93,7 @@ CapLook cap_from(const std::string& text) {
 
 void choose_cap(const SceneWords& words, const ValueGrid* values, Scene& scene) {
   if (!words.cap.empty()) scene.cap = cap_from(words.cap);
-  if (values || scene.cap.shows == CapLook::Shows::material) return;
+  if (values || scene.cap.shows != CapLook::Shows::ct) return;
   if (!words.cap.empty())
     throw UsageError(fmt::format("--cap {}: only a volume has CT values", words.cap), "Give the volume that the model was made from, with --iso.");
   throw UsageError(fmt::format("{} shows CT values on the cap, and only a volume has them", words.scene_file),
@@ -270,7 +271,7 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
   parser.add_option("--section", words.section, "Cut away: +x to -z, buccal, ..., or X,Y,Z; @MM says where, e.g. -x@2.5")
       ->type_name("SIDE[@MM]")
       ->group(showing);
-  parser.add_option("--cap", words.cap, "On the cut: material (default), or a volume's values: ct, ct=BLACK,WHITE")
+  parser.add_option("--cap", words.cap, "On the cut: material (default), plain, or a volume's values: ct, ct=BLACK,WHITE")
       ->type_name("WHAT")
       ->group(showing);
   parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")

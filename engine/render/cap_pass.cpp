@@ -4,11 +4,18 @@
 #include <glm/geometric.hpp>
 
 namespace odontoscope {
+namespace {
+
+/// Size of a grain in radii of the model: some ten pixels in a picture that the model fills.
+constexpr float grain_share = 0.018f;
+
+}  // namespace
 
 CapPass::CapPass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl),
       count_(gl, shaders, {"surface.vert", "cap_count.frag"}),
-      cover_(gl, shaders, {"cap.vert", "surface.frag"}),
+      cover_(gl, shaders, {"cap.vert", "surface.frag", {}, {"GRAIN"}}),
+      cover_plain_(gl, shaders, {"cap.vert", "surface.frag"}),
       cover_values_(gl, shaders, {"cap.vert", "cap_values.frag"}),
       no_vertices_(make_vertex_array(gl)) {}
 
@@ -44,7 +51,7 @@ void CapPass::cover(const FramePlan& plan, const CappedSolid& solid) const {
   const glm::vec3 normal(plan.section);
   const glm::vec3 other = std::abs(normal.x) < 0.5f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   const glm::vec3 across = glm::normalize(glm::cross(other, normal));
-  const Program& program = plan.cap_values ? cover_values_ : cover_;
+  const Program& program = plan.cap_values ? cover_values_ : plan.cap_grain ? cover_ : cover_plain_;
   program.use();
   set_view(program, plan);
   program.set("centre", plan.centre + (plan.section.w - glm::dot(normal, plan.centre)) * normal);
@@ -52,17 +59,18 @@ void CapPass::cover(const FramePlan& plan, const CappedSolid& solid) const {
   program.set("along", plan.radius * glm::cross(normal, across));
   program.set("normal", normal);
   if (plan.cap_values) set_values(plan);
-  else set_material(solid);
+  else set_material(program, plan, solid);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void CapPass::set_material(const CappedSolid& solid) const {
-  cover_.set("section", glm::vec4(0, 0, 0, 1));
-  cover_.set("colour", solid.colour);
-  cover_.set("back_colour", solid.colour);
-  cover_.set("normal_sign", 1.0f);
-  cover_.set("opacity", 1.0f);
+void CapPass::set_material(const Program& program, const FramePlan& plan, const CappedSolid& solid) const {
+  program.set("section", glm::vec4(0, 0, 0, 1));
+  program.set("colour", solid.colour);
+  program.set("back_colour", solid.colour);
+  program.set("normal_sign", 1.0f);
+  program.set("opacity", 1.0f);
+  program.set("grain_size", grain_share * plan.radius);
 }
 
 void CapPass::set_values(const FramePlan& plan) const {

@@ -6,7 +6,7 @@
 // triangulation of the section is needed, and moving the plane costs nothing. Structures that are not closed get caps
 // with gaps or streaks.
 //
-// A cap shows its solid's colour, lit like any surface, or the grey values of a volume, which neither light nor occlusion changes.
+// A cap shows its solid's colour, with a grain or plain, lit like any surface, or the grey values of a volume, which neither light nor occlusion changes.
 
 #include "engine/gpu/program.h"
 #include "engine/render/frame_plan.h"
@@ -23,11 +23,11 @@ class CapPass {
  private:
   void count(const FramePlan& plan, const CappedSolid& solid) const;
   void cover(const FramePlan& plan, const CappedSolid& solid) const;
-  void set_material(const CappedSolid& solid) const;
+  void set_material(const Program& program, const FramePlan& plan, const CappedSolid& solid) const;
   void set_values(const FramePlan& plan) const;
 
   const Gl* gl_;
-  Program count_, cover_, cover_values_;
+  Program count_, cover_, cover_plain_, cover_values_;
   GlObject no_vertices_;
 };
 

@@ -80,6 +80,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.parallel = view.eye_to_clip[2][3] == 0;
   plan.occlusion = scene.occlusion;
   if (scene.section) plan.section = plane_of(*scene.section, model);
+  plan.cap_grain = scene.cap.shows != CapLook::Shows::plain;
   if (values && scene.cap.shows == CapLook::Shows::ct) {
     plan.cap_values = values;
     plan.cap_window = scene.cap.window.value_or(values->usual);

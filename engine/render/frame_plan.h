@@ -47,6 +47,7 @@ struct FramePlan {
   std::vector<DrawnPart> translucent;
   std::vector<CappedSolid> capped;       // largest first; empty if the section is off or seen from its far side
   const GpuValueGrid* cap_values = nullptr;   // what the caps show; null: the solids' colours
+  bool cap_grain = true;                // with a texture
   ValueWindow cap_window;
   std::vector<DrawnLines> lines;
   glm::vec4 section{0, 0, 0, 1};        // keeps what has dot(xyz, position) <= w; this one keeps everything

@@ -38,10 +38,10 @@ struct ValueWindow {
   friend bool operator==(const ValueWindow&, const ValueWindow&) = default;
 };
 
-/// What a section's cap shows: the structure's colour, lit, or the values of the volume that the model came from (see value_grid.h),
-/// which no light changes. A model without a volume has only its material.
+/// What a section's cap shows: the material, that is the structure's colour with a grain, lit; the same without the grain, for measuring
+/// colours; or the values of the volume that the model came from (see value_grid.h), which no light changes and only a volume has.
 struct CapLook {
-  enum class Shows { material, ct };
+  enum class Shows { material, plain, ct };
   Shows shows = Shows::material;
   std::optional<ValueWindow> window;   // none: the volume's usual one
   friend bool operator==(const CapLook&, const CapLook&) = default;

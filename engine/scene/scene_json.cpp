@@ -32,7 +32,13 @@ const char* name(Background::Kind kind) {
   return "unknown";
 }
 
-const char* name(CapLook::Shows shows) { return shows == CapLook::Shows::ct ? "ct" : "material"; }
+const char* name(CapLook::Shows shows) {
+  switch (shows) {
+    case CapLook::Shows::plain: return "plain";
+    case CapLook::Shows::ct: return "ct";
+    default: return "material";
+  }
+}
 
 /// Reads members of one object; each call leaves `value` alone if the member is missing.
 class Reader {
@@ -184,9 +190,9 @@ void read_section(const Reader& scene, const std::string& file, Scene& result) {
 }
 
 CapLook::Shows cap_named(std::string_view wanted) {
-  for (const auto shows : {CapLook::Shows::material, CapLook::Shows::ct})
+  for (const auto shows : {CapLook::Shows::material, CapLook::Shows::plain, CapLook::Shows::ct})
     if (wanted == name(shows)) return shows;
-  throw UsageError(fmt::format("a cap cannot show \"{}\"", wanted), "Choose material or ct.");
+  throw UsageError(fmt::format("a cap cannot show \"{}\"", wanted), "Choose material, plain or ct.");
 }
 
 void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {

@@ -149,8 +149,8 @@ void measure_section(ViewerState& state, const Interface& interface) {
 
 /// Only what came from a volume has values to show.
 void cap_choice(CapLook& cap, const ValueGrid& values) {
-  int shows = static_cast<int>(cap.shows);
-  if (widgets::choice("cap", shows, {"Material", "CT values"})) cap.shows = static_cast<CapLook::Shows>(shows);
+  int shows = cap.shows == CapLook::Shows::ct ? 1 : 0;
+  if (widgets::choice("cap", shows, {"Material", "CT values"})) cap.shows = shows == 1 ? CapLook::Shows::ct : CapLook::Shows::material;
   if (cap.shows != CapLook::Shows::ct) return;
   const ValueWindow range = values.range;
   ValueWindow window = cap.window.value_or(values.usual);

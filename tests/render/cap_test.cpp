@@ -17,10 +17,11 @@ constexpr double mm2_per_pixel = (height_mm / size.height) * (height_mm / size.h
 
 class Caps : public DrawingTest {
  protected:
-  /// A cap is flat and lit by lamps at infinity, so it has one colour in a parallel view. mm^2 of the most frequent opaque colour.
+  /// A plain cap is flat and lit by lamps at infinity, so it has one colour in a parallel view. mm^2 of the most frequent opaque colour.
   double cap_area(const Model& model, const Section& section) {
     Scene scene = plain_scene(model, height_mm);
     scene.section = section;
+    scene.cap.shows = CapLook::Shows::plain;
     for (Look& look : scene.looks) look.opacity = 1;
     const Image image = draw(model, scene, size);
     std::map<std::array<std::uint8_t, 4>, std::size_t> colours;
@@ -83,6 +84,71 @@ TEST_F(Caps, OfAnInnerStructureLiesOnThatOfTheOuter) {
   EXPECT_GT(middle[0], middle[2] + 60);
   EXPECT_GT(wall[2], wall[0] + 60);
   EXPECT_EQ(wall[3], 255);
+}
+
+/// The pixels of a cap, told by drawing it plain: they have its one colour.
+struct CapPixels {
+  double mean = 0, spread = 0;     // of green, over the cap
+  double step = 0;                 // mean difference of green between neighbours
+  std::size_t pixels = 0, elsewhere = 0;   // elsewhere: that differ from the plain picture but are no cap
+};
+
+CapPixels grain_of(const Image& textured, const Image& plain, const std::array<std::uint8_t, 4>& cap) {
+  CapPixels found;
+  double sum = 0, squares = 0, steps = 0;
+  std::size_t pairs = 0;
+  for (int y = 0; y < plain.height; ++y)
+    for (int x = 0; x < plain.width; ++x) {
+      if (plain.pixel(x, y) != cap) {
+        found.elsewhere += textured.pixel(x, y) != plain.pixel(x, y);
+        continue;
+      }
+      const double green = textured.pixel(x, y)[1];
+      ++found.pixels;
+      sum += green;
+      squares += green * green;
+      if (x + 1 == plain.width || plain.pixel(x + 1, y) != cap) continue;
+      steps += std::abs(green - textured.pixel(x + 1, y)[1]);
+      ++pairs;
+    }
+  const auto count = static_cast<double>(found.pixels);
+  found.mean = sum / count;
+  found.spread = std::sqrt(squares / count - found.mean * found.mean);
+  found.step = steps / static_cast<double>(pairs);
+  return found;
+}
+
+TEST_F(Caps, HaveAGrainThatKeepsTheColourAndTheEdges) {
+  const Model model = make_model({{"ball", ball({{}, 5})}});
+  Scene scene = plain_scene(model, height_mm);
+  scene.section = Section{{0, 0, 0}, {0, 1, 0}};
+  const Image textured = draw(model, scene, size);
+  scene.cap.shows = CapLook::Shows::plain;
+  const Image plain = draw(model, scene, size);
+  const auto colour = plain.pixel(180, 180);
+  const CapPixels found = grain_of(textured, plain, colour);
+  EXPECT_NEAR(static_cast<double>(found.pixels) * mm2_per_pixel, disc(5), 0.01 * disc(5));
+  EXPECT_EQ(found.elsewhere, 0u);
+  EXPECT_NEAR(found.mean, colour[1], 2);
+  EXPECT_GT(found.spread, 3) << "no texture to be seen";
+  EXPECT_LT(found.spread, 20) << "the colour is lost in noise";
+  EXPECT_LT(found.step, 0.5 * found.spread) << "grains are wider than pixels, not snow";
+}
+
+TEST_F(Caps, KeepTheirGrainWhenTheEyeMoves) {
+  const Model model = make_model({{"box", box({-3, -2, -4}, {3, 2, 4})}});
+  Scene scene = plain_scene(model, height_mm);
+  scene.section = Section{{0, 0, 0}, {0, 1, 0}};
+  const Image before = draw(model, scene, size);
+  constexpr int pixels = 20;
+  const glm::dvec3 right(-pixels * height_mm / size.height, 0, 0);   // seen from +y, x runs to the left
+  scene.camera.position += right;
+  scene.camera.target += right;
+  const Image after = draw(model, scene, size);
+  int worst = 0;
+  for (int y = 100; y < 260; ++y)
+    for (int x = 120; x < 240; ++x) worst = std::max(worst, std::abs(before.pixel(x, y)[1] - after.pixel(x - pixels, y)[1]));
+  EXPECT_LE(worst, 2);
 }
 
 }  // namespace

@@ -42,6 +42,14 @@ TEST(SceneFiles, ComeBackAsTheyWere) {
   EXPECT_EQ(to_json(scene_from_json(to_json(scene), Scene{})), to_json(scene));
 }
 
+TEST(SceneFiles, KnowWhatACapShows) {
+  for (const CapLook::Shows shows : {CapLook::Shows::material, CapLook::Shows::plain, CapLook::Shows::ct}) {
+    Scene scene;
+    scene.cap.shows = shows;
+    EXPECT_EQ(scene_from_json(to_json(scene), Scene{}).cap.shows, shows);
+  }
+}
+
 TEST(SceneFiles, ChangeOnlyWhatTheySay) {
   Scene start = usual_scene(hollow_ball_model(), 1);
   start.wire = true;
