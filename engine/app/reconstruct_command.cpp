@@ -63,8 +63,10 @@ void refuse_other_methods_options(const Options& options) {
 }
 
 void refuse_tetrahedra_of_db(const std::string& output) {
-  if (known_ending(output, model_endings()) != ".vtu") return;
-  throw UsageError(fmt::format("{}: .vtu holds tetrahedra, and the DB method makes only a surface", output),
+  const std::string ending = known_ending(output, model_endings());
+  const auto& endings = tetrahedra_endings();
+  if (std::find(endings.begin(), endings.end(), ending) == endings.end()) return;
+  throw UsageError(fmt::format("{}: {} holds tetrahedra, and the DB method makes only a surface", output, ending),
                    fmt::format("Use {}", fmt::join(surface_endings(), ", ")));
 }
 
@@ -149,7 +151,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("INPUT", options.input, "Contour stack (.json), or with --iso or --label a volume")
       ->required()
       ->type_name("");
-  repeatable(parser.add_option("-o,--output", options.outputs, "Model to write, .glb, .stl, .ply or .vtu; repeatable"))
+  repeatable(parser.add_option("-o,--output", options.outputs, "Model to write; its ending tells the format; repeatable"))
       ->required()
       ->type_name("FILE");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
@@ -188,7 +190,9 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
-      ".glb for viewers and the web, .stl for printers, .ply without loss, .vtu the tetrahedra.\n"
+      "Surfaces: .glb or .gltf for viewers and the web, .stl for printers, .ply and .obj without loss,\n"
+      ".wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for ParaView, .msh for Gmsh, .inp for\n"
+      "CalculiX and Abaqus.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"
       "DB models are written as marching cubes makes them, cracks and all, with exit code 0; the last\n"
       "line and the report say what is wrong with them.\n");

@@ -12,16 +12,17 @@
 
 namespace odontoscope {
 
-/// ".glb", ".stl", ".ply", ".vtu": the endings that are known, in lower case; those of a file may be in any.
+/// ".glb", ".stl", ".ply" ...: the endings that are known, in lower case; those of a file may be in any.
 const std::vector<std::string>& model_endings();
-/// Those that hold surfaces: all but ".vtu".
+/// Those that hold surfaces, and those that hold tetrahedra: ".vtu", ".msh", ".inp".
 const std::vector<std::string>& surface_endings();
+const std::vector<std::string>& tetrahedra_endings();
 
 /// The bytes of `file`, which is not touched yet: give all that belong together to write_files
-/// (recon/core/atomic_file.h). UsageError for an ending that is not known. See write_glb.h, write_stl.h, write_ply.h,
-/// write_vtu.h for what each holds.
+/// (recon/core/atomic_file.h). UsageError for an ending that is not known. See the write_*.h of this folder for what each
+/// holds.
 FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file);
-/// The same of a DB model; UsageError for ".vtu" too, since it has no tetrahedra.
+/// The same of a DB model; UsageError for formats of tetrahedra too, since it has none.
 FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file);
 
 /// Writes all files or none. UsageError, FileError.

@@ -12,6 +12,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/output/json_values.h"
+#include "recon/output/shell_groups.h"
 #include "recon/output/single_precision.h"
 #include "recon/output/smooth_normals.h"
 
@@ -45,60 +46,10 @@ tinygltf::Value gltf_value(const Json& json) {
 /// What proves the surfaces; without times and threads, so that the same input gives the same bytes.
 Json certificate(const WrittenModel& model) {
   std::vector<const SurfaceReport*> reports;
-  bool manifold = true;
-  for (const WrittenSurface& solid : model.solids) {
-    reports.push_back(&solid.report);
-    manifold = manifold && solid.report.closed_oriented_manifold();
-  }
-  return {{"certified", model.certified && manifold},
+  for (const WrittenSurface& solid : model.solids) reports.push_back(&solid.report);
+  return {{"certified", is_certified(model)},
           {"slices_checked", model.slices_checked},
           {"surface_in_mm", json_of(reports)}};
-}
-
-struct Paint {
-  std::string_view name;
-  std::array<double, 3> colour;  // linear
-  double roughness;
-};
-
-/// The colours of an anatomy atlas. A joint structure "tooth+pulp" goes by its first name, a cavity is taken for the
-/// pulp's.
-const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
-  static constexpr Paint enamel{"enamel", {0.90, 0.86, 0.74}, 0.3}, dentine{"dentine", {0.80, 0.62, 0.33}, 0.6},
-      pulp{"pulp", {0.55, 0.06, 0.06}, 0.5}, other{"other", {0.55, 0.58, 0.62}, 0.6},
-      tooth{"tooth", {0.87, 0.80, 0.64}, 0.4};
-  if (kind == Shell::Kind::cavity) return pulp;
-  const std::string first = structure.substr(0, structure.find('+'));
-  for (const Paint* paint : {&enamel, &dentine, &pulp, &tooth}) {
-    if (paint->name == first) return *paint;
-  }
-  return other;
-}
-
-/// The shells of one kind of one structure: what becomes a node.
-struct Group {
-  std::string name, structure;
-  Shell::Kind kind = Shell::Kind::open;
-  std::size_t shells = 0;
-  double volume = 0;
-  std::vector<std::uint32_t> triangles;
-};
-
-std::vector<Group> groups_of(const WrittenSurface& solid) {
-  std::vector<Group> groups;
-  for (const Shell::Kind kind : {Shell::Kind::external, Shell::Kind::cavity, Shell::Kind::open}) {
-    Group group{solid.structure + " " + name(kind), solid.structure, kind, 0, 0, {}};
-    for (const Shell& shell : solid.report.shells) {
-      if (shell.kind != kind) continue;
-      ++group.shells;
-      group.volume += shell.volume;
-    }
-    for (std::uint32_t t = 0; t < solid.surface.triangles.size(); ++t) {
-      if (solid.report.shells[solid.report.shell_of[t]].kind == kind) group.triangles.push_back(t);
-    }
-    if (!group.triangles.empty()) groups.push_back(std::move(group));
-  }
-  return groups;
 }
 
 /// Builds the model piece by piece: one buffer, one view an accessor.
@@ -119,26 +70,25 @@ class Builder {
   }
 
   void add_solid(const WrittenSurface& solid, const GlbOptions& options) {
-    if (solid.report.shell_of.size() != solid.surface.triangles.size()) {
-      throw InternalError("a surface and its report do not belong together");
-    }
+    const std::vector<ShellGroup> groups = shell_groups(solid);
     const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, metres_per_millimetre);
     const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
-    for (const Group& group : groups_of(solid)) add_group(group, points, shaded);
+    for (const ShellGroup& group : groups) add_group(group, points, shaded);
   }
 
-  std::string bytes() {
+  /// GLB, or glTF's text with the buffer embedded.
+  std::string bytes(bool binary) {
     if (model_.meshes.empty()) {  // an empty list or buffer is not allowed
       model_.buffers.clear();
     }
     std::ostringstream stream;
     tinygltf::TinyGLTF writer;
-    if (!writer.WriteGltfSceneToStream(&model_, stream, false, true)) throw InternalError("tinygltf wrote no GLB");
+    if (!writer.WriteGltfSceneToStream(&model_, stream, !binary, binary)) throw InternalError("tinygltf wrote no glTF");
     return std::move(stream).str();
   }
 
  private:
-  void add_group(const Group& group, const std::vector<FloatPoint>& points, const ShadedVertices& shaded) {
+  void add_group(const ShellGroup& group, const std::vector<FloatPoint>& points, const ShadedVertices& shaded) {
     constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> number(shaded.point.size(), unused), indices;
     std::vector<FloatPoint> positions, normals;
@@ -243,7 +193,13 @@ class Builder {
 std::string glb_bytes(const WrittenModel& model, const GlbOptions& options) {
   Builder builder(model);
   for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
-  return builder.bytes();
+  return builder.bytes(true);
+}
+
+std::string gltf_text(const WrittenModel& model, const GlbOptions& options) {
+  Builder builder(model);
+  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
+  return builder.bytes(false);
 }
 
 }  // namespace odontoscope

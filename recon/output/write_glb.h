@@ -24,4 +24,7 @@ struct GlbOptions {
 /// large for the format (limits::glb_bytes).
 std::string glb_bytes(const WrittenModel& model, const GlbOptions& options = {});
 
+/// The same as one text, its buffer embedded in base64 (.gltf).
+std::string gltf_text(const WrittenModel& model, const GlbOptions& options = {});
+
 }  // namespace odontoscope

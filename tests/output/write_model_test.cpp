@@ -115,12 +115,12 @@ TEST(WriteModel, TheEndingDecides) {
   write_model(models::tooth_and_enamel(), files);
   EXPECT_EQ(testing_support::content(files[0]).substr(0, 4), "glTF");
   EXPECT_EQ(testing_support::content(files[2]).substr(0, 4), "ply\n");
-  const std::filesystem::path bad[] = {folder / "b.glb", folder / "b.obj"};
+  const std::filesystem::path bad[] = {folder / "b.glb", folder / "b.off"};
   try {
     write_model(models::tooth_and_enamel(), bad);
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .vtu"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .gltf, .obj, .wrl, .x3d, .vtp, .vtu, .msh, .inp"), std::string::npos) << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "b.glb"));
 }
