@@ -65,6 +65,8 @@ inline constexpr double lift_margin = 0.618;
 inline constexpr int lift_halvings = 40;
 /// How far a lifted point may go sideways, over the length of the edge that it splits.
 inline constexpr double lift_sideways = 0.5;
+/// How far a tetrahedron may lean out over nothing, over half the width of the region that it hangs from: two widths.
+inline constexpr double overhang = 4;
 /// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others.
 inline constexpr double plate_height = 0.25;
 inline constexpr int plate_halvings = 60;

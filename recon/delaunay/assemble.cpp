@@ -25,24 +25,30 @@ Numbering::Numbering(const SolvedStack& stack) {
   }
 }
 
-AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering, std::size_t slab) {
-  AssembledSlab result;
-  const std::uint32_t lower = numbering.slice_begin[slab], upper = numbering.slice_begin[slab + 1];
-  const std::uint32_t end = numbering.slice_begin[slab + 2];
+std::vector<Tetrahedron> assembled_tetrahedra(const SolvedStack& stack, const Numbering& numbering, std::size_t slab) {
+  std::vector<Tetrahedron> tetrahedra;
+  const std::uint32_t lower = numbering.slice_begin[slab], end = numbering.slice_begin[slab + 2];
   std::uint32_t added = numbering.added_begin[slab];
   std::size_t count = 0;
   for (const SlabSolid& piece : stack.slabs[slab]) count += piece.tetrahedra.size();
-  result.tetrahedra.reserve(count);
+  tetrahedra.reserve(count);
   for (const SlabSolid& piece : stack.slabs[slab]) {
     const std::uint32_t on_slices = end - lower;   // lower and upper points follow each other in both numberings
     for (const auto& tet : piece.tetrahedra) {
       Tetrahedron numbered{};
       for (int i = 0; i < 4; ++i) numbered[i] = tet[i] < on_slices ? lower + tet[i] : added + (tet[i] - on_slices);
-      result.tetrahedra.push_back(numbered);
+      tetrahedra.push_back(numbered);
     }
     added += static_cast<std::uint32_t>(piece.added.size());
   }
+  return tetrahedra;
+}
 
+AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering, std::size_t slab) {
+  AssembledSlab result;
+  result.tetrahedra = assembled_tetrahedra(stack, numbering, slab);
+  const std::uint32_t lower = numbering.slice_begin[slab], upper = numbering.slice_begin[slab + 1];
+  const std::uint32_t end = numbering.slice_begin[slab + 2];
   each_outer_face(result.tetrahedra, [&](const Triangle& face) {
     const auto all = [&face](std::uint32_t from, std::uint32_t to) {
       return face[0] >= from && face[0] < to && face[1] >= from && face[1] < to && face[2] >= from && face[2] < to;

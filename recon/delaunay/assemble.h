@@ -28,6 +28,9 @@ struct AssembledSlab {
   std::vector<Triangle> sides, floor, ceiling;   // faces with one tetrahedron: all others; those in the lower slice; in the upper
 };
 
+/// Of the slab's pieces, one after the other, in the assembled numbering.
+std::vector<Tetrahedron> assembled_tetrahedra(const SolvedStack& stack, const Numbering& numbering, std::size_t slab);
+
 AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering, std::size_t slab);
 
 struct Assembly {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "recon/core/limits.h"
+#include "recon/delaunay/overhang.h"
 #include "recon/delaunay/predicates.h"
 
 namespace odontoscope::delaunay {
@@ -13,6 +14,7 @@ namespace {
 struct Piece {
   std::array<std::uint32_t, 4> v;
   bool in;   // part of the solid
+  float reach;
 };
 
 using Edge = std::array<std::uint32_t, 2>;
@@ -26,7 +28,8 @@ class Lift {
     for (const Point2 p : lower.points) points_.push_back({p.x, p.y, heights.lower});
     for (const Point2 p : upper.points) points_.push_back({p.x, p.y, heights.upper});
     for (std::size_t t = 0; t < tets.size(); ++t) {
-      pieces_.push_back({tets[t].v, fate[t] != Fate::removed});
+      const bool in = fate[t] != Fate::removed;
+      pieces_.push_back({tets[t].v, in, in ? static_cast<float>(reach(tets[t], lower, upper)) : 0.0f});
       if (fate[t] == Fate::restored) collect_external(tets[t]);
     }
     std::sort(edges_.begin(), edges_.end());
@@ -195,7 +198,7 @@ class Lift {
     for (const std::uint32_t p : star) {
       const Piece whole = pieces_[p];
       for (std::size_t corner = 0; corner < N; ++corner) {
-        const Piece part{with(whole.v, simplex[corner], added), whole.in};
+        const Piece part{with(whole.v, simplex[corner], added), whole.in, whole.reach};
         std::uint32_t number = p;
         if (corner == 0) {
           pieces_[p] = part;
@@ -254,8 +257,11 @@ bool lift(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate
     if (v < given) return whole_lower + upper.slice_point[v - lower.points.size()];
     return first_added + (v - given);
   };
-  for (const Piece& piece : work.pieces())
-    if (piece.in) solid.tetrahedra.push_back({number(piece.v[0]), number(piece.v[1]), number(piece.v[2]), number(piece.v[3])});
+  for (const Piece& piece : work.pieces()) {
+    if (!piece.in) continue;
+    solid.tetrahedra.push_back({number(piece.v[0]), number(piece.v[1]), number(piece.v[2]), number(piece.v[3])});
+    solid.reach.push_back(piece.reach);
+  }
   solid.added.insert(solid.added.end(), work.points().begin() + given, work.points().end());
   solid.restored += static_cast<std::size_t>(std::count(fate.begin(), fate.end(), Fate::restored));
   solid.largest_sideways = std::max(solid.largest_sideways, work.largest_sideways());

@@ -16,6 +16,7 @@ namespace odontoscope::delaunay {
 /// triangulations), then `added`.
 struct SlabSolid {
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;   // positive
+  std::vector<float> reach;          // of each tetrahedron, or of the one that it is a part of (see overhang.h); empty: all 0
   std::vector<Point3> added;
   std::size_t restored = 0;          // tetrahedra put back, before they were split
   double largest_sideways = 0;       // of a lifted point, over the length of its edge

@@ -10,8 +10,9 @@
 #include "recon/core/limits.h"
 #include "recon/delaunay/assemble.h"
 #include "recon/delaunay/certify.h"
-#include "recon/delaunay/conform.h"
 #include "recon/core/parallel.h"
+#include "recon/delaunay/conform.h"
+#include "recon/delaunay/overhang.h"
 #include "recon/delaunay/plate.h"
 #include "recon/delaunay/solve_slab.h"
 #include "recon/input/validate.h"
@@ -110,6 +111,7 @@ class Reconstructor {
         result_.counts.largest_sideways = std::max(result_.counts.largest_sideways, piece.largest_sideways);
       }
     }
+    result_.counts.trimmed += trim_overhangs(stack);
   }
 
   Place place(std::size_t k) const {

@@ -62,6 +62,7 @@ struct ReconstructCounts {
   std::size_t kept = 0;            // tetrahedra of the result
   std::size_t restored = 0;        // that repair put back, before they were split
   std::size_t lifted_points = 0;
+  std::size_t trimmed = 0;         // taken out where regions hang over nothing
   std::size_t cut_links = 0;       // witnessed, but not built: the solids would have crossed one that must stay apart
   std::size_t isolated_regions = 0;    // linked to nothing on either side: made a thin plate
   double largest_sideways = 0;     // of a lifted point, over the length of the edge that it split

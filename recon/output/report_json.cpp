@@ -30,6 +30,7 @@ Json tetrahedra_json(const ReconstructCounts& counts, const std::vector<TetraRep
   return {{"kept", counts.kept},
           {"restored", counts.restored},
           {"lifted_points", counts.lifted_points},
+          {"trimmed", counts.trimmed},
           {"isolated_regions", counts.isolated_regions},
           {"largest_sideways", counts.largest_sideways},
           {"non_positive", non_positive},

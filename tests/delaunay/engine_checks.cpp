@@ -20,7 +20,7 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
 bool same(const ReconstructCounts& a, const ReconstructCounts& b) {
   return a.slices == b.slices && a.contours == b.contours && a.points == b.points &&
          a.steiner_points == b.steiner_points && a.kept == b.kept && a.restored == b.restored &&
-         a.lifted_points == b.lifted_points && a.isolated_regions == b.isolated_regions &&
+         a.lifted_points == b.lifted_points && a.trimmed == b.trimmed && a.isolated_regions == b.isolated_regions &&
          a.largest_sideways == b.largest_sideways;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "tests/delaunay/engine_checks.h"
@@ -52,6 +54,10 @@ const std::map<std::string, std::vector<std::string>> expected{
     {"triangle_with_triangular_hole", {ring}},
     {"triangular_hole_under_disc", {ball}},
     {"triangular_ring_alone", {ring}},
+    // Trimming must leave them as they are joined.
+    {"ring_over_crescent", {ring}},
+    {"ring_between_crescents", {ring}},
+    {"crescent_between_stubs", {ball}},
     {"close_neighbours_1e-3", {ball, ball}},
     {"tiny_features_1e-9", {ball}},
     {"annuli_at_1e5", {ring}},
@@ -120,6 +126,49 @@ TEST(Shapes, NarrowGapsAreSplitOppositeEachOther) {
   // Halving would need a point for each gap's width on either side: 200,000 already for a gap of 1e-5.
   for (double gap : {1e-3, 1e-5, 1e-8}) EXPECT_LT(certified(turned(close_neighbours(gap), 0.3)).counts.steiner_points, 100u) << gap;
   EXPECT_LT(certified(turned(close_neighbours(1e-9), 0.3)).counts.steiner_points, 5000u) << "near the precision of a double";
+}
+
+/// How far from the ring of radii 3.7 and 4 a tetrahedron's middle lies, seen along z.
+double farthest_from_ring(const TetraMesh& mesh) {
+  double farthest = 0;
+  for (const Tetrahedron& t : mesh.tetrahedra) {
+    double x = 0, y = 0;
+    for (const PointIndex p : t) x += mesh.points[p].x / 4, y += mesh.points[p].y / 4;
+    const double radius = std::hypot(x, y);
+    farthest = std::max({farthest, 3.7 - radius, radius - 4});
+  }
+  return farthest;
+}
+
+TEST(Shapes, WhatHangsOverNothingDoesNotLeanAcrossTheVoid) {
+  // The mouths of the Cs are 6 mm wide, the ring is 0.3 mm thick.
+  for (const ContourStack& stack : {ring_over_crescent(), ring_between_crescents()}) {
+    const Reconstruction result = certified(stack);
+    EXPECT_GT(result.counts.trimmed, 0u);
+    EXPECT_LT(farthest_from_ring(result.solids[0].tetrahedra), 0.3);
+  }
+}
+
+TEST(Shapes, WhatHangsFreeOnBothSidesKeepsOne) {
+  const Reconstruction result = certified(crescent_between_stubs());   // its section is proven there
+  EXPECT_GT(result.counts.trimmed, 0u);
+}
+
+TEST(Shapes, ATipOverAWideBaseIsNoOverhang) {
+  const Reconstruction result = certified(stack_of({{circle(5)}, {star(5, 0.3, 0.1)}, {star(5, 0.3, 0.1)}}));
+  EXPECT_EQ(result.counts.trimmed, 0u);
+}
+
+TEST(Shapes, ASlantedThinWallIsNotTrimmedAway) {
+  // Each wall moves by four times its thickness from slice to slice: only the user says that it is one.
+  std::vector<std::vector<Ring>> slices;
+  for (int k = 0; k < 4; ++k) slices.push_back({rectangle({0, 0.4 * k}, {5, 0.4 * k + 0.1})});
+  const ContourStack stack = stack_of(slices);
+  ReconstructOptions options{.correspondence = Correspondence::medial, .links = {}, .threads = 1};
+  for (std::size_t k = 0; k < 3; ++k) options.links.push_back({"tooth", k, 0, 0, true});
+  const Reconstruction result = certified(stack, options);
+  EXPECT_EQ(topology_of(result), shells({ball}));
+  EXPECT_NEAR(result.solids[0].report.shells[0].volume, 3 * 5 * 0.1 * spacing, 0.05 * 3 * 5 * 0.1 * spacing) << "thinner than the wall";
 }
 
 TEST(Shapes, ContoursCloserThanDoublesHoldAreRefusedNotRefinedForEver) {

@@ -20,7 +20,7 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
                                             "cut_links", "seconds", "threads", "certified"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
-  for (const char* key : {"kept", "restored", "lifted_points", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
+  for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
     EXPECT_TRUE(report["tetrahedra"].contains(key)) << key;
   }
   for (const char* key : {"vertices", "triangles", "boundary_edges", "nonmanifold_edges", "misoriented_edges",

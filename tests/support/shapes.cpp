@@ -174,6 +174,23 @@ ContourStack c_with_island() {
   return stack_of({slice, slice});
 }
 
+ContourStack ring_over_crescent() {
+  const std::vector<Ring> whole{circle(4), circle(3.7)};
+  return stack_of({{c_shape(4, 3.7, 2.2)}, whole, whole});
+}
+
+ContourStack ring_between_crescents() {
+  const Ring below = c_shape(4, 3.7, 1.8);
+  Ring above = below;
+  for (Point2& p : above) p = {-p.x, -p.y};
+  return stack_of({{below}, {circle(4), circle(3.7)}, {above}});
+}
+
+ContourStack crescent_between_stubs() {
+  const std::vector<Ring> stub{rectangle({-4.1, -0.3}, {-3.6, 0.3})};
+  return stack_of({stub, {c_shape(4, 3.7, 0.3)}, stub});
+}
+
 ContourStack hole_that_opens_outside() {
   const std::vector<Ring> disc{circle(4)}, annulus{circle(4), circle(2)}, open{c_shape(4, 2, 0.6)};
   return stack_of({disc, annulus, open, annulus, disc});
@@ -255,6 +272,9 @@ std::vector<NamedStack> all_shapes() {
           {"triangular_hole_under_disc", triangular_hole_under_disc()},
           {"triangular_ring_alone", triangular_ring_alone()},
           {"close_neighbours_1e-3", close_neighbours(1e-3)},
+          {"ring_over_crescent", ring_over_crescent()},
+          {"ring_between_crescents", ring_between_crescents()},
+          {"crescent_between_stubs", crescent_between_stubs()},
           {"tiny_features_1e-9", tiny_features(1e-9)},
           {"annuli_at_1e5", moved(annulus_over_shifted_annulus(), {1e5, -1e5})},
           {"tiny_annuli_at_1e5", moved(scaled(annulus_over_shifted_annulus(), 1e-3), {1e5, -1e5})},

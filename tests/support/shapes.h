@@ -82,6 +82,12 @@ ContourStack triangular_hole_under_disc();
 ContourStack triangular_ring_alone();
 /// Two regions side by side, `gap` apart, their points not opposite each other.
 ContourStack close_neighbours(double gap);
+/// Enamel's margin: a thin ring that begins on one side only, over a thin C. Its free part must not lean over to the C's ends.
+ContourStack ring_over_crescent();
+/// A thin ring between two Cs that are open on opposite sides and overlap nowhere: each part of it hangs free on one side.
+ContourStack ring_between_crescents();
+/// A thin C with nothing below or above it but a stub: both its arms are free on both sides, so that one must stay.
+ContourStack crescent_between_stubs();
 /// A square whose border has a bump and a notch, each `size` wide and high.
 ContourStack tiny_features(double size);
 
