@@ -242,14 +242,17 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
     fit.contours_to_surface = *distance;
   }
   double whole = 0;
-  for (const PlaneSection& section : cuts) {
+  std::vector<PlaneSection> outlines(cuts.size());
+  tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t k) { outlines[k] = outline(cuts[k]); });
+  progress.check();
+  for (const PlaneSection& section : outlines) {
     for_each_segment(section, [&whole](const SectionSegment& s) { whole += length(s.from, s.to); });
   }
   std::vector<SliceMeasure> measures(cuts.size());
   tbb::parallel_for(std::size_t{0}, cuts.size(), [&](std::size_t k) {
     if (progress.stop.stop_requested()) return;
     measures[k] =
-        measure_section(cuts[k], ordered_stack.slices[k], structure, whole / static_cast<double>(options.samples));
+        measure_section(outlines[k], ordered_stack.slices[k], structure, whole / static_cast<double>(options.samples));
   });
   progress.check();
   SliceMeasure all;

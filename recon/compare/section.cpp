@@ -51,7 +51,29 @@ bool is_inside(const std::vector<SectionSegment>& segments, const Point2& place)
   return odd > directions / 2;
 }
 
+using Key = std::array<double, 4>;
+
+/// The same for either direction.
+Key key(const SectionSegment& s) {
+  const std::array from{s.from.x, s.from.y}, to{s.to.x, s.to.y};
+  return from < to ? Key{from[0], from[1], to[0], to[1]} : Key{to[0], to[1], from[0], from[1]};
+}
+
+std::vector<SectionSegment> outside(const std::vector<SectionSegment>& side, const std::vector<SectionSegment>& other) {
+  std::vector<Key> shared;
+  for (const SectionSegment& s : other) shared.push_back(key(s));
+  std::sort(shared.begin(), shared.end());
+  std::vector<SectionSegment> left;
+  for (const SectionSegment& s : side) {
+    const Point2 middle{0.5 * (s.from.x + s.to.x), 0.5 * (s.from.y + s.to.y)};
+    if (std::binary_search(shared.begin(), shared.end(), key(s)) || !is_inside(other, middle)) left.push_back(s);
+  }
+  return left;
+}
+
 }  // namespace
+
+PlaneSection outline(const PlaneSection& section) { return {outside(section.below, section.above), outside(section.above, section.below)}; }
 
 std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights) {
   std::vector<std::size_t> order(heights.size());

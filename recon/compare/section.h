@@ -21,6 +21,10 @@ struct PlaneSection {
 };
 std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights);
 
+/// Without what one side alone has inside the other's material: where a model that goes on above ends flat below, the plane cuts
+/// no boundary of it.
+PlaneSection outline(const PlaneSection& section);
+
 /// Is there material at this place of the plane, below it or above it? By the number of segments between the place and
 /// far away, odd being inside, and the majority of seven directions, so that a crack hides at most some of them.
 /// Orientation plays no part.
