@@ -75,7 +75,7 @@ TEST(WriteObj, HasEveryBitAndEveryName) {
   const std::string text = obj_text(model);
   EXPECT_NE(text.find("certified by odontoscope: every surface closed"), text.npos);
   EXPECT_EQ(count(text, "\no "), 3u);
-  EXPECT_NE(text.find("\no tooth cavity\n"), text.npos);
+  EXPECT_NE(text.find("\n# tooth cavity\no tooth_cavity\n"), text.npos);
   std::istringstream lines(text);
   SurfaceMesh mesh;
   for (std::string word; lines >> word;) {
