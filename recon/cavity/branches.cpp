@@ -1,0 +1,319 @@
+#include "recon/cavity/branches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+#include "recon/cavity/limits.h"
+
+namespace odontoscope::cavity {
+namespace {
+
+using NodeIndex = std::uint32_t;
+constexpr NodeIndex none = std::numeric_limits<NodeIndex>::max();
+constexpr int nobody = -1;
+
+std::tuple<double, double, double> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
+
+NodeIndex widest(const MedialGraph& graph) {
+  NodeIndex best = 0;
+  for (NodeIndex n = 1; n < graph.nodes.size(); ++n) {
+    const auto &a = graph.nodes[n], &b = graph.nodes[best];
+    if (a.radius > b.radius || (a.radius == b.radius && coordinates(a.at) < coordinates(b.at))) best = n;
+  }
+  return best;
+}
+
+/// Visits all nodes that can be reached from `from` through nodes for which `enter` is true.
+template <class Enter>
+void flood(const MedialGraph& graph, NodeIndex from, Enter enter) {
+  std::vector<NodeIndex> waiting{from};
+  while (!waiting.empty()) {
+    const NodeIndex n = waiting.back();
+    waiting.pop_back();
+    for (std::uint32_t w = graph.first_way[n]; w < graph.first_way[n + 1]; ++w)
+      if (enter(graph.ways[w].to)) waiting.push_back(graph.ways[w].to);
+  }
+}
+
+/// Of the chamber: the ball in which the centroid of all that wide balls fill lies deepest.
+NodeIndex centre_of_chamber(const MedialGraph& graph) {
+  const NodeIndex start = widest(graph);
+  const double least = limits::chamber_share * graph.nodes[start].radius;
+  std::vector<char> inside(graph.nodes.size(), 0);
+  inside[start] = 1;
+  flood(graph, start, [&](NodeIndex n) {
+    if (inside[n] || graph.nodes[n].radius < least) return false;
+    inside[n] = 1;
+    return true;
+  });
+  Point3 sum;
+  double volume = 0;
+  for (NodeIndex n = 0; n < graph.nodes.size(); ++n) {
+    if (!inside[n]) continue;
+    const MedialGraph::Node& node = graph.nodes[n];
+    sum = {sum.x + node.volume * node.at.x, sum.y + node.volume * node.at.y, sum.z + node.volume * node.at.z};
+    volume += node.volume;
+  }
+  const Point3 centroid{sum.x / volume, sum.y / volume, sum.z / volume};
+  NodeIndex best = start;
+  double deepest = -std::numeric_limits<double>::infinity();
+  for (NodeIndex n = 0; n < graph.nodes.size(); ++n) {
+    if (!inside[n]) continue;
+    const double depth = graph.nodes[n].radius - length(graph.nodes[n].at - centroid);
+    if (depth > deepest) {
+      deepest = depth;
+      best = n;
+    }
+  }
+  return best;
+}
+
+/// Shortest paths from a root, where a millimetre costs one over the square of the radius.
+struct Tree {
+  std::vector<NodeIndex> parent;  // none: the root, or out of reach
+  std::vector<double> distance;   // along the path, mm; infinite: out of reach
+};
+
+Tree shortest_paths(const MedialGraph& graph, NodeIndex root) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Tree tree{std::vector<NodeIndex>(graph.nodes.size(), none), std::vector<double>(graph.nodes.size(), infinity)};
+  std::vector<double> cost(graph.nodes.size(), infinity);
+  using Waiting = std::pair<double, NodeIndex>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  cost[root] = tree.distance[root] = 0;
+  waiting.push({0, root});
+  while (!waiting.empty()) {
+    const auto [so_far, n] = waiting.top();
+    waiting.pop();
+    if (so_far > cost[n]) continue;
+    for (std::uint32_t w = graph.first_way[n]; w < graph.first_way[n + 1]; ++w) {
+      const MedialGraph::Way& way = graph.ways[w];
+      const double radius = (graph.nodes[n].radius + graph.nodes[way.to].radius) / 2;
+      const double there = so_far + static_cast<double>(way.length) / (radius * radius);
+      if (there >= cost[way.to]) continue;
+      cost[way.to] = there;
+      tree.parent[way.to] = n;
+      tree.distance[way.to] = tree.distance[n] + static_cast<double>(way.length);
+      waiting.push({there, way.to});
+    }
+  }
+  return tree;
+}
+
+std::vector<NodeIndex> path_to(const Tree& tree, NodeIndex end) {
+  std::vector<NodeIndex> path;
+  for (NodeIndex n = end; n != none; n = tree.parent[n]) path.push_back(n);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+std::vector<Point3> places(const MedialGraph& graph, const std::vector<NodeIndex>& path) {
+  std::vector<Point3> points;
+  for (const NodeIndex n : path) points.push_back(graph.nodes[n].at);
+  return points;
+}
+
+/// Without the last nodes whose balls lie within one before them but for a little: ways into a corner.
+void trim(const MedialGraph& graph, std::vector<NodeIndex>& path) {
+  std::size_t keep = 1;
+  double reach = 0;  // farthest along the path that a ball of a kept node reaches, in the direction of the way it leads
+  std::vector<double> along(path.size(), 0);
+  for (std::size_t i = 1; i < path.size(); ++i) along[i] = along[i - 1] + length(graph.nodes[path[i]].at - graph.nodes[path[i - 1]].at);
+  reach = graph.nodes[path[0]].radius;
+  double radius_there = reach;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const MedialGraph::Node& node = graph.nodes[path[i]];
+    if (along[i] + node.radius < reach + limits::tip_reach * radius_there) continue;
+    keep = i + 1;
+    reach = along[i] + node.radius;
+    radius_there = node.radius;
+  }
+  path.resize(keep);
+}
+
+/// Finds ends one after the other and remembers what their branches cover.
+class Explorer {
+ public:
+  Explorer(const MedialGraph& graph, NodeIndex root)
+      : graph_(graph), tree_(shortest_paths(graph, root)), owner_(graph.nodes.size(), nobody), seen_(graph.nodes.size(), 0) {
+    for (NodeIndex n = 0; n < graph.nodes.size(); ++n)
+      if (std::isfinite(tree_.distance[n])) ends_.push_back(n);
+    std::sort(ends_.begin(), ends_.end(), [&](NodeIndex a, NodeIndex b) {
+      const double u = reach(a), v = reach(b);
+      return u != v ? u > v : coordinates(graph.nodes[a].at) < coordinates(graph.nodes[b].at);
+    });
+    cover({root}, 0);
+  }
+
+  struct Found {
+    std::vector<NodeIndex> path;
+    double beyond = 0;
+    NodeIndex meets = none;  // a covered node that the end runs into
+    int met = nobody;        // whose it is
+  };
+
+  std::vector<Found> explore(bool loops) {
+    std::vector<Found> found;
+    double longest = 0;
+    for (const NodeIndex end : ends_) {
+      if (owner_[end] != nobody) continue;
+      double beyond = graph_.nodes[end].radius, weight = 0, way = 0;
+      NodeIndex n = end;
+      while (owner_[n] == nobody && tree_.parent[n] != none) {
+        const double step = tree_.distance[n] - tree_.distance[tree_.parent[n]];
+        beyond += step;
+        way += step;
+        weight += step * graph_.nodes[n].radius;
+        n = tree_.parent[n];
+      }
+      const bool slender = way > 0 && beyond >= limits::branch_slenderness * weight / way;
+      longest = std::max(longest, slender ? beyond : 0);
+      Found one{path_to(tree_, end), beyond};
+      const int number = static_cast<int>(found.size());
+      if (!slender || beyond < limits::branch_share * longest) {
+        cover({end}, owner_[n] == nobody ? 0 : owner_[n]);
+        continue;
+      }
+      if (loops) std::tie(one.meets, one.met) = meeting(end);
+      cover(one.path, number);
+      found.push_back(std::move(one));
+    }
+    return found;
+  }
+
+  const Tree& tree() const { return tree_; }
+
+ private:
+  double reach(NodeIndex n) const { return tree_.distance[n] + graph_.nodes[n].radius; }
+
+  /// All that is within reach of the path's balls and joined to them.
+  void cover(const std::vector<NodeIndex>& path, int number) {
+    const MedialGraph::Node* last = nullptr;
+    for (const NodeIndex p : path) {
+      const MedialGraph::Node& ball = graph_.nodes[p];
+      if (owner_[p] == nobody) owner_[p] = number;
+      if (last != nullptr && p != path.back() && length(ball.at - last->at) < 0.5 * last->radius) continue;
+      last = &ball;
+      ++stamp_;
+      seen_[p] = stamp_;
+      flood(graph_, p, [&](NodeIndex n) {
+        if (seen_[n] == stamp_ || length(graph_.nodes[n].at - ball.at) > limits::branch_cover * ball.radius) return false;
+        seen_[n] = stamp_;
+        if (owner_[n] == nobody) owner_[n] = number;
+        return true;
+      });
+    }
+  }
+
+  /// What another branch covers, beside an end: then the void goes on there, and this is no end.
+  std::pair<NodeIndex, int> meeting(NodeIndex end) {
+    ++stamp_;
+    seen_[end] = stamp_;
+    const MedialGraph::Node& ball = graph_.nodes[end];
+    NodeIndex best = none;
+    double nearest = std::numeric_limits<double>::infinity();
+    flood(graph_, end, [&](NodeIndex n) {
+      const double far = length(graph_.nodes[n].at - ball.at);
+      if (seen_[n] == stamp_ || far > limits::branch_cover * ball.radius) return false;
+      seen_[n] = stamp_;
+      if (owner_[n] == nobody) return true;
+      if (far < nearest) {
+        nearest = far;
+        best = n;
+      }
+      return false;
+    });
+    return {best, best == none ? nobody : owner_[best]};
+  }
+
+  const MedialGraph& graph_;
+  Tree tree_;
+  std::vector<int> owner_;
+  std::vector<std::uint32_t> seen_;
+  std::uint32_t stamp_ = 0;
+  std::vector<NodeIndex> ends_;
+};
+
+double median_radius(const MedialGraph& graph, const std::vector<NodeIndex>& path) {
+  std::vector<double> radii;
+  for (const NodeIndex n : path) radii.push_back(graph.nodes[n].radius);
+  std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+  return radii[radii.size() / 2];
+}
+
+double height(const Point3& p, const std::optional<Direction>& axis) { return axis ? dot(*axis, {p.x, p.y, p.z}) : 0; }
+
+/// One line from the upper end to the lower.
+std::vector<NodeIndex> through_tube(const MedialGraph& graph, std::vector<NodeIndex> a, std::vector<NodeIndex> b, const std::optional<Direction>& axis) {
+  trim(graph, a);
+  trim(graph, b);
+  NodeIndex upper = a.back(), lower = b.back();
+  const auto key = [&](NodeIndex n) { return std::tuple_cat(std::tuple{-height(graph.nodes[n].at, axis)}, coordinates(graph.nodes[n].at)); };
+  if (key(lower) < key(upper)) std::swap(upper, lower);
+  return path_to(shortest_paths(graph, upper), lower);
+}
+
+/// Round a handle: down one branch to where it meets another, and back up that one.
+std::vector<Point3> closed_loop(const MedialGraph& graph, const Tree& tree, const Explorer::Found& down) {
+  std::vector<NodeIndex> there = down.path, back = path_to(tree, down.meets);
+  std::size_t common = 0;
+  while (common + 1 < there.size() && common + 1 < back.size() && there[common + 1] == back[common + 1]) ++common;
+  std::vector<NodeIndex> loop(there.begin() + static_cast<std::ptrdiff_t>(common), there.end());
+  for (std::size_t i = back.size(); i-- > common;) loop.push_back(back[i]);
+  return places(graph, loop);
+}
+
+}  // namespace
+
+Branches find_branches(const MedialGraph& graph, long handles, const std::optional<Direction>& axis) {
+  Branches result;
+  result.root = centre_of_chamber(graph);
+  result.root_radius = graph.nodes[result.root].radius;
+  Explorer explorer(graph, result.root);
+  std::vector<Explorer::Found> found = explorer.explore(handles > 0);
+  std::vector<char> no_end(found.size(), 0);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i].meets == none) continue;
+    result.loops.push_back(closed_loop(graph, explorer.tree(), found[i]));
+    // Two halves of a ring end in each other.
+    const std::size_t other = static_cast<std::size_t>(found[i].met);
+    const MedialGraph::Node& tip = graph.nodes[found[other].path.back()];
+    no_end[i] = 1;
+    if (length(tip.at - graph.nodes[found[i].meets].at) <= 2 * limits::branch_cover * tip.radius) no_end[other] = 1;
+  }
+  std::vector<std::size_t> ends;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!no_end[i]) ends.push_back(i);
+  double widths = 0;
+  for (const std::size_t i : ends) widths = std::max(widths, median_radius(graph, found[i].path));
+  if (ends.size() <= 2) result.has_chamber = !ends.empty() && result.root_radius > limits::chamber_over_tube * widths;
+  if (!result.has_chamber && ends.size() == 2 && result.loops.empty()) {
+    const std::vector<NodeIndex> path = through_tube(graph, found[ends[0]].path, found[ends[1]].path, axis);
+    result.branches.push_back({places(graph, path), found[ends[0]].beyond + found[ends[1]].beyond});
+    return result;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (no_end[i] && (found[i].meets == none || no_end[static_cast<std::size_t>(found[i].met)])) continue;
+    std::vector<NodeIndex> path = found[i].path;
+    Branch branch{{}, found[i].beyond, found[i].meets == none};
+    if (branch.end_is_blind) trim(graph, path);
+    branch.path = places(graph, path);
+    if (!branch.end_is_blind) {
+      // On with the branch that it runs into, from the place nearest to where it meets it.
+      std::vector<NodeIndex> rest = found[static_cast<std::size_t>(found[i].met)].path;
+      trim(graph, rest);
+      std::size_t nearest = 0;
+      for (std::size_t k = 0; k < rest.size(); ++k)
+        if (length(graph.nodes[rest[k]].at - graph.nodes[found[i].meets].at) < length(graph.nodes[rest[nearest]].at - graph.nodes[found[i].meets].at)) nearest = k;
+      for (std::size_t k = nearest; k < rest.size(); ++k) branch.path.push_back(graph.nodes[rest[k]].at);
+    }
+    result.branches.push_back(std::move(branch));
+  }
+  return result;
+}
+
+}  // namespace odontoscope::cavity

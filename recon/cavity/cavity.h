@@ -1,0 +1,43 @@
+#pragma once
+// Voids inside a solid: the pulp chamber with its canals is one, a bubble another.
+//
+// A void is known by its wall, a closed shell of negative volume: its triangles are counter-clockwise seen from within the void,
+// so that an eye inside sees their fronts. Units: millimetres.
+//
+// Not supported: a void that is open to the outside (a canal drilled through the apex). It is no void of the solid but a dent,
+// and has no wall of its own.
+
+#include <string>
+#include <vector>
+
+#include "recon/mesh/meshes.h"
+#include "recon/mesh/surface_report.h"
+
+namespace odontoscope {
+
+struct Cavity {
+  std::string structure;  // the solid that it lies in; of a body turned inside out, the body
+  SurfaceMesh wall;       // closed and connected, on points of its own
+  double volume = 0;      // of the void, mm^3: positive
+};
+
+/// The shells of negative volume, largest first; ties by the wall's lowest point (x, then y, then z). Those smaller than limits::cavity_speck of
+/// the largest are left out. A surface of cavities alone (a GLB's "S cavity") is as good as the whole solid's. Open shells are no
+/// walls. `report` is that of `surface`.
+std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report);
+std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh& surface);
+
+/// The same of a body that fills the void, turned inside out: its shells of positive volume are the walls.
+std::vector<Cavity> voids_filled_by(const std::string& structure, const SurfaceMesh& body);
+
+/// A structure's surface, looked at.
+struct StructureSurface {
+  std::string structure;
+  const SurfaceMesh* surface = nullptr;
+};
+
+/// What can be flown through in a whole model: the cavities of all its structures. If it has none, the void that a body with
+/// "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
+std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);
+
+}  // namespace odontoscope

@@ -1,0 +1,90 @@
+#include "recon/cavity/centre_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "recon/cavity/branches.h"
+#include "recon/cavity/centring.h"
+#include "recon/cavity/limits.h"
+#include "recon/core/error.h"
+
+namespace odontoscope {
+namespace {
+
+constexpr std::string_view stage = "centre lines";
+
+/// Which way the crown is: against the longest branch.
+std::optional<Direction> towards_crown(const std::optional<Direction>& axis, const Point3& chamber, const std::vector<cavity::Branch>& branches) {
+  if (!axis || branches.empty() || !(length(*axis) > 0)) return std::nullopt;
+  const auto longest = std::max_element(branches.begin(), branches.end(), [](const auto& a, const auto& b) { return a.beyond < b.beyond; });
+  const Direction unit = (1 / length(*axis)) * *axis;
+  return dot(unit, longest->path.back() - chamber) > 0 ? -1.0 * unit : unit;
+}
+
+void order(std::vector<CentreLine>& lines, const char* kind) {
+  std::sort(lines.begin(), lines.end(), [](const CentreLine& a, const CentreLine& b) {
+    const auto key = [](const CentreLine& line) { return std::tuple{-line.points.back().along, line.end.x, line.end.y, line.end.z}; };
+    return key(a) < key(b);
+  });
+  for (std::size_t i = 0; i < lines.size(); ++i) lines[i].name = fmt::format("{} {}", kind, i + 1);
+}
+
+/// Where the line leaves the last ball at least half as wide as the chamber's.
+std::size_t orifice_of(const CentreLine& line, double chamber_radius) {
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < line.points.size(); ++i)
+    if (line.points[i].radius >= limits::chamber_share * chamber_radius) last = i;
+  std::size_t out = last;
+  while (out + 1 < line.points.size() && length(line.points[out].at - line.points[last].at) < line.points[last].radius) ++out;
+  return out;
+}
+
+}  // namespace
+
+CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options, const Progress& progress) {
+  progress.tell(stage, 0);
+  const SurfaceReport report = inspect(cavity.wall);
+  if (!report.closed_oriented_manifold() || report.shells.size() != 1)
+    throw UsageError(fmt::format("the wall of the void in \"{}\" is not one closed, oriented manifold", cavity.structure));
+  const WallTree tree(cavity.wall);
+  const cavity::MedialGraph graph = cavity::medial_graph(cavity.wall, tree, progress);
+  CentreLines lines;
+  if (graph.nodes.empty()) return lines;  // a crack: no centre of a tetrahedron lies in it
+  progress.tell(stage, 0.5);
+  const cavity::Branches found = cavity::find_branches(graph, report.shells.front().genus, options.axis);
+  lines.chamber = graph.nodes[found.root].at;
+  lines.chamber_radius = graph.nodes[found.root].radius;
+  lines.has_chamber = found.has_chamber;
+  double longest = 0;
+  for (const cavity::Branch& branch : found.branches) longest = std::max(longest, branch.beyond);
+  const std::optional<Direction> crown = towards_crown(options.axis, lines.chamber, found.branches);
+  const double parts = static_cast<double>(found.branches.size() + 1);
+  for (std::size_t i = 0; i < found.branches.size(); ++i) {
+    progress.check();
+    progress.tell(stage, 0.5 + 0.5 * static_cast<double>(i) / parts);
+    const cavity::Branch& branch = found.branches[i];
+    if (branch.path.size() < 2) continue;
+    CentreLine line = cavity::centred(branch.path, tree, cavity::LineEnd::blind);
+    const bool to_crown = crown && found.has_chamber && dot(*crown, line.end - lines.chamber) > 0;
+    if (to_crown) {
+      lines.horns.push_back(std::move(line));
+    } else if (branch.beyond < limits::canal_share * longest) {
+      lines.others.push_back(std::move(line));
+    } else {
+      if (found.has_chamber) line.orifice = orifice_of(line, lines.chamber_radius);
+      lines.canals.push_back(std::move(line));
+    }
+  }
+  for (const std::vector<Point3>& loop : found.loops) lines.loops.push_back(cavity::centred(loop, tree, cavity::LineEnd::closed));
+  order(lines.canals, "canal");
+  order(lines.horns, "horn");
+  order(lines.others, "branch");
+  order(lines.loops, "loop");
+  progress.tell(stage, 1);
+  return lines;
+}
+
+}  // namespace odontoscope

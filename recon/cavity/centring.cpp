@@ -1,0 +1,182 @@
+#include "recon/cavity/centring.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "recon/cavity/limits.h"
+
+namespace odontoscope::cavity {
+namespace {
+
+Point3 moved(const Point3& p, const Direction& by) { return {p.x + by.x, p.y + by.y, p.z + by.z}; }
+Point3 between(const Point3& a, const Point3& b, double share) { return moved(a, share * (b - a)); }
+
+double length_of(const std::vector<Point3>& line) {
+  double sum = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) sum += length(line[i] - line[i - 1]);
+  return sum;
+}
+
+std::vector<Point3> evenly(const std::vector<Point3>& line, std::size_t steps) {
+  const double step = length_of(line) / static_cast<double>(steps);
+  std::vector<Point3> even{line.front()};
+  double passed = 0;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double piece = length(line[i] - line[i - 1]);
+    while (even.size() < steps && static_cast<double>(even.size()) * step <= passed + piece)
+      even.push_back(between(line[i - 1], line[i], piece > 0 ? (static_cast<double>(even.size()) * step - passed) / piece : 0));
+    passed += piece;
+  }
+  even.resize(steps, line.back());
+  even.push_back(line.back());
+  return even;
+}
+
+/// A line that is being centred. Closed lines hold their first point twice.
+class Centring {
+ public:
+  Centring(std::vector<Point3> line, const WallTree& tree, LineEnd end) : line_(std::move(line)), tree_(tree), closed_(end == LineEnd::closed) {
+    std::vector<double> radii;
+    for (const Point3& p : line_) radii.push_back(std::max(tree_.clearance(p), 0.0));
+    std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
+    step_ = std::max(limits::line_step * radii[radii.size() / 2], length_of(line_) / static_cast<double>(limits::line_points));
+  }
+
+  void spread() {
+    const std::size_t least = 8;
+    line_ = evenly(line_, std::max(least, static_cast<std::size_t>(std::lround(length_of(line_) / step_))));
+  }
+
+  /// Each point to the widest place near it in its cross-section; `finest`: the last step of the search over the radius.
+  void centre(double finest) {
+    std::vector<Point3> there = line_;
+    const std::size_t last = line_.size() - 1;
+    for (std::size_t i = closed_ ? 0 : 1; i <= last; ++i) there[i] = widest_near(line_[i], tangent(i), finest);
+    line_ = std::move(there);
+    if (closed_) line_.front() = line_.back();
+  }
+
+  void smooth(int times) {
+    std::vector<Point3> there = line_;
+    const std::size_t last = line_.size() - 1;
+    for (; times > 0; --times) {
+      for (std::size_t i = 1; i < last; ++i) there[i] = averaged(line_[i - 1], line_[i], line_[i + 1]);
+      if (closed_) there.front() = there.back() = averaged(line_[last - 1], line_[0], line_[1]);
+      std::swap(line_, there);
+      if (!closed_) {
+        line_.front() = there.front();
+        line_.back() = there.back();
+      }
+    }
+  }
+
+  /// On towards the wall, and where it is hit.
+  Point3 extend() {
+    const std::size_t last = line_.size() - 1, before = last - std::min<std::size_t>(last, 4);
+    const Direction way = line_[last] - line_[before];
+    const Direction ahead = (1 / length(way)) * way;
+    const double radius = std::max(tree_.clearance(line_[last]), 0.0);
+    Point3 end = line_[last];
+    bool leaves = false;
+    // Each step is as long as the way is clear; the wall is reached in the limit.
+    constexpr int most_steps = 100;
+    for (int i = 0; i < most_steps; ++i) {
+      const double clear = tree_.clearance(end);
+      if (clear < 1e-3 * radius) break;
+      const double least = limits::tip_clearance * radius;
+      if (!leaves && clear > least) line_.push_back(end);
+      leaves = leaves || clear <= least;
+      end = moved(end, 0.5 * clear * ahead);
+    }
+    return end;
+  }
+
+  std::vector<CentrePoint> points() const {
+    std::vector<CentrePoint> made;
+    double along = 0;
+    for (std::size_t i = 0; i < line_.size(); ++i) {
+      along += i > 0 ? length(line_[i] - line_[i - 1]) : 0;
+      made.push_back({line_[i], std::max(tree_.clearance(line_[i]), 0.0), along});
+    }
+    return made;
+  }
+
+ private:
+  Direction tangent(std::size_t i) const {
+    const std::size_t last = line_.size() - 1;
+    const Direction way = closed_ && (i == 0 || i == last) ? line_[1] - line_[last - 1] : line_[std::min(i + 1, last)] - line_[i > 0 ? i - 1 : 0];
+    const double size = length(way);
+    return size > 0 ? (1 / size) * way : Direction{0, 0, 1};
+  }
+
+  Point3 averaged(const Point3& a, const Point3& b, const Point3& c) const {
+    return {(a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4, (a.z + 2 * b.z + c.z) / 4};
+  }
+
+  Point3 widest_near(const Point3& start, const Direction& along, double finest) const {
+    // Two directions across.
+    const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z) ? Direction{1, 0, 0}
+                            : std::abs(along.y) <= std::abs(along.z)                                        ? Direction{0, 1, 0}
+                                                                                                            : Direction{0, 0, 1};
+    const Direction side = cross(along, other);
+    const Direction u = (1 / length(side)) * side, v = cross(along, u);
+    const double radius = std::max(tree_.clearance(start), 0.25 * step_);
+    double best = tree_.clearance(start), x = 0, y = 0;
+    constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
+    constexpr int most_moves = 40;
+    int moves = 0;
+    for (double size = 0.4 * radius; size >= finest * radius && moves < most_moves;) {
+      double better = best, bx = x, by = y;
+      for (const auto& [du, dv] : directions) {
+        const double nx = x + size * du, ny = y + size * dv;
+        // A slight pull back keeps points of a flat section where they are.
+        const double pull = 0.02 * (nx * nx + ny * ny) / radius;
+        const double clear = tree_.clearance_above(moved(start, nx * u + ny * v), better + pull) - pull;
+        if (clear > better) {
+          better = clear;
+          bx = nx;
+          by = ny;
+        }
+      }
+      if (better > best) {
+        best = better;
+        x = bx;
+        y = by;
+        ++moves;
+      } else {
+        size /= 2;
+      }
+    }
+    return moved(start, x * u + y * v);
+  }
+
+  std::vector<Point3> line_;
+  const WallTree& tree_;
+  bool closed_;
+  double step_ = 0;
+};
+
+}  // namespace
+
+CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) {
+  Centring line(std::move(path), tree, end);
+  constexpr double coarse = 0.1, fine = 0.012;
+  line.spread();
+  line.smooth(4);
+  line.centre(coarse);
+  line.smooth(8);
+  line.spread();
+  line.centre(coarse);
+  line.smooth(8);
+  line.spread();
+  line.centre(fine);
+  line.smooth(6);
+  CentreLine made;
+  if (end == LineEnd::blind) made.end = line.extend();
+  line.spread();
+  made.points = line.points();
+  if (end == LineEnd::closed) made.end = made.points.back().at;
+  return made;
+}
+
+}  // namespace odontoscope::cavity

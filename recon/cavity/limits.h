@@ -1,0 +1,32 @@
+#pragma once
+// Every bound of this room, each with its reason. All are shares of the shape itself, so that a tooth in voxels and one in
+// millimetres are treated alike.
+
+#include <cstddef>
+
+namespace odontoscope::limits {
+
+/// A cavity with less than this share of the largest one's volume is a speck: noise of a scan, a bubble between slices.
+inline constexpr double cavity_speck = 1e-3;
+/// The chamber is what balls of at least this share of the widest one's radius fill.
+inline constexpr double chamber_share = 0.5;
+/// A void with two ends whose widest place is no more than this many times as wide as its median has no chamber.
+inline constexpr double chamber_over_tube = 1.5;
+/// A branch of the void counts if it protrudes from what is known by this many times its own mean radius: a corner of the chamber
+/// or a bump of a scan protrudes by about one.
+inline constexpr double branch_slenderness = 3;
+/// A branch protrudes by at least this share of the one that protrudes most.
+inline constexpr double branch_share = 0.05;
+/// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
+inline constexpr double canal_share = 0.25;
+/// Round each point of a found branch, what lies within this many times the radius there belongs to it.
+inline constexpr double branch_cover = 1.6;
+/// A tip that reaches beyond the ball before it by less than this share of that ball's radius adds nothing but a corner.
+inline constexpr double tip_reach = 0.5;
+/// A line goes on straight beyond its last such ball, towards the wall, as long as it keeps this share of that ball's radius.
+inline constexpr double tip_clearance = 0.35;
+/// Distance of a line's points, over its median radius, and the most points of a line.
+inline constexpr double line_step = 0.25;
+inline constexpr std::size_t line_points = 4000;
+
+}  // namespace odontoscope::limits

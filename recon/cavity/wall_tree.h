@@ -1,0 +1,59 @@
+#pragma once
+// How far is the wall, and on which side of it is one? A tree of boxes over the triangles of a closed wall.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "recon/mesh/meshes.h"
+#include "recon/mesh/vector.h"
+
+namespace odontoscope {
+
+class WallTree {
+ public:
+  struct Nearest {
+    Point3 at;
+    double distance = std::numeric_limits<double>::infinity();
+    std::uint32_t triangle = 0;
+    bool front = false;  // on the side from which the triangles are counter-clockwise
+  };
+
+  /// Precondition: a closed oriented manifold (of any number of shells). Keeps a copy of what it needs.
+  explicit WallTree(const SurfaceMesh& wall);
+
+  /// The nearest place of the wall. The side is that of the angle-weighted pseudonormal of the nearest face, edge or vertex, which is
+  /// right for every point off the wall (J. A. Baerentzen, H. Aanaes, "Signed distance computation using the angle weighted
+  /// pseudonormal", 2005). About two microseconds for 17,000 triangles.
+  Nearest nearest(const Point3& from) const;
+
+  /// Distance to the wall: positive in front of it, that is in the void for the wall of a cavity, negative behind it.
+  double clearance(const Point3& from) const;
+
+  /// The same where it is more than `least`; else something not more than that, sooner. Precondition: `least` is not negative.
+  double clearance_above(const Point3& from, double least) const;
+
+ private:
+  struct Node {
+    Point3 low, high;
+    std::uint32_t first;  // triangle or left child; the right child is next to it
+    std::uint32_t count;  // triangles; 0 for a node with children
+  };
+  struct Face {
+    Point3 a;
+    Direction ab, ac, normal;
+    std::uint32_t number;
+  };
+  Nearest nearest(const Point3& from, double enough) const;
+  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t count, const std::vector<Point3>& centres, const SurfaceMesh& wall,
+              std::vector<std::uint32_t>& order);
+
+  std::vector<Node> nodes_;
+  std::vector<Face> faces_;  // leaf by leaf
+  std::vector<Direction> vertex_normals_;
+  std::vector<Direction> edge_normals_;  // one a half-edge
+  std::vector<Triangle> triangles_;
+};
+
+}  // namespace odontoscope
