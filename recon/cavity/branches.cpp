@@ -117,22 +117,23 @@ std::vector<Point3> places(const MedialGraph& graph, const std::vector<NodeIndex
   return points;
 }
 
-/// Without the last nodes whose balls lie within one before them but for a little: ways into a corner.
+/// Without the last nodes whose balls reach hardly farther ahead than one a little before them: ways into a corner of the end.
 void trim(const MedialGraph& graph, std::vector<NodeIndex>& path) {
-  std::size_t keep = 1;
-  double reach = 0;  // farthest along the path that a ball of a kept node reaches, in the direction of the way it leads
-  std::vector<double> along(path.size(), 0);
-  for (std::size_t i = 1; i < path.size(); ++i) along[i] = along[i - 1] + length(graph.nodes[path[i]].at - graph.nodes[path[i - 1]].at);
-  reach = graph.nodes[path[0]].radius;
-  double radius_there = reach;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const MedialGraph::Node& node = graph.nodes[path[i]];
-    if (along[i] + node.radius < reach + limits::tip_reach * radius_there) continue;
-    keep = i + 1;
-    reach = along[i] + node.radius;
-    radius_there = node.radius;
+  const auto node = [&](std::size_t i) -> const MedialGraph::Node& { return graph.nodes[path[i]]; };
+  std::size_t keep = path.size() - 1;
+  double since = 0;
+  for (std::size_t k = path.size() - 1; k-- > 1;) {
+    since += length(node(k + 1).at - node(k).at);
+    const double ball = node(k).radius;
+    if (since > 2 * ball) break;
+    std::size_t behind = k;
+    while (behind > 0 && length(node(behind).at - node(k).at) < ball) --behind;
+    const Direction way = node(k).at - node(behind).at;
+    double reach = ball;
+    for (std::size_t i = k + 1; i < path.size(); ++i) reach = std::max(reach, dot(way, node(i).at - node(k).at) / length(way) + node(i).radius);
+    if (reach <= (1 + limits::tip_reach) * ball) keep = k;
   }
-  path.resize(keep);
+  path.resize(keep + 1);
 }
 
 /// Finds ends one after the other and remembers what their branches cover.

@@ -9,6 +9,7 @@
 #include "recon/cavity/branches.h"
 #include "recon/cavity/centring.h"
 #include "recon/cavity/limits.h"
+#include "recon/cavity/orifice.h"
 #include "recon/core/error.h"
 
 namespace odontoscope {
@@ -32,16 +33,6 @@ void order(std::vector<CentreLine>& lines, const char* kind) {
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i].name = fmt::format("{} {}", kind, i + 1);
 }
 
-/// Where the line leaves the last ball at least half as wide as the chamber's.
-std::size_t orifice_of(const CentreLine& line, double chamber_radius) {
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < line.points.size(); ++i)
-    if (line.points[i].radius >= limits::chamber_share * chamber_radius) last = i;
-  std::size_t out = last;
-  while (out + 1 < line.points.size() && length(line.points[out].at - line.points[last].at) < line.points[last].radius) ++out;
-  return out;
-}
-
 }  // namespace
 
 CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options, const Progress& progress) {
@@ -56,7 +47,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   progress.tell(stage, 0.5);
   const cavity::Branches found = cavity::find_branches(graph, report.shells.front().genus, options.axis);
   lines.chamber = graph.nodes[found.root].at;
-  lines.chamber_radius = graph.nodes[found.root].radius;
+  lines.chamber_radius = tree.clearance(lines.chamber);
   lines.has_chamber = found.has_chamber;
   double longest = 0;
   for (const cavity::Branch& branch : found.branches) longest = std::max(longest, branch.beyond);
@@ -74,7 +65,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
     } else if (branch.beyond < limits::canal_share * longest) {
       lines.others.push_back(std::move(line));
     } else {
-      if (found.has_chamber) line.orifice = orifice_of(line, lines.chamber_radius);
+      if (found.has_chamber) line.orifice = cavity::orifice_of(line, lines.chamber_radius, tree);
       lines.canals.push_back(std::move(line));
     }
   }

@@ -34,7 +34,9 @@ struct CentrePoint {
 struct CentreLine {
   std::string name;  // "canal 1", or as the anatomy knows it: see names.h
   std::vector<CentrePoint> points;
-  std::size_t orifice = 0;  // of `points`: where a canal leaves the chamber; 0 if there is none, or for a horn
+  /// Of `points`: where a canal leaves the chamber; 0 if there is none, or for a horn. That is where the section across the line shrinks most
+  /// within one radius; without a distinct floor (an incisor) where the line leaves the chamber's ball.
+  std::size_t orifice = 0;
   Point3 end;  // on the wall, where the line meets it if carried on straight
 };
 

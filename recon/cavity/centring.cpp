@@ -42,16 +42,17 @@ class Centring {
     step_ = std::max(limits::line_step * radii[radii.size() / 2], length_of(line_) / static_cast<double>(limits::line_points));
   }
 
-  void spread() {
+  /// `times` as far apart as in the end.
+  void spread(double times) {
     const std::size_t least = 8;
-    line_ = evenly(line_, std::max(least, static_cast<std::size_t>(std::lround(length_of(line_) / step_))));
+    line_ = evenly(line_, std::max(least, static_cast<std::size_t>(std::lround(length_of(line_) / (times * step_)))));
   }
 
-  /// Each point to the widest place near it in its cross-section; `finest`: the last step of the search over the radius.
-  void centre(double finest) {
+  /// Each point to the widest place near it in its cross-section; first and last step of the search over the radius.
+  void centre(double first, double finest) {
     std::vector<Point3> there = line_;
     const std::size_t last = line_.size() - 1;
-    for (std::size_t i = closed_ ? 0 : 1; i <= last; ++i) there[i] = widest_near(line_[i], tangent(i), finest);
+    for (std::size_t i = closed_ ? 0 : 1; i <= last; ++i) there[i] = widest_near(line_[i], tangent(i), first, finest);
     line_ = std::move(there);
     if (closed_) line_.front() = line_.back();
   }
@@ -113,25 +114,28 @@ class Centring {
     return {(a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4, (a.z + 2 * b.z + c.z) / 4};
   }
 
-  Point3 widest_near(const Point3& start, const Direction& along, double finest) const {
+  Point3 widest_near(const Point3& start, const Direction& along, double first, double finest) const {
     // Two directions across.
     const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z) ? Direction{1, 0, 0}
                             : std::abs(along.y) <= std::abs(along.z)                                        ? Direction{0, 1, 0}
                                                                                                             : Direction{0, 0, 1};
     const Direction side = cross(along, other);
     const Direction u = (1 / length(side)) * side, v = cross(along, u);
-    const double radius = std::max(tree_.clearance(start), 0.25 * step_);
     double best = tree_.clearance(start), x = 0, y = 0;
+    const double radius = std::max(best, 0.25 * step_);
     constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
+    constexpr double pull = 0.3;  // back: in a flat section points stay about where they are, and in a round one it is next to nothing
     constexpr int most_moves = 40;
     int moves = 0;
-    for (double size = 0.4 * radius; size >= finest * radius && moves < most_moves;) {
+    for (double size = first * radius; size >= finest * radius && moves < most_moves;) {
       double better = best, bx = x, by = y;
+      // The distance to the wall changes no faster than the place.
+      const double most = std::abs(best) + pull * (x * x + y * y) / radius + size;
       for (const auto& [du, dv] : directions) {
         const double nx = x + size * du, ny = y + size * dv;
-        // A slight pull back keeps points of a flat section where they are.
-        const double pull = 0.02 * (nx * nx + ny * ny) / radius;
-        const double clear = tree_.clearance_above(moved(start, nx * u + ny * v), better + pull) - pull;
+        const double loss = pull * (nx * nx + ny * ny) / radius, least = std::max(better + loss, 0.0);
+        if (least >= most) continue;
+        const double clear = tree_.clearance_above(moved(start, nx * u + ny * v), least, most) - loss;
         if (clear > better) {
           better = clear;
           bx = nx;
@@ -160,20 +164,19 @@ class Centring {
 
 CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) {
   Centring line(std::move(path), tree, end);
-  constexpr double coarse = 0.1, fine = 0.012;
-  line.spread();
-  line.smooth(4);
-  line.centre(coarse);
-  line.smooth(8);
-  line.spread();
-  line.centre(coarse);
-  line.smooth(8);
-  line.spread();
-  line.centre(fine);
+  line.spread(2);
+  line.smooth(2);
+  line.centre(0.4, 0.2);
+  line.smooth(3);
+  line.spread(2);
+  line.centre(0.2, 0.05);
+  line.smooth(3);
+  line.spread(1);
+  line.centre(0.08, 0.01);
   line.smooth(6);
   CentreLine made;
   if (end == LineEnd::blind) made.end = line.extend();
-  line.spread();
+  line.spread(1);
   made.points = line.points();
   if (end == LineEnd::closed) made.end = made.points.back().at;
   return made;

@@ -14,17 +14,28 @@ inline constexpr double chamber_share = 0.5;
 inline constexpr double chamber_over_tube = 1.5;
 /// A branch of the void counts if it protrudes from what is known by this many times its own mean radius: a corner of the chamber
 /// or a bump of a scan protrudes by about one.
-inline constexpr double branch_slenderness = 3;
+inline constexpr double branch_slenderness = 2.5;
 /// A branch protrudes by at least this share of the one that protrudes most.
-inline constexpr double branch_share = 0.05;
+inline constexpr double branch_share = 0.06;
 /// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
 inline constexpr double canal_share = 0.25;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.
 inline constexpr double branch_cover = 1.6;
-/// A tip that reaches beyond the ball before it by less than this share of that ball's radius adds nothing but a corner.
-inline constexpr double tip_reach = 0.5;
+/// A tip that reaches farther ahead than the ball before it by less than this share of that ball's radius adds nothing but a corner.
+inline constexpr double tip_reach = 0.2;
 /// A line goes on straight beyond its last such ball, towards the wall, as long as it keeps this share of that ball's radius.
 inline constexpr double tip_clearance = 0.35;
+/// A canal begins where the section across its line shrinks most within one radius, if by this factor or more.
+inline constexpr double orifice_drop = 1.5;
+/// Of several such places the last one whose drop, as a logarithm, is this share of the greatest.
+inline constexpr double orifice_great = 0.6;
+/// It is looked for in this first part of a line.
+inline constexpr double orifice_part = 0.6;
+/// Sections are measured as far as this many radii of the chamber.
+inline constexpr double section_reach = 2.5;
+/// The wall is sampled so finely that this many points would do, if they were evenly spread; vertices closer than that are all taken. Flat
+/// floors have vertices on their rims only.
+inline constexpr double wall_samples = 4000;
 /// Distance of a line's points, over its median radius, and the most points of a line.
 inline constexpr double line_step = 0.25;
 inline constexpr std::size_t line_points = 4000;

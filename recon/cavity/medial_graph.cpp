@@ -4,28 +4,33 @@
 #include <CGAL/Delaunay_triangulation_cell_base_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
+
+#include "recon/cavity/limits.h"
 
 namespace odontoscope::cavity {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_3<Kernel>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
 using CellBase = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
 constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
 /// Times that a way is halved to see whether it stays in the void.
-constexpr int way_halvings = 5;
+constexpr int way_halvings = 3;
+/// A centre that is nearer to the wall than this share of its sphere's radius belongs to a flat tetrahedron beside the wall.
+constexpr double least_clear = 0.25;
 
 struct Sphere {
   Point3 centre;
-  double volume;
+  double radius, volume;
 };
 
 /// Nothing for a tetrahedron so flat that its centre is out of reach.
@@ -36,7 +41,7 @@ std::optional<Sphere> circumsphere(const std::array<Point3, 4>& p) {
   constexpr double flat = 1e-9;
   if (!(std::abs(det) > flat * std::sqrt(aa * bb * cc))) return std::nullopt;
   const Direction offset = (0.5 / det) * (aa * bc + bb * ca + cc * ab);
-  return Sphere{{p[0].x + offset.x, p[0].y + offset.y, p[0].z + offset.z}, std::abs(det) / 6};
+  return Sphere{{p[0].x + offset.x, p[0].y + offset.y, p[0].z + offset.z}, length(offset), std::abs(det) / 6};
 }
 
 /// The union of two balls that touch holds the line between their centres.
@@ -50,16 +55,89 @@ bool stays_inside(const WallTree& tree, const Point3& a, double a_radius, const 
          stays_inside(tree, middle, radius, b, b_radius, halvings - 1);
 }
 
-Point3 plain(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+/// A point of the wall that the triangulation sees.
+struct Sample {
+  Point3 at;
+  Direction normal;    // into the void; any length
+  double spacing = 0;  // longest edge that ends here
+};
+
+/// Halves the longest edge until it is short enough.
+void divide(const std::array<Point3, 3>& corners, const Direction& normal, double longest, std::vector<Sample>& samples) {
+  std::size_t k = 0;
+  std::array<double, 3> edges{};
+  for (std::size_t e = 0; e < 3; ++e) {
+    edges[e] = length(corners[(e + 1) % 3] - corners[e]);
+    if (edges[e] > edges[k]) k = e;
+  }
+  if (edges[k] <= longest) return;
+  const Point3 &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+  const Point3 middle{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+  samples.push_back({middle, normal, longest});
+  divide({a, middle, c}, normal, longest, samples);
+  divide({middle, b, c}, normal, longest, samples);
+}
+
+std::vector<Sample> samples_of(const SurfaceMesh& wall) {
+  std::vector<Sample> samples;
+  for (const Point3& p : wall.points) samples.push_back({p, {}, 0});
+  std::vector<Direction> normals;
+  double area = 0;
+  for (const Triangle& t : wall.triangles) {
+    normals.push_back(cross(wall.points[t[1]] - wall.points[t[0]], wall.points[t[2]] - wall.points[t[0]]));
+    area += length(normals.back()) / 2;
+  }
+  constexpr double of_even_triangles = 0.8660254;  // area a point stands for, over the square of the edge
+  const double longest = 2 * std::sqrt(area / (of_even_triangles * limits::wall_samples));
+  for (std::size_t n = 0; n < wall.triangles.size(); ++n) {
+    const Triangle& t = wall.triangles[n];
+    const std::array corners{wall.points[t[0]], wall.points[t[1]], wall.points[t[2]]};
+    const double size = length(normals[n]);
+    const Direction unit = size > 0 ? (1 / size) * normals[n] : Direction{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      Sample& sample = samples[t[k]];
+      const Direction u = corners[(k + 1) % 3] - corners[k], v = corners[(k + 2) % 3] - corners[k];
+      const double angle = std::atan2(size, dot(u, v));
+      sample.normal = sample.normal + angle * unit;
+      sample.spacing = std::max({sample.spacing, std::min(length(u), longest), std::min(length(v), longest)});
+    }
+    divide(corners, unit, longest, samples);
+  }
+  return samples;
+}
+
+/// In front of how many of its corners' wall does a centre lie?
+int in_front_of_corners(const std::array<const Sample*, 4>& corners, const Point3& centre) {
+  int front = 0;
+  for (const Sample* corner : corners) front += dot(centre - corner->at, corner->normal) > 0 ? 1 : 0;
+  return front;
+}
+
+/// Distance of a tetrahedron's circumcentre to the wall; nothing if it lies outside the void or in a corner of it. No sample lies in the
+/// circumsphere, so that triangles with edges of length e reach into it no farther than to sqrt(R^2 - e^2 / 3): where that says enough, the wall is
+/// not asked.
+std::optional<double> radius_of(const std::array<const Sample*, 4>& corners, const Sphere& sphere, const WallTree& tree) {
+  constexpr double fine_enough = 0.5;  // of the radius: the rest is right to 4 %
+  double edge = 0;
+  for (const Sample* corner : corners) edge = std::max(edge, corner->spacing);
+  const int front = in_front_of_corners(corners, sphere.centre);
+  if (front < 2) return std::nullopt;
+  if (front == 4 && edge <= fine_enough * sphere.radius) return std::sqrt(sphere.radius * sphere.radius - edge * edge / 3);
+  const double least = least_clear * sphere.radius, radius = tree.clearance_above(sphere.centre, least, sphere.radius);
+  if (!(radius > least)) return std::nullopt;
+  return radius;
+}
 
 }  // namespace
 
 MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Progress& progress) {
-  std::vector<Kernel::Point_3> points;
-  points.reserve(wall.points.size());
+  const std::vector<Sample> samples = samples_of(wall);
+  std::vector<std::pair<Kernel::Point_3, std::uint32_t>> points;
+  points.reserve(samples.size());
   Point3 low = wall.points.front(), high = low;
-  for (const Point3& p : wall.points) {
-    points.emplace_back(p.x, p.y, p.z);
+  for (std::uint32_t i = 0; i < samples.size(); ++i) {
+    const Point3& p = samples[i].at;
+    points.emplace_back(Kernel::Point_3(p.x, p.y, p.z), i);
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
@@ -69,15 +147,16 @@ MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Pr
   std::vector<Delaunay::Cell_handle> cells;
   for (const auto& cell : delaunay.finite_cell_handles()) {
     cell->info() = no_node;
-    const auto sphere = circumsphere({plain(cell->vertex(0)->point()), plain(cell->vertex(1)->point()), plain(cell->vertex(2)->point()),
-                                      plain(cell->vertex(3)->point())});
+    std::array<const Sample*, 4> corners{};
+    for (int k = 0; k < 4; ++k) corners[static_cast<std::size_t>(k)] = &samples[cell->vertex(k)->info()];
+    const auto sphere = circumsphere({corners[0]->at, corners[1]->at, corners[2]->at, corners[3]->at});
     if (!sphere) continue;
     const Point3& c = sphere->centre;
     if (!(c.x > low.x && c.y > low.y && c.z > low.z && c.x < high.x && c.y < high.y && c.z < high.z)) continue;
-    const double radius = tree.clearance(c);
-    if (!(radius > 0)) continue;
+    const std::optional<double> radius = radius_of(corners, *sphere, tree);
+    if (!radius) continue;
     cell->info() = static_cast<std::uint32_t>(graph.nodes.size());
-    graph.nodes.push_back({c, radius, sphere->volume});
+    graph.nodes.push_back({c, *radius, sphere->volume});
     cells.push_back(cell);
   }
   progress.check();

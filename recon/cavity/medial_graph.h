@@ -13,7 +13,7 @@ namespace odontoscope::cavity {
 struct MedialGraph {
   struct Node {
     Point3 at;
-    double radius;  // distance to the wall's triangles: this ball lies in the void
+    double radius;  // distance to the wall's triangles, or up to 5 % less
     double volume;  // of the node's tetrahedron: what part of the void it stands for
   };
   struct Way {
@@ -25,8 +25,8 @@ struct MedialGraph {
   std::vector<Way> ways;                // both directions
 };
 
-/// Nodes are the circumcentres in the void of the Delaunay tetrahedra of the wall's vertices; ways join those of tetrahedra with a common face, where
-/// the straight line between them is sure not to leave the void.
+/// Nodes are the circumcentres in the void of the Delaunay tetrahedra of the wall's samples (its vertices, and points of long edges); ways join those of tetrahedra with a common face, where
+/// the straight line between them leaves the void at no place that was looked at.
 MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Progress& progress);
 
 }  // namespace odontoscope::cavity

@@ -13,9 +13,9 @@ constexpr std::uint32_t leaf_size = 4;
 
 double along(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-double square_distance(const Point3& p, const Point3& low, const Point3& high) {
-  const double x = std::max({low.x - p.x, 0.0, p.x - high.x}), y = std::max({low.y - p.y, 0.0, p.y - high.y}),
-               z = std::max({low.z - p.z, 0.0, p.z - high.z});
+inline double square_distance(const Point3& p, const Point3& low, const Point3& high) {
+  const double x = std::max(std::max(low.x - p.x, p.x - high.x), 0.0), y = std::max(std::max(low.y - p.y, p.y - high.y), 0.0),
+               z = std::max(std::max(low.z - p.z, p.z - high.z), 0.0);
   return x * x + y * y + z * z;
 }
 
@@ -25,7 +25,7 @@ struct OnTriangle {
   double s = 0, t = 0;
   int feature = 0;
 };
-OnTriangle nearest_on(const Direction& ab, const Direction& ac, const Direction& ap) {
+inline OnTriangle nearest_on(const Direction& ab, const Direction& ac, const Direction& ap) {
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {0, 0, 0};
   const double bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
@@ -118,8 +118,8 @@ void WallTree::divide(std::uint32_t node, std::uint32_t first, std::uint32_t cou
   divide(left + 1, first + half, count - half, centres, wall, order);
 }
 
-/// Ends as soon as the wall is not farther than `enough`.
-WallTree::Nearest WallTree::nearest(const Point3& from, double enough) const {
+/// Ends as soon as the wall is not farther than `enough`; looks no farther than `most`.
+WallTree::Nearest WallTree::nearest(const Point3& from, double enough, double most) const {
   const double square_enough = enough * enough;
   struct Waiting {
     std::uint32_t node;
@@ -127,7 +127,7 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough) const {
   };
   std::array<Waiting, 64> stack;
   std::size_t waiting = 0;
-  double best = std::numeric_limits<double>::infinity();
+  double best = most * most;
   const Face* face = nullptr;
   OnTriangle place;
   stack[waiting++] = {0, 0};
@@ -171,10 +171,11 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough) const {
   return found;
 }
 
-WallTree::Nearest WallTree::nearest(const Point3& from) const { return nearest(from, 0); }
+WallTree::Nearest WallTree::nearest(const Point3& from) const { return nearest(from, 0, std::numeric_limits<double>::infinity()); }
 
-double WallTree::clearance_above(const Point3& from, double least) const {
-  const Nearest found = nearest(from, least);
+double WallTree::clearance_above(const Point3& from, double least, double most) const {
+  constexpr double rounding = 1e-6;
+  const Nearest found = nearest(from, least, (1 + rounding) * most);
   return found.distance > least && !found.front ? -found.distance : found.distance;
 }
 

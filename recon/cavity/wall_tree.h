@@ -31,8 +31,9 @@ class WallTree {
   /// Distance to the wall: positive in front of it, that is in the void for the wall of a cavity, negative behind it.
   double clearance(const Point3& from) const;
 
-  /// The same where it is more than `least`; else something not more than that, sooner. Precondition: `least` is not negative.
-  double clearance_above(const Point3& from, double least) const;
+  /// The same where it is more than `least`; else something not more than that, sooner. `most`: what it is known not to exceed. Precondition:
+  /// 0 <= least < most.
+  double clearance_above(const Point3& from, double least, double most = std::numeric_limits<double>::infinity()) const;
 
  private:
   struct Node {
@@ -45,7 +46,7 @@ class WallTree {
     Direction ab, ac, normal;
     std::uint32_t number;
   };
-  Nearest nearest(const Point3& from, double enough) const;
+  Nearest nearest(const Point3& from, double enough, double most) const;
   void divide(std::uint32_t node, std::uint32_t first, std::uint32_t count, const std::vector<Point3>& centres, const SurfaceMesh& wall,
               std::vector<std::uint32_t>& order);
 
