@@ -92,6 +92,18 @@ class Centring {
     return end;
   }
 
+  /// Without its last points where the void has closed to a gap: much narrower than a little before.
+  void cut_gap() {
+    std::size_t first = line_.size() - 1;
+    const double part = 3 * step_ / limits::line_step;
+    double far = 0, widest = 0;
+    for (; first > 0 && far < part; --first) {
+      far += length(line_[first] - line_[first - 1]);
+      widest = std::max(widest, tree_.clearance(line_[first]));
+    }
+    while (line_.size() > 2 && line_.size() > first + 1 && tree_.clearance(line_.back()) < limits::tip_gap * widest) line_.pop_back();
+  }
+
   std::vector<CentrePoint> points() const {
     std::vector<CentrePoint> made;
     double along = 0;
@@ -175,7 +187,10 @@ CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) 
   line.centre(0.08, 0.01);
   line.smooth(6);
   CentreLine made;
-  if (end == LineEnd::blind) made.end = line.extend();
+  if (end == LineEnd::blind) {
+    made.end = line.extend();
+    line.cut_gap();
+  }
   line.spread(1);
   made.points = line.points();
   if (end == LineEnd::closed) made.end = made.points.back().at;

@@ -25,6 +25,8 @@ inline constexpr double branch_cover = 1.6;
 inline constexpr double tip_reach = 0.2;
 /// A line goes on straight beyond its last such ball, towards the wall, as long as it keeps this share of that ball's radius.
 inline constexpr double tip_clearance = 0.35;
+/// It ends where the void has closed to a gap of this share of the widest ball within three median radii before.
+inline constexpr double tip_gap = 0.2;
 /// A canal begins where the section across its line shrinks most within one radius, if by this factor or more.
 inline constexpr double orifice_drop = 1.5;
 /// Of several such places the last one whose drop, as a logarithm, is this share of the greatest.

@@ -52,12 +52,11 @@ std::size_t orifice_of(const CentreLine& line, double chamber_radius, const Wall
     drops.push_back(std::log(areas[i] / areas[j]));
     below.push_back(j);
   }
-  // Where the line bends within the chamber, sections change, too: the last great drop counts.
+  // Where the line bends within the chamber, sections change, too: the last great drop counts, and there the greatest step.
   const double best = drops.empty() ? 0 : *std::max_element(drops.begin(), drops.end());
   std::size_t upper = 0, lower = 0;
   for (std::size_t i = 0; i < drops.size(); ++i) {
     if (drops[i] < std::log(limits::orifice_drop) || drops[i] < limits::orifice_great * best) continue;
-    if (lower > 0 && i < lower && drops[i] < drops[upper]) continue;
     upper = i;
     lower = below[i];
   }
