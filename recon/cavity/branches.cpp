@@ -159,7 +159,7 @@ class Explorer {
 
   std::vector<Found> explore(bool loops) {
     std::vector<Found> found;
-    double longest = 0;
+    double longest = 0, first_mean = 0;
     for (const NodeIndex end : ends_) {
       if (owner_[end] != nobody) continue;
       double beyond = graph_.nodes[end].radius, weight = 0, way = 0;
@@ -171,7 +171,9 @@ class Explorer {
         weight += step * graph_.nodes[n].radius;
         n = tree_.parent[n];
       }
-      const bool slender = way > 0 && beyond >= limits::branch_slenderness * weight / way;
+      const double mean = way > 0 ? weight / way : 0;
+      if (found.empty()) first_mean = mean;
+      const bool slender = mean >= limits::branch_width * first_mean && beyond >= limits::branch_slenderness * mean && way > 0;
       longest = std::max(longest, slender ? beyond : 0);
       Found one{path_to(tree_, end), beyond};
       const int number = static_cast<int>(found.size());
@@ -179,8 +181,13 @@ class Explorer {
         cover({end}, owner_[n] == nobody ? 0 : owner_[n]);
         continue;
       }
-      if (loops) std::tie(one.meets, one.met) = meeting(end);
-      cover(one.path, number);
+      if (loops) std::tie(one.meets, one.met) = meeting(end, mean);
+      // What leads to it, but not a way that is yet to be found: the other half of a ring.
+      std::vector<NodeIndex> known;
+      const auto own = std::find(one.path.begin(), one.path.end(), n);
+      std::copy_if(one.path.begin(), own, std::back_inserter(known), [&](NodeIndex p) { return owner_[p] != nobody; });
+      known.insert(known.end(), own, one.path.end());
+      cover(known, number);
       found.push_back(std::move(one));
     }
     return found;
@@ -210,8 +217,8 @@ class Explorer {
     }
   }
 
-  /// What another branch covers, beside an end: then the void goes on there, and this is no end.
-  std::pair<NodeIndex, int> meeting(NodeIndex end) {
+  /// What another branch covers, within the reach of a ball of `radius` about an end: then the void goes on there, and this is no end.
+  std::pair<NodeIndex, int> meeting(NodeIndex end, double radius) {
     ++stamp_;
     seen_[end] = stamp_;
     const MedialGraph::Node& ball = graph_.nodes[end];
@@ -219,7 +226,7 @@ class Explorer {
     double nearest = std::numeric_limits<double>::infinity();
     flood(graph_, end, [&](NodeIndex n) {
       const double far = length(graph_.nodes[n].at - ball.at);
-      if (seen_[n] == stamp_ || far > limits::branch_cover * ball.radius) return false;
+      if (seen_[n] == stamp_ || far > limits::branch_cover * radius) return false;
       seen_[n] = stamp_;
       if (owner_[n] == nobody) return true;
       if (far < nearest) {
@@ -294,6 +301,7 @@ Branches find_branches(const MedialGraph& graph, long handles, const std::option
   if (ends.size() <= 2) result.has_chamber = !ends.empty() && result.root_radius > limits::chamber_over_tube * widths;
   if (!result.has_chamber && ends.size() == 2 && result.loops.empty()) {
     const std::vector<NodeIndex> path = through_tube(graph, found[ends[0]].path, found[ends[1]].path, axis);
+    result.through = true;
     result.branches.push_back({places(graph, path), found[ends[0]].beyond + found[ends[1]].beyond});
     return result;
   }

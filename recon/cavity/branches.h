@@ -19,6 +19,7 @@ struct Branches {
   std::uint32_t root = 0;  // node: the chamber's centre
   double root_radius = 0;
   bool has_chamber = true;
+  bool through = false;  // the only branch leads from one end of a tube to the other, not from the root
   std::vector<Branch> branches;  // farthest reaching first
   std::vector<std::vector<Point3>> loops;  // round handles; the last point is the first
 };

@@ -58,7 +58,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
     progress.tell(stage, 0.5 + 0.5 * static_cast<double>(i) / parts);
     const cavity::Branch& branch = found.branches[i];
     if (branch.path.size() < 2) continue;
-    CentreLine line = cavity::centred(branch.path, tree, cavity::LineEnd::blind);
+    CentreLine line = cavity::centred(branch.path, tree, found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
     const bool to_crown = crown && found.has_chamber && dot(*crown, line.end - lines.chamber) > 0;
     if (to_crown) {
       lines.horns.push_back(std::move(line));

@@ -17,12 +17,15 @@ double length_of(const std::vector<Point3>& line) {
   return sum;
 }
 
-std::vector<Point3> evenly(const std::vector<Point3>& line, std::size_t steps) {
-  const double step = length_of(line) / static_cast<double>(steps);
+/// As many steps, each of the same weight; `weights`: one a piece of the line.
+std::vector<Point3> spread_by(const std::vector<Point3>& line, const std::vector<double>& weights, std::size_t steps) {
+  double whole = 0;
+  for (const double weight : weights) whole += weight;
+  const double step = whole / static_cast<double>(steps);
   std::vector<Point3> even{line.front()};
   double passed = 0;
   for (std::size_t i = 1; i < line.size(); ++i) {
-    const double piece = length(line[i] - line[i - 1]);
+    const double piece = weights[i - 1];
     while (even.size() < steps && static_cast<double>(even.size()) * step <= passed + piece)
       even.push_back(between(line[i - 1], line[i], piece > 0 ? (static_cast<double>(even.size()) * step - passed) / piece : 0));
     passed += piece;
@@ -39,13 +42,26 @@ class Centring {
     std::vector<double> radii;
     for (const Point3& p : line_) radii.push_back(std::max(tree_.clearance(p), 0.0));
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-    step_ = std::max(limits::line_step * radii[radii.size() / 2], length_of(line_) / static_cast<double>(limits::line_points));
+    median_ = std::max(radii[radii.size() / 2], length_of(line_) / (limits::line_step * static_cast<double>(limits::line_points)));
   }
 
-  /// `times` as far apart as in the end.
-  void spread(double times) {
-    const std::size_t least = 8;
-    line_ = evenly(line_, std::max(least, static_cast<std::size_t>(std::lround(length_of(line_) / (times * step_)))));
+  /// So many local radii apart, so that smoothing reaches as far as the void is wide.
+  void spread_by_width(double radii) {
+    std::vector<double> weights;
+    double whole = 0, before = width(line_.front());
+    for (std::size_t i = 1; i < line_.size(); ++i) {
+      const double here = width(line_[i]);
+      weights.push_back(length(line_[i] - line_[i - 1]) * 2 / (before + here));
+      before = here;
+      whole += weights.back();
+    }
+    line_ = spread_by(line_, weights, steps_for(whole / radii));
+  }
+
+  void spread_evenly() {
+    std::vector<double> weights;
+    for (std::size_t i = 1; i < line_.size(); ++i) weights.push_back(length(line_[i] - line_[i - 1]));
+    line_ = spread_by(line_, weights, steps_for(length_of(line_) / (limits::line_step * median_)));
   }
 
   /// Each point to the widest place near it in its cross-section; first and last step of the search over the radius.
@@ -57,19 +73,27 @@ class Centring {
     if (closed_) line_.front() = line_.back();
   }
 
-  void smooth(int times) {
+  /// Only points that smoothing has taken off the widest place by more than a little.
+  void correct() {
     std::vector<Point3> there = line_;
     const std::size_t last = line_.size() - 1;
+    for (std::size_t i = closed_ ? 0 : 1; i < last; ++i) {
+      const Point3 widest = widest_near(line_[i], tangent(i), 0.16, 0.01);
+      if (tree_.clearance(line_[i]) < limits::line_share * tree_.clearance(widest)) there[i] = widest;
+    }
+    line_ = std::move(there);
+    if (closed_) line_.back() = line_.front();
+  }
+
+  /// Low-pass filtering that does not shrink bends (G. Taubin, "A signal processing approach to fair surface design", 1995).
+  void smooth(int times) {
     for (; times > 0; --times) {
-      for (std::size_t i = 1; i < last; ++i) there[i] = averaged(line_[i - 1], line_[i], line_[i + 1]);
-      if (closed_) there.front() = there.back() = averaged(line_[last - 1], line_[0], line_[1]);
-      std::swap(line_, there);
-      if (!closed_) {
-        line_.front() = there.front();
-        line_.back() = there.back();
-      }
+      average(0.5);
+      average(-0.53);
     }
   }
+
+  void turn() { std::reverse(line_.begin(), line_.end()); }
 
   /// On towards the wall, and where it is hit.
   Point3 extend() {
@@ -95,7 +119,7 @@ class Centring {
   /// Without its last points where the void has closed to a gap: much narrower than a little before.
   void cut_gap() {
     std::size_t first = line_.size() - 1;
-    const double part = 3 * step_ / limits::line_step;
+    const double part = 3 * median_;
     double far = 0, widest = 0;
     for (; first > 0 && far < part; --first) {
       far += length(line_[first] - line_[first - 1]);
@@ -115,6 +139,11 @@ class Centring {
   }
 
  private:
+  static std::size_t steps_for(double wanted) { return static_cast<std::size_t>(std::clamp(wanted, 8.0, static_cast<double>(limits::line_points))); }
+
+  /// Clearance, but not so little that points would crowd.
+  double width(const Point3& p) const { return std::max(tree_.clearance(p), 0.4 * median_); }
+
   Direction tangent(std::size_t i) const {
     const std::size_t last = line_.size() - 1;
     const Direction way = closed_ && (i == 0 || i == last) ? line_[1] - line_[last - 1] : line_[std::min(i + 1, last)] - line_[i > 0 ? i - 1 : 0];
@@ -122,8 +151,13 @@ class Centring {
     return size > 0 ? (1 / size) * way : Direction{0, 0, 1};
   }
 
-  Point3 averaged(const Point3& a, const Point3& b, const Point3& c) const {
-    return {(a.x + 2 * b.x + c.x) / 4, (a.y + 2 * b.y + c.y) / 4, (a.z + 2 * b.z + c.z) / 4};
+  /// Each point that share of the way towards the middle of its neighbours.
+  void average(double share) {
+    std::vector<Point3> there = line_;
+    const std::size_t last = line_.size() - 1;
+    for (std::size_t i = 1; i < last; ++i) there[i] = between(line_[i], between(line_[i - 1], line_[i + 1], 0.5), share);
+    if (closed_) there.front() = there.back() = between(line_[0], between(line_[last - 1], line_[1], 0.5), share);
+    line_ = std::move(there);
   }
 
   Point3 widest_near(const Point3& start, const Direction& along, double first, double finest) const {
@@ -134,7 +168,7 @@ class Centring {
     const Direction side = cross(along, other);
     const Direction u = (1 / length(side)) * side, v = cross(along, u);
     double best = tree_.clearance(start), x = 0, y = 0;
-    const double radius = std::max(best, 0.25 * step_);
+    const double radius = std::max(best, 0.06 * median_);
     constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
     constexpr double pull = 0.3;  // back: in a flat section points stay about where they are, and in a round one it is next to nothing
     constexpr int most_moves = 40;
@@ -169,29 +203,35 @@ class Centring {
   std::vector<Point3> line_;
   const WallTree& tree_;
   bool closed_;
-  double step_ = 0;
+  double median_ = 0;  // radius
 };
 
 }  // namespace
 
 CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) {
   Centring line(std::move(path), tree, end);
-  line.spread(2);
-  line.smooth(2);
+  line.spread_by_width(0.5);
+  line.smooth(4);
   line.centre(0.4, 0.2);
-  line.smooth(3);
-  line.spread(2);
+  line.smooth(4);
+  line.spread_by_width(0.5);
   line.centre(0.2, 0.05);
-  line.smooth(3);
-  line.spread(1);
+  line.smooth(4);
+  line.spread_by_width(limits::line_step);
   line.centre(0.08, 0.01);
-  line.smooth(6);
+  line.smooth(8);
+  line.correct();
   CentreLine made;
-  if (end == LineEnd::blind) {
+  if (end == LineEnd::both_blind) {
+    line.turn();
+    line.extend();
+    line.turn();
+  }
+  if (end != LineEnd::closed) {
     made.end = line.extend();
     line.cut_gap();
   }
-  line.spread(1);
+  line.spread_evenly();
   made.points = line.points();
   if (end == LineEnd::closed) made.end = made.points.back().at;
   return made;

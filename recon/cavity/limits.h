@@ -17,6 +17,8 @@ inline constexpr double chamber_over_tube = 1.5;
 inline constexpr double branch_slenderness = 2.5;
 /// A branch protrudes by at least this share of the one that protrudes most.
 inline constexpr double branch_share = 0.06;
+/// Its mean radius is at least this share of the first one's: what is thinner lies in a crease of the wall.
+inline constexpr double branch_width = 0.1;
 /// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
 inline constexpr double canal_share = 0.25;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.
@@ -38,6 +40,8 @@ inline constexpr double section_reach = 2.5;
 /// The wall is sampled so finely that this many points would do, if they were evenly spread; vertices closer than that are all taken. Flat
 /// floors have vertices on their rims only.
 inline constexpr double wall_samples = 4000;
+/// Where smoothing would leave less than this share of the clearance that a point had, it is not smoothed.
+inline constexpr double line_share = 0.96;
 /// Distance of a line's points, over its median radius, and the most points of a line.
 inline constexpr double line_step = 0.25;
 inline constexpr std::size_t line_points = 4000;
