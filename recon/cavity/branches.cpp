@@ -153,11 +153,9 @@ class Explorer {
   struct Found {
     std::vector<NodeIndex> path;
     double beyond = 0;
-    NodeIndex meets = none;  // a covered node that the end runs into
-    int met = nobody;        // whose it is
   };
 
-  std::vector<Found> explore(bool loops) {
+  std::vector<Found> explore() {
     std::vector<Found> found;
     double longest = 0, first_mean = 0;
     for (const NodeIndex end : ends_) {
@@ -173,7 +171,8 @@ class Explorer {
       }
       const double mean = way > 0 ? weight / way : 0;
       if (found.empty()) first_mean = mean;
-      const bool slender = mean >= limits::branch_width * first_mean && beyond >= limits::branch_slenderness * mean && way > 0;
+      const bool slender = way > 0 && mean >= limits::branch_width * first_mean && beyond >= limits::branch_slenderness * mean &&
+                           beyond >= limits::branch_over_root * graph_.nodes[n].radius;
       longest = std::max(longest, slender ? beyond : 0);
       Found one{path_to(tree_, end), beyond};
       const int number = static_cast<int>(found.size());
@@ -181,7 +180,6 @@ class Explorer {
         cover({end}, owner_[n] == nobody ? 0 : owner_[n]);
         continue;
       }
-      if (loops) std::tie(one.meets, one.met) = meeting(end, mean);
       // What leads to it, but not a way that is yet to be found: the other half of a ring.
       std::vector<NodeIndex> known;
       const auto own = std::find(one.path.begin(), one.path.end(), n);
@@ -217,27 +215,6 @@ class Explorer {
     }
   }
 
-  /// What another branch covers, within the reach of a ball of `radius` about an end: then the void goes on there, and this is no end.
-  std::pair<NodeIndex, int> meeting(NodeIndex end, double radius) {
-    ++stamp_;
-    seen_[end] = stamp_;
-    const MedialGraph::Node& ball = graph_.nodes[end];
-    NodeIndex best = none;
-    double nearest = std::numeric_limits<double>::infinity();
-    flood(graph_, end, [&](NodeIndex n) {
-      const double far = length(graph_.nodes[n].at - ball.at);
-      if (seen_[n] == stamp_ || far > limits::branch_cover * radius) return false;
-      seen_[n] = stamp_;
-      if (owner_[n] == nobody) return true;
-      if (far < nearest) {
-        nearest = far;
-        best = n;
-      }
-      return false;
-    });
-    return {best, best == none ? nobody : owner_[best]};
-  }
-
   const MedialGraph& graph_;
   Tree tree_;
   std::vector<int> owner_;
@@ -265,62 +242,84 @@ std::vector<NodeIndex> through_tube(const MedialGraph& graph, std::vector<NodeIn
   return path_to(shortest_paths(graph, upper), lower);
 }
 
-/// Round a handle: down one branch to where it meets another, and back up that one.
-std::vector<Point3> closed_loop(const MedialGraph& graph, const Tree& tree, const Explorer::Found& down) {
-  std::vector<NodeIndex> there = down.path, back = path_to(tree, down.meets);
-  std::size_t common = 0;
-  while (common + 1 < there.size() && common + 1 < back.size() && there[common + 1] == back[common + 1]) ++common;
-  std::vector<NodeIndex> loop(there.begin() + static_cast<std::ptrdiff_t>(common), there.end());
-  for (std::size_t i = back.size(); i-- > common;) loop.push_back(back[i]);
-  return places(graph, loop);
+/// Where two of the shortest paths from the root meet that have gone round different sides of a handle.
+struct Seam {
+  NodeIndex a = none, b = none;
+  std::vector<NodeIndex> loop;  // from where the paths part, to a, to b, and back
+};
+
+/// Half way along both paths from where they part, the straight line from one to the other leaves the void: this is what makes a handle. Of all
+/// such places the one whose halves lie farthest apart. Only ways at least half as wide as `radius` count.
+Seam find_seam(const MedialGraph& graph, const WallTree& wall, const Tree& tree, double radius) {
+  Seam best;
+  double farthest = 0;
+  for (NodeIndex a = 0; a < graph.nodes.size(); ++a) {
+    for (std::uint32_t w = graph.first_way[a]; w < graph.first_way[a + 1]; ++w) {
+      const NodeIndex b = graph.ways[w].to;
+      if (b <= a || tree.parent[a] == b || tree.parent[b] == a || !std::isfinite(tree.distance[a])) continue;
+      if (std::min(graph.nodes[a].radius, graph.nodes[b].radius) < radius / 2) continue;
+      NodeIndex u = a, v = b;
+      std::vector<NodeIndex> up, down;
+      while (u != v) {
+        // Away from the root distances grow, so the farther one cannot be above the other.
+        NodeIndex& farther = tree.distance[u] >= tree.distance[v] ? u : v;
+        (farther == u ? up : down).push_back(farther);
+        farther = tree.parent[farther];
+      }
+      if (up.size() + down.size() < 4) continue;
+      const auto half = [&](const std::vector<NodeIndex>& way, NodeIndex end) {
+        const double middle = (tree.distance[end] + tree.distance[u]) / 2;
+        for (const NodeIndex n : way)
+          if (tree.distance[n] <= middle) return n;
+        return u;
+      };
+      const MedialGraph::Node &p = graph.nodes[half(up, a)], &q = graph.nodes[half(down, b)];
+      const double apart = length(p.at - q.at);
+      if (apart <= farthest || apart <= p.radius + q.radius) continue;
+      const Point3 middle{(p.at.x + q.at.x) / 2, (p.at.y + q.at.y) / 2, (p.at.z + q.at.z) / 2};
+      if (wall.clearance(middle) > 0) continue;
+      farthest = apart;
+      best = {a, b, {u}};
+      best.loop.insert(best.loop.end(), up.rbegin(), up.rend());
+      best.loop.insert(best.loop.end(), down.begin(), down.end());
+      best.loop.push_back(u);
+    }
+  }
+  return best;
 }
 
 }  // namespace
 
-Branches find_branches(const MedialGraph& graph, long handles, const std::optional<Direction>& axis) {
+Branches find_branches(const MedialGraph& graph, const WallTree& wall, long handles, const std::optional<Direction>& axis) {
   Branches result;
   result.root = centre_of_chamber(graph);
   result.root_radius = graph.nodes[result.root].radius;
   Explorer explorer(graph, result.root);
-  std::vector<Explorer::Found> found = explorer.explore(handles > 0);
-  std::vector<char> no_end(found.size(), 0);
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (found[i].meets == none) continue;
-    result.loops.push_back(closed_loop(graph, explorer.tree(), found[i]));
-    // Two halves of a ring end in each other.
-    const std::size_t other = static_cast<std::size_t>(found[i].met);
-    const MedialGraph::Node& tip = graph.nodes[found[other].path.back()];
-    no_end[i] = 1;
-    if (length(tip.at - graph.nodes[found[i].meets].at) <= 2 * limits::branch_cover * tip.radius) no_end[other] = 1;
+  std::vector<Explorer::Found> found = explorer.explore();
+  if (handles > 0 && !found.empty()) {
+    const Seam seam = find_seam(graph, wall, explorer.tree(), median_radius(graph, found.front().path));
+    if (seam.a != none) {
+      result.loops.push_back(places(graph, seam.loop));
+      // Both halves of a ring seem to end where they meet.
+      const bool ring = std::all_of(found.begin(), found.end(), [&](const Explorer::Found& one) {
+        const MedialGraph::Node& tip = graph.nodes[one.path.back()];
+        return length(tip.at - graph.nodes[seam.a].at) <= 3 * limits::branch_cover * graph.nodes[seam.a].radius;
+      });
+      if (ring) found.clear();
+    }
   }
-  std::vector<std::size_t> ends;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (!no_end[i]) ends.push_back(i);
   double widths = 0;
-  for (const std::size_t i : ends) widths = std::max(widths, median_radius(graph, found[i].path));
-  if (ends.size() <= 2) result.has_chamber = !ends.empty() && result.root_radius > limits::chamber_over_tube * widths;
-  if (!result.has_chamber && ends.size() == 2 && result.loops.empty()) {
-    const std::vector<NodeIndex> path = through_tube(graph, found[ends[0]].path, found[ends[1]].path, axis);
+  for (const Explorer::Found& one : found) widths = std::max(widths, median_radius(graph, one.path));
+  if (found.size() <= 2) result.has_chamber = !found.empty() && result.root_radius > limits::chamber_over_tube * widths;
+  if (!result.has_chamber && found.size() == 2 && result.loops.empty()) {
+    const std::vector<NodeIndex> path = through_tube(graph, found[0].path, found[1].path, axis);
     result.through = true;
-    result.branches.push_back({places(graph, path), found[ends[0]].beyond + found[ends[1]].beyond});
+    result.branches.push_back({places(graph, path), found[0].beyond + found[1].beyond});
     return result;
   }
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (no_end[i] && (found[i].meets == none || no_end[static_cast<std::size_t>(found[i].met)])) continue;
-    std::vector<NodeIndex> path = found[i].path;
-    Branch branch{{}, found[i].beyond, found[i].meets == none};
-    if (branch.end_is_blind) trim(graph, path);
-    branch.path = places(graph, path);
-    if (!branch.end_is_blind) {
-      // On with the branch that it runs into, from the place nearest to where it meets it.
-      std::vector<NodeIndex> rest = found[static_cast<std::size_t>(found[i].met)].path;
-      trim(graph, rest);
-      std::size_t nearest = 0;
-      for (std::size_t k = 0; k < rest.size(); ++k)
-        if (length(graph.nodes[rest[k]].at - graph.nodes[found[i].meets].at) < length(graph.nodes[rest[nearest]].at - graph.nodes[found[i].meets].at)) nearest = k;
-      for (std::size_t k = nearest; k < rest.size(); ++k) branch.path.push_back(graph.nodes[rest[k]].at);
-    }
-    result.branches.push_back(std::move(branch));
+  for (Explorer::Found& one : found) {
+    trim(graph, one.path);
+    result.branches.push_back({places(graph, one.path), one.beyond});
   }
   return result;
 }

@@ -12,7 +12,6 @@ namespace odontoscope::cavity {
 struct Branch {
   std::vector<Point3> path;  // from the root to the end; a line through nodes that stays in the void
   double beyond = 0;  // length of its part that no branch before it covers, to the end's ball and over it
-  bool end_is_blind = true;  // false: it runs into a branch before it, and ends with that one
 };
 
 struct Branches {
@@ -21,10 +20,10 @@ struct Branches {
   bool has_chamber = true;
   bool through = false;  // the only branch leads from one end of a tube to the other, not from the root
   std::vector<Branch> branches;  // farthest reaching first
-  std::vector<std::vector<Point3>> loops;  // round handles; the last point is the first
+  std::vector<std::vector<Point3>> loops;  // round the largest handle, if there is one; the last point is the first
 };
 
-/// `handles`: the void's genus; loops are looked for only if there is one. `axis` (any length) serves to choose the upper end of a tube without a chamber.
-Branches find_branches(const MedialGraph& graph, long handles, const std::optional<Direction>& axis);
+/// `handles`: the void's genus; a loop is looked for only if there is one. `axis` (any length) serves to choose the upper end of a tube without a chamber.
+Branches find_branches(const MedialGraph& graph, const WallTree& wall, long handles, const std::optional<Direction>& axis);
 
 }  // namespace odontoscope::cavity

@@ -45,7 +45,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   CentreLines lines;
   if (graph.nodes.empty()) return lines;  // a crack: no centre of a tetrahedron lies in it
   progress.tell(stage, 0.5);
-  const cavity::Branches found = cavity::find_branches(graph, report.shells.front().genus, options.axis);
+  const cavity::Branches found = cavity::find_branches(graph, tree, report.shells.front().genus, options.axis);
   lines.chamber = graph.nodes[found.root].at;
   lines.chamber_radius = tree.clearance(lines.chamber);
   lines.has_chamber = found.has_chamber;

@@ -10,7 +10,7 @@
 // Deterministic: the same wall gives the same bytes, on any number of threads. Units: millimetres.
 //
 // Not supported: a void without any width to speak of between its ends (a crack) gets a line along its middle surface that is
-// not unique. Handles of the void narrower than its branches (an isthmus between two canals) get no line of their own.
+// not unique. Of several handles only the largest gets a line; a canal that joins another ends where they meet.
 
 #include <cstddef>
 #include <optional>
@@ -49,7 +49,7 @@ struct CentreLines {
   std::vector<CentreLine> canals;
   /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals ("branch 1", ...); ordered alike.
   std::vector<CentreLine> horns, others;
-  /// Of voids with handles that are as wide as a canal, round each: closed, the last point is the first ("loop 1", ...).
+  /// Of a void with handles the line round the largest one that is half as wide as a canal: closed, the last point is the first ("loop 1").
   std::vector<CentreLine> loops;
 };
 

@@ -17,6 +17,8 @@ inline constexpr double chamber_over_tube = 1.5;
 inline constexpr double branch_slenderness = 2.5;
 /// A branch protrudes by at least this share of the one that protrudes most.
 inline constexpr double branch_share = 0.06;
+/// And by more than the ball where it branches off, which reaches to the wall anyway.
+inline constexpr double branch_over_root = 1.2;
 /// Its mean radius is at least this share of the first one's: what is thinner lies in a crease of the wall.
 inline constexpr double branch_width = 0.1;
 /// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
