@@ -1,4 +1,4 @@
-// Three lights that travel with the eye, and the sky above them. Everything is linear and in eye space.
+// Three lights that travel with the eye, and the sky above them; or a lamp in the eye's hand. Everything is linear and in eye space.
 struct Light {
   vec3 towards;    // unit length
   vec3 strength;
@@ -9,6 +9,8 @@ const Light fill = Light(vec3(0.811, 0.090, 0.578), vec3(0.19, 0.205, 0.225));
 const Light rim = Light(vec3(0.331, 0.563, -0.757), vec3(0.30, 0.31, 0.34));
 const vec3 sky = vec3(0.25, 0.27, 0.30);
 const vec3 ground = vec3(0.105, 0.09, 0.08);
+
+uniform vec4 lamp;   // place and reach; reach 0: the studio's lights
 
 /// Light that a surface throws back: what ambient occlusion darkens is kept apart from what it does not.
 struct Reflected {
@@ -37,7 +39,22 @@ float wrapped(vec3 normal, vec3 towards) {
   return max((dot(normal, towards) + wrap) / (1.0 + wrap), 0.0);
 }
 
-Reflected reflected(vec3 normal, vec3 to_eye, vec3 colour, float roughness) {
+/// Bright near the lamp and dark far from it, so that depth is seen; a little comes from everywhere, as walls throw it at each other.
+Reflected reflected_lamp(vec3 place, vec3 normal, vec3 to_eye, vec3 colour, float roughness) {
+  const vec3 warm = vec3(1.0, 0.955, 0.88), cool = vec3(0.80, 0.90, 1.0);
+  vec3 way = lamp.xyz - place;
+  float far = length(way);
+  vec3 towards = way / max(far, 1e-9);
+  float part = far / lamp.w, left = 1.0 / (1.0 + part * part);
+  Reflected light;
+  light.diffuse = colour * warm * (1.12 * left * wrapped(normal, towards));
+  light.ambient = colour * (cool * 0.035 + warm * (0.22 * left));
+  light.gloss = warm * (0.55 * left * gloss_of(normal, to_eye, towards, roughness));
+  return light;
+}
+
+Reflected reflected(vec3 place, vec3 normal, vec3 to_eye, vec3 colour, float roughness) {
+  if (lamp.w > 0.0) return reflected_lamp(place, normal, to_eye, colour, roughness);
   Reflected light;
   light.diffuse = colour * (key.strength * wrapped(normal, key.towards) + fill.strength * wrapped(normal, fill.towards) +
                             rim.strength * max(dot(normal, rim.towards), 0.0));

@@ -72,7 +72,7 @@ void main() {
   base = mix(base, wire_colour, 0.85 * line);
   alpha = mix(alpha, 1.0, 0.8 * line);
 #endif
-  Reflected light = reflected(normal, to_eye, base, roughness);
+  Reflected light = reflected(from.eye_position, normal, to_eye, base, roughness);
 #ifdef DIRECT
   out_colour = vec4(encoded(clamp(shoulder(light.diffuse + light.gloss + light.ambient), 0.0, 1.0)), 1.0);
 #else

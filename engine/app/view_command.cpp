@@ -56,6 +56,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Opt
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
+  loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
   loaded.model = std::move(shown.model);
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);

@@ -79,6 +79,11 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.wire = scene.wire;
   plan.parallel = view.eye_to_clip[2][3] == 0;
   plan.occlusion = scene.occlusion;
+  if (scene.headlight) {
+    // Held beside the eye: from the eye itself it would flatten what it shows.
+    const auto reach = static_cast<float>(metres_per_mm * scene.headlight->reach_mm);
+    plan.lamp = {0.10f * reach, 0.16f * reach, 0, reach};
+  }
   if (scene.section) plan.section = plane_of(*scene.section, model);
   plan.cap_grain = scene.cap.shows != CapLook::Shows::plain;
   if (values && scene.cap.shows == CapLook::Shows::ct) {
@@ -113,6 +118,7 @@ void set_view(const Program& program, const FramePlan& plan) {
   program.set("eye_to_clip", plan.view.eye_to_clip);
   program.set("section", plan.section);
   program.set("parallel", plan.parallel ? 1 : 0);
+  program.set("lamp", plan.lamp);
 }
 
 }  // namespace odontoscope

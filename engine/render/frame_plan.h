@@ -57,6 +57,7 @@ struct FramePlan {
   bool wire = false;
   bool parallel = false;
   Occlusion occlusion;
+  glm::vec4 lamp{0};                    // where the eye's lamp is, metres from the eye, and its reach; reach 0: the studio's lights
 
   bool cut() const { return section != glm::vec4(0, 0, 0, 1); }
   float occlusion_reach() const { return occlusion.reach * radius; }

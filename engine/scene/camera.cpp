@@ -25,6 +25,8 @@ constexpr double margin = 1.06;
 /// The nearest that the near plane comes, in radii of the model: 32 bit depth is exact enough from there.
 constexpr double least_near = 2e-3;
 constexpr double widest_angle_deg = 170;
+/// Below this no depth in single precision is of use.
+constexpr double least_near_mm = 1e-9;
 /// Sine of the smallest angle between `up` and the line of sight.
 constexpr double least_sine = 1e-6;
 
@@ -135,7 +137,8 @@ View view_of(const Camera& camera, const Model& model, double aspect) {
     const double half = 0.5 * metres_per_mm * camera.height_mm;
     view.eye_to_clip = glm::mat4(glm::ortho(-half * aspect, half * aspect, -half, half, depth_of_centre - 1.01 * radius, far_distance));
   } else {
-    const double near_distance = std::max(depth_of_centre - 1.01 * radius, least_near * radius);
+    double near_distance = std::max(depth_of_centre - 1.01 * radius, least_near * radius);
+    if (camera.near_mm > 0) near_distance = std::min(near_distance, metres_per_mm * camera.near_mm);
     view.eye_to_clip = glm::mat4(glm::perspective(glm::radians(camera.field_of_view_deg), aspect, near_distance, far_distance));
   }
   return view;
@@ -157,6 +160,7 @@ void validate(const Camera& camera, std::string_view file) {
   if (!(camera.field_of_view_deg > 0 && camera.field_of_view_deg < widest_angle_deg))
     refuse("the camera's angle of view is not between 0 and 170 degrees");
   if (!(camera.height_mm > 0) || !std::isfinite(camera.height_mm)) refuse("the camera's height is not positive");
+  if (!(camera.near_mm == 0 || (camera.near_mm >= least_near_mm && std::isfinite(camera.near_mm)))) refuse("the camera's near plane is neither 0 nor at a sensible distance");
 }
 
 }  // namespace odontoscope

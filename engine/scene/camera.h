@@ -17,6 +17,9 @@ struct Camera {
   glm::dvec3 up{0, 0, 1};               // need not be at right angles to the line of sight, only not along it
   double field_of_view_deg = 24;        // from top to bottom; perspective only
   double height_mm = 25;                // seen from top to bottom; parallel only
+  /// What lies nearer to the picture's plane is cut off: never more than this; 0 leaves it to the model's size. For an eye between
+  /// walls; perspective only.
+  double near_mm = 0;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 

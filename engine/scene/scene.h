@@ -68,6 +68,12 @@ struct Occlusion {
   friend bool operator==(const Occlusion&, const Occlusion&) = default;
 };
 
+/// A lamp that the eye carries along, instead of the studio's lights: for places that no light falls into.
+struct Headlight {
+  double reach_mm = 1;       // at this distance half of it is left
+  friend bool operator==(const Headlight&, const Headlight&) = default;
+};
+
 /// What is drawn over the surfaces, if the overlay's source knows it (see overlay.h).
 struct OverlayChoice {
   bool contours = false;            // of the slices; with a slab only of the two that bound it
@@ -88,6 +94,7 @@ struct Scene {
   OverlayChoice overlays;
   Background background;
   Occlusion occlusion;
+  std::optional<Headlight> headlight;
 
   Look* look_of(std::string_view structure);
   const Look* look_of(std::string_view structure) const;

@@ -20,6 +20,7 @@ constexpr int format_version = 1;
 constexpr std::size_t most_scene_bytes = 1u << 20;
 constexpr float most_emphasis = 4;
 constexpr double most_slab = 1e9;
+constexpr double least_reach_mm = 1e-9, most_reach_mm = 1e9;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -157,6 +158,7 @@ void read_camera(const Reader& scene, const std::string& file, Camera& camera) {
   reader.read("up", camera.up);
   reader.read("field_of_view_deg", camera.field_of_view_deg);
   reader.read("height_mm", camera.height_mm);
+  reader.read("near_mm", camera.near_mm);
   validate(camera, file);
 }
 
@@ -221,6 +223,13 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
     reader.read("strength", result.occlusion.strength, 0, most_emphasis);
     reader.read("reach", result.occlusion.reach, 0, 1);
   }
+  if (const Json* json = scene.member("headlight")) {
+    const Reader reader(*json, "headlight", file);
+    Headlight headlight;
+    reader.read("reach_mm", headlight.reach_mm);
+    if (!(headlight.reach_mm >= least_reach_mm && headlight.reach_mm <= most_reach_mm)) reader.refuse("bad-value", "reach_mm", "is no sensible distance");
+    result.headlight = headlight;
+  }
 }
 
 void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& overlays) {
@@ -238,12 +247,14 @@ void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& 
 }
 
 Json camera_json(const Camera& camera) {
-  return Json{{"projection", camera.projection == Camera::Projection::parallel ? "parallel" : "perspective"},
+  Json json{{"projection", camera.projection == Camera::Projection::parallel ? "parallel" : "perspective"},
               {"position", to_json(camera.position)},
               {"target", to_json(camera.target)},
               {"up", to_json(camera.up)},
               {"field_of_view_deg", camera.field_of_view_deg},
               {"height_mm", camera.height_mm}};
+  if (camera.near_mm > 0) json["near_mm"] = camera.near_mm;
+  return json;
 }
 
 /// As a person would have typed it: 0.3, not 0.30000001192092896.
@@ -290,6 +301,7 @@ std::string to_json(const Scene& scene) {
   json["ambient_occlusion"] = {{"on", scene.occlusion.on},
                                {"strength", short_number(scene.occlusion.strength)},
                                {"reach", short_number(scene.occlusion.reach)}};
+  if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
   return json.dump(2) + "\n";
 }
 

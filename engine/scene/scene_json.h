@@ -10,7 +10,10 @@
 //    "back_faces":"cull","wire":false,
 //    "overlays":{"contours":true,"edges":false,"slab":12,"shrink":0.8},
 //    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},
-//    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12}}
+//    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12},
+//    "headlight":{"reach_mm":1.5}}
+//
+// The camera may have "near_mm" as well: an eye between walls (see camera.h).
 //
 // Every member but format and version may be missing and then keeps its value; unknown members are ignored. Lengths in mm.
 

@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 31> keys = {{
+constexpr std::array<ActionKey, 33> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -21,6 +21,8 @@ constexpr std::array<ActionKey, 31> keys = {{
     {"W", Action::toggle_wire, "triangle edges", U'w'},
     {"S", Action::toggle_section, "section on or off", U's'},
     {"R", Action::flip_section, "cut away the other side", U'r'},
+    {"C", Action::enter_pulp, "into the pulp chamber, to fly", U'c'},
+    {"A", Action::fly_outdoors, "fly around the outside", U'a'},
     {"M", Action::measure_distance, "measure a distance", U'm'},
     {"T", Action::measure_thickness, "measure a wall's thickness", U't'},
     {"D", Action::toggle_lab, "DT beside DB, the other method", U'd'},
@@ -41,6 +43,30 @@ constexpr std::array<ActionKey, 31> keys = {{
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
 }};
 
+constexpr std::array<ActionKey, 10> in_flight = {{
+    {"C", Action::enter_pulp, "back to outside; from outdoors: into the pulp", U'c'},
+    {"X", Action::pass_wall, "through the wall straight ahead", U'x'},
+    {"+", Action::faster, "faster", U'+'},
+    {"+", Action::faster, "faster", U'='},
+    {"\xE2\x88\x92", Action::slower, "slower", U'-'},
+    {"M", Action::catch_mouse, "the mouse looks without a button", U'm'},
+    {"?", Action::toggle_help, "this list", U'?'},
+    {"F12", Action::take_picture, "take a picture", 0, Key::f12},
+    {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
+    {"Tab", Action::toggle_panel, "panel on or off", 0, Key::tab},
+}};
+
+constexpr std::array<Gesture, 8> flying = {{
+    {"W S", "ahead, back (I K)"},
+    {"A D", "to the left, right (J L)"},
+    {"Q E", "down, up (U O)"},
+    {"Arrow keys, drag", "look around"},
+    {"Shift", "three times as fast"},
+    {"Wheel", "slower, faster"},
+    {"Gamepad", "sticks fly and look, triggers lift"},
+    {"Esc, Backspace", "back to outside"},
+}};
+
 constexpr std::array<Gesture, 7> mouse = {{
     {"Drag", "turn"},
     {"Right drag, Shift drag", "move"},
@@ -58,6 +84,15 @@ char32_t small(char32_t character) { return character >= U'A' && character <= U'
 std::span<const ActionKey> action_keys() { return keys; }
 
 std::span<const Gesture> gestures() { return mouse; }
+
+std::span<const ActionKey> flight_keys() { return in_flight; }
+
+std::span<const Gesture> flight_gestures() { return flying; }
+
+std::optional<Action> flight_action_for(const TextTyped& text) {
+  const auto found = std::find_if(in_flight.begin(), in_flight.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
+  return found == in_flight.end() ? std::nullopt : std::optional(found->action);
+}
 
 std::optional<Action> action_for(const TextTyped& text) {
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });

@@ -20,6 +20,9 @@ struct ActionKey {
 };
 
 std::span<const ActionKey> action_keys();
+/// While one flies letters mean this instead. (Those that fly are held down, see viewer_fly.cpp.)
+std::span<const ActionKey> flight_keys();
+std::optional<Action> flight_action_for(const TextTyped& text);
 std::optional<Action> action_for(const TextTyped& text);
 std::optional<Action> action_for(const KeyChanged& key);
 
@@ -28,6 +31,7 @@ struct Gesture {
   std::string_view printed, words;
 };
 std::span<const Gesture> gestures();
+std::span<const Gesture> flight_gestures();
 
 std::optional<NamedView> view_of(Action action);
 

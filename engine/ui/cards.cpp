@@ -130,13 +130,13 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
   ImGui::Columns(2, "columns", false);
   ImGui::SetColumnWidth(0, scaled(420));
-  for (const Gesture& gesture : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
+  for (const Gesture& gesture : state.fly.on ? flight_gestures() : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
   ImGui::Dummy({0, scaled(6)});
   std::set<Action> told;
   std::size_t row = 0;
-  for (const ActionKey& key : action_keys()) {
+  for (const ActionKey& key : state.fly.on ? flight_keys() : action_keys()) {
     if (!told.insert(key.action).second) continue;   // a second key for the same
-    constexpr std::size_t rows_at_left = 11;
+    constexpr std::size_t rows_at_left = 12;
     if (row++ == rows_at_left) ImGui::NextColumn();
     key_row(interface, key.printed, key.words, scaled(72));
   }
@@ -174,7 +174,7 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 }  // namespace
 
 std::string stage_in_words(std::string_view stage) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 11> known = {{{"read", "Reading the file"},
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> known = {{{"read", "Reading the file"},
                                                                                    {"contours", "Tracing contours through the volume"},
                                                                                    {"simplify", "Leaving out points that say nothing"},
                                                                                    {"validate", "Checking the contours"},
@@ -184,7 +184,8 @@ std::string stage_in_words(std::string_view stage) {
                                                                                    {"assemble", "Putting the slabs together"},
                                                                                    {"certify", "Proving that the model is sound"},
                                                                                    {"shade", "Smoothing the light"},
-                                                                                   {"prepare picking", "Preparing to measure"}}};
+                                                                                   {"prepare picking", "Preparing to measure"},
+                                                                                   {"centre lines", "Finding the canals"}}};
   for (const auto& [name, words] : known)
     if (stage == name) return std::string(words);
   return stage.empty() ? "Beginning" : fmt::format("Working: {}", stage);

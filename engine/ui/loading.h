@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/measure/pick.h"
+#include "engine/navigate/flight_spaces.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/value_grid.h"
@@ -45,6 +46,7 @@ struct LoadedModel {
   OverlaySource overlays;
   std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
   std::shared_ptr<const Pickable> pickable;   // never null
+  std::shared_ptr<const FlightSpaces> flight; // null: one cannot fly in it
   Scene scene;                   // a good first look
   Certificate certificate;
   std::size_t triangles = 0;

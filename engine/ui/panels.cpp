@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/navigate/section_handle.h"
+#include "engine/ui/fly_panel.h"
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -238,7 +239,10 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
   ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   heading(state, interface);
-  if (state.shown) {
+  if (state.shown && state.fly.on) {
+    fly_sections(state, interface);
+  } else if (state.shown) {
+    fly_entrance(state, interface);
     lab_section(state, interface);
     report_section(state, interface);
     structures_section(state, interface);

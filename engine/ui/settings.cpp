@@ -36,6 +36,7 @@ class Reader {
     double wide = value;
     if (number(key, wide, low, high)) value = static_cast<float>(wide);
   }
+  void read(const char* key, double& value, double low, double high) const { number(key, value, low, high); }
   void read(const char* key, bool& value) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
@@ -129,7 +130,12 @@ std::string to_json(const Settings& settings) {
                     {"height", settings.picture.height},
                     {"as_seen", settings.picture.as_seen},
                     {"samples_a_side", settings.picture.side},
-                    {"transparent", settings.picture.transparent}}}};
+                    {"transparent", settings.picture.transparent}}},
+                  {"flight",
+                   {{"field_of_view_deg", settings.comfort.field_of_view_deg},
+                    {"speed_limit", settings.comfort.speed_limit},
+                    {"vignette", settings.comfort.vignette},
+                    {"reduced_motion", settings.comfort.reduced_motion}}}};
   return json.dump(2) + "\n";
 }
 
@@ -154,6 +160,11 @@ ReadSettings settings_from_json(const std::string& text) {
   picture.read("as_seen", settings.picture.as_seen);
   picture.read("samples_a_side", settings.picture.side, 1, 4);
   picture.read("transparent", settings.picture.transparent);
+  const Reader flight = reader.inside("flight");
+  flight.read("field_of_view_deg", settings.comfort.field_of_view_deg, 40, 110);
+  flight.read("speed_limit", settings.comfort.speed_limit, 0.5, 24);
+  flight.read("vignette", settings.comfort.vignette);
+  flight.read("reduced_motion", settings.comfort.reduced_motion);
   return read;
 }
 

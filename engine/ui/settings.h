@@ -22,6 +22,15 @@ struct PictureSettings {
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
 
+/// Flying makes some people dizzy: what helps them.
+struct Comfort {
+  double field_of_view_deg = 75;
+  double speed_limit = 24;      // times the usual speed
+  bool vignette = false;        // a dark rim while the picture turns
+  bool reduced_motion = false;  // no dives, slower turns
+  friend bool operator==(const Comfort&, const Comfort&) = default;
+};
+
 struct Settings {
   PixelSize window{1280, 800};
   bool panel = true;
@@ -30,6 +39,7 @@ struct Settings {
   Camera::Projection projection = Camera::Projection::perspective;
   Backdrop backdrop = Backdrop::dark;
   PictureSettings picture;
+  Comfort comfort = {};
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 

@@ -12,6 +12,7 @@
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/cards.h"
+#include "engine/ui/fly_marks.h"
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/panels.h"
@@ -128,6 +129,9 @@ void Viewer::take_finished_load() {
 }
 
 void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
+  leave_flight(true);
+  fade_.reset();
+  state_.fly.dark = 0;
   leave_lab();
   gpu_model_ = upload(*gl_, shown->model);
   gpu_overlay_ = {};
@@ -153,9 +157,11 @@ void Viewer::advance(double seconds) {
   now_ += seconds;
   for (Notice& shown : state_.notices) shown.seconds_left -= seconds;
   std::erase_if(state_.notices, [](const Notice& shown) { return shown.seconds_left <= 0; });
-  if (!transition_) return;
-  state_.scene.camera = transition_->advance(seconds);
-  if (transition_->over()) transition_.reset();
+  if (transition_) {
+    state_.scene.camera = transition_->advance(seconds);
+    if (transition_->over()) transition_.reset();
+  }
+  advance_flight(seconds);
 }
 
 void Viewer::go_to(const Camera& camera) { transition_.emplace(state_.scene.camera, camera); }
@@ -169,7 +175,7 @@ void Viewer::perform(Action action) {
     case Action::escape: escape(); return;
     default: break;
   }
-  if (!state.shown || perform_in_lab(action)) return;
+  if (!state.shown || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
   if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
@@ -226,6 +232,7 @@ void Viewer::escape() {
   else if (state_.question) state_.question.reset();
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
+  else if (state_.fly.on) leave_flight();
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
   else if (state_.lab.lesson) state_.lab.lesson.reset();
   else if (state_.lab.artefact) put_artefact_away();
@@ -297,6 +304,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   interface_.begin(scaled);
   const Area& viewport = viewport_;
   if (state_.shown) {
+    draw_fade(state_, viewport);
     for (const ViewPane& pane : panes_) {
       const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
       if (first) draw_scale_bar(pane, interface_, scale_);
@@ -316,9 +324,10 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 }
 
 double Viewer::patience() const {
-  if (transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
+  if (flight_moves() || transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
   if (job_ || !writing_.empty() || state_.lab.working) return loading;
+  if (gamepad_.present && state_.fly.on) return loading;   // a stick wakes nobody
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

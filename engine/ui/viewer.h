@@ -101,6 +101,25 @@ class Viewer {
   const Model& model_of(const ViewPane& pane) const { return pane.db ? state_.lab.made->model : state_.shown->model; }
   const Pickable& pickable_of(const ViewPane& pane) const { return pane.db ? *state_.lab.made->pickable : *state_.shown->pickable; }
 
+  // viewer_fly.cpp: flying
+  bool flight_possible() const;
+  bool perform_in_flight(Action action);
+  void enter_cavity(std::size_t cavity);
+  void enter_outdoors();
+  void arrive(std::optional<std::size_t> cavity, const Flight& flight);
+  void leave_flight(bool at_once = false);
+  void pass_wall();
+  void darken_then(std::function<void()> at_dark);
+  void advance_flight(double seconds);
+  void see_from_flight();
+  void look_by(double across, double down);
+  void on_flight_key(const KeyChanged& key);
+  void on_gamepad(const GamepadChanged& gamepad);
+  FlightWish flight_wish() const;
+  FlightRules flight_rules() const;
+  const Walls& walls_now() const;
+  bool flight_moves() const;
+
   // viewer_gestures.cpp: mouse and keys
   void react(const Event& event);
   void on_move(const MouseMoved& move);
@@ -126,7 +145,7 @@ class Viewer {
   void take_written();
 
   struct Drag {
-    enum class What { orbit, pan, section, split };
+    enum class What { orbit, pan, section, split, look };
     What what = What::orbit;
     MouseButton button = MouseButton::left;
     double x = 0, y = 0;             // where the hand is
@@ -191,6 +210,15 @@ class Viewer {
   std::optional<std::size_t> lab_edges_near_;            // and of which artefact; none: all
   Framebuffer other_half_;                               // of a split view
   bool sample_shown_ = false, lesson_after_load_ = false, artefact_when_made_ = false;
+  struct Fade {
+    double seconds = 0;
+    bool done = false;                 // what the dark is for
+    std::function<void()> at_dark;
+  };
+  std::optional<Fade> fade_;
+  std::set<int> held_;                 // keys, while one flies; see viewer_fly.cpp
+  GamepadChanged gamepad_;
+  std::optional<Camera> camera_before_dive_;
   std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
   std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
 };

@@ -5,6 +5,7 @@
 
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
+#include "engine/ui/fly_marks.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/viewer.h"
 
@@ -48,10 +49,16 @@ void Viewer::react(const Event& event) {
   else if (const auto* key = std::get_if<KeyChanged>(&event)) on_key(*key);
   else if (const auto* text = std::get_if<TextTyped>(&event)) on_text(*text);
   else if (const auto* drop = std::get_if<FilesDropped>(&event)) on_drop(*drop);
-  else if (std::get_if<FocusLost>(&event)) drag_.reset();
+  else if (const auto* gamepad = std::get_if<GamepadChanged>(&event)) on_gamepad(*gamepad);
+  else if (std::get_if<FocusLost>(&event)) {
+    drag_.reset();
+    held_.clear();
+    state_.fly.mouse_caught = false;
+  }
 }
 
 void Viewer::on_move(const MouseMoved& move) {
+  if (state_.fly.on && state_.fly.mouse_caught && !drag_) look_by(move.x - mouse_x_, move.y - mouse_y_);
   mouse_x_ = move.x;
   mouse_y_ = move.y;
   if (!drag_ || !state_.shown) return;
@@ -68,6 +75,7 @@ void Viewer::on_move(const MouseMoved& move) {
       break;
     }
     case Drag::What::pan: set_camera(pan(camera, from, to, drag.anchor)); break;
+    case Drag::What::look: look_by(move.x - drag.x, move.y - drag.y); break;
     case Drag::What::split: state_.lab.split = std::clamp((move.x - viewport_.left) / viewport_.width, 0.02, 0.98); break;
     case Drag::What::section:
       if (state_.scene.section)
@@ -84,6 +92,7 @@ void Viewer::on_button(const MouseButtonChanged& button) {
     return;
   }
   if (!drag_ || drag_->button != button.button) return;
+  if (state_.fly.on) state_.fly.mouse_caught = state_.fly.mouse_caught && !drag_->moved;
   const Drag drag = *drag_;
   drag_.reset();
   if (!drag.moved && drag.button == MouseButton::left && drag.what != Drag::What::section && drag.what != Drag::What::split) on_click(mouse_x_, mouse_y_);
@@ -97,6 +106,10 @@ void Viewer::on_press(const MouseButtonChanged& button) {
       state_.todo.push_back(*named);
       return;
     }
+  }
+  if (state_.fly.on) {
+    drag_ = Drag{.what = Drag::What::look, .button = button.button, .x = mouse_x_, .y = mouse_y_, .start_x = mouse_x_, .start_y = mouse_y_};
+    return;
   }
   Drag drag{.button = button.button, .x = mouse_x_, .y = mouse_y_, .start_x = mouse_x_, .start_y = mouse_y_};
   drag.anchor = anchor_at(*pane, mouse_x_, mouse_y_);
@@ -120,6 +133,7 @@ void Viewer::on_click(double x, double y) {
   const ViewPane* pane = pane_at(x, y);
   if (!pane) return;
   const auto hit = hit_at(*pane, x, y);
+  if (state_.fly.on) return;
   if (state_.tool != Tool::look) {
     if (hit) measure_at(pickable_of(*pane), *hit);
   } else if (second && hit) {
@@ -144,17 +158,22 @@ void Viewer::on_scroll(const Scrolled& scroll) {
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane || !state_.shown || scroll.along == 0) return;
   const double notches = std::clamp(scroll.along, -10.0, 10.0);
+  if (state_.fly.on) {
+    state_.fly.haste = std::clamp(state_.fly.haste * std::pow(notch_factor, notches), least_haste, most_haste);
+    return;
+  }
   set_camera(zoom(state_.scene.camera, std::pow(notch_factor, notches), anchor_at(*pane, mouse_x_, mouse_y_)));
 }
 
 void Viewer::on_key(const KeyChanged& key) {
+  if (state_.fly.on && !(key.down && interface_.wants_text())) on_flight_key(key);
   if (!key.down) return;
   if (interface_.wants_text() && key.key != Key::escape) return;
   if (const auto action = action_for(key)) {
     state_.todo.push_back(*action);
     return;
   }
-  if (!state_.shown) return;
+  if (!state_.shown || state_.fly.on) return;
   glm::dvec2 direction{0};
   if (key.key == Key::left) direction = {-1, 0};
   else if (key.key == Key::right) direction = {1, 0};
@@ -168,6 +187,10 @@ void Viewer::on_key(const KeyChanged& key) {
 
 void Viewer::on_text(const TextTyped& text) {
   if (interface_.wants_text()) return;
+  if (state_.fly.on) {
+    if (const auto action = flight_action_for(text)) state_.todo.push_back(*action);
+    return;
+  }
   if (const auto action = action_for(text)) {
     state_.todo.push_back(*action);
     return;
@@ -188,6 +211,10 @@ void Viewer::show_hovered() {
   state_.under_pointer.reset();
   pointer_ = interface_.pointer();
   if (!state_.shown || drag_) return;
+  if (state_.fly.on && state_.fly.mouse_caught) {
+    pointer_ = Pointer::caught;
+    return;
+  }
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane) return;
   hovered_compass_ = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_);

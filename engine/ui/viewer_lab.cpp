@@ -196,7 +196,10 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   if (partly && !(other_half_.size() == size)) other_half_ = Framebuffer(*gl_, {size, {GL_RGBA8}});
   const Framebuffer& target = partly ? other_half_ : picture_;
   const Pane eye{odontoscope::view_of(pane.camera, model_of(pane), pane.area.aspect()), {target.id(), left, bottom, pane_size}};
-  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, state_.scene, {&eye, 1}, {side}, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values());
+  Scene scene = state_.scene;
+  // On a slow machine a flight's moving pictures do without it, as without fine samples.
+  if (state_.fly.on && side < options_.side) scene.occlusion.on = false;
+  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, {side}, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values());
   if (!partly) return;
   const int from = static_cast<int>(pane.seen->left), to = from + static_cast<int>(pane.seen->width);
   if (to <= from) return;

@@ -9,6 +9,7 @@
 
 #include "engine/measure/wall_thickness.h"
 #include "engine/scene/scene.h"
+#include "engine/ui/fly_state.h"
 #include "engine/ui/lab_state.h"
 #include "engine/ui/loading.h"
 #include "engine/ui/settings.h"
@@ -22,6 +23,7 @@ enum class Action {
   view_three_quarter, view_buccal, view_lingual, view_mesial, view_distal, view_occlusal, view_apical,
   fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
   measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape,
+  enter_pulp, fly_outdoors, leave_flight, pass_wall, catch_mouse, faster, slower,
   toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
 };
 
@@ -76,6 +78,7 @@ struct ViewerState {
   std::optional<std::string> file_asked_for;   // being typed
   std::optional<VolumeQuestion> question;
   LabState lab;
+  FlyState fly;
   std::string trouble;                     // an error to read and close; empty if none
   std::vector<Notice> notices;
   std::string drawn_with;                  // the context in words

@@ -15,7 +15,7 @@ enum class MouseButton { left, right, middle };
 /// knows the keyboard's layout.
 enum class Key {
   other, left, right, up, down, home, end, page_up, page_down, tab, enter, escape, backspace, remove, space,
-  a, c, o, s, v, x, y, z, f1, f12
+  a, c, o, s, v, x, y, z, f1, f12, shift
 };
 
 struct Modifiers {
@@ -26,13 +26,21 @@ struct MouseMoved { double x = 0, y = 0; };
 struct MouseButtonChanged { MouseButton button = MouseButton::left; bool down = false; Modifiers with = {}; };
 /// One notch of a wheel is 1; positive away from the hand.
 struct Scrolled { double across = 0, along = 0; Modifiers with = {}; };
-struct KeyChanged { Key key = Key::other; bool down = false; Modifiers with = {}; };
+/// `place`: the letter that an American keyboard has there, 0 if none: flying goes by where keys are, not by what they say.
+struct KeyChanged { Key key = Key::other; bool down = false; Modifiers with = {}; char place = 0; };
 struct TextTyped { char32_t character = 0; };
 struct FilesDropped { std::vector<std::string> files; };
+/// A gamepad as it is now; sent when something on it changes. Sticks and triggers from -1 to 1; up and right are positive.
+struct GamepadChanged {
+  bool present = false;
+  double move_right = 0, move_ahead = 0, turn_right = 0, turn_up = 0, rise = 0;
+  bool faster = false, pass = false, leave = false, play = false, next = false;
+  friend bool operator==(const GamepadChanged&, const GamepadChanged&) = default;
+};
 /// The window lost the keyboard: nothing is held down any more as far as we know.
 struct FocusLost {};
 
-using Event = std::variant<MouseMoved, MouseButtonChanged, Scrolled, KeyChanged, TextTyped, FilesDropped, FocusLost>;
+using Event = std::variant<MouseMoved, MouseButtonChanged, Scrolled, KeyChanged, TextTyped, FilesDropped, GamepadChanged, FocusLost>;
 
 /// What a frame needs to know besides.
 struct FrameInput {
@@ -41,6 +49,7 @@ struct FrameInput {
   double seconds = 0;     // since the frame before
 };
 
-enum class Pointer { arrow, hand, text, cross, none };
+/// `caught`: hidden and held in the window; places go on beyond its edges.
+enum class Pointer { arrow, hand, text, cross, none, caught };
 
 }  // namespace odontoscope

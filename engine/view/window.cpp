@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -19,7 +20,7 @@ Modifiers modifiers_of(int bits) {
 }
 
 Key key_of(int code) {
-  constexpr std::array<std::pair<int, Key>, 27> keys = {{{GLFW_KEY_LEFT, Key::left},
+  constexpr std::array<std::pair<int, Key>, 29> keys = {{{GLFW_KEY_LEFT, Key::left},
                                                          {GLFW_KEY_RIGHT, Key::right},
                                                          {GLFW_KEY_UP, Key::up},
                                                          {GLFW_KEY_DOWN, Key::down},
@@ -44,6 +45,8 @@ Key key_of(int code) {
                                                          {GLFW_KEY_Z, Key::z},
                                                          {GLFW_KEY_F1, Key::f1},
                                                          {GLFW_KEY_F12, Key::f12},
+                                                         {GLFW_KEY_LEFT_SHIFT, Key::shift},
+                                                         {GLFW_KEY_RIGHT_SHIFT, Key::shift},
                                                          {GLFW_KEY_UNKNOWN, Key::other},
                                                          {GLFW_KEY_LAST, Key::other}}};
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const auto& pair) { return pair.first == code; });
@@ -57,6 +60,34 @@ int key_by_layout(int code, int scancode) {
   if (!printed || printed[1] != '\0') return code;
   if (printed[0] >= 'a' && printed[0] <= 'z') return GLFW_KEY_A + (printed[0] - 'a');
   return code;
+}
+
+char place_of(int code) { return code >= GLFW_KEY_A && code <= GLFW_KEY_Z ? static_cast<char>('a' + (code - GLFW_KEY_A)) : '\0'; }
+
+/// The first gamepad that GLFW knows the layout of.
+GamepadChanged gamepad_now() {
+  GLFWgamepadstate state;
+  int joystick = GLFW_JOYSTICK_1;
+  while (joystick <= GLFW_JOYSTICK_LAST && !(glfwJoystickIsGamepad(joystick) && glfwGetGamepadState(joystick, &state))) ++joystick;
+  if (joystick > GLFW_JOYSTICK_LAST) return {};
+  const auto axis = [&](int which) {
+    constexpr double idle = 0.16;   // worn sticks do not rest at zero
+    const double value = std::clamp<double>(state.axes[which], -1, 1), size = std::max(0.0, (std::abs(value) - idle) / (1 - idle));
+    return std::copysign(size * size, value);
+  };
+  const auto held = [&](int which) { return state.buttons[which] == GLFW_PRESS; };
+  const double lift = 0.5 * (state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] - state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER]);
+  return {.present = true,
+          .move_right = axis(GLFW_GAMEPAD_AXIS_LEFT_X),
+          .move_ahead = -axis(GLFW_GAMEPAD_AXIS_LEFT_Y),
+          .turn_right = axis(GLFW_GAMEPAD_AXIS_RIGHT_X),
+          .turn_up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y),
+          .rise = std::abs(lift) > 0.1 ? lift : 0,
+          .faster = held(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER) || held(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER),
+          .pass = held(GLFW_GAMEPAD_BUTTON_X),
+          .leave = held(GLFW_GAMEPAD_BUTTON_B),
+          .play = held(GLFW_GAMEPAD_BUTTON_A),
+          .next = held(GLFW_GAMEPAD_BUTTON_Y)};
 }
 
 std::optional<MouseButton> button_of(int code) {
@@ -74,6 +105,7 @@ struct Window::Inbox {
   std::vector<Event> events;
   std::array<GLFWcursor*, 4> pointers{};
   Pointer pointer = Pointer::arrow;
+  GamepadChanged gamepad;
 
   static Inbox& of(GLFWwindow* window) { return *static_cast<Inbox*>(glfwGetWindowUserPointer(window)); }
 };
@@ -100,7 +132,7 @@ Window::Window(const WindowOptions& options) : context_(open_window(options)), i
     Inbox::of(w).events.push_back(Scrolled{across, along, with});
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int bits) {
-    Inbox::of(w).events.push_back(KeyChanged{key_of(key_by_layout(code, scancode)), action != GLFW_RELEASE, modifiers_of(bits)});
+    Inbox::of(w).events.push_back(KeyChanged{key_of(key_by_layout(code, scancode)), action != GLFW_RELEASE, modifiers_of(bits), place_of(code)});
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { Inbox::of(w).events.push_back(TextTyped{character}); });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** names) {
@@ -137,6 +169,7 @@ float Window::scale() const {
 std::vector<Event> Window::events(double patience_seconds) {
   if (patience_seconds > 0) glfwWaitEventsTimeout(patience_seconds);
   else glfwPollEvents();
+  if (const GamepadChanged gamepad = gamepad_now(); !(gamepad == inbox_->gamepad)) inbox_->events.push_back(inbox_->gamepad = gamepad);
   return std::exchange(inbox_->events, {});
 }
 
@@ -148,8 +181,10 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(context_->
 
 void Window::set_pointer(Pointer pointer) {
   if (pointer == inbox_->pointer) return;
+  if ((pointer == Pointer::caught) != (inbox_->pointer == Pointer::caught))
+    glfwSetInputMode(context_->handle(), GLFW_CURSOR, pointer == Pointer::caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
   inbox_->pointer = pointer;
-  if (pointer != Pointer::none) glfwSetCursor(context_->handle(), inbox_->pointers[static_cast<std::size_t>(pointer)]);
+  if (pointer != Pointer::none && pointer != Pointer::caught) glfwSetCursor(context_->handle(), inbox_->pointers[static_cast<std::size_t>(pointer)]);
 }
 
 std::string Window::clipboard() const {

@@ -19,6 +19,7 @@ LoadedModel toy_tooth() {
   loaded.overlays.faulty_edges = faulty_edges(surfaces, loaded.model);
   loaded.scene = usual_scene(loaded.model, 1.2);
   loaded.scene.occlusion.on = false;
+  loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, loaded.model));
   loaded.pickable = std::make_shared<const Pickable>(loaded.model);
   loaded.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {{true, "Each of its tetrahedra has positive volume."}}};
   for (const ModelPart& part : loaded.model.parts) loaded.triangles += part.indices.size() / 3;

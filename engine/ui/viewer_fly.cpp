@@ -1,0 +1,265 @@
+// Flying: into the pulp and out again, keys and sticks, and what each frame does with them.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+#include "engine/navigate/moves.h"
+#include "engine/navigate/screen.h"
+#include "engine/ui/actions.h"
+#include "engine/ui/fly_marks.h"
+#include "engine/ui/viewer.h"
+
+namespace odontoscope {
+
+namespace {
+
+constexpr double darken_seconds = 0.30, brighten_seconds = 0.40;
+constexpr double dive_zoom = 2.2;
+constexpr double notch_haste = 1.16, shift_haste = 3;
+/// A drag as long as the picture is high turns by so many fields of view.
+constexpr double drag_fields = 1.3;
+/// As parts of the model's radius: how far the lamp reaches, and what still darkens a corner.
+constexpr double lamp_reach = 0.14;
+constexpr float crevice_reach = 0.035f;
+/// Before the outer surface, in parts of the model's radius.
+constexpr double outdoors_before = 0.45, outdoors_beyond = 1.5;
+constexpr double widest_picture = 2.4;   // width over height
+constexpr std::size_t most_trail = 4000;
+constexpr double trail_step = 3;   // clearances
+
+/// As one number: letters by place, other keys beyond them.
+int held_as(const KeyChanged& key) { return key.place ? key.place : 256 + static_cast<int>(key.key); }
+int held_as(Key key) { return 256 + static_cast<int>(key); }
+
+}  // namespace
+
+bool Viewer::flight_possible() const { return state_.shown && state_.shown->flight; }
+
+const Walls& Viewer::walls_now() const {
+  const FlightSpaces& spaces = *state_.shown->flight;
+  return state_.fly.cavity ? spaces.cavities[*state_.fly.cavity].walls : spaces.outside;
+}
+
+FlightRules Viewer::flight_rules() const {
+  FlightRules rules = state_.shown->flight->rules;
+  const Comfort& comfort = state_.settings.comfort;
+  const bool hurry = held_.contains(held_as(Key::shift)) || gamepad_.faster;
+  rules.haste = std::min(state_.fly.haste * (hurry ? shift_haste : 1), comfort.speed_limit);
+  if (comfort.reduced_motion) rules.turn_deg_per_second = 45;
+  return rules;
+}
+
+/// Fades to dark, does it, and fades in again. What comes while it is dark waits for no second fade.
+void Viewer::darken_then(std::function<void()> at_dark) {
+  if (fade_ && !fade_->done) fade_->at_dark();
+  fade_ = Fade{0, false, std::move(at_dark)};
+}
+
+void Viewer::enter_cavity(std::size_t cavity) {
+  if (!flight_possible() || cavity >= state_.shown->flight->cavities.size()) {
+    notice("There is no cavity in this model to fly in. A canal that is open at its end is no cavity.");
+    return;
+  }
+  const FlightSpace& space = state_.shown->flight->cavities[cavity];
+  if (!state_.fly.on && !state_.settings.comfort.reduced_motion) go_to(zoom(state_.scene.camera, dive_zoom, space.middle));
+  darken_then([this, cavity] {
+    const FlightSpace& there = state_.shown->flight->cavities[cavity];
+    const glm::dvec3 sight = longest_sight(there.walls, there.middle);
+    arrive(cavity, looking(there.middle, sight));
+  });
+}
+
+void Viewer::enter_outdoors() {
+  if (!flight_possible()) return;
+  const SightLine line = sight_line(state_.scene.camera, {0, 0});
+  darken_then([this, line] {
+    const FlightSpaces& spaces = *state_.shown->flight;
+    const Model& model = state_.shown->model;
+    const double far = spaces.outside.free_distance(line.origin, line.direction);
+    glm::dvec3 eye = line.origin + (far - outdoors_before * model.radius_mm) * line.direction;
+    if (!std::isfinite(far) || !spaces.outdoors(eye) || spaces.outside.nearest(eye).distance < spaces.rules.clearance)
+      eye = model.bounds_mm.centre() - outdoors_beyond * model.radius_mm * line.direction;
+    arrive(std::nullopt, looking(eye, line.direction));
+  });
+}
+
+/// Where the eye is now, and what it sees there.
+void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
+  FlyState& fly = state_.fly;
+  if (!fly.on) {
+    leave_lab();
+    fly.scene_before = state_.scene;
+    if (camera_before_dive_) fly.scene_before.camera = *std::exchange(camera_before_dive_, std::nullopt);
+    state_.tool = Tool::look;
+    state_.measured = {};
+    state_.lab.lesson.reset();
+  }
+  transition_.reset();
+  drag_.reset();
+  fly.on = true;
+  fly.cavity = cavity;
+  fly.flight = flight;
+  fly.trail = {flight.eye};
+  Scene scene = fly.scene_before;
+  if (cavity) {
+    const FlightSpace& space = state_.shown->flight->cavities[*cavity];
+    scene.section.reset();
+    scene.overlays = {};
+    scene.background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
+    scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
+    scene.headlight = Headlight{lamp_reach * state_.shown->model.radius_mm};
+    for (Look& look : scene.looks) {
+      look.visible = look.structure == space.structure;
+      if (!look.visible) continue;
+      look.opacity = 1;
+      look.as_body = space.body;
+      look.colour = wall_colour;
+    }
+  }
+  state_.scene = std::move(scene);
+  see_from_flight();
+}
+
+void Viewer::see_from_flight() {
+  const FlyState& fly = state_.fly;
+  const double aspect = panes_.front().area.aspect(), angle = state_.settings.comfort.field_of_view_deg;
+  const double ahead = walls_now().free_distance(fly.flight.eye, fly.flight.sight);
+  state_.scene.camera = camera_of(fly.flight, angle, std::isfinite(ahead) ? ahead : state_.shown->model.radius_mm);
+  // Wide enough for pictures of another shape, too.
+  state_.scene.camera.near_mm = safe_near_mm(state_.shown->flight->rules.clearance, angle, std::max(aspect, widest_picture));
+}
+
+void Viewer::leave_flight(bool at_once) {
+  if (!state_.fly.on) return;
+  const auto leave = [this] {
+    state_.scene = state_.fly.scene_before;
+    const double haste = state_.fly.haste;
+    state_.fly = {};
+    state_.fly.haste = haste;
+    held_.clear();
+    transition_.reset();
+  };
+  if (at_once) {
+    fade_.reset();
+    leave();
+  } else {
+    darken_then(leave);
+  }
+}
+
+void Viewer::pass_wall() {
+  const auto passage = passage_ahead(*state_.shown->flight, state_.fly.cavity, state_.fly.flight);
+  if (!passage) {
+    notice("Straight ahead there is no room beyond the wall. Look another way.");
+    return;
+  }
+  darken_then([this, passage = *passage] { arrive(passage.cavity, looking(passage.at, state_.fly.flight.sight, state_.fly.flight.up)); });
+}
+
+bool Viewer::perform_in_flight(Action action) {
+  FlyState& fly = state_.fly;
+  switch (action) {
+    case Action::enter_pulp:
+      if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
+      if (!fly.on) enter_cavity(0);
+      else if (fly.cavity) leave_flight();
+      else enter_cavity(0);
+      return true;
+    case Action::fly_outdoors:
+      if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
+      enter_outdoors();
+      return true;
+    default: break;
+  }
+  if (!fly.on) return false;
+  switch (action) {
+    case Action::leave_flight: leave_flight(); return true;
+    case Action::pass_wall: pass_wall(); return true;
+    case Action::catch_mouse: fly.mouse_caught = !fly.mouse_caught; return true;
+    case Action::faster: fly.haste = std::min(fly.haste * notch_haste, most_haste); return true;
+    case Action::slower: fly.haste = std::max(fly.haste / notch_haste, least_haste); return true;
+    case Action::take_picture:
+    case Action::save_scene:
+    case Action::toggle_wire: return false;
+    default: return true;   // what is for looking from outside
+  }
+}
+
+void Viewer::on_flight_key(const KeyChanged& key) {
+  if (!key.down) {
+    held_.erase(held_as(key));
+    return;
+  }
+  if (key.with.control || key.with.alt) return;
+  held_.insert(held_as(key));
+  if (key.key == Key::backspace) state_.todo.push_back(Action::leave_flight);
+}
+
+void Viewer::on_gamepad(const GamepadChanged& gamepad) {
+  if (state_.fly.on) {
+    if (gamepad.pass && !gamepad_.pass) state_.todo.push_back(Action::pass_wall);
+    if (gamepad.leave && !gamepad_.leave) state_.todo.push_back(Action::leave_flight);
+  } else if (gamepad.play && !gamepad_.play) {
+    state_.todo.push_back(Action::enter_pulp);
+  }
+  gamepad_ = gamepad;
+}
+
+FlightWish Viewer::flight_wish() const {
+  const auto either = [&](int a, int b) { return held_.contains(a) || held_.contains(b) ? 1.0 : 0.0; };
+  FlightWish wish;
+  wish.move = {either('d', 'l') - either('a', 'j'), either('e', 'o') - either('q', 'u'), either('w', 'i') - either('s', 'k')};
+  wish.turn = {either(held_as(Key::right), 0) - either(held_as(Key::left), 0), either(held_as(Key::up), 0) - either(held_as(Key::down), 0)};
+  wish.move += glm::dvec3(gamepad_.move_right, gamepad_.rise, gamepad_.move_ahead);
+  wish.turn += glm::dvec2(gamepad_.turn_right, gamepad_.turn_up);
+  return wish;
+}
+
+/// The hand went so many pixels.
+void Viewer::look_by(double across, double down) {
+  const double per_pixel = glm::radians(drag_fields * state_.settings.comfort.field_of_view_deg) / std::max(panes_.front().area.height, 1.0);
+  state_.fly.flight = turned(state_.fly.flight, per_pixel * glm::dvec2(across, -down), flight_rules());
+}
+
+void Viewer::advance_flight(double seconds) {
+  FlyState& fly = state_.fly;
+  if (fade_) {
+    fade_->seconds += seconds;
+    if (!fade_->done && fade_->seconds >= darken_seconds) {
+      fade_->done = true;
+      const std::function<void()> at_dark = std::move(fade_->at_dark);
+      at_dark();
+    }
+    const double light = (fade_->seconds - darken_seconds) / brighten_seconds;
+    fly.dark = fade_->done ? std::clamp(1 - light, 0.0, 1.0) : fade_->seconds / darken_seconds;
+    if (fade_->done && light >= 1) fade_.reset();
+  }
+  if (!fly.on) return;
+  const glm::dvec3 sight_before = fly.sight_before;
+  const bool may_move = !fade_ || fade_->done;
+  fly.flight = flown(fly.flight, may_move ? flight_wish() : FlightWish{}, walls_now(), flight_rules(), seconds);
+  const double step = trail_step * state_.shown->flight->rules.clearance;
+  if (fly.trail.empty() || glm::length(fly.flight.eye - fly.trail.back()) > step) fly.trail.push_back(fly.flight.eye);
+  if (fly.trail.size() > most_trail) fly.trail.erase(fly.trail.begin());
+  // How fast the picture turns, evened out over a few frames.
+  const double angle = sight_before == glm::dvec3(0) ? 0 : std::acos(std::clamp(glm::dot(sight_before, fly.flight.sight), -1.0, 1.0));
+  constexpr double quick = 1.2, evened = 0.15;   // rad/s, seconds
+  const double now = seconds > 0 ? std::min(angle / seconds / quick, 1.0) : fly.turning;
+  fly.turning += (1 - std::exp(-seconds / evened)) * (now - fly.turning);
+  if (fly.turning < 0.01) fly.turning = 0;
+  fly.sight_before = fly.flight.sight;
+  see_from_flight();
+}
+
+bool Viewer::flight_moves() const {
+  if (fade_) return true;
+  if (!state_.fly.on) return false;
+  const FlightWish wish = flight_wish();
+  return wish.move != glm::dvec3(0) || wish.turn != glm::dvec2(0) || state_.fly.turning > 0 || !resting(state_.fly.flight, state_.shown->flight->rules);
+}
+
+}  // namespace odontoscope

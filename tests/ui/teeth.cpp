@@ -1,0 +1,50 @@
+#include "tests/ui/teeth.h"
+
+#include <filesystem>
+
+#include "engine/scene/shells.h"
+#include "recon/delaunay/reconstruct.h"
+#include "recon/sample/sample_tooth.h"
+#include "recon/volume/iso_contours.h"
+#include "recon/volume/read_volume.h"
+
+namespace odontoscope::testing_support {
+
+namespace {
+
+LoadedModel loaded(const ContourStack& stack, const std::string& title) {
+  const Reconstruction made = reconstruct(stack);
+  std::vector<NamedSurface> surfaces;
+  for (const Solid& solid : made.solids) add_shells(solid.structure, solid.surface, solid.report, surfaces);
+  LoadedModel model;
+  model.title = title;
+  model.model = make_model(surfaces);
+  model.overlays.contours = stack;
+  model.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, model.model));
+  model.pickable = std::make_shared<const Pickable>(model.model);
+  model.scene = usual_scene(model.model, 1.2);
+  model.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
+  for (const NamedSurface& surface : surfaces) model.triangles += surface.surface.triangles.size();
+  return model;
+}
+
+const std::filesystem::path& ct_file() {
+  static const std::filesystem::path file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
+  return file;
+}
+
+}  // namespace
+
+LoadedModel sample_tooth_loaded() {
+  static const LoadedModel model = loaded(sample_tooth(ToothKind::molar), "Sample molar");
+  return model;
+}
+
+bool ct_molar_there() { return !std::string(ODONTOSCOPE_DATA).empty() && std::filesystem::exists(ct_file()); }
+
+LoadedModel ct_molar_loaded() {
+  static const LoadedModel model = loaded(iso_contours(read_volume(ct_file().string()), {{120, "tooth"}}, {.min_area = 4}).stack, "CT molar");
+  return model;
+}
+
+}  // namespace odontoscope::testing_support
