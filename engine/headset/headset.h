@@ -1,0 +1,73 @@
+#pragma once
+// A headset through OpenXR: frames in, pictures out. No type of OpenXR is seen here, so that the program builds without it, too.
+//
+// The runtime owns the clock: `frame` waits for its beat. Everything happens on the thread that opened the headset, with the context current
+// that was current then. Lengths are metres of the room.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/gpu/gl.h"
+#include "engine/gpu/graphics_error.h"
+#include "engine/headset/hands.h"
+#include "engine/render/resolve_pass.h"
+
+namespace odontoscope {
+
+/// No headset can be used, or not any more. `cause` is one of headset-not-built, no-openxr-runtime, openxr-service-absent, no-headset,
+/// headset-graphics, headset-lost, openxr-failed.
+class HeadsetError : public GraphicsError {
+ public:
+  using GraphicsError::GraphicsError;
+};
+
+struct HeadsetOptions {
+  /// Names of API layers to switch on, for tests: XR_APILAYER_LUNARG_core_validation.
+  std::vector<std::string> layers = {};
+  /// Of what the runtime recommends, along each side of the eyes' pictures: less than 1 for slow machines.
+  double resolution = 1;
+};
+
+/// waiting: the runtime does not want pictures yet, or not now. over: it asked us to end.
+enum class HeadsetState { waiting, running, visible, focused, over };
+
+struct HeadsetFrame {
+  bool draw = false;              // false: nobody would see it, and there are no targets
+  double seconds = 0;             // since the frame before, by the times at which they are shown
+  std::vector<EyeView> eyes;      // left, right
+  std::vector<Target> targets;    // one an eye, with depth
+  HeadsetInput input;
+};
+
+class Headset {
+ public:
+  virtual ~Headset() = default;
+  Headset(const Headset&) = delete;
+  Headset& operator=(const Headset&) = delete;
+
+  /// Takes what the runtime reports. Throws HeadsetError "headset-lost" if there is no runtime any more.
+  virtual HeadsetState poll() = 0;
+  /// Precondition: running, visible or focused. Waits for the runtime's beat and calls `draw`, which draws into the targets or throws; the frame is ended
+  /// either way. Throws as `poll` does.
+  virtual void frame(const std::function<void(const HeadsetFrame&)>& draw) = 0;
+  /// Asks the runtime to end; `poll` will say `over` then.
+  virtual void leave() = 0;
+
+  /// "Monado 25.0.0, Remote HMD, 1024 x 1024 an eye, RGBA8 sRGB through Xlib".
+  virtual const std::string& in_words() const = 0;
+  /// What is in the hands, as far as the runtime says.
+  virtual std::string controllers() const = 0;
+
+ protected:
+  Headset() = default;
+};
+
+/// Was the program built with OpenXR?
+bool headsets_built_in();
+
+/// Finds the headset and opens a session on it for the context that is current. Throws HeadsetError.
+std::unique_ptr<Headset> open_headset(const Gl& gl, const HeadsetOptions& options = {});
+
+}  // namespace odontoscope

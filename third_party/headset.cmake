@@ -1,0 +1,12 @@
+# OpenXR for headsets: the loader, which finds the runtime that the headset came with, and the headers of GLX that its graphics binding names.
+find_package(OpenXR QUIET)
+find_path(ODONTOSCOPE_GLX_INCLUDE GL/glx.h)
+if(OpenXR_FOUND AND ODONTOSCOPE_GLX_INCLUDE)
+  set(xr_found ON)
+else()
+  set(xr_found OFF)
+endif()
+option(ODONTOSCOPE_XR "Look at models in a headset, through OpenXR" ${xr_found})
+if(ODONTOSCOPE_XR AND NOT xr_found)
+  message(FATAL_ERROR "ODONTOSCOPE_XR is on, and OpenXR or GL/glx.h is missing (Debian: libopenxr-dev libglx-dev libx11-dev)")
+endif()
