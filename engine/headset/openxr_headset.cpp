@@ -86,7 +86,9 @@ class OpenXrHeadset final : public Headset {
   void frame(const std::function<void(const HeadsetFrame&)>& draw) override {
     XrFrameState beat{XR_TYPE_FRAME_STATE};
     check(xrWaitFrame(session_.get(), nullptr, &beat), "waiting for its beat");
-    check(xrBeginFrame(session_.get(), nullptr), "beginning a frame");
+    const XrResult begun = xrBeginFrame(session_.get(), nullptr);
+    check(begun, "beginning a frame");
+    if (begun == XR_FRAME_DISCARDED) throw InternalError("a frame of the headset was begun and never ended");
     std::vector<XrCompositionLayerProjectionView> shown;
     try {
       shown = drawn(beat, draw);

@@ -1,0 +1,78 @@
+#include "engine/headset/eye_painter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace odontoscope {
+
+EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
+    : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
+      ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
+
+void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets) {
+  Scene scene = visit.cavity ? seen_from_inside(world.scene, world.model, world.cavities[*visit.cavity]) : world.scene;
+  scene.background = quality_.background;
+  scene.occlusion.on = quality_.occlusion;
+  show_hands(visit, input, world.model);
+  std::vector<Pane> panes;
+  for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
+  if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, hands_.lines.empty() ? nullptr : &hands_);
+  for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
+}
+
+void EyePainter::show_hands(const Visit& visit, const HeadsetInput& input, const Model& model) {
+  constexpr double ray = 1.5, stub = 0.12;   // metres
+  LineSet lines{LineKind::measure, {}, {}};
+  const auto in_model = [&](const glm::dvec3& place) { return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm)); };
+  for (std::size_t i = 0; i < input.hands.size(); ++i) {
+    const HandInput& hand = input.hands[i];
+    if (!hand.tracked) continue;
+    const std::optional<Hit>& hit = visit.pointed[i];
+    const glm::dvec3 end = hit ? to_room(visit.stage, hit->point_mm) : hand.aim.position + (visit.cavity ? stub : ray) * hand.aim.ahead();
+    for (const glm::dvec3& point : {hand.aim.position, end, end, hit ? end : hand.aim.position}) lines.points.push_back(in_model(point));
+    if (!hit) lines.points.resize(lines.points.size() - 2);   // no dot
+  }
+  hands_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});
+  // The renderer draws no farther than the model's box.
+  model_.low = low_;
+  model_.high = high_;
+  for (const glm::vec3& point : lines.points) {
+    model_.low = glm::min(model_.low, point);
+    model_.high = glm::max(model_.high, point);
+  }
+}
+
+void EyePainter::ease(const Visit& visit, const FieldOfView& field, const Target& target) const {
+  constexpr double unseen = 1e-3;
+  if (visit.dark < unseen && visit.vignette < unseen) return;
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+  gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Disable(GL_CULL_FACE);
+  gl_->Enable(GL_BLEND);
+  gl_->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  ease_.use();
+  ease_.set("dark", static_cast<float>(visit.dark));
+  ease_.set("vignette", static_cast<float>(visit.vignette));
+  ease_.set("low", glm::vec2(std::tan(field.left), std::tan(field.down)));
+  ease_.set("high", glm::vec2(std::tan(field.right), std::tan(field.up)));
+  ease_.set("corner", glm::vec2(target.left, target.bottom));
+  ease_.set("pixels", glm::vec2(target.size.width, target.size.height));
+  gl_->BindVertexArray(no_vertices_.id());
+  gl_->DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_->Disable(GL_BLEND);
+}
+
+void EyePainter::mirror(const Gl& gl, const Target& eye, const Target& target) {
+  const double aspect = static_cast<double>(target.size.width) / target.size.height;
+  const int width = std::min(eye.size.width, static_cast<int>(std::lround(aspect * eye.size.height)));
+  const int height = std::min(eye.size.height, static_cast<int>(std::lround(width / aspect)));
+  const int left = eye.left + (eye.size.width - width) / 2, bottom = eye.bottom + (eye.size.height - height) / 2;
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, eye.framebuffer);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+  gl.BlitFramebuffer(left, bottom, left + width, bottom + height, target.left, target.bottom, target.left + target.size.width,
+                     target.bottom + target.size.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,43 @@
+#pragma once
+// Draws what both eyes see of a visit, with the renderer of every other picture.
+
+#include "engine/gpu/program.h"
+#include "engine/headset/headset.h"
+#include "engine/headset/visit.h"
+#include "engine/render/renderer.h"
+
+namespace odontoscope {
+
+struct EyeQuality {
+  /// Each costs much more than it does on a screen: two eyes, ninety times a second.
+  int side = 1;
+  bool occlusion = false;
+  Background background{Background::Kind::plain, colour_of(0x5b6771), colour_of(0x5b6771)};
+};
+
+class EyePainter {
+ public:
+  /// Uploads the model. The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError.
+  EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality = {});
+
+  /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once.
+  void draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets);
+
+  /// Fills the target with the middle of an eye's picture.
+  static void mirror(const Gl& gl, const Target& eye, const Target& target);
+
+ private:
+  void show_hands(const Visit& visit, const HeadsetInput& input, const Model& model);
+  void ease(const Visit& visit, const FieldOfView& field, const Target& target) const;
+
+  const Gl* gl_;
+  EyeQuality quality_;
+  Renderer renderer_;
+  GpuModel model_;
+  glm::vec3 low_, high_;      // the model's own box
+  GpuOverlay hands_;
+  Program ease_;
+  GlObject no_vertices_;
+};
+
+}  // namespace odontoscope
