@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/picture/png.h"
+#include "engine/ui/headset_loop.h"
 #include "engine/ui/viewer.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
@@ -24,6 +26,7 @@ struct Options {
   SceneWords scene;
   std::string size;
   std::string screenshot;
+  bool headset = false;
 };
 
 /// About what the window will be, for the first camera.
@@ -103,6 +106,14 @@ ExitCode take_screenshot(const Options& options, Session& session) {
   return ExitCode::done;
 }
 
+void enter_headset(Viewer& viewer, Window& window, Session& session) {
+  // Where there is no runtime, OpenXR's loader writes pages to the terminal; our own message says it.
+  setenv("XR_LOADER_DEBUG", "none", 0);
+  HeadsetVisitOptions visit;
+  visit.say = [&session](const std::string& words) { session.console.say(words); };
+  if (!visit_in_headset(viewer, window, shaders_from_environment(), session.interrupts.token(), visit)) session.console.complain(viewer.state().trouble);
+}
+
 ExitCode show_window(const Options& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
   Settings settings = read.settings;
   if (!options.size.empty()) settings.window = size_from(options.size);
@@ -114,6 +125,7 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
   if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
   session.console.say(fmt::format("Drawn with {}.", window.context().in_words()));
   viewer.open(first_request(options));
+  if (options.headset) enter_headset(viewer, window, session);
   run_in_window(viewer, window, session.interrupts.token());
   const Settings& now = viewer.state().settings;
   if (!(now == read.settings)) {
@@ -143,6 +155,7 @@ Command view_command(CLI::App& root) {
   parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
   parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
   parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
+  parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot");
   add_scene_options(*parser, options->scene);
   add_volume_options(*parser, options->volume);
   parser->footer(
@@ -150,6 +163,7 @@ Command view_command(CLI::App& root) {
       "  odontoscope view\n"
       "  odontoscope view molar.json --section buccal\n"
       "  odontoscope view tooth.nrrd --iso 120 --min-area 4\n"
+      "  odontoscope view --vr molar.json      in the headset; see docs/headset.md\n"
       "\n"
       "Press ? in the window for mouse and keys; docs/viewer.md has more. Files can be dropped on the window.\n"
       "Settings: $XDG_CONFIG_HOME/odontoscope/viewer.json, which may be deleted.\n");

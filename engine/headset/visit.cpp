@@ -43,7 +43,7 @@ Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandIn
 }
 
 void carry(Visit& visit, const HeadsetInput& input) {
-  const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model && visit.before[i].tracked; };
+  const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model; };
   if (holds(0) && holds(1)) {
     visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position}, {input.hands[0].grip.position, input.hands[1].grip.position});
     return;

@@ -177,6 +177,8 @@ bool Window::closing() const { return glfwWindowShouldClose(context_->handle());
 
 void Window::show() { glfwSwapBuffers(context_->handle()); }
 
+void Window::set_paced(bool paced) { glfwSwapInterval(paced ? 1 : 0); }
+
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(context_->handle(), title.c_str()); }
 
 void Window::set_pointer(Pointer pointer) {

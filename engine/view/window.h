@@ -32,6 +32,8 @@ class Window {
 
   /// Shows what was drawn into framebuffer 0; waits for the screen's beat.
   void show();
+  /// Whether `show` waits; not while something else sets the beat, such as a headset.
+  void set_paced(bool paced);
 
   void set_title(const std::string& title);
   void set_pointer(Pointer pointer);

@@ -87,6 +87,11 @@ TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
     const int x = static_cast<int>(size.width * std::tan(-field.left) / (std::tan(field.right) - std::tan(field.left)));
     const int y = static_cast<int>(size.height * std::tan(field.up) / (std::tan(field.up) - std::tan(field.down)));
     EXPECT_EQ(edged[eye].pixel(x, y), clear[eye].pixel(x, y));
+    // As dark on one side of it as on the other.
+    const int off = static_cast<int>(0.6 * size.width / (std::tan(field.right) - std::tan(field.left)));
+    const auto left_over = [&](int at) { return static_cast<double>(edged[eye].pixel(at, y)[1]) / clear[eye].pixel(at, y)[1]; };
+    EXPECT_NEAR(left_over(x - off), left_over(x + off), 0.04);
+    EXPECT_NEAR(left_over(x - off), 0.5, 0.25);
   }
 }
 
