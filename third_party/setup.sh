@@ -17,8 +17,21 @@ quietly() {
   log=$("$@" 2>&1 </dev/null) || { say "$log"; fail "$why Its words are above."; }
 }
 
+# A line "PACKAGE unless COMMAND VERSION" asks for a package only where that command is missing or older: whoever has a newer one
+# from elsewhere keeps it.
 listed_packages() {
-  sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/third_party/packages.debian"
+  local package word command oldest
+  while read -r package word command oldest; do
+    if [[ $word == unless ]] && has_command "$command" "$oldest"; then continue; fi
+    echo "$package"
+  done < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/third_party/packages.debian")
+}
+
+# Whether COMMAND is there and says a version whose first number is VERSION or higher.
+has_command() {
+  local version
+  version=$("$1" --version 2>/dev/null </dev/null) || return 1
+  [[ $version =~ [0-9]+ ]] && ((BASH_REMATCH[0] >= $2))
 }
 
 missing_packages() {

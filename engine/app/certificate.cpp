@@ -32,7 +32,9 @@ void add_shells(const std::string& structure, const SurfaceReport& report, Certi
     certificate.findings.push_back({defects.empty(), fmt::format("{}: {} more", structure, counted(report.shells.size() - most_shells_told, "surface"))});
 }
 
-Certificate proven(const Shown::Proven& facts) {
+}  // namespace
+
+Certificate certificate_of(const Shown::Proven& facts) {
   Certificate certificate{Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
   certificate.findings.push_back({true, fmt::format("Every one of the {} has positive volume, and each face belongs to at most two.", counted(facts.tetrahedra, "tetrahedron", "tetrahedra"))});
   certificate.findings.push_back({true, fmt::format("Cut at each of the {}, the model is exactly the contours given.", counted(facts.slices, "slice"))});
@@ -40,19 +42,26 @@ Certificate proven(const Shown::Proven& facts) {
   return certificate;
 }
 
-}  // namespace
-
-Certificate certificate_of(const Shown& shown, const Progress& progress) {
-  if (shown.proven) return proven(*shown.proven);
+Certificate certificate_of(const std::vector<std::string>& structures, const std::vector<SurfaceReport>& reports) {
   Certificate certificate{Certificate::Verdict::sound, "Sound: closed, manifold, facing one way", {}};
-  for (const NamedSurface& named : shown.surfaces) {
-    progress.check();
-    const SurfaceReport report = inspect(named.surface);
-    if (!report.closed_oriented_manifold()) certificate.verdict = Certificate::Verdict::wanting;
-    add_shells(named.structure, report, certificate);
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    if (!reports[i].closed_oriented_manifold()) certificate.verdict = Certificate::Verdict::wanting;
+    add_shells(structures[i], reports[i], certificate);
   }
   if (certificate.verdict == Certificate::Verdict::wanting) certificate.headline = "Found wanting: not a closed oriented manifold";
   return certificate;
+}
+
+Certificate certificate_of(const Shown& shown, const Progress& progress) {
+  if (shown.proven) return certificate_of(*shown.proven);
+  std::vector<std::string> structures;
+  std::vector<SurfaceReport> reports;
+  for (const NamedSurface& named : shown.surfaces) {
+    progress.check();
+    structures.push_back(named.structure);
+    reports.push_back(inspect(named.surface));
+  }
+  return certificate_of(structures, reports);
 }
 
 }  // namespace odontoscope::app

@@ -39,6 +39,7 @@ Command reconstruct_command(CLI::App& root);
 Command check_command(CLI::App& root);
 Command render_command(CLI::App& root);
 Command view_command(CLI::App& root);
+Command web_command(CLI::App& root);
 Command compare_command(CLI::App& root);
 Command canal_command(CLI::App& root);
 Command figures_command(CLI::App& root);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/figures/draw.h"
+#include "recon/output/html_text.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -25,25 +26,11 @@ nav{display:flex;flex-wrap:wrap;gap:.4rem}
 nav a{display:inline-block;min-width:1.6rem;padding:.3rem .5rem;text-align:center;border:1px solid #ddd6c5;border-radius:6px;color:#333;text-decoration:none}
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '&': result += "&amp;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
-
 std::string section(const Figure& figure) {
   std::string html = fmt::format("<section id=\"figure-{0}\"><h2><b>Figure {0}</b>{1}</h2>\n<p>{2}</p>\n<div class=\"panels\">\n", figure.number,
-                                 escaped(figure.title), escaped(figure.caption));
+                                 escaped_html(figure.title), escaped_html(figure.caption));
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const std::string caption = escaped(figure.panels[i].caption);
+    const std::string caption = escaped_html(figure.panels[i].caption);
     const PixelSize size = panel_size(figure, 1000);
     const std::string letter = figure.panels.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : std::string();
     html += fmt::format("<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}{}</figcaption></figure>\n",
@@ -62,8 +49,8 @@ std::string index_page(const std::vector<Figure>& figures, const std::string& ab
   html += fmt::format(
       "<h1>Two ways to make a tooth from its contours</h1>\n<p>The figures of a paper of the year 2000, computed anew. DT: tetrahedra of a Delaunay "
       "triangulation between neighbouring slices. DB: a distance field on a grid, and marching cubes. {}</p>\n<nav>",
-      escaped(about));
-  for (const Figure& figure : figures) html += fmt::format("<a href=\"#figure-{0}\" title=\"{1}\">{0}</a>", figure.number, escaped(figure.title));
+      escaped_html(about));
+  for (const Figure& figure : figures) html += fmt::format("<a href=\"#figure-{0}\" title=\"{1}\">{0}</a>", figure.number, escaped_html(figure.title));
   html += "</nav>\n";
   for (const Figure& figure : figures) html += section(figure);
   return html +

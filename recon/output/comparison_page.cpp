@@ -4,47 +4,12 @@
 
 #include <algorithm>
 
+#include "recon/output/html_text.h"
+
 namespace odontoscope {
 namespace {
 
 constexpr const char* colours[] = {"#2a7f62", "#c8553d", "#d99a2b"};  // DT, DB, DB decimated
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '&':
-        result += "&amp;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t i = 0; i < 3; ++i) group = group << 8 | (at + i < bytes.size() ? bytes[at + i] : 0u);
-    for (int i = 0; i < 4; ++i) {
-      text += at + static_cast<std::size_t>(i) > bytes.size() ? '=' : letters[group >> (18 - 6 * i) & 63];
-    }
-  }
-  return text;
-}
 
 constexpr const char* style = R"(
 body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fdfcf9;max-width:70rem;margin:2rem auto;padding:0 1rem}
@@ -58,7 +23,7 @@ td:first-child,th:first-child{text-align:left}tbody tr:hover{background:#f4f0e4}
 std::string head_cells(const Comparison& comparison) {
   std::string cells;
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
-    cells += fmt::format("<th style=\"color:{}\">{}</th>", colours[i % 3], escaped(comparison.methods[i].name));
+    cells += fmt::format("<th style=\"color:{}\">{}</th>", colours[i % 3], escaped_html(comparison.methods[i].name));
   }
   return cells;
 }
@@ -66,8 +31,8 @@ std::string head_cells(const Comparison& comparison) {
 std::string main_table(const Comparison& comparison) {
   std::string html = fmt::format("<table><thead><tr><th></th>{}</tr></thead><tbody>\n", head_cells(comparison));
   for (const ComparisonRow& row : comparison_rows(comparison)) {
-    html += fmt::format("<tr><td>{}</td>", escaped(row.what));
-    for (const std::string& value : row.values) html += fmt::format("<td>{}</td>", escaped(value));
+    html += fmt::format("<tr><td>{}</td>", escaped_html(row.what));
+    for (const std::string& value : row.values) html += fmt::format("<td>{}</td>", escaped_html(value));
     html += "</tr>\n";
   }
   return html + "</tbody></table>\n";
@@ -80,7 +45,7 @@ std::string distance_table(const Comparison& comparison) {
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
     html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
-                        escaped(comparison.methods[pair.first].name), escaped(comparison.methods[pair.second].name),
+                        escaped_html(comparison.methods[pair.first].name), escaped_html(comparison.methods[pair.second].name),
                         d.there.mean, d.there.largest, d.back.mean, d.back.largest);
   }
   return html + "</tbody></table>\n";
@@ -96,7 +61,7 @@ std::string angle_chart(const ComparedMethod& method, const char* colour) {
   }
   constexpr double width = 320, height = 150, base = 120;
   std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"smallest angles of {}\">\n",
-                                width, height, escaped(method.name));
+                                width, height, escaped_html(method.name));
   const double bar = width / static_cast<double>(std::max<std::size_t>(angles.histogram.size(), 1));
   for (std::size_t i = 0; i < angles.histogram.size(); ++i) {
     const double tall = (base - 20) * static_cast<double>(angles.histogram[i]) / static_cast<double>(most);
@@ -121,8 +86,8 @@ std::string charts(const Comparison& comparison) {
   std::string html = "<div class=\"row\">\n";
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], colours[i % 3]));
-    html += fmt::format("<figcaption>{}: {}</figcaption></figure>\n", escaped(comparison.methods[i].name),
-                        escaped(comparison.methods[i].made_by));
+    html += fmt::format("<figcaption>{}: {}</figcaption></figure>\n", escaped_html(comparison.methods[i].name),
+                        escaped_html(comparison.methods[i].made_by));
   }
   return html + "</div>\n";
 }
@@ -139,7 +104,7 @@ std::string pictures(const Comparison& comparison) {
       const MethodPicture& picture = method.pictures[n];
       html += fmt::format(
           "<figure><img alt=\"{}\" src=\"data:image/png;base64,{}\"><figcaption>{}: {}</figcaption></figure>\n",
-          escaped(picture.caption), base64(picture.png), escaped(method.name), escaped(picture.caption));
+          escaped_html(picture.caption), base64(picture.png), escaped_html(method.name), escaped_html(picture.caption));
     }
     html += "</div>\n";
   }
@@ -149,7 +114,7 @@ std::string pictures(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_page(const Comparison& comparison) {
-  const std::string title = comparison.source.empty() ? std::string("contours") : escaped(comparison.source);
+  const std::string title = comparison.source.empty() ? std::string("contours") : escaped_html(comparison.source);
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";

@@ -76,4 +76,16 @@ expect "with all there it succeeds" [ "$code" -eq 0 ]
 expect "without a word" [ -z "$said" ]
 expect "and without calling apt" [ -z "$calls" ]
 
+# A package that is only wanted where a command is missing or too old.
+stand_in dpkg-query 'shift 3; for name; do case $name in nodejs | npm) ;; *) echo "$name installed" ;; esac; done'
+install
+expect "without Node.js it is installed" [ "${calls##*--no-install-recommends }" = "nodejs npm" ]
+stand_in node 'echo v16.20.2'
+stand_in npm 'echo 10.2.4'
+install
+expect "in place of one that is too old, too" [ "${calls##*--no-install-recommends }" = nodejs ]
+stand_in node 'echo v22.1.0'
+install
+expect "and one from elsewhere is kept" [ -z "$calls" ]
+
 echo "$passed passed, 0 failed"

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/app/command.h"
+#include "engine/app/options.h"
+#include "engine/app/outputs.h"
+#include "engine/app/web_input.h"
+#include "engine/app/words.h"
+#include "recon/core/grouped.h"
+
+namespace odontoscope::app {
+namespace {
+
+struct Options {
+  WebWords words;
+  std::string output, title;
+};
+
+constexpr std::size_t longest_title = 200;
+
+std::string title_of(const Options& options) {
+  if (!options.title.empty()) return options.title;
+  if (options.words.input.empty()) return "Sample molar";
+  std::filesystem::path path(options.words.input);
+  if (!path.has_filename()) path = path.parent_path();
+  return path.stem().string();
+}
+
+void refuse_without_page() {
+  const EmbeddedPage page = embedded_page();
+  if (!page.html.empty()) return;
+  throw UsageError(fmt::format("this odontoscope was built without its web page: {}", page.why),
+                   "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
+}
+
+ExitCode make_page(const Options& options, Session& session) {
+  known_ending(options.output, {".html"});
+  if (options.title.size() > longest_title)
+    throw UsageError(fmt::format("--title has {} bytes", options.title.size()), fmt::format("Make it {} or less", longest_title));
+  refuse_senseless(options.words);
+  refuse_without_page();
+  PlannedFiles files{.inputs = {}, .outputs = {options.output}};
+  if (!options.words.input.empty()) files.inputs.push_back(options.words.input);
+  refuse_unwritable(files);
+
+  WebPage page = web_page_of(options.words, session);
+  page.title = title_of(options);
+  session.progress().check();
+  session.progress().tell("page", 0.8);
+  const std::string html = web_page(page, embedded_page().html);
+  session.progress().check();
+  write_all({{options.output, html}}, session.interrupts);
+  for (const WebModel& model : page.models) session.console.say(fmt::format("{}: {}. {}", model.name, counted(model.triangles, "triangle"), model.certificate.headline));
+  session.console.say(fmt::format("Wrote {} ({} KB, of which the page itself {}). Open it in a browser; it needs no network.", options.output,
+                                  grouped(html.size() / 1000), grouped(embedded_page().html.size() / 1000)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Command web_command(CLI::App& root) {
+  CLI::App* parser = root.add_subcommand("web", "A page to look at a model in any browser, in one file");
+  const auto options = std::make_shared<Options>();
+  parser->add_option("INPUT", options->words.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
+  parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
+  parser->add_option("--title", options->title, "What the page is called (default: the file's name)")->type_name("TEXT");
+  parser->add_flag("--db", options->words.with_db, "The DB method's model too, and a switch between both");
+  constexpr int most_triangles = 100'000'000;
+  parser->add_option("--triangles", options->words.triangles, "Simplify DT's surfaces to at most N triangles in all")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_triangles));
+  add_volume_options(*parser, options->words.volume);
+  add_db_options(*parser, options->words.db);
+  parser->footer(
+      "Examples:\n"
+      "  odontoscope web -o molar.html\n"
+      "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
+      "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
+      "\n"
+      "The page opens from disk and asks the network for nothing: send it by mail, put it on a stick or a\n"
+      "web server. Turn the tooth with mouse, fingers or keys, cut it open, fly through it; with a headset,\n"
+      "take it into your hands. docs/web.md tells more.\n");
+  return {parser, [options](Session& session) { return make_page(*options, session); }};
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,193 @@
+#include "engine/app/web_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "engine/app/certificate.h"
+#include "engine/app/model.h"
+#include "engine/app/sniff.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/shells.h"
+#include "recon/core/read_file.h"
+#include "recon/distance/db_reconstruction.h"
+#include "recon/input/stack_json.h"
+#include "recon/mesh/read_mesh.h"
+#include "recon/output/write_glb.h"
+#include "recon/sample/sample_tooth.h"
+
+namespace odontoscope::app {
+namespace {
+
+/// A structure's whole surface with what is known of it.
+struct Inspected {
+  std::string structure;
+  SurfaceMesh surface;
+  SurfaceReport report;
+};
+
+WebCertificate in_web_words(const Certificate& certificate) {
+  using Verdict = Certificate::Verdict;
+  WebCertificate web;
+  web.verdict = certificate.verdict == Verdict::certified ? "certified" : certificate.verdict == Verdict::sound ? "sound" : "wanting";
+  web.headline = certificate.headline;
+  for (const Certificate::Finding& finding : certificate.findings) web.findings.push_back({finding.good, finding.words});
+  return web;
+}
+
+WebModel web_model(const WrittenModel& written, const Certificate& certificate) {
+  WebModel model;
+  for (const WrittenSurface& one : written.solids) model.triangles += one.surface.triangles.size();
+  model.glb = glb_bytes(written);
+  model.certificate = in_web_words(certificate);
+  return model;
+}
+
+/// The desktop's first look at the same surfaces.
+std::vector<WebLook> looks_of(const WrittenModel& written) {
+  std::vector<NamedSurface> surfaces;
+  for (const WrittenSurface& one : written.solids) {
+    const std::size_t before = surfaces.size();
+    add_shells(one.structure, one.surface, one.report, surfaces);
+    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
+  }
+  const odontoscope::Model model = odontoscope::make_model(surfaces);
+  std::vector<WebLook> looks;
+  for (const Look& look : usual_scene(model, 1).looks)
+    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1)});
+  return looks;
+}
+
+WebModel model_by_dt(const ContourStack& stack, const WebWords& words, std::vector<WebLook>& looks, Session& session) {
+  ReconstructOptions engine;
+  engine.threads = session.threads;
+  Model made{reconstruct(stack, engine, session.progress()), {}};
+  if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
+  session.progress().check();
+  session.progress().tell("page", 0.2);
+  Shown::Proven facts{{}, {}, made.reconstruction.counts.kept, made.reconstruction.slices_checked};
+  for (const Solid& solid : made.reconstruction.solids) {
+    facts.structures.push_back(solid.structure);
+    facts.reports.push_back(solid.report);
+  }
+  Certificate certificate = certificate_of(facts);
+  if (!made.simplifications.empty())
+    certificate.findings.push_back({true, "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
+  looks = looks_of(made.reconstruction);
+  WebModel model = web_model(made.reconstruction, certificate);
+  model.name = "DT";
+  model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";
+  return model;
+}
+
+WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& session) {
+  const DbReconstruction made = reconstruct_by_distance(stack, understood(words, session.threads), session.progress());
+  std::vector<std::string> structures;
+  std::vector<SurfaceReport> reports;
+  for (const DbSurface& one : made.surfaces) {
+    structures.push_back(one.structure);
+    reports.push_back(one.report);
+  }
+  WebModel model = web_model(made, certificate_of(structures, reports));
+  model.name = "DB";
+  model.words = fmt::format("Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned triangles are the method's own.",
+                            made.grid.columns, made.grid.rows, made.grid.layers.size(), name(words.cases.value_or(DbOptions{}.cases)));
+  return model;
+}
+
+/// "dentine" for the nodes "dentine external", "dentine cavity" and "dentine open" of our own GLB files, which are one surface.
+std::string structure_named(const NamedMesh& mesh, const std::string& file) {
+  std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
+  for (const std::string_view kind : {" external", " cavity", " open"})
+    if (name.ends_with(kind) && name.size() > kind.size()) return name.substr(0, name.size() - kind.size());
+  return name;
+}
+
+void append(const SurfaceMesh& more, SurfaceMesh& to) {
+  const auto first = static_cast<PointIndex>(to.points.size());
+  to.points.insert(to.points.end(), more.points.begin(), more.points.end());
+  for (const Triangle& t : more.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+std::vector<Inspected> inspected(const std::vector<NamedMesh>& meshes, const std::string& file, Session& session) {
+  std::vector<Inspected> solids;
+  for (const NamedMesh& mesh : meshes) {
+    const std::string structure = structure_named(mesh, file);
+    auto known = std::find_if(solids.begin(), solids.end(), [&](const Inspected& solid) { return solid.structure == structure; });
+    if (known == solids.end()) known = solids.insert(known, {structure, {}, {}});
+    append(mesh.surface, known->surface);
+  }
+  for (Inspected& solid : solids) {
+    session.progress().check();
+    solid.report = inspect(solid.surface);
+  }
+  return solids;
+}
+
+WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& file, Session& session) {
+  const std::vector<Inspected> solids = inspected(meshes, file, session);
+  WrittenModel written;
+  std::vector<std::string> structures;
+  std::vector<SurfaceReport> reports;
+  for (const Inspected& solid : solids) {
+    written.solids.push_back({solid.structure, solid.surface, solid.report});
+    structures.push_back(solid.structure);
+    reports.push_back(solid.report);
+  }
+  WebPage page;
+  page.looks = looks_of(written);
+  page.models.push_back(web_model(written, certificate_of(structures, reports)));
+  page.models.back().name = "Mesh";
+  page.models.back().words = "A mesh, as it was read.";
+  return page;
+}
+
+std::optional<std::vector<NamedMesh>> meshes_in(const WebWords& words) {
+  if (words.input.empty() || words.volume.any_level()) return {};
+  const std::string bytes = read_file(words.input);
+  switch (kind_of(bytes)) {
+    case FileKind::glb: return parse_glb(bytes, words.input);
+    case FileKind::ply: return parse_ply(bytes, words.input);
+    case FileKind::stl: return parse_stl(bytes, words.input);
+    default: return {};
+  }
+}
+
+/// The canals of the sample molar, known by construction, from the orifice down.
+std::vector<WebTour> tours_of_sample() {
+  std::vector<WebTour> tours;
+  for (const CanalFact& canal : sample_facts(ToothKind::molar).canals) {
+    tours.push_back({canal.name + " canal", canal.axis});
+    std::reverse(tours.back().points.begin(), tours.back().points.end());
+  }
+  return tours;
+}
+
+}  // namespace
+
+void refuse_senseless(const WebWords& words) {
+  if (words.db.any() && !words.with_db) throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --db");
+  refuse_volume_without_level(words.input, words.volume);
+  if (words.input.empty() && words.volume.any_level()) throw UsageError("--iso and --label want a volume", "Name it before the options");
+  understood(words.db, 1);
+  if (words.volume.any_level()) understood(words.volume);
+}
+
+WebPage web_page_of(const WebWords& words, Session& session) {
+  if (const auto meshes = meshes_in(words)) {
+    if (words.with_db || words.triangles)
+      throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
+    return page_of_meshes(*meshes, words.input, session);
+  }
+  const ContourStack stack = words.input.empty() ? sample_tooth(ToothKind::molar) : contours_of_input(words.input, words.volume, session);
+  WebPage page;
+  page.models.push_back(model_by_dt(stack, words, page.looks, session));
+  if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
+  if (words.input.empty()) page.tours = tours_of_sample();
+  return page;
+}
+
+}  // namespace odontoscope::app

@@ -1,0 +1,76 @@
+#include "engine/web/page.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/web/gzip.h"
+#include "recon/core/error.h"
+#include "recon/output/html_text.h"
+
+namespace odontoscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view title_place = "<!--odontoscope:title-->", data_place = "<!--odontoscope:data-->";
+
+std::string element_id(std::size_t model) { return fmt::format("model-{}", model); }
+
+Json json_of(const WebCertificate& certificate) {
+  Json findings = Json::array();
+  for (const WebCertificate::Finding& finding : certificate.findings) findings.push_back({{"good", finding.good}, {"words", finding.words}});
+  return {{"verdict", certificate.verdict}, {"headline", certificate.headline}, {"findings", findings}};
+}
+
+Json json_of(const WebTour& tour) {
+  Json points = Json::array();
+  for (const Point3& p : tour.points) points.push_back({p.x, p.y, p.z});
+  return {{"name", tour.name}, {"points_mm", points}};
+}
+
+Json description_of(const WebPage& page) {
+  Json models = Json::array(), looks = Json::array(), tours = Json::array();
+  for (std::size_t i = 0; i < page.models.size(); ++i) {
+    const WebModel& model = page.models[i];
+    models.push_back({{"name", model.name}, {"words", model.words}, {"element", element_id(i)}, {"triangles", model.triangles},
+                      {"certificate", json_of(model.certificate)}});
+  }
+  for (const WebLook& look : page.looks)
+    looks.push_back({{"structure", look.structure}, {"colour", look.colour}, {"opacity", look.opacity}, {"as_body", look.as_body}, {"depth", look.depth}});
+  for (const WebTour& tour : page.tours) tours.push_back(json_of(tour));
+  return {{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}};
+}
+
+/// JSON that no parser of HTML takes for anything but text, whatever its strings hold. Text that is no UTF-8 is replaced.
+std::string text_in_script(const Json& json) {
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  std::string safe;
+  for (const char c : text) {
+    if (c == '<' || c == '>' || c == '&') safe += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else safe += c;
+  }
+  return safe;
+}
+
+std::string data_elements(const WebPage& page) {
+  std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n", text_in_script(description_of(page)));
+  for (std::size_t i = 0; i < page.models.size(); ++i)
+    html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
+  return html;
+}
+
+}  // namespace
+
+std::string web_page(const WebPage& page, std::string_view shell) {
+  const std::size_t title = shell.find(title_place), data = shell.find(data_place);
+  if (title == shell.npos || data == shell.npos || data < title) throw InternalError("the web page has no place for a title and a model");
+  std::string html(shell.substr(0, title));
+  html += escaped_html(page.title);
+  html += shell.substr(title + title_place.size(), data - title - title_place.size());
+  html += data_elements(page);
+  html += shell.substr(data + data_place.size());
+  return html;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,70 @@
+#pragma once
+// A model as a web page in one file: it opens from disk in a browser, asks the network for nothing, and needs no other program.
+//
+// The page's own text is web/, bundled when the program is built (see embedded_page). Here the model goes into it: GLB files as
+// write_glb makes them, compressed with gzip, and what is said of them as JSON. No text of the input becomes markup or code: it is
+// escaped here, put into the page as text alone by the page's script, and a content security policy allows no script but that one.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "recon/core/geometry.h"
+
+namespace odontoscope {
+
+/// Is the surface what it should be? In words for a person; see Certificate in engine/ui.
+struct WebCertificate {
+  struct Finding {
+    bool good = true;
+    std::string words;
+  };
+  std::string verdict;    // "certified", "sound" or "wanting"
+  std::string headline;
+  std::vector<Finding> findings;
+};
+
+/// One way to make the model's surfaces; a page with two has a switch.
+struct WebModel {
+  std::string name;       // "DT"
+  std::string words;      // what it is, a sentence
+  std::string glb;        // bytes
+  std::size_t triangles = 0;
+  WebCertificate certificate;
+};
+
+/// How a structure looks at first. `structure` is a node's `extras.structure` in the GLB, with " cavity" behind it for its cavities.
+struct WebLook {
+  std::string structure;
+  std::string colour;     // "#f2e9d8"
+  float opacity = 1;
+  bool as_body = false;   // see Look in engine/scene
+  int depth = 0;          // what lies deeper is drawn first where it is seen through others
+};
+
+/// A way through a canal, from its orifice to its end. Millimetres, in the model's coordinates.
+struct WebTour {
+  std::string name;
+  std::vector<Point3> points;
+};
+
+struct WebPage {
+  std::string title;
+  std::vector<WebModel> models;   // one or more
+  std::vector<WebLook> looks;
+  std::vector<WebTour> tours;
+};
+
+/// The page without a model. Empty if this program was built without it; `why` then says what was missing.
+struct EmbeddedPage {
+  std::string_view html;
+  std::string_view why;
+};
+EmbeddedPage embedded_page();
+
+/// The same input gives the same bytes. Precondition: `shell` is not empty. InternalError if it has not the places that are filled.
+std::string web_page(const WebPage& page, std::string_view shell);
+
+}  // namespace odontoscope

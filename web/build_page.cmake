@@ -1,0 +1,55 @@
+# Bundles the page and writes it as a C++ file, page.cpp, in WORK; page.html beside it only if that went well. Never fails: without Node.js or
+# its packages page.cpp says what is missing, and `odontoscope web` tells it.
+#   cmake -DNODE=... -DNPM=... -DENABLED=ON -DSOURCE=web folder -DWORK=build folder -P build_page.cmake
+set(oldest_node 18)
+set(longest_install 300)   # seconds
+
+function(give_up why)
+  message(STATUS "No web page: ${why}")
+  string(REPLACE "\\" "\\\\" why "${why}")
+  string(REPLACE "\"" "\\\"" why "${why}")
+  file(REMOVE ${WORK}/page.html)
+  file(WRITE ${WORK}/page.cpp "#include \"engine/web/page.h\"\n\nnamespace odontoscope {\nEmbeddedPage embedded_page() { return {{}, \"${why}\"}; }\n}  // namespace odontoscope\n")
+endfunction()
+
+if(NOT ENABLED)
+  give_up("ODONTOSCOPE_WEB was off")
+  file(WRITE ${WORK}/page.html "")   # nothing to try again
+  return()
+endif()
+if(NOT NODE OR NOT NPM)
+  give_up("Node.js with npm was not found")
+  return()
+endif()
+execute_process(COMMAND ${NODE} --version OUTPUT_VARIABLE version ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+string(REGEX MATCH "[0-9]+" major "${version}")
+if(NOT major OR major LESS oldest_node)
+  give_up("Node.js is ${version}, and ${oldest_node} is the oldest that will do")
+  return()
+endif()
+
+# The packages lie in the build folder; they are installed anew when the lockfile changes.
+file(MAKE_DIRECTORY ${WORK})
+file(SHA256 ${SOURCE}/package-lock.json wanted)
+set(installed "")
+if(EXISTS ${WORK}/installed)
+  file(READ ${WORK}/installed installed)
+endif()
+if(NOT installed STREQUAL wanted)
+  file(REMOVE ${WORK}/installed)
+  file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json DESTINATION ${WORK})
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --no-update-notifier --fetch-retries=1
+                  WORKING_DIRECTORY ${WORK} TIMEOUT ${longest_install} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT code EQUAL 0)
+    message(STATUS "${said}")
+    give_up("npm could not install the packages of web/package-lock.json")
+    return()
+  endif()
+  file(WRITE ${WORK}/installed "${wanted}")
+endif()
+
+execute_process(COMMAND ${NODE} ${SOURCE}/build.mjs ${WORK} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
+if(NOT code EQUAL 0)
+  file(REMOVE ${WORK}/page.html)
+  message(FATAL_ERROR "web/build.mjs failed:\n${said}")   # a mistake in web/, which must not pass for a missing package
+endif()

@@ -1,0 +1,106 @@
+// Where one looks from: the named views of a tooth, all of it in the picture, and the way from one view to the next.
+import {MathUtils, PerspectiveCamera, Vector3} from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+
+const fieldOfView = 24, margin = 1.08, moveSeconds = 0.5;
+
+/// Directions towards the eye, and what is up; buccal is +y, mesial +x, occlusal +z.
+export const views = [
+  {name: 'three-quarter', words: 'Three quarters', key: '0', towards: [-0.45, 0.8, 0.4], up: [0, 0, 1]},
+  {name: 'buccal', words: 'Buccal', key: '1', towards: [0, 1, 0], up: [0, 0, 1]},
+  {name: 'lingual', words: 'Lingual', key: '2', towards: [0, -1, 0], up: [0, 0, 1]},
+  {name: 'mesial', words: 'Mesial', key: '3', towards: [1, 0, 0], up: [0, 0, 1]},
+  {name: 'distal', words: 'Distal', key: '4', towards: [-1, 0, 0], up: [0, 0, 1]},
+  {name: 'occlusal', words: 'Occlusal', key: '5', towards: [0, -0.02, 1], up: [0, 0, 1]},
+  {name: 'apical', words: 'Apical', key: '6', towards: [0, 0.02, -1], up: [0, 0, 1]},
+];
+
+export class Orbit {
+  /// `changed` is called whenever the picture must be drawn anew.
+  constructor(canvas, bounds, sample, changed) {
+    this.bounds = bounds;
+    this.sample = sample;   // points that must be in the picture
+    this.changed = changed;
+    this.still = matchMedia('(prefers-reduced-motion: reduce)');
+    this.camera = new PerspectiveCamera(fieldOfView, 1, 0.1, 1000);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.enableDamping = false;
+    this.controls.minDistance = 0.15 * bounds.radius;
+    this.controls.maxDistance = 30 * bounds.radius;
+    this.controls.addEventListener('change', changed);
+    this.controls.addEventListener('start', () => { this.move = null; });
+    this.move = null;
+  }
+
+  resize(aspect) {
+    this.camera.aspect = aspect;
+    this.camera.updateProjectionMatrix();
+  }
+
+  /// Far enough for every sampled point to be seen from this side.
+  distanceFrom(towards, up) {
+    const right = new Vector3().crossVectors(up, towards).normalize(), top = new Vector3().crossVectors(towards, right);
+    const tanY = Math.tan(MathUtils.degToRad(fieldOfView) / 2) / margin, tanX = tanY * this.camera.aspect;
+    let distance = 0;
+    for (const p of this.sample) {
+      const v = p.clone().sub(this.bounds.centre), deep = v.dot(towards);
+      distance = Math.max(distance, deep + Math.abs(v.dot(right)) / tanX, deep + Math.abs(v.dot(top)) / tanY);
+    }
+    return distance;
+  }
+
+  goTo(view, atOnce = false) {
+    const towards = new Vector3(...view.towards).normalize(), up = new Vector3(...view.up);
+    const position = this.bounds.centre.clone().addScaledVector(towards, this.distanceFrom(towards, up));
+    this.view = view;
+    if (atOnce || this.still.matches) {
+      this.camera.position.copy(position);
+      this.controls.target.copy(this.bounds.centre);
+      this.controls.update();
+      this.changed();
+      return;
+    }
+    const from = this.camera.position.clone().sub(this.controls.target), to = position.clone().sub(this.bounds.centre);
+    this.move = {from, to, target: this.controls.target.clone(), part: 0};
+    this.changed();
+  }
+
+  /// Nearer or farther, round the side or over the top, by keys.
+  nudge({turn = 0, tilt = 0, nearer = 1}) {
+    this.move = null;
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const distance = MathUtils.clamp(offset.length() * nearer, this.controls.minDistance, this.controls.maxDistance);
+    const round = Math.atan2(offset.y, offset.x) + turn, over = MathUtils.clamp(Math.asin(offset.z / offset.length()) + tilt, -1.55, 1.55);
+    offset.set(Math.cos(over) * Math.cos(round), Math.cos(over) * Math.sin(round), Math.sin(over)).multiplyScalar(distance);
+    this.camera.position.copy(this.controls.target).add(offset);
+    this.controls.update();
+    this.changed();
+  }
+
+  update(seconds) {
+    if (this.move) {
+      const move = this.move;
+      move.part = Math.min(1, move.part + seconds / moveSeconds);
+      const s = move.part * move.part * (3 - 2 * move.part);
+      const length = MathUtils.lerp(move.from.length(), move.to.length(), s);
+      const direction = slerp(move.from.clone().normalize(), move.to.clone().normalize(), s);
+      this.controls.target.lerpVectors(move.target, this.bounds.centre, s);
+      this.camera.position.copy(this.controls.target).addScaledVector(direction, length);
+      this.controls.update();
+      if (move.part >= 1) this.move = null;
+      this.changed();
+    }
+    const distance = this.camera.position.distanceTo(this.bounds.centre);
+    this.camera.near = Math.max(distance - 1.5 * this.bounds.radius, 0.01 * this.bounds.radius);
+    this.camera.far = distance + 1.5 * this.bounds.radius;
+    this.camera.updateProjectionMatrix();
+  }
+}
+
+function slerp(a, b, s) {
+  const angle = a.angleTo(b);
+  if (angle < 1e-4) return b;
+  if (angle > Math.PI - 1e-3) a = a.clone().add(new Vector3(0.01, 0.02, 0)).normalize();
+  return a.clone().multiplyScalar(Math.sin((1 - s) * angle)).addScaledVector(b, Math.sin(s * angle)).normalize();
+}

@@ -1,0 +1,56 @@
+// The model that the page carries: what is said of it, and its surfaces.
+import {Box3, Vector3} from 'three';
+import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+
+const millimetres = 1000;   // a metre, which is glTF's unit
+
+export function description() {
+  return JSON.parse(document.getElementById('description').textContent);
+}
+
+async function unpacked(element) {
+  const text = element.textContent.trim();
+  const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  element.remove();   // its text is not needed twice
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+/// The parts of one model: {structure, kind, key, geometry}, in the model's own millimetres with z along the tooth. `key` is the look's name.
+export async function partsOf(model) {
+  const gltf = await new GLTFLoader().parseAsync(await unpacked(document.getElementById(model.element)), '');
+  const parts = [];
+  gltf.scene.traverse(node => {
+    if (!node.isMesh) return;
+    const {structure, kind} = node.userData;
+    const geometry = node.geometry.scale(millimetres, millimetres, millimetres);
+    parts.push({structure, kind, key: kind === 'cavity' ? `${structure} cavity` : structure, geometry});
+  });
+  return parts;
+}
+
+export function boundsOf(parts) {
+  const box = new Box3();
+  for (const part of parts) {
+    part.geometry.computeBoundingBox();
+    box.union(part.geometry.boundingBox);
+  }
+  const centre = box.getCenter(new Vector3());
+  let radius = 0;
+  const p = new Vector3();
+  for (const {geometry} of parts) {
+    const positions = geometry.attributes.position;
+    for (let i = 0; i < positions.count; ++i) radius = Math.max(radius, p.fromBufferAttribute(positions, i).distanceTo(centre));
+  }
+  return {box, centre, radius};
+}
+
+/// Several geometries as arrays for one TriangleTree.
+export function trianglesOf(parts) {
+  const positions = [], indices = [];
+  for (const {geometry} of parts) {
+    const first = positions.length / 3, p = geometry.attributes.position.array, index = geometry.index.array;
+    for (let i = 0; i < p.length; ++i) positions.push(p[i]);
+    for (let i = 0; i < index.length; ++i) indices.push(first + index[i]);
+  }
+  return {positions: Float32Array.from(positions), indices: Uint32Array.from(indices)};
+}

@@ -1,0 +1,120 @@
+// What is on the picture while one is inside: the tour's slider, the way out, the thumb's ring, and a map that says where one is.
+import {Vector3} from 'three';
+import {element, slider} from './dom.js';
+
+export class InsideBar {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.bar = document.getElementById('bar');
+    this.map = document.getElementById('map');
+    this.play = element('button', {type: 'button', class: 'main', onclick: () => this.togglePlay()});
+    this.scrub = slider('Way along the canal, mm', {low: 0, high: 1, step: 'any', value: 0}, mm => { viewer.play(false); viewer.seek(mm); });
+    this.told = element('output', {});
+    const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, 'Fly from here');
+    this.fly = fly;
+    this.bar.append(this.play, this.scrub, this.told, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, 'Leave'));
+    viewer.addEventListener('enter', () => this.drawMap());
+    viewer.addEventListener('change', () => this.show());
+    viewer.addEventListener('travel', () => this.show());
+    this.thumb();
+    this.dragToLook();
+  }
+
+  togglePlay() {
+    const {journey} = this.viewer;
+    if (!journey.playing && journey.mm >= journey.tour.length) this.viewer.seek(0);
+    this.viewer.play(!journey.playing);
+  }
+
+  show() {
+    const {viewer} = this, {journey} = viewer, tour = journey.mode === 'tour';
+    this.bar.hidden = this.map.hidden = !viewer.inside;
+    document.getElementById('pad').hidden = journey.mode !== 'fly' || !matchMedia('(pointer: coarse)').matches;
+    document.getElementById('scale').hidden = viewer.inside;
+    document.getElementById('notice').textContent = tour ? journey.tour.name : journey.mode === 'fly' ? 'Flying: W A S D and drag; Esc leaves' : '';
+    if (!viewer.inside) return;
+    this.play.hidden = this.scrub.hidden = this.fly.hidden = !tour;
+    this.play.textContent = journey.playing ? 'Pause' : 'Play';
+    const width = `${(2 * journey.room()).toFixed(2)} mm wide`;
+    if (tour) {
+      this.scrub.max = journey.tour.length;
+      this.scrub.value = journey.mm;
+      this.told.textContent = `${journey.mm.toFixed(1)} of ${journey.tour.length.toFixed(1)} mm, ${width}`;
+      this.scrub.setAttribute('aria-valuetext', this.told.textContent);
+    } else this.told.textContent = width;
+    this.markMap();
+  }
+
+  /// The tooth as it is seen from outside, once; then only a dot moves on it.
+  drawMap() {
+    const {viewer} = this, {camera} = viewer.orbit, view = {towards: [-0.25, 1, 0.12], up: [0, 0, 1]};
+    const kept = {position: camera.position.clone(), target: viewer.orbit.controls.target.clone(), aspect: camera.aspect, view: viewer.orbit.view, labels: viewer.labels.on};
+    viewer.labels.on = false;
+    viewer.orbit.resize(viewer.canvas.width / viewer.canvas.height);
+    viewer.orbit.goTo(view, true);
+    viewer.orbit.update(0);
+    viewer.draw();
+    camera.updateMatrixWorld();
+    this.seen = camera.clone();
+    const {width, height} = this.map, scale = height / viewer.canvas.height;
+    this.picture = document.createElement('canvas');
+    Object.assign(this.picture, {width, height});
+    this.picture.getContext('2d').drawImage(viewer.canvas, (width - viewer.canvas.width * scale) / 2, 0, viewer.canvas.width * scale, height);
+    this.toMap = p => [width / 2 + 0.5 * p.x * viewer.canvas.width * scale, (0.5 - 0.5 * p.y) * height];
+    camera.position.copy(kept.position);
+    viewer.orbit.controls.target.copy(kept.target);
+    viewer.orbit.view = kept.view;
+    viewer.orbit.resize(kept.aspect);
+    viewer.orbit.controls.update();
+    viewer.labels.on = kept.labels;
+  }
+
+  markMap() {
+    const context = this.map.getContext('2d');
+    context.drawImage(this.picture, 0, 0);
+    const [x, y] = this.toMap(this.viewer.camera.position.clone().project(this.seen));
+    const [ax, ay] = this.toMap(this.viewer.camera.getWorldDirection(new Vector3()).multiplyScalar(0.12 * this.viewer.bounds.radius).add(this.viewer.camera.position).project(this.seen));
+    context.lineWidth = 4;
+    context.strokeStyle = context.fillStyle = '#ffd23f';
+    context.beginPath();
+    context.moveTo(x, y);
+    context.lineTo(ax, ay);
+    context.stroke();
+    context.beginPath();
+    context.arc(x, y, 8, 0, 2 * Math.PI);
+    context.fill();
+    context.lineWidth = 2;
+    context.strokeStyle = '#1b1e22';
+    context.stroke();
+  }
+
+  thumb() {
+    const pad = document.getElementById('pad'), knob = document.getElementById('knob'), {speed} = this.viewer.journey;
+    const put = (x, y) => {
+      const far = Math.max(1, Math.hypot(x, y));
+      [speed.side, speed.forward] = [x / far, -y / far];
+      knob.style.transform = `translate(${2.2 * x / far}rem,${2.2 * y / far}rem)`;
+    };
+    pad.addEventListener('pointerdown', event => pad.setPointerCapture(event.pointerId));
+    pad.addEventListener('pointermove', event => {
+      if (!pad.hasPointerCapture(event.pointerId)) return;
+      const box = pad.getBoundingClientRect();
+      put((event.clientX - box.left) / box.width * 2 - 1, (event.clientY - box.top) / box.height * 2 - 1);
+    });
+    for (const end of ['pointerup', 'pointercancel']) pad.addEventListener(end, () => put(0, 0));
+  }
+
+  dragToLook() {
+    const {canvas, journey} = this.viewer, radiansPerPixel = 0.005;
+    let last = null;
+    canvas.addEventListener('pointerdown', event => { last = journey.mode === 'fly' ? event : null; });
+    canvas.addEventListener('pointermove', event => {
+      if (!last || journey.mode !== 'fly' || event.pointerId !== last.pointerId) return;
+      journey.turnBy(radiansPerPixel * (last.clientX - event.clientX), radiansPerPixel * (event.clientY - last.clientY));
+      last = event;
+      this.viewer.touch();
+      this.show();
+    });
+    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => { last = null; });
+  }
+}

@@ -1,0 +1,173 @@
+// Inside the tooth: tours along canals, and flying with walls that hold.
+import {CatmullRomCurve3, MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
+import {glide} from './walls.js';
+
+const fieldOfView = 72, bodyOfGap = 0.5, largestBody = 0.12;   // mm; the body is at most this part of the room at its start
+const lookAhead = 0.9;           // mm along the way that the eye looks ahead
+const turnSpeed = 1.6;           // radians a second
+const mmPerSecond = 1.1;         // of a tour
+
+/// A way of its own parametrised by length in mm, with a direction to look and an up that never flips.
+export class Tour {
+  constructor({name, points_mm}) {
+    this.name = name;
+    this.curve = new CatmullRomCurve3(points_mm.map(p => new Vector3(...p)), false, 'centripetal');
+    this.curve.arcLengthDivisions = 40 * points_mm.length;
+    this.length = this.curve.getLength();
+    this.ups = this.carriedUps();
+  }
+
+  place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }
+
+  direction(mm) {
+    const here = Math.min(mm, this.length - 1e-3), ahead = Math.min(here + lookAhead, this.length);
+    const towards = this.place(ahead).sub(this.place(here));
+    return towards.lengthSq() > 0 ? towards.normalize() : this.curve.getTangentAt(1);
+  }
+
+  /// The up of each step is the one before, turned no more than the direction turns.
+  carriedUps() {
+    const steps = 200, ups = [];
+    let up = new Vector3(0, 1, 0);
+    for (let i = 0; i <= steps; ++i) {
+      const direction = this.direction(i / steps * this.length);
+      up = up.clone().addScaledVector(direction, -up.dot(direction));
+      if (up.lengthSq() < 1e-6) up = new Vector3(1, 0, 0).addScaledVector(direction, -direction.x);
+      ups.push(up.normalize());
+    }
+    return ups;
+  }
+
+  up(mm) { return this.ups[Math.round(MathUtils.clamp(mm / this.length, 0, 1) * (this.ups.length - 1))]; }
+}
+
+/// The eye within the void. Its place keeps its distance from the walls, whatever moves it.
+export class Journey {
+  constructor(tree, tours, bounds) {
+    this.tree = tree;
+    this.tours = tours;
+    this.bounds = bounds;
+    this.camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
+    this.mode = null;        // 'tour' or 'fly'
+    this.playing = false;
+    this.mm = 0;
+    this.body = largestBody;
+    this.speed = {forward: 0, side: 0, rise: 0, turn: 0, tilt: 0};
+    this.still = matchMedia('(prefers-reduced-motion: reduce)');
+  }
+
+  resize(aspect) { this.camera.aspect = aspect; }
+
+  startTour(tour) {
+    this.mode = 'tour';
+    this.tour = tour;
+    this.seek(0);
+  }
+
+  seek(mm) {
+    this.mm = MathUtils.clamp(mm, 0, this.tour.length);
+    const place = this.tour.place(this.mm);
+    this.camera.position.copy(place);
+    this.camera.up.copy(this.tour.up(this.mm));
+    this.camera.lookAt(place.clone().add(this.tour.direction(this.mm)));
+  }
+
+  /// From where one is, if that is within the void; else from `start`.
+  startFlight(start) {
+    if (this.mode !== 'tour') {
+      this.camera.position.copy(start.place);
+      this.camera.up.copy(start.up);
+      this.camera.lookAt(start.place.clone().add(start.direction));
+    }
+    this.mode = 'fly';
+    this.playing = false;
+    this.body = Math.min(largestBody, bodyOfGap * this.room());
+  }
+
+  leave() {
+    this.mode = null;
+    this.playing = false;
+  }
+
+  /// Distance to the nearest wall, mm.
+  room(place = this.camera.position) { return this.tree.nearest(place.toArray()).distance; }
+
+  /// True if the picture changes.
+  update(seconds) {
+    if (this.mode === 'tour') return this.updateTour(seconds);
+    if (this.mode === 'fly') return this.updateFlight(seconds);
+    return false;
+  }
+
+  updateTour(seconds) {
+    this.setNear();
+    if (!this.playing) return false;
+    this.pause = (this.pause ?? 0) + seconds;
+    const stepwise = this.still.matches;
+    if (stepwise && this.pause < 1.5) return false;   // still pictures in place of motion
+    this.seek(this.mm + (stepwise ? this.tour.length / 12 : mmPerSecond * seconds));
+    this.pause = 0;
+    if (this.mm >= this.tour.length) this.playing = false;
+    return true;
+  }
+
+  updateFlight(seconds) {
+    this.setNear();
+    const {forward, side, rise, turn, tilt} = this.speed;
+    if (!forward && !side && !rise && !turn && !tilt) return false;
+    this.turnBy(turn * turnSpeed * seconds, tilt * turnSpeed * seconds);
+    // Fast where there is room, slow in narrow canals.
+    const pace = MathUtils.clamp(2.5 * this.room(), 0.4, 0.6 * this.bounds.radius) * seconds;
+    const step = new Vector3(side, rise, -forward).multiplyScalar(pace).applyQuaternion(this.camera.quaternion);
+    this.moveBy(step);
+    return true;
+  }
+
+  moveBy(step) { this.camera.position.fromArray(glide(this.tree, this.camera.position.toArray(), step.toArray(), this.body)); }
+
+  turnBy(turn, tilt) {
+    const q = this.camera.quaternion;
+    q.multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), -turn)).multiply(new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), tilt)).normalize();
+  }
+
+  /// So near that the corners of the picture never lie behind a wall.
+  setNear() {
+    const t = Math.tan(MathUtils.degToRad(fieldOfView) / 2), corner = Math.hypot(1, t, t * this.camera.aspect);
+    this.camera.near = 0.9 * Math.max(Math.min(this.room(), 1), 1e-3) / corner;
+    this.camera.far = 6 * this.bounds.radius;
+    this.camera.updateProjectionMatrix();
+  }
+}
+
+/// Where to begin a flight: half way along a tour's first bit, or the roomiest place between opposite walls of the cavity; without a cavity in
+/// front of the tooth.
+export function flightStart(tree, tours, cavities, bounds) {
+  if (tours.length > 0) {
+    const tour = tours[0];
+    return {place: tour.place(0), direction: tour.direction(0), up: tour.up(0)};
+  }
+  const place = cavities.length > 0 ? roomiest(tree, cavities) : null;
+  if (place) return {place, direction: new Vector3(0, 0, -1), up: new Vector3(0, 1, 0)};
+  const front = bounds.centre.clone().addScaledVector(new Vector3(0, 1, 0), 2.2 * bounds.radius);
+  return {place: front, direction: new Vector3(0, -1, 0), up: new Vector3(0, 0, 1)};
+}
+
+/// Walls face into the void: from a place on one along its normal to the wall opposite, half way, for some places.
+function roomiest(tree, cavities) {
+  let best = null, most = 0;
+  for (const {geometry} of cavities) {
+    const positions = geometry.attributes.position, normals = geometry.attributes.normal, step = Math.max(1, Math.floor(positions.count / 150));
+    for (let i = 0; i < positions.count; i += step) {
+      const wall = new Vector3().fromBufferAttribute(positions, i), normal = new Vector3().fromBufferAttribute(normals, i);
+      // Walk away from the wall as long as the room grows.
+      let place = wall.clone().addScaledVector(normal, 0.01), room = tree.nearest(place.toArray()).distance;
+      for (let k = 0; k < 40; ++k) {
+        const next = place.clone().addScaledVector(normal, Math.max(0.5 * room, 0.005)), there = tree.nearest(next.toArray()).distance;
+        if (there <= room) break;
+        [place, room] = [next, there];
+      }
+      if (room > most) [best, most] = [place, room];
+    }
+  }
+  return best;
+}

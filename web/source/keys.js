@@ -1,0 +1,97 @@
+// The keyboard, as on the desktop where the same can be done there.
+import {views} from './camera.js';
+import {element} from './dom.js';
+
+const turnStep = 0.12, nearStep = 0.88;
+
+const told = [
+  ['drag, one finger', 'turn'], ['right drag, two fingers', 'move'], ['wheel, pinch', 'nearer, farther'],
+  ['arrow keys', 'turn'], ['+  \u2212', 'nearer, farther'], ['1 to 6, 0', 'from buccal, lingual, mesial, distal, occlusal, apical, three quarters'],
+  ['S', 'cut the model open or close it'], ['R', 'cut away the other side'], ['[  ]', 'move the cut'], ['B', 'faces from behind: cull, two-sided, tint'], ['X', 'DT or DB, where the page has both'],
+  ['L', 'labels'], ['T', 'tour through the next canal'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'],
+  ['F', 'fly inside'], ['W A S D, E Q', 'fly: forward, left, back, right, up, down'], ['Esc', 'leave tour or flight'], ['?', 'this list'],
+];
+
+export function makeHelp() {
+  const dialog = document.getElementById('help');
+  const rows = told.map(([keys, words]) => element('tr', {}, element('td', {}, element('kbd', {}, keys)), element('td', {}, words)));
+  dialog.append(element('h2', {id: 'help-title'}, 'Keys and gestures'), element('table', {}, element('tbody', {}, ...rows)),
+    element('p', {class: 'quiet'}, 'In flight, drag to look round; the ring at the left is for the thumb. Walls cannot be flown through. With a headset: grab the tooth with the trigger, with both hands make it larger or smaller; the sticks fly.'),
+    element('form', {method: 'dialog'}, element('button', {class: 'main'}, 'Close')));
+  return () => dialog.showModal();
+}
+
+const flying = {w: ['forward', 1], s: ['forward', -1], a: ['side', -1], d: ['side', 1], e: ['rise', 1], q: ['rise', -1],
+  arrowleft: ['turn', -1], arrowright: ['turn', 1], arrowup: ['tilt', 1], arrowdown: ['tilt', -1]};
+
+function outside(viewer, key) {
+  switch (key) {
+    case 'arrowleft': return viewer.orbit.nudge({turn: -turnStep});
+    case 'arrowright': return viewer.orbit.nudge({turn: turnStep});
+    case 'arrowup': return viewer.orbit.nudge({tilt: turnStep});
+    case 'arrowdown': return viewer.orbit.nudge({tilt: -turnStep});
+    case '+': case '=': return viewer.orbit.nudge({nearer: nearStep});
+    case '-': return viewer.orbit.nudge({nearer: 1 / nearStep});
+    case 's': return viewer.cut({on: !viewer.section.on});
+    default: return false;
+  }
+}
+
+function always(viewer, key, help) {
+  const view = views.find(v => v.key === key), {low, high} = viewer.section.range();
+  if (view) return viewer.look(view.name);
+  switch (key) {
+    case 'r': return viewer.cut({reversed: !viewer.section.reversed});
+    case '[': case ']': return viewer.cut({on: true, at: Math.min(high, Math.max(low, viewer.section.at + (key === ']' ? 0.02 : -0.02) * (high - low)))});
+    case 'b': return viewer.nextFaces();
+    case 'x': return viewer.show((viewer.chosen + 1) % viewer.models.length);
+    case 'l': viewer.labels.on = !viewer.labels.on; return viewer.touch();
+    case 't': return viewer.tours.length > 0 ? viewer.startTour((viewer.tours.indexOf(viewer.journey.tour) + 1) % viewer.tours.length) : undefined;
+    case 'f': return viewer.startFlight();
+    case 'escape': return viewer.inside ? viewer.leave() : undefined;
+    case '?': return help();
+    default: return false;
+  }
+}
+
+function onTour(viewer, key) {
+  const {journey} = viewer;
+  switch (key) {
+    case ' ': return viewer.play(!journey.playing);
+    case '.': return viewer.seek(journey.mm + 0.25);
+    case ',': return viewer.seek(journey.mm - 0.25);
+    default: return false;
+  }
+}
+
+export function listenToKeys(viewer, help) {
+  const held = new Set();
+  const steer = () => {
+    for (const axis of Object.keys(viewer.journey.speed)) viewer.journey.speed[axis] = 0;
+    for (const key of held) if (flying[key]) viewer.journey.speed[flying[key][0]] += flying[key][1];
+  };
+  addEventListener('keydown', event => {
+    if (event.ctrlKey || event.altKey || event.metaKey || document.getElementById('help').open) return;
+    const key = event.key.toLowerCase(), at = event.target;
+    // A slider, a button or a box keeps the keys that work it.
+    if (at instanceof HTMLInputElement && (key.startsWith('arrow') || key === ' ' || key === 'home' || key === 'end')) return;
+    if ((at instanceof HTMLButtonElement || at.tagName === 'SUMMARY') && (key === ' ' || key === 'enter')) return;
+    const mode = viewer.journey.mode;
+    let done;
+    if (mode === 'fly' && flying[key]) {
+      held.add(key);
+      steer();
+    } else {
+      done = mode === 'tour' ? onTour(viewer, key) : mode === null ? outside(viewer, key) : false;
+      if (done === false) done = always(viewer, key, help);
+    }
+    if (done !== false) event.preventDefault();
+  });
+  const release = event => {
+    if (event.key) held.delete(event.key.toLowerCase());
+    else held.clear();
+    steer();
+  };
+  addEventListener('keyup', release);
+  addEventListener('blur', release);
+}

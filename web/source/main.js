@@ -1,0 +1,58 @@
+// The page begins here.
+import {MathUtils} from 'three';
+import {description} from './data.js';
+import {InsideBar} from './inside_bar.js';
+import {listenToKeys, makeHelp} from './keys.js';
+import {makePanel} from './panel.js';
+import {Viewer} from './viewer.js';
+
+const longestStep = 0.1;   // seconds: after a pause the world does not jump
+
+function fail(words) {
+  const told = document.createElement('p');
+  told.className = 'failure';
+  told.setAttribute('role', 'alert');
+  told.textContent = words;
+  document.body.append(told);
+}
+
+/// A bar of a round length in millimetres, where the model is.
+function drawScale(viewer) {
+  const {orbit, bounds, canvas} = viewer, distance = orbit.camera.position.distanceTo(bounds.centre);
+  const perPixel = 2 * distance * Math.tan(MathUtils.degToRad(orbit.camera.fov) / 2) / canvas.clientHeight;
+  const length = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(mm => mm / perPixel > 60) ?? 1000;
+  document.getElementById('scale-words').textContent = `${length} mm`;
+  document.getElementById('scale-line').style.width = `${length / perPixel}px`;
+}
+
+function followColours(viewer) {
+  const apply = () => {
+    const style = getComputedStyle(document.documentElement);
+    viewer.picture.setBackground(style.getPropertyValue('--sky-top').trim(), style.getPropertyValue('--sky-bottom').trim());
+    viewer.touch();
+  };
+  apply();
+  matchMedia('(prefers-color-scheme: light)').addEventListener('change', apply);
+}
+
+async function start() {
+  const viewer = await Viewer.of(description(), document.getElementById('canvas'));
+  const help = makeHelp();
+  makePanel(viewer, {help, extra: null});
+  new InsideBar(viewer);
+  followColours(viewer);
+  listenToKeys(viewer, help);
+  viewer.addEventListener('drawn', () => drawScale(viewer));
+  let before = performance.now();
+  viewer.renderer.setAnimationLoop(now => {
+    viewer.frame(Math.min(longestStep, Math.max(0, (now - before) / 1000)));
+    before = now;
+  });
+  return viewer;
+}
+
+// For scripts and tests: resolves once the model is there.
+globalThis.odontoscope = start().catch(error => {
+  fail(`The model cannot be shown: ${error.message}. It needs a browser with WebGL 2.`);
+  throw error;
+});

@@ -1,0 +1,113 @@
+// The controls: what can be seen and changed, beside the picture or, on a phone, under it.
+import {views} from './camera.js';
+import {choice, element, slider} from './dom.js';
+import {sides} from './section.js';
+
+const grouped = count => count.toLocaleString('en-GB');
+
+function certificateSection(viewer) {
+  const words = element('p', {class: 'quiet'}), verdict = element('p', {class: 'verdict'}), list = element('ul');
+  const show = () => {
+    const {certificate, triangles, words: about} = viewer.model;
+    words.textContent = `${about} ${grouped(triangles)} triangles.`;
+    verdict.textContent = `${certificate.verdict === 'wanting' ? '\u2717' : '\u2713'} ${certificate.headline}`;
+    verdict.classList.toggle('wanting', certificate.verdict === 'wanting');
+    list.replaceChildren(...certificate.findings.map(f => element('li', {class: f.good ? 'good' : 'bad'}, f.words)));
+  };
+  show();
+  viewer.addEventListener('change', show);
+  return element('section', {'aria-label': 'Certificate'}, verdict, element('details', {}, element('summary', {}, 'Report'), words, list));
+}
+
+function methodSection(viewer) {
+  if (viewer.models.length < 2) return null;
+  const group = choice('Method', viewer.models.map((model, index) => ({value: String(index), words: model.name, title: model.words})), '0', value => viewer.show(Number(value)));
+  const about = element('p', {class: 'quiet', role: 'status'});
+  const show = () => { group.show(String(viewer.chosen)); about.textContent = viewer.model.words; };
+  show();
+  viewer.addEventListener('change', show);
+  return element('section', {}, element('h2', {}, 'Method'), group, about);
+}
+
+function structuresSection(viewer) {
+  const rows = [...viewer.looks.entries()].filter(([key]) => viewer.models.some(model => model.parts.some(part => part.key === key))).map(([key, look]) => {
+    const swatch = element('span', {class: 'swatch'});
+    swatch.style.background = look.colour;
+    const shown = element('input', {type: 'checkbox', checked: look.visible, onchange: e => viewer.setLook(key, {visible: e.target.checked})});
+    const output = element('output', {});
+    const opacity = slider(`Opacity of ${key}`, {low: 0, high: 100, step: 1, value: Math.round(100 * look.opacity)}, value => viewer.setLook(key, {opacity: value / 100}));
+    const show = () => {
+      shown.checked = look.visible;
+      opacity.value = Math.round(100 * look.opacity);
+      output.textContent = `${Math.round(100 * look.opacity)} %`;
+    };
+    show();
+    viewer.addEventListener('change', show);
+    return element('div', {class: 'look'}, element('label', {}, shown, swatch, key), element('span'), output, opacity);
+  });
+  return element('section', {}, element('h2', {}, 'Structures'), ...rows);
+}
+
+function facesSection(viewer) {
+  const told = {
+    cull: 'Faces seen from behind are left out, as games and web pages do: a wrongly turned triangle is a hole.',
+    show: 'Faces are drawn from both sides, which hides wrongly turned triangles.',
+    tint: 'Faces seen from behind are magenta.',
+  };
+  const group = choice('Faces', [{value: 'cull', words: 'Cull'}, {value: 'show', words: 'Two-sided'}, {value: 'tint', words: 'Tint'}], viewer.faces, value => viewer.setFaces(value));
+  const about = element('p', {class: 'quiet', role: 'status'});
+  const show = () => { group.show(viewer.faces); about.textContent = told[viewer.faces]; };
+  show();
+  viewer.addEventListener('change', show);
+  return element('section', {}, element('h2', {}, 'Faces'), group, about);
+}
+
+function cutSection(viewer) {
+  const on = element('input', {type: 'checkbox', id: 'cut', onchange: e => viewer.cut({on: e.target.checked})});
+  const side = choice('Cut from', sides.map(s => ({value: s.name, words: s.words})), viewer.section.side.name, value => viewer.cut({side: value}));
+  const at = slider('Position of the cut, mm', {low: 0, high: 1, step: 'any', value: 0}, value => viewer.cut({at: value}));
+  const output = element('output', {class: 'quiet'});
+  const other = element('button', {type: 'button', onclick: () => viewer.cut({reversed: !viewer.section.reversed})}, 'Cut away the other side');
+  const body = element('div', {}, side, element('div', {class: 'row'}, element('span', {class: 'grow'}, 'Position'), output), at, other);
+  const show = () => {
+    const {low, high} = viewer.section.range();
+    on.checked = viewer.section.on;
+    body.hidden = !viewer.section.on;
+    Object.assign(at, {min: low, max: high, value: viewer.section.at});
+    output.textContent = `${viewer.section.at >= 0 ? '+' : '\u2212'}${Math.abs(viewer.section.at).toFixed(2)} mm`;
+    at.setAttribute('aria-valuetext', output.textContent);
+    side.show(viewer.section.side.name);
+  };
+  show();
+  viewer.addEventListener('change', show);
+  return element('section', {}, element('h2', {}, 'Section'), element('label', {class: 'switch'}, on, 'Cut the model open'), body);
+}
+
+function insideSection(viewer) {
+  const tours = viewer.tours.map((tour, index) =>
+    element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}`));
+  const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, viewer.hasInside ? 'Fly inside' : 'Fly');
+  return element('section', {'aria-label': 'Inside'}, element('h2', {}, 'Inside'),
+    tours.length > 0 ? element('p', {class: 'quiet'}, 'Tours through the canals, from the chamber to the tip:') : null,
+    element('div', {class: 'row'}, ...tours, fly));
+}
+
+function viewSection(viewer, help) {
+  const labels = element('input', {type: 'checkbox', checked: true, onchange: e => { viewer.labels.on = e.target.checked; viewer.touch(); }});
+  const buttons = views.map(view => element('button', {type: 'button', title: `Key ${view.key}`, onclick: () => viewer.look(view.name)}, view.words));
+  return element('section', {}, element('h2', {}, 'View'), element('div', {class: 'row'}, ...buttons), element('label', {class: 'switch'}, labels, 'Labels'),
+    element('button', {type: 'button', onclick: help}, 'Keys and gestures'));
+}
+
+export function makePanel(viewer, {help, extra}) {
+  document.getElementById('title').textContent = viewer.description.title;
+  document.getElementById('controls').append(...[certificateSection(viewer), extra, methodSection(viewer), insideSection(viewer), structuresSection(viewer), cutSection(viewer),
+    facesSection(viewer), viewSection(viewer, help)].filter(Boolean));
+  const panel = document.getElementById('panel'), fold = document.getElementById('fold');
+  const folded = on => {
+    panel.classList.toggle('folded', on);
+    fold.setAttribute('aria-expanded', String(!on));
+  };
+  fold.addEventListener('click', () => folded(!panel.classList.contains('folded')));
+  folded(matchMedia('(max-width: 44rem)').matches);
+}

@@ -1,0 +1,101 @@
+// How a surface looks: the desktop program's light and tone, from the same files.
+import {
+  AddEquation, BackSide, Color, CustomBlending, DoubleSide, FrontSide, GLSL3, LessEqualDepth, Matrix3, OneFactor, OneMinusSrcAlphaFactor, ShaderMaterial,
+  SRGBColorSpace, Vector4,
+} from 'three';
+import lighting from '../../shaders/lighting.glsl';
+import tone from '../../shaders/tone.glsl';
+
+const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
+
+const vertexShader = `
+out vec3 place;        // in the model's millimetres
+out vec3 eye_place;
+out vec3 eye_normal;
+void main() {
+  place = position;
+  vec4 eye = modelViewMatrix * vec4(position, 1.0);
+  eye_place = eye.xyz;
+  eye_normal = normalMatrix * normal;
+  gl_Position = projectionMatrix * eye;
+}`;
+
+const fragmentShader = `
+${lighting}
+${tone}
+in vec3 place;
+in vec3 eye_place;
+in vec3 eye_normal;
+uniform vec3 colour;
+uniform vec3 back_colour;
+uniform float opacity;
+uniform float least_back_opacity;
+uniform float normal_sign;     // -1: shown inside out
+uniform bool turned;           // the other winding is the front
+uniform vec4 section;          // cut away where dot(section.xyz, place) > section.w
+uniform mat3 light_frame;      // from the eye to where the lights stand
+uniform float reach;           // mm after which it is half as bright; 0: nowhere
+uniform float millimetre;      // its length in eye space
+uniform bool encode;           // for a target that shows what it is given
+layout(location = 0) out vec4 out_colour;
+void main() {
+  if (dot(section.xyz, place) > section.w) discard;
+  vec3 to_eye = normalize(-eye_place);
+  bool front = gl_FrontFacing != turned;
+  vec3 normal = normal_sign * normalize(eye_normal);
+  if (!front) normal = -normal;
+  float slant = 1.0 - abs(dot(normal, to_eye));   // edge-on a wall is looked through lengthwise
+  float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
+  if (!front) alpha = max(alpha, least_back_opacity);
+  Reflected light = reflected(light_frame * normal, light_frame * to_eye, front ? colour : back_colour, 0.38);
+  vec3 body = light.diffuse + light.ambient, gloss = light.gloss;
+  if (reach > 0.0) {
+    float far = length(eye_place) / (millimetre * reach);
+    body *= 1.6 / (1.0 + far * far);
+    gloss *= 0.5 / (1.0 + far * far);
+  }
+  out_colour = vec4(alpha * body + gloss, alpha);
+  if (encode) out_colour.rgb = alpha * encoded(clamp(shoulder(body + gloss / max(alpha, 0.05)), 0.0, 1.0));
+}`;
+
+/// Shared by all surfaces; the values are changed in place.
+export function sharedUniforms() {
+  return {
+    section: {value: new Vector4(0, 0, 0, 1)},
+    light_frame: {value: new Matrix3()},
+    reach: {value: 0},
+    millimetre: {value: 1},
+    encode: {value: false},
+  };
+}
+
+const linear = hex => new Color().setStyle(hex, SRGBColorSpace);
+
+export function surfaceMaterial(shared, hex) {
+  const colour = linear(hex);
+  return new ShaderMaterial({
+    glslVersion: GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms: {
+      ...shared, colour: {value: colour}, back_colour: {value: colour.clone()}, opacity: {value: 1}, least_back_opacity: {value: 0}, normal_sign: {value: 1},
+      turned: {value: false},
+    },
+    blending: CustomBlending,
+    blendEquation: AddEquation,
+    blendSrc: OneFactor,
+    blendDst: OneMinusSrcAlphaFactor,
+    premultipliedAlpha: true,
+    depthFunc: LessEqualDepth,
+  });
+}
+
+/// `faces`: 'cull', 'show' or 'tint'; `body`: inside out.
+export function setFaces(material, faces, body) {
+  const u = material.uniforms;
+  material.side = faces !== 'cull' ? DoubleSide : body ? BackSide : FrontSide;
+  u.normal_sign.value = body ? -1 : 1;
+  u.turned.value = body && faces !== 'cull';
+  u.back_colour.value.copy(faces === 'tint' ? linear('#' + alarm.toString(16)) : u.colour.value);
+  u.least_back_opacity.value = faces === 'tint' ? alarmOpacity : 0;
+}

@@ -1,0 +1,171 @@
+// The state of the page and what can be done with it. Panel, keys and headset all act through this; none of them draws.
+import {Scene, Vector3, WebGLRenderer} from 'three';
+import {TriangleTree} from './bvh.js';
+import {Orbit, views} from './camera.js';
+import {boundsOf, partsOf, trianglesOf} from './data.js';
+import {Journey, Tour, flightStart} from './journey.js';
+import {Labels} from './labels.js';
+import {ShownModel} from './model.js';
+import {Picture, setLightFrame} from './picture.js';
+import {Section, sides} from './section.js';
+import {sharedUniforms} from './surface.js';
+
+const mostPixels = 2.2e6, sampledPoints = 1500;
+const insideReach = 2.5;   // mm that one sees inside a canal before it grows dark
+
+function pointsOf(parts) {
+  const points = [];
+  for (const {geometry} of parts) {
+    const positions = geometry.attributes.position, step = Math.max(1, Math.floor(positions.count * parts.length / sampledPoints));
+    for (let i = 0; i < positions.count; i += step) points.push(new Vector3().fromBufferAttribute(positions, i));
+  }
+  return points;
+}
+
+export class Viewer extends EventTarget {
+  static async of(description, canvas) {
+    const models = [];
+    for (const model of description.models) models.push({...model, parts: await partsOf(model)});
+    return new Viewer(description, models, canvas);
+  }
+
+  constructor(description, models, canvas) {
+    super();
+    this.description = description;
+    this.canvas = canvas;
+    this.renderer = new WebGLRenderer({canvas, antialias: true, stencil: true, preserveDrawingBuffer: false});
+    this.renderer.sortObjects = true;
+    this.shared = sharedUniforms();
+    this.picture = new Picture(this.renderer, this.shared);
+    this.scene = new Scene();
+    this.looks = new Map(description.looks.map(look => [look.structure, {...look, visible: true}]));
+    this.models = models;
+    for (const part of models.flatMap(model => model.parts)) this.needLook(part.key);
+    this.bounds = boundsOf(models[0].parts);
+    this.shown = models.map(model => {
+      for (const part of model.parts) part.geometry.computeBoundingBox();
+      const shown = new ShownModel(model.parts, this.looks, this.shared, this.bounds);
+      this.scene.add(shown.group);
+      return shown;
+    });
+    this.chosen = 0;
+    this.faces = 'cull';
+    this.section = new Section(this.bounds);
+    this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
+    this.labels = new Labels(models[0].parts, this.looks);
+    this.prepareInside();
+    this.frames = 0;
+    this.dress();
+    this.resize();
+    this.orbit.goTo(views[0], true);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+  }
+
+  needLook(key) {
+    if (!this.looks.has(key)) this.looks.set(key, {structure: key, colour: '#57b5e8', opacity: 1, visible: true, as_body: false, depth: 1});
+  }
+
+  prepareInside() {
+    const parts = this.models[0].parts, cavities = parts.filter(part => part.kind === 'cavity');
+    const {positions, indices} = trianglesOf(cavities.length > 0 ? cavities : parts);
+    this.walls = new TriangleTree(positions, indices);
+    this.tours = this.description.tours.filter(tour => tour.points_mm.length > 1).map(tour => new Tour(tour));
+    this.journey = new Journey(this.walls, this.tours, this.bounds);
+    this.cavities = cavities;
+    this.hasInside = cavities.length > 0;
+  }
+
+  get inside() { return this.journey.mode !== null; }
+  get camera() { return this.inside ? this.journey.camera : this.orbit.camera; }
+  get model() { return this.models[this.chosen]; }
+
+  /// The picture must be drawn anew.
+  touch() { this.dirty = true; }
+
+  /// After a look, the faces, the section or the mode changed.
+  dress() {
+    const section = this.section.plane();
+    if (section && !this.inside) this.shared.section.value.copy(section);
+    else this.shared.section.value.set(0, 0, 0, 1);
+    this.shared.reach.value = this.inside ? insideReach : 0;
+    this.shown.forEach((shown, index) => {
+      shown.group.visible = index === this.chosen;
+      shown.dress({faces: this.faces, section, inside: this.inside});
+    });
+    this.orbit.controls.enabled = !this.inside;
+    this.touch();
+    this.dispatchEvent(new Event('change'));
+  }
+
+  show(index) { this.chosen = index; this.dress(); }
+  setFaces(faces) { this.faces = faces; this.dress(); }
+  setLook(key, change) { Object.assign(this.looks.get(key), change); this.dress(); }
+  cut(change) {
+    if (change.side) this.section.choose(sides.find(side => side.name === change.side));
+    if (change.reversed !== undefined && change.reversed !== this.section.reversed) this.section.reversed = change.reversed;
+    if (change.at !== undefined) this.section.at = change.at;
+    if (change.on !== undefined) this.section.on = change.on;
+    this.dress();
+  }
+  look(name) {
+    if (this.inside) this.leave();
+    this.orbit.goTo(views.find(view => view.name === name));
+  }
+  nextFaces() {
+    const all = ['cull', 'show', 'tint'];
+    this.setFaces(all[(all.indexOf(this.faces) + 1) % all.length]);
+  }
+
+  startTour(index) {
+    this.enter();
+    this.journey.startTour(this.tours[index]);
+    this.journey.playing = true;
+    this.dress();
+  }
+  startFlight() {
+    this.enter();
+    this.journey.startFlight(flightStart(this.walls, this.tours, this.cavities, this.bounds));
+    this.dress();
+  }
+  enter() { if (!this.inside) this.dispatchEvent(new Event('enter')); }
+  leave() {
+    this.journey.leave();
+    this.dress();
+  }
+  play(on) { this.journey.playing = on; this.touch(); this.dispatchEvent(new Event('change')); }
+  seek(mm) { this.journey.seek(mm); this.touch(); this.dispatchEvent(new Event('travel')); }
+
+  resize() {
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    if (!width || !height || this.renderer.xr.isPresenting) return;
+    const ratio = Math.min(devicePixelRatio || 1, Math.sqrt(mostPixels / (width * height)));
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+    this.orbit.resize(width / height);
+    this.journey.resize(width / height);
+    if (this.orbit.view && !this.turned) this.orbit.goTo(this.orbit.view, true);
+    this.touch();
+  }
+
+  /// Moves what moves; draws if anything did.
+  frame(seconds) {
+    if (!this.inside) this.orbit.update(seconds);
+    else if (this.journey.update(seconds)) {
+      this.touch();
+      this.dispatchEvent(new Event('travel'));
+    }
+    if (!this.dirty) return;
+    this.dirty = false;
+    this.draw();
+  }
+
+  draw() {
+    setLightFrame(this.shared, this.camera, false);
+    this.picture.draw(this.scene, this.camera);
+    const plane = this.section.plane();
+    const cut = p => plane !== null && plane.x * p.x + plane.y * p.y + plane.z * p.z > plane.w;
+    this.labels.place(this.camera, {hidden: this.inside, cut, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
+    this.frames += 1;
+    this.dispatchEvent(new Event('drawn'));
+  }
+}
