@@ -1,8 +1,8 @@
 # Bundles the page and writes it as a C++ file, page.cpp, in WORK; page.html beside it only if that went well. Never fails: without Node.js or
 # its packages page.cpp says what is missing, and `odontoscope web` tells it.
 #   cmake -DNODE=... -DNPM=... -DENABLED=ON -DSOURCE=web folder -DWORK=build folder -P build_page.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/../third_party/npm.cmake)
 set(oldest_node 18)
-set(longest_install 300)   # seconds
 
 function(give_up why)
   message(STATUS "No web page: ${why}")
@@ -28,24 +28,10 @@ if(NOT major OR major LESS oldest_node)
   return()
 endif()
 
-# The packages lie in the build folder; they are installed anew when the lockfile changes.
-file(MAKE_DIRECTORY ${WORK})
-file(SHA256 ${SOURCE}/package-lock.json wanted)
-set(installed "")
-if(EXISTS ${WORK}/installed)
-  file(READ ${WORK}/installed installed)
-endif()
-if(NOT installed STREQUAL wanted)
-  file(REMOVE ${WORK}/installed)
-  file(COPY ${SOURCE}/package.json ${SOURCE}/package-lock.json DESTINATION ${WORK})
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --no-update-notifier --fetch-retries=1
-                  WORKING_DIRECTORY ${WORK} TIMEOUT ${longest_install} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)
-  if(NOT code EQUAL 0)
-    message(STATUS "${said}")
-    give_up("npm could not install the packages of web/package-lock.json")
-    return()
-  endif()
-  file(WRITE ${WORK}/installed "${wanted}")
+npm_install(${SOURCE} ${WORK} ${NPM} failure)
+if(failure)
+  give_up("${failure}")
+  return()
 endif()
 
 execute_process(COMMAND ${NODE} ${SOURCE}/build.mjs ${WORK} RESULT_VARIABLE code OUTPUT_VARIABLE said ERROR_VARIABLE said)

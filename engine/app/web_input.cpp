@@ -65,6 +65,7 @@ WebModel model_by_dt(const ContourStack& stack, const WebWords& words, std::vect
   ReconstructOptions engine;
   engine.threads = session.threads;
   Model made{reconstruct(stack, engine, session.progress()), {}};
+  looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
   session.progress().tell("page", 0.2);
@@ -76,7 +77,6 @@ WebModel model_by_dt(const ContourStack& stack, const WebWords& words, std::vect
   Certificate certificate = certificate_of(facts);
   if (!made.simplifications.empty())
     certificate.findings.push_back({true, "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
-  looks = looks_of(made.reconstruction);
   WebModel model = web_model(made.reconstruction, certificate);
   model.name = "DT";
   model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";

@@ -27,12 +27,12 @@ export class InsideBar {
   }
 
   show() {
-    const {viewer} = this, {journey} = viewer, tour = journey.mode === 'tour';
-    this.bar.hidden = this.map.hidden = !viewer.inside;
-    document.getElementById('pad').hidden = journey.mode !== 'fly' || !matchMedia('(pointer: coarse)').matches;
+    const {viewer} = this, {journey} = viewer, touch = matchMedia('(pointer: coarse)').matches, tour = journey.mode === 'tour';
+    this.bar.hidden = this.map.hidden = !viewer.inside || viewer.headset.present;
+    document.getElementById('pad').hidden = journey.mode !== 'fly' || !touch;
     document.getElementById('scale').hidden = viewer.inside;
-    document.getElementById('notice').textContent = tour ? journey.tour.name : journey.mode === 'fly' ? 'Flying: W A S D and drag; Esc leaves' : '';
-    if (!viewer.inside) return;
+    document.getElementById('notice').textContent = tour ? journey.tour.name : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
+    if (!viewer.inside || viewer.headset.present) return;
     this.play.hidden = this.scrub.hidden = this.fly.hidden = !tour;
     this.play.textContent = journey.playing ? 'Pause' : 'Play';
     const width = `${(2 * journey.room()).toFixed(2)} mm wide`;

@@ -1,6 +1,8 @@
 // The page begins here.
 import {MathUtils} from 'three';
 import {description} from './data.js';
+import {element} from './dom.js';
+import {watchForHeadset} from './headset.js';
 import {InsideBar} from './inside_bar.js';
 import {listenToKeys, makeHelp} from './keys.js';
 import {makePanel} from './panel.js';
@@ -35,10 +37,20 @@ function followColours(viewer) {
   matchMedia('(prefers-color-scheme: light)').addEventListener('change', apply);
 }
 
+/// Only where there is one.
+function headsetSection(viewer) {
+  const enter = element('button', {type: 'button', class: 'main', onclick: () => viewer.headset.enter().catch(error => {
+    document.getElementById('notice').textContent = `The headset cannot be entered: ${error.message}`;
+  })}, 'Enter VR');
+  const section = element('section', {hidden: true, 'aria-label': 'Headset'}, enter);
+  watchForHeadset(found => { section.hidden = !found; });
+  return section;
+}
+
 async function start() {
   const viewer = await Viewer.of(description(), document.getElementById('canvas'));
   const help = makeHelp();
-  makePanel(viewer, {help, extra: null});
+  makePanel(viewer, {help, extra: headsetSection(viewer)});
   new InsideBar(viewer);
   followColours(viewer);
   listenToKeys(viewer, help);

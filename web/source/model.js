@@ -103,9 +103,9 @@ export class ShownModel {
 
   /// Does this part fill a cavity of another solid?
   fills(part) {
-    const box = part.geometry.boundingBox;
+    const box = part.geometry.boundingBox, spare = 0.05 * box.min.distanceTo(box.max);   // simplified surfaces fit less exactly
     return part.kind !== 'cavity' && this.parts.some(other => other.kind === 'cavity' && other.structure !== part.structure &&
-      other.geometry.boundingBox.clone().expandByScalar(1e-3).containsBox(box));
+      other.geometry.boundingBox.clone().expandByScalar(spare).containsBox(box));
   }
 }
 

@@ -1,7 +1,7 @@
 // From the scene to the screen: light is added up linearly in a target of its own, then toned and put before the background. Where the browser
 // cannot draw to such a target, and in a headset, surfaces are toned one by one.
 import {
-  BufferGeometry, Color, Float32BufferAttribute, GLSL3, HalfFloatType, Matrix3, Mesh, NoBlending, OrthographicCamera, SRGBColorSpace, Scene, ShaderMaterial, Vector2,
+  BufferGeometry, Color, Float32BufferAttribute, GLSL3, HalfFloatType, Mesh, NoBlending, OrthographicCamera, SRGBColorSpace, Scene, ShaderMaterial, Vector2,
   WebGLRenderTarget,
 } from 'three';
 import tone from '../../shaders/tone.glsl';
@@ -66,8 +66,8 @@ export class Picture {
   }
 }
 
-/// Lights that stay where they are while the head turns, or travel with the eye as on the desktop.
-export function setLightFrame(shared, camera, fixed) {
-  if (fixed) shared.light_frame.value.setFromMatrix4(camera.matrixWorld);
-  else shared.light_frame.value.copy(new Matrix3());
+/// Lights travel with the eye, as on the desktop; in a headset, whose camera is given, they stay where they are while the head turns.
+export function setLightFrame(shared, head) {
+  if (head) shared.light_frame.value.setFromMatrix4(head.matrixWorld);
+  else shared.light_frame.value.identity();
 }

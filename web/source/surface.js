@@ -9,7 +9,7 @@ import tone from '../../shaders/tone.glsl';
 const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
 
 const vertexShader = `
-out vec3 place;        // in the model's millimetres
+centroid out vec3 place;   // in the model's millimetres
 out vec3 eye_place;
 out vec3 eye_normal;
 void main() {
@@ -23,7 +23,7 @@ void main() {
 const fragmentShader = `
 ${lighting}
 ${tone}
-in vec3 place;
+centroid in vec3 place;
 in vec3 eye_place;
 in vec3 eye_normal;
 uniform vec3 colour;

@@ -1,8 +1,9 @@
 // The state of the page and what can be done with it. Panel, keys and headset all act through this; none of them draws.
-import {Scene, Vector3, WebGLRenderer} from 'three';
+import {Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
 import {boundsOf, partsOf, trianglesOf} from './data.js';
+import {Headset} from './headset.js';
 import {Journey, Tour, flightStart} from './journey.js';
 import {Labels} from './labels.js';
 import {ShownModel} from './model.js';
@@ -38,6 +39,8 @@ export class Viewer extends EventTarget {
     this.shared = sharedUniforms();
     this.picture = new Picture(this.renderer, this.shared);
     this.scene = new Scene();
+    this.world = new Group();   // the model's millimetres; only a headset moves and scales it
+    this.scene.add(this.world);
     this.looks = new Map(description.looks.map(look => [look.structure, {...look, visible: true}]));
     this.models = models;
     for (const part of models.flatMap(model => model.parts)) this.needLook(part.key);
@@ -45,7 +48,7 @@ export class Viewer extends EventTarget {
     this.shown = models.map(model => {
       for (const part of model.parts) part.geometry.computeBoundingBox();
       const shown = new ShownModel(model.parts, this.looks, this.shared, this.bounds);
-      this.scene.add(shown.group);
+      this.world.add(shown.group);
       return shown;
     });
     this.chosen = 0;
@@ -54,6 +57,7 @@ export class Viewer extends EventTarget {
     this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
     this.labels = new Labels(models[0].parts, this.looks);
     this.prepareInside();
+    this.headset = new Headset(this);
     this.frames = 0;
     this.dress();
     this.resize();
@@ -76,7 +80,7 @@ export class Viewer extends EventTarget {
   }
 
   get inside() { return this.journey.mode !== null; }
-  get camera() { return this.inside ? this.journey.camera : this.orbit.camera; }
+  get camera() { return this.headset.present ? this.headset.camera : this.inside ? this.journey.camera : this.orbit.camera; }
   get model() { return this.models[this.chosen]; }
 
   /// The picture must be drawn anew.
@@ -127,7 +131,7 @@ export class Viewer extends EventTarget {
     this.journey.startFlight(flightStart(this.walls, this.tours, this.cavities, this.bounds));
     this.dress();
   }
-  enter() { if (!this.inside) this.dispatchEvent(new Event('enter')); }
+  enter() { if (!this.inside && !this.headset.present) this.dispatchEvent(new Event('enter')); }
   leave() {
     this.journey.leave();
     this.dress();
@@ -149,7 +153,10 @@ export class Viewer extends EventTarget {
 
   /// Moves what moves; draws if anything did.
   frame(seconds) {
-    if (!this.inside) this.orbit.update(seconds);
+    if (this.headset.present) {
+      this.headset.update(seconds);
+      this.touch();
+    } else if (!this.inside) this.orbit.update(seconds);
     else if (this.journey.update(seconds)) {
       this.touch();
       this.dispatchEvent(new Event('travel'));
@@ -160,12 +167,13 @@ export class Viewer extends EventTarget {
   }
 
   draw() {
-    setLightFrame(this.shared, this.camera, false);
+    setLightFrame(this.shared, this.headset.present ? this.renderer.xr.getCamera() : null);
     this.picture.draw(this.scene, this.camera);
+    this.frames += 1;
+    this.dispatchEvent(new Event('drawn'));
+    if (this.headset.present) return;
     const plane = this.section.plane();
     const cut = p => plane !== null && plane.x * p.x + plane.y * p.y + plane.z * p.z > plane.w;
     this.labels.place(this.camera, {hidden: this.inside, cut, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
-    this.frames += 1;
-    this.dispatchEvent(new Event('drawn'));
   }
 }

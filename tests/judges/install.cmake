@@ -1,0 +1,10 @@
+# Installs the judges of package-lock.json into WORK, or says why not.
+include(${CMAKE_CURRENT_LIST_DIR}/../../third_party/npm.cmake)
+if(NOT NPM OR NOT NODE)
+  message("SKIPPED: Node.js with npm was not found")
+  return()
+endif()
+npm_install(${SOURCE} ${WORK} ${NPM} failure)
+if(failure)
+  message("SKIPPED: ${failure}")
+endif()

@@ -1,0 +1,64 @@
+// What the judges have in common: the program, models made by it, packages, and the browser.
+import {execFileSync} from 'node:child_process';
+import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+
+const program = process.env.ODONTOSCOPE_PROGRAM;
+export const modules = join(process.env.ODONTOSCOPE_JUDGES ?? '.', 'node_modules');
+
+/// Ends the script; ctest then reports it as skipped.
+export function skip(reason) {
+  console.log(`SKIPPED: ${reason}`);
+  process.exit(0);
+}
+
+export function needPackages() {
+  if (!existsSync(join(modules, '../installed'))) skip('the packages of tests/judges/package-lock.json are not installed (no Node.js, npm or registry)');
+}
+
+export const packageNamed = name => createRequire(join(modules, '../package.json'))(name);
+export const importFile = path => import(pathToFileURL(join(modules, path)).href);
+
+/// A folder that goes when the script ends.
+export const folder = mkdtempSync(join(tmpdir(), 'odontoscope-judges-'));
+process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
+
+export function odontoscope(...words) {
+  return execFileSync(program, ['--quiet', ...words], {cwd: folder, stdio: ['ignore', 'pipe', 'pipe']}).toString();
+}
+export const made = name => join(folder, name);
+
+/// A GLB file's two chunks.
+export function glbParts(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength), length = view.getUint32(12, true);
+  const json = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length)));
+  return {json, binary: bytes.subarray(28 + length)};
+}
+
+export function glbOf({json, binary}) {
+  let text = new TextEncoder().encode(JSON.stringify(json));
+  const padded = new Uint8Array(Math.ceil(text.length / 4) * 4).fill(0x20);
+  padded.set(text);
+  const bytes = new Uint8Array(28 + padded.length + binary.length), view = new DataView(bytes.buffer);
+  [0x46546c67, 2, bytes.length, padded.length, 0x4e4f534a].forEach((word, i) => view.setUint32(4 * i, word, true));
+  bytes.set(padded, 20);
+  view.setUint32(20 + padded.length, binary.length, true);
+  view.setUint32(24 + padded.length, 0x004e4942, true);
+  bytes.set(binary, 28 + padded.length);
+  return bytes;
+}
+
+export const bytesOf = name => new Uint8Array(readFileSync(made(name)));
+
+/// Chromium without a display, or a skip.
+export async function browser() {
+  const path = process.env.ODONTOSCOPE_CHROMIUM;
+  if (!path || !existsSync(path)) skip('Chromium was not found (Debian: chromium)');
+  return packageNamed('playwright-core').chromium.launch({
+    executablePath: path,
+    args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+  });
+}

@@ -1,0 +1,241 @@
+// What a person sees of a model today with back faces culled, in other people's viewers: no hole in DT, many in DB with the table that does not turn
+// complements over. A hole is a pixel that the surface covers when both its sides are drawn, and does not when only its front is.
+import assert from 'node:assert/strict';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, test} from 'node:test';
+import {browser, bytesOf, glbOf, glbParts, made, modules, needPackages, odontoscope, packageNamed} from './support.mjs';
+
+needPackages();
+const cameras = 20, size = 128;
+const chromium = await browser();
+after(() => chromium.close());
+
+odontoscope('sample', 'molar', '--slice-spacing', '0.35', '--point-spacing', '0.35', '-o', 'molar.json');
+for (const ending of ['glb', 'wrl']) {
+  odontoscope('reconstruct', 'molar.json', '-o', `dt.${ending}`);
+  odontoscope('reconstruct', 'molar.json', '--method', 'db', '--grid', '32', '--cases', 'classic-unoriented', '-o', `db.${ending}`);
+}
+
+/// The same model, drawn from both sides.
+function twoSided(glb) {
+  const parts = glbParts(glb);
+  for (const material of parts.json.materials) material.doubleSided = true;
+  return glbOf(parts);
+}
+
+function flipped(glb, share) {
+  const {json, binary} = glbParts(glb), changed = binary.slice(), view = new DataView(changed.buffer);
+  for (const mesh of json.meshes) {
+    const accessor = json.accessors[mesh.primitives[0].indices], from = json.bufferViews[accessor.bufferView].byteOffset ?? 0;
+    for (let t = 0; t < accessor.count / 3; t += Math.round(1 / share)) {
+      const a = view.getUint32(from + 12 * t, true), b = view.getUint32(from + 12 * t + 4, true);
+      view.setUint32(from + 12 * t, b, true);
+      view.setUint32(from + 12 * t + 4, a, true);
+    }
+  }
+  return glbOf({json, binary: changed});
+}
+
+/// Directions spread over the ball.
+const directions = Array.from({length: cameras}, (_, i) => {
+  const z = 1 - 2 * (i + 0.5) / cameras, turn = i * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
+  return [r * Math.cos(turn), z, r * Math.sin(turn)];
+});
+
+/// A page that may load the given files, and nothing else.
+async function pageWith(files) {
+  const page = await chromium.newPage({viewport: {width: size, height: size}, deviceScaleFactor: 1});
+  const failures = [];
+  page.on('pageerror', error => failures.push(error.message));
+  await page.route('**/*', route => {
+    const path = new URL(route.request().url()).pathname.slice(1), body = files(path);
+    if (body === undefined) return route.fulfill({status: 404});
+    const type = {html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', css: 'text/css', glb: 'model/gltf-binary', wrl: 'model/vrml'}[path.split('.').pop()];
+    return route.fulfill({body: typeof body === 'string' ? body : Buffer.from(body), contentType: type ?? 'application/octet-stream'});
+  });
+  return {page, failures};
+}
+
+const models = name => {
+  const glb = bytesOf(`${name}.glb`);
+  return {front: glb, both: twoSided(glb)};
+};
+
+/// From two pictures' opacities, how many pixels are covered, and how many of them are holes.
+function compared(both, front) {
+  let covered = 0, holes = 0;
+  for (let i = 0; i < both.length; ++i) {
+    if (both[i] < 250) continue;
+    covered += 1;
+    if (front[i] < 128) holes += 1;
+  }
+  return {covered, holes};
+}
+
+function judge(viewer, results) {
+  for (const [name, {covered}] of Object.entries(results)) assert.ok(covered > 0.05 * cameras * size * size, `${viewer} drew ${covered} pixels of ${name}`);
+  console.log(`${viewer}: ${Object.entries(results).map(([name, {covered, holes}]) => `${name} ${holes} holes in ${covered} pixels`).join('; ')}`);
+  assert.equal(results.DT.holes, 0, `${viewer}: holes in DT`);
+  assert.ok(results.DB.holes > 0.02 * results.DB.covered, `${viewer}: hardly a hole in DB`);
+  if (results.mutant) assert.ok(results.mutant.holes > 0.002 * results.mutant.covered, `${viewer}: a DT model with flipped triangles passes`);
+}
+
+/// Sums over all cameras; `opacities(direction, which)` draws.
+async function seen(opacities) {
+  const sum = {covered: 0, holes: 0};
+  for (const direction of directions) {
+    const one = compared(await opacities(direction, 'both'), await opacities(direction, 'front'));
+    sum.covered += one.covered;
+    sum.holes += one.holes;
+  }
+  return sum;
+}
+
+test('three.js', {timeout: 240_000}, async () => {
+  const script = `import {Box3, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
+    import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+    const renderer = new WebGLRenderer({alpha: true, antialias: false, preserveDrawingBuffer: true});
+    renderer.setSize(${size}, ${size});
+    globalThis.load = async url => {
+      globalThis.scene = new Scene();
+      scene.add((await new GLTFLoader().loadAsync(url)).scene);
+      scene.traverse(node => { if (node.isMesh) node.material = node.material.clone(); });
+      const box = new Box3().setFromObject(scene);
+      globalThis.middle = box.getCenter(new Vector3());
+      globalThis.radius = 0.5 * box.getSize(new Vector3()).length();
+    };
+    globalThis.opacities = direction => {
+      const camera = new PerspectiveCamera(30, 1, 0.1 * radius, 10 * radius);
+      camera.position.copy(middle).addScaledVector(new Vector3(...direction), 4 * radius);
+      camera.lookAt(middle);
+      renderer.render(scene, camera);
+      const gl = renderer.getContext(), pixels = new Uint8Array(${4 * size * size});
+      gl.readPixels(0, 0, ${size}, ${size}, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return btoa(String.fromCharCode(...pixels.filter((_, i) => i % 4 === 3)));
+    };`;
+  writeFileSync(made('three.mjs'), script);
+  await packageNamed('esbuild').build({entryPoints: [made('three.mjs')], bundle: true, format: 'iife', outfile: made('three.js'), nodePaths: [modules], logLevel: 'error'});
+  const given = {DT: models('dt'), DB: models('db'), mutant: {front: flipped(bytesOf('dt.glb'), 0.1), both: twoSided(bytesOf('dt.glb'))}};
+  const {page, failures} = await pageWith(path => {
+    const [name, which] = path.replace('.glb', '').split('/');
+    return path === 'index.html' ? '<!DOCTYPE html><script src="three.js"></script>' : path === 'three.js' ? readFileSync(made('three.js')) : given[name]?.[which];
+  });
+  await page.goto('http://judge.test/index.html');
+  const results = {};
+  for (const name of Object.keys(given)) {
+    const drawn = {};
+    for (const which of ['both', 'front']) {
+      await page.evaluate(url => load(url), `${name}/${which}.glb`);
+      drawn[which] = (await page.evaluate(all => all.map(one => opacities(one)), directions)).map(text => Buffer.from(text, 'base64'));
+    }
+    results[name] = await seen(async (direction, which) => drawn[which][directions.indexOf(direction)]);
+  }
+  assert.deepEqual(failures, []);
+  judge('three.js', results);
+  await page.close();
+});
+
+/// The opacities of a picture that the page's viewer gives as a data address.
+const decodeInPage = `globalThis.decoded = async picture => {
+  const image = await createImageBitmap(await (await fetch(picture)).blob()), canvas = new OffscreenCanvas(image.width, image.height), context = canvas.getContext('2d');
+  context.drawImage(image, 0, 0);
+  return btoa(String.fromCharCode(...context.getImageData(0, 0, image.width, image.height).data.filter((_, i) => i % 4 === 3)));
+}`;
+
+test('model-viewer', {timeout: 240_000}, async () => {
+  const given = {DT: models('dt'), DB: models('db')};
+  const html = `<!DOCTYPE html><style>body{margin:0}model-viewer{width:${size}px;height:${size}px}</style><script>${decodeInPage}</script>
+    <script type="module" src="model-viewer.js"></script><model-viewer interaction-prompt="none" camera-target="auto auto auto" min-camera-orbit="auto 0deg auto" max-camera-orbit="auto 180deg auto"></model-viewer>`;
+  const {page, failures} = await pageWith(path => {
+    const [name, which] = path.replace('.glb', '').split('/');
+    if (path === 'index.html') return html;
+    return path === 'model-viewer.js' ? readFileSync(join(modules, '@google/model-viewer/dist/model-viewer.min.js')) : given[name]?.[which];
+  });
+  await page.goto('http://judge.test/index.html');
+  const results = {};
+  for (const name of Object.keys(given)) {
+    const drawn = {};
+    for (const which of ['both', 'front']) {
+      await page.evaluate(async url => {
+        const viewer = document.querySelector('model-viewer'), loaded = new Promise((done, failed) => {
+          viewer.addEventListener('load', done, {once: true});
+          viewer.addEventListener('error', event => failed(new Error(event.detail?.type)), {once: true});
+        });
+        viewer.src = url;
+        await loaded;
+      }, `${name}/${which}.glb`);
+      drawn[which] = (await page.evaluate(async all => {
+        const viewer = document.querySelector('model-viewer'), pictures = [];
+        for (const [x, y, z] of all) {
+          viewer.cameraOrbit = `${Math.atan2(x, z)}rad ${Math.acos(y)}rad 105%`;
+          await viewer.updateComplete;
+          viewer.jumpCameraToGoal();
+          await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+          pictures.push(await decoded(viewer.toDataURL('image/png')));
+        }
+        return pictures;
+      }, directions)).map(text => Buffer.from(text, 'base64'));
+    }
+    results[name] = await seen(async (direction, which) => drawn[which][directions.indexOf(direction)]);
+  }
+  assert.deepEqual(failures, []);
+  judge('model-viewer', results);
+  await page.close();
+});
+
+/// The same with a background of pure green in place of none.
+const notGreenInPage = decodeInPage.replace('decoded', 'notGreen')
+  .replace('.data.filter((_, i) => i % 4 === 3)', ".data.reduce((all, _, i, data) => { if (i % 4 === 0) all.push(data[i] < 8 && data[i + 1] > 247 && data[i + 2] < 8 ? 0 : 255); return all; }, [])");
+
+/// A viewpoint of VRML: its place, and the turn from looking along -z as axis and angle.
+function lookingFrom([x, y, z], middle, distance) {
+  const turn = 0.5 * Math.atan2(x, z), tilt = -0.5 * Math.asin(y), w = Math.cos(turn) * Math.cos(tilt);
+  const axis = [Math.cos(turn) * Math.sin(tilt), Math.sin(turn) * Math.cos(tilt), -Math.sin(turn) * Math.sin(tilt)], length = Math.hypot(...axis);
+  return {place: [x, y, z].map((d, k) => middle[k] + distance * d), turned: length < 1e-9 ? [[0, 1, 0], 0] : [axis.map(a => a / length), 2 * Math.atan2(length, w)]};
+}
+
+test('X_ITE, with VRML97 as in the paper', {timeout: 240_000}, async () => {
+  const given = {};
+  for (const name of ['dt', 'db']) {
+    const front = `${readFileSync(made(`${name}.wrl`), 'utf8')}\nBackground { skyColor 0 1 0 }\n`;   // a colour that no tooth has
+    assert.ok(front.startsWith('#VRML V2.0 utf8') && front.includes('solid TRUE') && front.includes('ccw TRUE'));
+    given[name.toUpperCase()] = {front, both: front.replaceAll('solid TRUE', 'solid FALSE')};
+  }
+  const html = `<!DOCTYPE html><style>html,body{margin:0;background:transparent}x3d-canvas{width:${size}px;height:${size}px}</style><script>${notGreenInPage}</script>
+    <script src="x_ite/x_ite.min.js"></script><x3d-canvas splashScreen="false" notifications="false" contextMenu="false" antialiased="false"></x3d-canvas>`;
+  const {page, failures} = await pageWith(path => {
+    const [name, which] = path.replace('.wrl', '').split('/');
+    if (path === 'index.html') return html;
+    if (path.startsWith('x_ite/')) { try { return readFileSync(join(modules, 'x_ite/dist', path.slice(6))); } catch { return undefined; } }
+    return given[name]?.[which];
+  });
+  await page.goto('http://judge.test/index.html');
+  const results = {};
+  for (const name of Object.keys(given)) {
+    const drawn = {};
+    for (const which of ['both', 'front']) {
+      drawn[which] = [];
+      await page.evaluate(async url => {
+        const X3D = globalThis.X3D, browser = X3D.getBrowser(document.querySelector('x3d-canvas'));
+        await browser.loadURL(new X3D.MFString(url));
+        globalThis.browser = browser;
+        globalThis.viewpoint = browser.currentScene.rootNodes.find(node => node.getNodeTypeName() === 'Viewpoint');
+      }, `${name}/${which}.wrl`);
+      for (const [x, y, z] of directions) {
+        await page.evaluate(async ({place, turned: [axis, angle]}) => {
+          viewpoint.position = new X3D.SFVec3f(...place);
+          viewpoint.orientation = new X3D.SFRotation(...axis, angle);
+          await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
+        }, lookingFrom([x, y, z], [0, 0.0107, 0], 0.04));
+        const picture = (await page.screenshot({omitBackground: true})).toString('base64');
+        drawn[which].push(Buffer.from(await page.evaluate(url => notGreen(url), `data:image/png;base64,${picture}`), 'base64'));
+        if (process.env.ODONTOSCOPE_KEEP) writeFileSync(join(process.env.ODONTOSCOPE_KEEP, `x_ite-${name}-${which}-${drawn[which].length}.png`), Buffer.from(picture, 'base64'));
+      }
+    }
+    results[name] = await seen(async (direction, which) => drawn[which][directions.indexOf(direction)]);
+  }
+  assert.deepEqual(failures, []);
+  judge('X_ITE', results);
+  await page.close();
+});
