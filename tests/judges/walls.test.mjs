@@ -33,7 +33,10 @@ function pipe(wide, around = 24, along = 60) {
   for (const [ring, s] of [[0, 0], [along, 6]]) {
     const middle = positions.length / 3;
     positions.push(...centre(s));
-    for (let k = 0; k < around; ++k) indices.push(middle, ring * around + k, ring * around + (k + 1) % around);
+    for (let k = 0; k < around; ++k) {
+      const a = ring * around + k, b = ring * around + (k + 1) % around;
+      indices.push(middle, ring === 0 ? b : a, ring === 0 ? a : b);
+    }
   }
   return {positions, indices, inside: p => p[0] > -wide && p[0] < 6 + wide && distanceToLine(p, centre) < wide};
 }
@@ -59,6 +62,17 @@ test('the nearest place is the one that looking at every triangle finds', () => 
     }
     assert.equal(tree.nearest(p).distance, least);
   }
+});
+
+test('within and without are told apart', () => {
+  const {positions, indices, inside} = pipe(0.3), tree = new TriangleTree(positions, indices), next = random(5);
+  let within = 0;
+  for (let i = 0; i < 300; ++i) {
+    const p = [8 * next() - 1, 0.8 * next() - 0.4, 6 * next() - 3], far = tree.nearest(p).distance > 0.02;   // the pipe is not quite round
+    if (far && p[0] > 0.02 && p[0] < 5.98) assert.equal(Math.abs(tree.winding(p)) > 0.5, inside(p), String(p));
+    within += inside(p) ? 1 : 0;
+  }
+  assert.ok(within > 10);
 });
 
 test('a tree without triangles is infinitely far away', () => assert.equal(new TriangleTree([], []).nearest([0, 0, 0]).distance, Infinity));

@@ -77,6 +77,17 @@ export class TriangleTree {
     return {distance: Math.sqrt(best.squared), point: best.point};
   }
 
+  /// How often the surface winds round p: about 1 or -1 within a closed one, 0 without; between where it is open. Looks at every triangle.
+  winding(p) {
+    let sum = 0;
+    for (let t = 0; t < this.order.length; ++t) {
+      const [a, b, c] = [0, 1, 2].map(k => minus(this.corner(t, k), p)), [la, lb, lc] = [a, b, c].map(v => Math.sqrt(dot(v, v)));
+      const volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+      sum += 2 * Math.atan2(volume, la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);   // the solid angle (Van Oosterom, Strackee 1983)
+    }
+    return sum / (4 * Math.PI);
+  }
+
   corner(t, c) {
     const v = 3 * this.indices[3 * t + c];
     return [this.positions[v], this.positions[v + 1], this.positions[v + 2]];

@@ -5,8 +5,7 @@ import {
 import {glide} from './walls.js';
 
 const shownHeight = 0.4, armsLength = 0.65, below = 0.1;   // metres: of the tooth, to it, under the eyes
-const insideMetresPerMm = 0.8;                             // a canal is then as wide as a door
-const leastScale = 0.002, mostScale = 2;                   // metres per mm
+const least = 0.04, most = 20;                             // metres of the tooth's height
 const roomsPerSecond = 0.9, growPerSecond = 2;
 const dead = 0.15;                                         // of a stick's way
 
@@ -137,7 +136,7 @@ export class Headset {
   goIn() {
     const {viewer} = this;
     viewer.startFlight();
-    viewer.world.scale.setScalar(insideMetresPerMm);
+    viewer.world.scale.setScalar(viewer.journey.lengths.metre);   // a canal is as wide as a door
     this.put(viewer.journey.camera.position, this.head().position);
   }
 
@@ -154,7 +153,7 @@ export class Headset {
       world.quaternion.premultiply(about);
       this.put(journey.camera.position, position);
     }
-    const wanted = world.worldToLocal(position.clone()), pace = roomsPerSecond * Math.max(2 * journey.room(), 0.3) * seconds * scale;
+    const wanted = world.worldToLocal(position.clone()), pace = roomsPerSecond * Math.max(2 * journey.room(), journey.lengths.slowest) * seconds * scale;
     const stick = new Vector3(side, 0, back).multiplyScalar(pace).applyQuaternion(turned);
     wanted.add(world.worldToLocal(position.clone().add(stick))).sub(world.worldToLocal(position.clone()));
     const from = journey.camera.position, step = wanted.sub(from);
@@ -181,7 +180,8 @@ export class Headset {
 
   grow(factor) {
     const {world} = this.viewer;
-    world.scale.setScalar(Math.min(mostScale, Math.max(leastScale, world.scale.x * factor)));
+    const height = 2 * this.viewer.bounds.radius;
+    world.scale.setScalar(Math.min(most / height, Math.max(least / height, world.scale.x * factor)));
   }
 
   /// What lies between both hands stays between them: it moves, turns and grows with them.

@@ -2,14 +2,20 @@
 import {CatmullRomCurve3, MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
 import {glide} from './walls.js';
 
-const fieldOfView = 72, bodyOfGap = 0.5, largestBody = 0.12;   // mm; the body is at most this part of the room at its start
-const lookAhead = 0.9;           // mm along the way that the eye looks ahead
+const fieldOfView = 72;
 const turnSpeed = 1.6;           // radians a second
-const mmPerSecond = 1.1;         // of a tour
+const bodyOfGap = 0.5;           // the body is at most this part of the room at its start
+
+/// Lengths that suit a tooth, for a model of whatever size and unit: a scan's may be counted in voxels.
+export function lengthsFor(radius) {
+  const one = radius / 11.5;     // a molar's, mm
+  return {body: 0.12 * one, lookAhead: 0.9 * one, perSecond: 1.1 * one, sight: 2.5 * one, farthestNear: one, slowest: 0.4 * one, fastest: 7 * one, step: 0.25 * one, metre: 0.8 / one};
+}
 
 /// A way of its own parametrised by length in mm, with a direction to look and an up that never flips.
 export class Tour {
-  constructor({name, points_mm}) {
+  constructor({name, points_mm}, lengths) {
+    this.lengths = lengths;
     this.name = name;
     this.curve = new CatmullRomCurve3(points_mm.map(p => new Vector3(...p)), false, 'centripetal');
     this.curve.arcLengthDivisions = 40 * points_mm.length;
@@ -20,7 +26,7 @@ export class Tour {
   place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }
 
   direction(mm) {
-    const here = Math.min(mm, this.length - 1e-3), ahead = Math.min(here + lookAhead, this.length);
+    const here = Math.min(mm, 0.999 * this.length), ahead = Math.min(here + this.lengths.lookAhead, this.length);
     const towards = this.place(ahead).sub(this.place(here));
     return towards.lengthSq() > 0 ? towards.normalize() : this.curve.getTangentAt(1);
   }
@@ -47,11 +53,12 @@ export class Journey {
     this.tree = tree;
     this.tours = tours;
     this.bounds = bounds;
+    this.lengths = lengthsFor(bounds.radius);
     this.camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
     this.mode = null;        // 'tour' or 'fly'
     this.playing = false;
     this.mm = 0;
-    this.body = largestBody;
+    this.body = this.lengths.body;
     this.speed = {forward: 0, side: 0, rise: 0, turn: 0, tilt: 0};
     this.still = matchMedia('(prefers-reduced-motion: reduce)');
   }
@@ -81,7 +88,7 @@ export class Journey {
     }
     this.mode = 'fly';
     this.playing = false;
-    this.body = Math.min(largestBody, bodyOfGap * this.room());
+    this.body = Math.min(this.lengths.body, bodyOfGap * this.room());
   }
 
   leave() {
@@ -105,7 +112,7 @@ export class Journey {
     this.pause = (this.pause ?? 0) + seconds;
     const stepwise = this.still.matches;
     if (stepwise && this.pause < 1.5) return false;   // still pictures in place of motion
-    this.seek(this.mm + (stepwise ? this.tour.length / 12 : mmPerSecond * seconds));
+    this.seek(this.mm + (stepwise ? this.tour.length / 12 : this.lengths.perSecond * seconds));
     this.pause = 0;
     if (this.mm >= this.tour.length) this.playing = false;
     return true;
@@ -117,7 +124,7 @@ export class Journey {
     if (!forward && !side && !rise && !turn && !tilt) return false;
     this.turnBy(turn * turnSpeed * seconds, tilt * turnSpeed * seconds);
     // Fast where there is room, slow in narrow canals.
-    const pace = MathUtils.clamp(2.5 * this.room(), 0.4, 0.6 * this.bounds.radius) * seconds;
+    const pace = MathUtils.clamp(2.5 * this.room(), this.lengths.slowest, this.lengths.fastest) * seconds;
     const step = new Vector3(side, rise, -forward).multiplyScalar(pace).applyQuaternion(this.camera.quaternion);
     this.moveBy(step);
     return true;
@@ -133,7 +140,7 @@ export class Journey {
   /// So near that the corners of the picture never lie behind a wall.
   setNear() {
     const t = Math.tan(MathUtils.degToRad(fieldOfView) / 2), corner = Math.hypot(1, t, t * this.camera.aspect);
-    this.camera.near = 0.9 * Math.max(Math.min(this.room(), 1), 1e-3) / corner;
+    this.camera.near = 0.9 * Math.max(Math.min(this.room(), this.lengths.farthestNear), 1e-3 * this.lengths.farthestNear) / corner;
     this.camera.far = 6 * this.bounds.radius;
     this.camera.updateProjectionMatrix();
   }
@@ -146,27 +153,27 @@ export function flightStart(tree, tours, cavities, bounds) {
     const tour = tours[0];
     return {place: tour.place(0), direction: tour.direction(0), up: tour.up(0)};
   }
-  const place = cavities.length > 0 ? roomiest(tree, cavities) : null;
+  const place = cavities.length > 0 ? roomiest(tree, cavities, 1e-6 * bounds.radius) : null;
   if (place) return {place, direction: new Vector3(0, 0, -1), up: new Vector3(0, 1, 0)};
   const front = bounds.centre.clone().addScaledVector(new Vector3(0, 1, 0), 2.2 * bounds.radius);
   return {place: front, direction: new Vector3(0, -1, 0), up: new Vector3(0, 0, 1)};
 }
 
 /// Walls face into the void: from a place on one along its normal to the wall opposite, half way, for some places.
-function roomiest(tree, cavities) {
+function roomiest(tree, cavities, little) {
   let best = null, most = 0;
   for (const {geometry} of cavities) {
     const positions = geometry.attributes.position, normals = geometry.attributes.normal, step = Math.max(1, Math.floor(positions.count / 150));
     for (let i = 0; i < positions.count; i += step) {
       const wall = new Vector3().fromBufferAttribute(positions, i), normal = new Vector3().fromBufferAttribute(normals, i);
-      // Walk away from the wall as long as the room grows.
-      let place = wall.clone().addScaledVector(normal, 0.01), room = tree.nearest(place.toArray()).distance;
-      for (let k = 0; k < 40; ++k) {
-        const next = place.clone().addScaledVector(normal, Math.max(0.5 * room, 0.005)), there = tree.nearest(next.toArray()).distance;
+      // Away from the wall as long as the room grows, by less than what there is, so that no wall is crossed.
+      let place = wall.clone().addScaledVector(normal, little), room = tree.nearest(place.toArray()).distance;
+      for (let k = 0; k < 80; ++k) {
+        const next = place.clone().addScaledVector(normal, 0.7 * room), there = tree.nearest(next.toArray()).distance;
         if (there <= room) break;
         [place, room] = [next, there];
       }
-      if (room > most) [best, most] = [place, room];
+      if (room > most && Math.abs(tree.winding(place.toArray())) > 0.5) [best, most] = [place, room];   // a normal at a sharp crease may lead out
     }
   }
   return best;

@@ -58,8 +58,8 @@ function onTour(viewer, key) {
   const {journey} = viewer;
   switch (key) {
     case ' ': return viewer.play(!journey.playing);
-    case '.': return viewer.seek(journey.mm + 0.25);
-    case ',': return viewer.seek(journey.mm - 0.25);
+    case '.': return viewer.seek(journey.mm + journey.lengths.step);
+    case ',': return viewer.seek(journey.mm - journey.lengths.step);
     default: return false;
   }
 }

@@ -3,6 +3,7 @@ import {Vector3} from 'three';
 import {element} from './dom.js';
 
 const most = 160;                                   // places of a structure among which one is chosen
+const nearCut = 0.04;                               // of the model's height: what lies so near a cut is seen
 const levels = [0.72, 0.3, 0.62, 0.5, 0.2, 0.85];   // how high each structure's label stands, in its own height
 const drawing = 'http://www.w3.org/2000/svg';
 
@@ -12,6 +13,7 @@ export class Labels {
     this.lines = document.createElementNS(drawing, 'svg');
     this.host.append(this.lines);
     this.on = true;
+    this.height = Math.max(...parts.map(part => part.geometry.boundingBox.max.z)) - Math.min(...parts.map(part => part.geometry.boundingBox.min.z));
     this.looks = looks;
     this.named = parts.filter(part => part.kind !== 'cavity' || looks.get(part.key).as_body).map((part, index) => this.labelOf(part, index));
   }
@@ -19,38 +21,55 @@ export class Labels {
   labelOf(part, index) {
     const positions = part.geometry.attributes.position, box = part.geometry.boundingBox;
     const height = box.min.z + levels[index % levels.length] * (box.max.z - box.min.z), near = 0.12 * (box.max.z - box.min.z);
-    const places = [], p = new Vector3(), step = Math.max(1, Math.floor(positions.count / (8 * most)));
-    for (let i = 0; i < positions.count && places.length < most; i += step)
-      if (Math.abs(p.fromBufferAttribute(positions, i).z - height) < near) places.push(p.clone());
+    const places = [], everywhere = [], p = new Vector3(), step = Math.max(1, Math.floor(positions.count / (24 * most)));
+    for (let i = 0; i < positions.count; i += step) {
+      everywhere.push(p.fromBufferAttribute(positions, i).clone());
+      if (Math.abs(p.z - height) < near && places.length < most) places.push(p.clone());
+    }
     if (places.length === 0) places.push(box.getCenter(new Vector3()));
     const words = element('span', {}, part.key.endsWith(' cavity') && this.looks.get(part.key).as_body ? `${part.structure}: cavity` : part.structure);
     const line = document.createElementNS(drawing, 'line'), dot = document.createElementNS(drawing, 'circle');
     dot.setAttribute('r', 3);
     this.lines.append(line, dot);
     this.host.append(words);
-    return {part, places, words, line, dot, right: index % 2 === 0};
+    return {part, places, everywhere, words, line, dot, right: index % 2 === 0};
   }
 
-  /// `cut`: is this place cut away?
-  place(camera, {hidden, cut, width, height}) {
-    const taken = {true: [], false: []};
+  place(camera, {hidden, plane, width, height}) {
+    const placed = [];
     for (const label of this.named) {
       const look = this.looks.get(label.part.key), shown = this.on && !hidden && look.visible && look.opacity > 0;
-      const at = shown ? this.outermost(label, camera, cut, width, height) : null;
+      const at = shown ? this.outermost(this.placesOf(label, plane), label.right, camera, width, height) : null;
       for (const piece of [label.words, label.line, label.dot]) piece.style.display = at ? '' : 'none';
-      if (at) this.put(label, at, taken[label.right], width, height);
+      if (at) placed.push({label, at});
     }
+    const taken = {true: [], false: []};
+    for (const {label, at} of placed.sort((a, b) => a.at.y - b.at.y)) this.put(label, at, taken[label.right], width, height);   // lines do not cross
   }
 
-  outermost(label, camera, cut, width, height) {
+  /// Where a cut shows the structure there; of others what is left and not hidden behind something opaque.
+  placesOf(label, plane) {
+    const {part} = label;
+    if (plane) {
+      const off = p => plane.x * p.x + plane.y * p.y + plane.z * p.z - plane.w, reach = nearCut * this.height;
+      const near = label.everywhere.filter(p => off(p) < 0 && off(p) > -reach);
+      return near.length > 0 ? near : label.places.filter(p => off(p) < 0);
+    }
+    const covered = this.named.some(other => {
+      const look = this.looks.get(other.part.key);
+      return other !== label && look.visible && look.opacity > 0.95 && look.depth < this.looks.get(part.key).depth && other.part.geometry.boundingBox.containsBox(part.geometry.boundingBox);
+    });
+    return covered ? [] : label.places;
+  }
+
+  outermost(places, right, camera, width, height) {
     let best = null;
     const p = new Vector3();
-    for (const place of label.places) {
-      if (cut(place)) continue;
+    for (const place of places) {
       p.copy(place).project(camera);
       if (p.z > 1) continue;
       const at = {x: (0.5 + 0.5 * p.x) * width, y: (0.5 - 0.5 * p.y) * height};
-      if (!best || (label.right ? at.x > best.x : at.x < best.x)) best = at;
+      if (!best || (right ? at.x > best.x : at.x < best.x)) best = at;
     }
     return best && best.x > 0 && best.x < width && best.y > 0 && best.y < height ? best : null;
   }

@@ -6,12 +6,14 @@ import {sides} from './section.js';
 const grouped = count => count.toLocaleString('en-GB');
 
 function certificateSection(viewer) {
-  const words = element('p', {class: 'quiet'}), verdict = element('p', {class: 'verdict'}), list = element('ul');
+  const badge = document.getElementById('badge'), words = element('p', {class: 'quiet'}), verdict = element('p', {class: 'verdict'}), list = element('ul');
   const show = () => {
     const {certificate, triangles, words: about} = viewer.model;
     words.textContent = `${about} ${grouped(triangles)} triangles.`;
-    verdict.textContent = `${certificate.verdict === 'wanting' ? '\u2717' : '\u2713'} ${certificate.headline}`;
-    verdict.classList.toggle('wanting', certificate.verdict === 'wanting');
+    const wanting = certificate.verdict === 'wanting', mark = wanting ? '\u2717' : '\u2713';
+    verdict.textContent = `${mark} ${certificate.headline}`;
+    badge.textContent = `${mark} ${certificate.verdict}`;
+    for (const told of [verdict, badge]) told.classList.toggle('wanting', wanting);
     list.replaceChildren(...certificate.findings.map(f => element('li', {class: f.good ? 'good' : 'bad'}, f.words)));
   };
   show();

@@ -4,7 +4,7 @@ import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
 import {boundsOf, partsOf, trianglesOf} from './data.js';
 import {Headset} from './headset.js';
-import {Journey, Tour, flightStart} from './journey.js';
+import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
 import {ShownModel} from './model.js';
 import {Picture, setLightFrame} from './picture.js';
@@ -12,7 +12,7 @@ import {Section, sides} from './section.js';
 import {sharedUniforms} from './surface.js';
 
 const mostPixels = 2.2e6, sampledPoints = 1500;
-const insideReach = 2.5;   // mm that one sees inside a canal before it grows dark
+const facing = 0.35;   // of a section's normal towards the eye, below which the picture turns to show the cut
 
 function pointsOf(parts) {
   const points = [];
@@ -73,7 +73,7 @@ export class Viewer extends EventTarget {
     const parts = this.models[0].parts, cavities = parts.filter(part => part.kind === 'cavity');
     const {positions, indices} = trianglesOf(cavities.length > 0 ? cavities : parts);
     this.walls = new TriangleTree(positions, indices);
-    this.tours = this.description.tours.filter(tour => tour.points_mm.length > 1).map(tour => new Tour(tour));
+    this.tours = this.description.tours.filter(tour => tour.points_mm.length > 1).map(tour => new Tour(tour, lengthsFor(this.bounds.radius)));
     this.journey = new Journey(this.walls, this.tours, this.bounds);
     this.cavities = cavities;
     this.hasInside = cavities.length > 0;
@@ -91,7 +91,7 @@ export class Viewer extends EventTarget {
     const section = this.section.plane();
     if (section && !this.inside) this.shared.section.value.copy(section);
     else this.shared.section.value.set(0, 0, 0, 1);
-    this.shared.reach.value = this.inside ? insideReach : 0;
+    this.shared.reach.value = this.inside ? this.journey.lengths.sight : 0;
     this.shown.forEach((shown, index) => {
       shown.group.visible = index === this.chosen;
       shown.dress({faces: this.faces, section, inside: this.inside});
@@ -110,6 +110,16 @@ export class Viewer extends EventTarget {
     if (change.at !== undefined) this.section.at = change.at;
     if (change.on !== undefined) this.section.on = change.on;
     this.dress();
+    if (change.on || change.side || change.reversed !== undefined) this.faceTheCut();
+  }
+  /// A cut that is turned away is not seen: look at it from a little aside.
+  faceTheCut() {
+    const plane = this.section.plane();
+    if (!plane || this.inside || this.headset.present) return;
+    const normal = new Vector3(plane.x, plane.y, plane.z), towards = this.orbit.camera.position.clone().sub(this.orbit.controls.target).normalize();
+    if (towards.dot(normal) > facing) return;
+    const aside = Math.abs(normal.z) > 0.9 ? new Vector3(0, 0.6, 0) : new Vector3(-normal.y, normal.x, 0).multiplyScalar(0.35).add(new Vector3(0, 0, 0.25));
+    this.orbit.goTo({towards: normal.add(aside).toArray(), up: [0, 0, 1]});
   }
   look(name) {
     if (this.inside) this.leave();
@@ -173,7 +183,6 @@ export class Viewer extends EventTarget {
     this.dispatchEvent(new Event('drawn'));
     if (this.headset.present) return;
     const plane = this.section.plane();
-    const cut = p => plane !== null && plane.x * p.x + plane.y * p.y + plane.z * p.z > plane.w;
-    this.labels.place(this.camera, {hidden: this.inside, cut, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
+    this.labels.place(this.camera, {hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
   }
 }
