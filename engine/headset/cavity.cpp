@@ -37,8 +37,8 @@ SurfaceMesh surface_of(const ModelPart& part, const glm::dvec3& origin_mm) {
   return surface;
 }
 
-std::optional<Cavity> cavity_of(const ModelPart& part, const glm::dvec3& origin_mm) {
-  Cavity cavity{part.structure, !part.cavity, Walls(surface_of(part, origin_mm)), {}, 0};
+std::optional<VisitedCavity> cavity_of(const ModelPart& part, const glm::dvec3& origin_mm) {
+  VisitedCavity cavity{part.structure, !part.cavity, Walls(surface_of(part, origin_mm)), {}, 0};
   const std::optional<Roomiest> roomiest = roomiest_place(cavity.walls);
   if (!roomiest) return std::nullopt;
   cavity.middle = roomiest->at;
@@ -48,21 +48,21 @@ std::optional<Cavity> cavity_of(const ModelPart& part, const glm::dvec3& origin_
 
 }  // namespace
 
-std::vector<Cavity> cavities_of(const Model& model) {
+std::vector<VisitedCavity> cavities_of(const Model& model) {
   std::vector<PartBox> boxes;
   for (const ModelPart& part : model.parts) boxes.push_back(box_of(part));
-  std::vector<Cavity> cavities;
+  std::vector<VisitedCavity> cavities;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const ModelPart& part = model.parts[i];
     const bool enclosed = std::any_of(boxes.begin(), boxes.end(), [&](const PartBox& outer) { return lies_within(boxes[i], outer); });
     if (part.indices.empty() || !(part.cavity || enclosed)) continue;
-    if (std::optional<Cavity> cavity = cavity_of(part, model.origin_mm)) cavities.push_back(std::move(*cavity));
+    if (std::optional<VisitedCavity> cavity = cavity_of(part, model.origin_mm)) cavities.push_back(std::move(*cavity));
   }
-  std::stable_sort(cavities.begin(), cavities.end(), [](const Cavity& a, const Cavity& b) { return a.room_mm > b.room_mm; });
+  std::stable_sort(cavities.begin(), cavities.end(), [](const VisitedCavity& a, const VisitedCavity& b) { return a.room_mm > b.room_mm; });
   return cavities;
 }
 
-Scene seen_from_inside(const Scene& scene, const Model& model, const Cavity& cavity) {
+Scene seen_from_inside(const Scene& scene, const Model& model, const VisitedCavity& cavity) {
   Scene inside = scene;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const std::string& structure = model.parts[i].structure;

@@ -25,7 +25,7 @@ std::optional<Hit> pointed_at(const Visit& visit, const HandInput& hand, const V
   return pick(world.pickable, world.scene, ray, {.least_opacity = 1});
 }
 
-std::optional<std::size_t> cavity_named(const std::string& structure, std::span<const Cavity> cavities) {
+std::optional<std::size_t> cavity_named(const std::string& structure, std::span<const VisitedCavity> cavities) {
   for (std::size_t i = 0; i < cavities.size(); ++i)
     if (cavities[i].structure == structure) return i;
   return std::nullopt;
@@ -117,7 +117,7 @@ glm::dvec3 wanted_way(const HeadsetInput& input) {
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   for (std::size_t i = 0; i < 2; ++i)
     if (input.hands[i].menu && !visit.before[i].menu) visit.way = Visit::Way{};
-  const Cavity& cavity = world.cavities[*visit.cavity];
+  const VisitedCavity& cavity = world.cavities[*visit.cavity];
   const FlightRules flight_limits = flight_rules(visit.stage, rules);
   // Where the head itself went. A wall that it would go through is pushed along instead.
   const glm::dvec3 head_mm = to_model(visit.stage, input.head.position);
@@ -160,7 +160,7 @@ void fade(Visit& visit, const HeadsetInput& input, const VisitWorld& world, cons
 
 }  // namespace
 
-Stage inside(const Cavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules) {
+Stage inside(const VisitedCavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules) {
   const Stage stage = before(head, model, rules.roomy / (metres_per_mm * cavity.room_mm));
   return moved(stage, head.position - to_room(stage, cavity.middle));
 }

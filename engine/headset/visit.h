@@ -31,7 +31,7 @@ struct VisitWorld {
   const Model& model;
   const Pickable& pickable;
   const Scene& scene;               // as seen from outside
-  std::span<const Cavity> cavities;
+  std::span<const VisitedCavity> cavities;
 };
 
 struct Visit {
@@ -59,6 +59,6 @@ struct Visit {
 Visit stepped(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 
 /// The stage on which the roomiest place of the cavity is where the head is, upright.
-Stage inside(const Cavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules);
+Stage inside(const VisitedCavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules);
 
 }  // namespace odontoscope

@@ -112,8 +112,8 @@ class HeadsetVisit {
   const Gl& gl_;
   std::unique_ptr<Headset> headset_;
   EyePainter painter_;
-  std::vector<Cavity> cavities_;
-  std::future<std::vector<Cavity>> cavities_to_come_;
+  std::vector<VisitedCavity> cavities_;
+  std::future<std::vector<VisitedCavity>> cavities_to_come_;
   Visit visit_;
   bool drawn_ = false;
   std::string title_, controllers_;

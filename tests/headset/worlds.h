@@ -11,7 +11,7 @@ struct BallWorld {
   Model model;
   Pickable pickable;
   Scene scene;
-  std::vector<Cavity> cavities;
+  std::vector<VisitedCavity> cavities;
   VisitWorld world() const { return {model, pickable, scene, cavities}; }
 };
 
