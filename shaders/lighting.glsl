@@ -47,7 +47,7 @@ Reflected reflected_lamp(vec3 place, vec3 normal, vec3 to_eye, vec3 colour, floa
   vec3 towards = way / max(far, 1e-9);
   float part = far / lamp.w, left = 1.0 / (1.0 + part * part);
   Reflected light;
-  light.diffuse = colour * warm * (1.12 * left * wrapped(normal, towards));
+  light.diffuse = colour * warm * (1.3 * left * wrapped(normal, towards));
   light.ambient = colour * (cool * 0.035 + warm * (0.22 * left));
   light.gloss = warm * (0.55 * left * gloss_of(normal, to_eye, towards, roughness));
   return light;

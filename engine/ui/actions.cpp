@@ -43,9 +43,22 @@ constexpr std::array<ActionKey, 33> keys = {{
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
 }};
 
-constexpr std::array<ActionKey, 10> in_flight = {{
+constexpr std::array<ActionKey, 23> in_flight = {{
     {"C", Action::enter_pulp, "back to outside; from outdoors: into the pulp", U'c'},
     {"X", Action::pass_wall, "through the wall straight ahead", U'x'},
+    {"T", Action::next_canal, "ride down the next canal (1 to 9: that one)", U't'},
+    {"Space", Action::ride_play, "ride: go on, stop", 0, Key::space},
+    {"R", Action::ride_back, "ride: the other way", U'r'},
+    {",  .", Action::ride_nearer, "ride: a little back, ahead", U','},
+    {",  .", Action::ride_farther, "", U'.'},
+    {"Home End", Action::ride_to_start, "ride: to its start, its end", 0, Key::home},
+    {"Home End", Action::ride_to_end, "", 0, Key::end},
+    {"B", Action::toggle_labels, "names on or off", U'b'},
+    {"V", Action::turn_where, "small picture: from another side", U'v'},
+    {"H", Action::toggle_where, "small pictures on or off", U'h'},
+    {"N", Action::write_note, "write a note on this view", U'n'},
+    {"PgDn", Action::next_step, "notes: next", 0, Key::page_down},
+    {"PgUp", Action::previous_step, "notes: back", 0, Key::page_up},
     {"+", Action::faster, "faster", U'+'},
     {"+", Action::faster, "faster", U'='},
     {"\xE2\x88\x92", Action::slower, "slower", U'-'},
@@ -91,6 +104,12 @@ std::span<const Gesture> flight_gestures() { return flying; }
 
 std::optional<Action> flight_action_for(const TextTyped& text) {
   const auto found = std::find_if(in_flight.begin(), in_flight.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
+  return found == in_flight.end() ? std::nullopt : std::optional(found->action);
+}
+
+std::optional<Action> flight_action_for(const KeyChanged& pressed) {
+  if (!pressed.down || pressed.key == Key::other) return std::nullopt;
+  const auto found = std::find_if(in_flight.begin(), in_flight.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
   return found == in_flight.end() ? std::nullopt : std::optional(found->action);
 }
 

@@ -1,11 +1,15 @@
 #include "engine/ui/fly_marks.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 
+#include "engine/navigate/screen.h"
+#include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {
@@ -37,6 +41,209 @@ void draw_vignette(ImDrawList& list, const Area& viewport, double strength) {
 }
 
 }  // namespace
+
+namespace {
+
+constexpr double where_width = 190, where_height = 230, where_margin = 20, where_above = 62, slice_height = 150;   // interface pixels
+
+/// A label as it is drawn: a pill of words beside its place.
+struct DrawnLabel {
+  const FlightLabel* label;
+  ImVec2 dot, low, high;
+  double opacity;
+};
+
+/// Nearest first; one that would lie over another is left out.
+std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  const FlyState& fly = state.fly;
+  const FlightSpaces& spaces = *state.shown->flight;
+  const Walls& walls = fly.cavity ? spaces.cavities[*fly.cavity].walls : spaces.outside;
+  const double slack = (fly.cavity ? 3 : 6) * spaces.rules.clearance, far = 1.2 * state.shown->model.radius_mm;
+  std::vector<DrawnLabel> drawn;
+  for (const SeenLabel& seen : seen_labels(fly.labels, pane.camera, pane.area.aspect(), walls, slack)) {
+    const FlightLabel& label = fly.labels[seen.label];
+    const glm::dvec2 at = pixel_of(pane.area, seen.place);
+    const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, label.words.c_str());
+    const ImVec2 low = vec(at.x + 12 * scale, at.y - extent.y / 2 - 5 * scale), high{low.x + extent.x + 18 * scale, low.y + extent.y + 10 * scale};
+    if (high.x > pane.area.left + pane.area.width || low.y < pane.area.top || high.y > pane.area.top + pane.area.height) continue;
+    const bool over = std::any_of(drawn.begin(), drawn.end(), [&](const DrawnLabel& other) { return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y; });
+    if (over) continue;
+    drawn.push_back({&label, vec(at.x, at.y), low, high, std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
+  }
+  return drawn;
+}
+
+ImU32 faded(ImU32 colour, double opacity) {
+  const auto alpha = static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * (colour >> IM_COL32_A_SHIFT));
+  return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
+}
+
+void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto drawn = drawn_labels(state, pane, interface, scale);
+  for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
+    const bool rides = label->label->line.has_value();
+    const ImU32 ground = theme::rgb(0x14181c, 205), ink = rides ? theme::mark : theme::text;
+    list.AddLine(label->dot, {label->low.x + 2 * scale, (label->low.y + label->high.y) / 2}, faded(ink, label->opacity), 1.4f * scale);
+    list.AddCircleFilled(label->dot, 5.0f * scale, faded(theme::mark_outline, label->opacity), 20);
+    list.AddCircleFilled(label->dot, 3.4f * scale, faded(ink, label->opacity), 20);
+    list.AddRectFilled(label->low, label->high, faded(ground, label->opacity), 6 * scale);
+    list.AddText(interface.bold, interface.bold->FontSize, {label->low.x + 9 * scale, label->low.y + 5 * scale}, faded(ink, label->opacity), label->label->words.c_str());
+  }
+}
+
+/// Breadcrumb and figures, at the upper left of the picture.
+void draw_words(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const std::string where = where_in_words(state), measured = measured_in_words(state);
+  const float wrap = std::max(120.0f * scale, static_cast<float>(pane.area.width) - 200 * scale);   // the compass is at the right
+  const ImVec2 first = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, wrap, where.c_str());
+  const ImVec2 second = measured.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, measured.c_str());
+  const ImVec2 low = vec(pane.area.left + 16 * scale, pane.area.top + 16 * scale);
+  const ImVec2 high{low.x + std::max(first.x, second.x) + 24 * scale, low.y + first.y + second.y + (measured.empty() ? 14 : 18) * scale};
+  list.AddRectFilled(low, high, theme::rgb(0x14181c, 190), 8 * scale);
+  list.AddText(interface.bold, interface.bold->FontSize, {low.x + 12 * scale, low.y + 7 * scale}, theme::text, where.c_str(), nullptr, wrap);
+  if (!measured.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, low.y + first.y + 11 * scale}, theme::mark, measured.c_str(), nullptr, wrap);
+}
+
+/// Where the eye is in the small picture, where it looks, and how it came there.
+void draw_where(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  const Area area = where_area(pane, scale);
+  if (area.width < 1) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const FlyState& fly = state.fly;
+  const Camera camera = where_camera(state.shown->model, fly.where_from, area);
+  const auto pixel = [&](const glm::dvec3& place) {
+    const auto at = place_of(camera, place);
+    const glm::dvec2 p = pixel_of(area, at.value_or(glm::dvec2(0)));
+    return vec(p.x, p.y);
+  };
+  const ImVec2 low = vec(area.left, area.top), high = vec(area.left + area.width, area.top + area.height);
+  list.AddRect(low, high, theme::line, 0, 0, 1.5f * scale);
+  list.PushClipRect(low, high);
+  if (fly.cavity) {
+    for (const CentreLine* line : rideable(state.shown->flight->cavities[*fly.cavity].lines)) {
+      std::vector<ImVec2> points;
+      for (const CentrePoint& point : line->points) points.push_back(pixel({point.at.x, point.at.y, point.at.z}));
+      list.AddPolyline(points.data(), static_cast<int>(points.size()), faded(theme::accent, 0.55), 0, 1.2f * scale);
+    }
+  }
+  std::vector<ImVec2> trail;
+  for (const glm::dvec3& place : fly.trail) trail.push_back(pixel(place));
+  trail.push_back(pixel(fly.flight.eye));
+  list.AddPolyline(trail.data(), static_cast<int>(trail.size()), faded(theme::mark, 0.8), 0, 1.8f * scale);
+  const CameraAxes axes = axes_of(camera);
+  const glm::dvec2 ahead(glm::dot(fly.flight.sight, axes.right), -glm::dot(fly.flight.sight, axes.up));
+  const ImVec2 eye = pixel(fly.flight.eye);
+  const float reach = 24 * scale;
+  const ImVec2 tip{eye.x + static_cast<float>(ahead.x) * reach, eye.y + static_cast<float>(ahead.y) * reach};
+  list.AddLine(eye, tip, theme::mark_outline, 5 * scale);
+  list.AddLine(eye, tip, theme::mark, 2.6f * scale);
+  list.AddCircleFilled(eye, 6.5f * scale, theme::mark_outline, 24);
+  list.AddCircleFilled(eye, 4.8f * scale, theme::mark, 24);
+  list.PopClipRect();
+  const std::string from = std::string("from ") + name(fly.where_from) + "   V: another side";
+  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, from.c_str());
+}
+
+/// The slice at the eye's height with its contours, seen from occlusal, and the eye in it.
+void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  const std::vector<Slice>& slices = state.shown->overlays.contours.slices;
+  const Area below = where_area(pane, scale);
+  if (slices.empty() || below.width < 1) return;
+  const Area area{below.left, below.top - slice_height * scale - 8 * scale, below.width, slice_height * scale};
+  if (area.top < pane.area.top + 170 * scale) return;   // the compass is there
+  const glm::dvec3 eye = state.fly.flight.eye;
+  std::size_t nearest = 0;
+  for (std::size_t i = 1; i < slices.size(); ++i)
+    if (std::abs(slices[i].z - eye.z) < std::abs(slices[nearest].z - eye.z)) nearest = i;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 low = vec(area.left, area.top), high = vec(area.left + area.width, area.top + area.height);
+  list.AddRectFilled(low, high, theme::rgb(0x14181c, 235));
+  list.AddRect(low, high, theme::line, 0, 0, 1.5f * scale);
+  const Box& bounds = state.shown->model.bounds_mm;
+  const glm::dvec3 middle = bounds.centre(), extent = bounds.high - bounds.low;
+  const double per_mm = 0.86 * std::min(area.width / extent.x, (area.height - 18 * scale) / extent.y);
+  // As in the file: x to the right, y, towards buccal, up.
+  const auto pixel = [&](double x, double y) { return vec(area.left + area.width / 2 + per_mm * (x - middle.x), area.top + 9 * scale + area.height / 2 - per_mm * (y - middle.y)); };
+  list.PushClipRect(low, high);
+  for (const Contour& contour : slices[nearest].contours) {
+    std::vector<ImVec2> points;
+    for (const Point2& point : contour.points) points.push_back(pixel(point.x, point.y));
+    const Look* look = state.fly.scene_before.look_of(contour.structure);
+    const Colour colour = look ? look->colour : usual_colour(contour.structure, 0);
+    const auto byte = [](float value) { return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); };
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), theme::rgb(byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue)), ImDrawFlags_Closed, 1.5f * scale);
+  }
+  const ImVec2 at = pixel(eye.x, eye.y);
+  const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.sight.x) * 18 * scale, at.y - static_cast<float>(state.fly.flight.sight.y) * 18 * scale};
+  list.AddLine(at, tip, theme::mark, 2.2f * scale);
+  list.AddCircleFilled(at, 5.5f * scale, theme::mark_outline, 24);
+  list.AddCircleFilled(at, 4 * scale, theme::mark, 24);
+  list.PopClipRect();
+  const std::string words = fmt::format("slice {} of {}, z {:.2f} mm", nearest + 1, slices.size(), slices[nearest].z);
+  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, words.c_str());
+}
+
+}  // namespace
+
+Area where_area(const ViewPane& pane, float scale) {
+  const double width = where_width * scale, height = where_height * scale;
+  if (pane.area.width < 2.6 * width || pane.area.height < 1.6 * height) return {};
+  return {std::round(pane.area.left + pane.area.width - width - where_margin * scale), std::round(pane.area.top + pane.area.height - height - where_above * scale), std::round(width),
+          std::round(height)};
+}
+
+/// A little smaller and lower than it would fit: words stand above.
+Camera where_camera(const Model& model, NamedView from, const Area& area) {
+  Camera camera = fit(from, model, area.aspect(), Camera::Projection::parallel);
+  constexpr double smaller = 1.16, lower = 0.07;
+  camera.height_mm *= smaller;
+  const glm::dvec3 shift = lower * camera.height_mm * axes_of(camera).up;
+  camera.position += shift;
+  camera.target += shift;
+  return camera;
+}
+
+std::string where_in_words(const ViewerState& state) {
+  constexpr const char* then = " \xE2\x86\x92 ";
+  const FlyState& fly = state.fly;
+  std::string words = state.shown->title;
+  if (!fly.cavity) return words + then + "outside";
+  const FlightSpace& space = state.shown->flight->cavities[*fly.cavity];
+  if (!fly.place) return words + then + space.structure;
+  const CentreLine& line = *rideable(space.lines)[fly.place->line];
+  const bool in_chamber = space.lines.has_chamber && fly.place->depth < 0;
+  if (space.lines.has_chamber) words += std::string(then) + "pulp chamber";
+  return in_chamber ? words : words + then + line.name;
+}
+
+std::string measured_in_words(const ViewerState& state) {
+  const FlyState& fly = state.fly;
+  if (!fly.place) return {};
+  const FlightSpace& space = state.shown->flight->cavities[*fly.cavity];
+  const bool canal = fly.place->line < space.lines.canals.size();
+  const std::string& name = rideable(space.lines)[fly.place->line]->name;
+  if (space.lines.has_chamber && fly.place->depth < 0)
+    return canal ? fmt::format("{:.2f} mm wide here; {:.2f} mm to the orifice of {}", fly.place->width, -fly.place->depth, name) : fmt::format("{:.2f} mm wide here", fly.place->width);
+  return fmt::format("{:.2f} mm {}; {:.2f} mm wide here; {:.2f} mm to the {}", fly.place->depth, canal ? "past the orifice" : "from its start", fly.place->width, fly.place->to_end,
+                     canal ? "apex" : "end");
+}
+
+std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y) {
+  if (!state.fly.show_labels) return std::nullopt;
+  for (const DrawnLabel& drawn : drawn_labels(state, pane, interface, scale))
+    if (drawn.label->line && x >= drawn.dot.x - 8 * scale && x <= drawn.high.x && y >= drawn.low.y && y <= drawn.high.y) return drawn.label->line;
+  return std::nullopt;
+}
+
+void draw_flight(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+  if (state.fly.show_labels) draw_labels(state, pane, interface, scale);
+  draw_words(state, pane, interface, scale);
+  if (!state.fly.show_where) return;
+  draw_where(state, pane, interface, scale);
+  draw_slice(state, pane, interface, scale);
+}
 
 void draw_fade(const ViewerState& state, const Area& viewport) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -4,6 +4,9 @@
 #include "engine/ui/interface.h"
 #include "engine/ui/viewer_state.h"
 
+#include <optional>
+#include <string>
+
 namespace odontoscope {
 
 /// The inside of a tooth by lamplight: dentine, warmer than from outside.
@@ -11,6 +14,21 @@ inline constexpr Colour wall_colour = colour_of(0xe8cba6);
 
 /// Slower and faster than usual, at most.
 inline constexpr double least_haste = 0.2, most_haste = 8;
+
+/// Names, and where one is: over the picture. Precondition: one flies.
+void draw_flight(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale);
+
+/// The line whose name was clicked.
+std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y);
+
+/// Where the tooth is shown small, and how; an empty area where the picture is too small for it.
+Area where_area(const ViewPane& pane, float scale);
+Camera where_camera(const Model& model, NamedView from, const Area& area);
+
+/// "Sample molar › pulp chamber › canal 1".
+std::string where_in_words(const ViewerState& state);
+/// "3.2 mm past the orifice, 0.64 mm wide here, 7.1 mm to the apex"; empty outdoors.
+std::string measured_in_words(const ViewerState& state);
 
 /// Darkens the picture for passages, and its rim while it turns if that is wanted.
 void draw_fade(const ViewerState& state, const Area& viewport);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -29,6 +31,38 @@ void flight_section(ViewerState& state, const Interface& interface) {
   widgets::toggle("Mouse looks without a button (M)", fly.mouse_caught);
 }
 
+/// The canals, and the ride's controls.
+void ride_section(ViewerState& state, const Interface& interface) {
+  FlyState& fly = state.fly;
+  if (!fly.cavity) return;
+  const auto lines = rideable(state.shown->flight->cavities[*fly.cavity].lines);
+  if (lines.empty() || !widgets::section(interface, "Canals")) return;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool here = fly.ride && fly.ride->line == i;
+    const double length = lines[i]->points.back().along - lines[i]->points[std::min(lines[i]->orifice, lines[i]->points.size() - 1)].along;
+    const std::string words = i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1) : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
+    if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
+  }
+  if (!fly.ride) {
+    widgets::remark(interface, "Choose one to be led along it; or click its name in the picture.");
+    return;
+  }
+  Ride& ride = *fly.ride;
+  two_buttons(state, ride.playing ? "Stop (Space)" : "Go on (Space)", Action::ride_play, ride.back ? "Forwards (R)" : "Backwards (R)", Action::ride_back);
+  const double from = ride.track.points.front().along, to = ride.track.points.back().along;
+  if (widgets::slider("Along the canal", ride.along, from, to, "%.2f mm")) ride.playing = false;
+  widgets::remark(interface, "Arrow keys or a drag look around on the way; any key that flies leaves it.");
+}
+
+void where_section(ViewerState& state, const Interface& interface) {
+  if (!widgets::section(interface, "Where am I")) return;
+  FlyState& fly = state.fly;
+  widgets::remark(interface, where_in_words(state));
+  if (const std::string measured = measured_in_words(state); !measured.empty()) widgets::remark(interface, measured);
+  widgets::toggle("Names (B)", fly.show_labels);
+  widgets::toggle("Tooth and slice, small (H)", fly.show_where);
+}
+
 void comfort_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Comfort", false)) return;
   Comfort& comfort = state.settings.comfort;
@@ -53,6 +87,8 @@ void fly_entrance(ViewerState& state, const Interface& interface) {
 
 void fly_sections(ViewerState& state, const Interface& interface) {
   flight_section(state, interface);
+  ride_section(state, interface);
+  where_section(state, interface);
   comfort_section(state, interface);
 }
 

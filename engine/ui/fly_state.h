@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "engine/navigate/flight_spaces.h"
+#include "engine/navigate/labels.h"
+#include "engine/navigate/ride.h"
 #include "engine/scene/scene.h"
 #include "engine/view/input.h"
 
@@ -21,6 +23,13 @@ struct FlyState {
   glm::dvec3 sight_before{0};          // since the frame before
   std::vector<glm::dvec3> trail;       // where the eye was, one place every few clearances
   Scene scene_before;
+
+  std::optional<Ride> ride;            // along a canal; any key that flies ends it
+  std::optional<std::size_t> ride_asked;   // of rideable(), begun in the next frame
+  std::optional<CanalPlace> place;     // in terms of the cavity's lines; none outdoors, or where it has none
+  std::vector<FlightLabel> labels;
+  bool show_labels = true, show_where = true;
+  NamedView where_from = NamedView::buccal;   // the small picture's side
 };
 
 }  // namespace odontoscope

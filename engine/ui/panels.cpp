@@ -10,6 +10,7 @@
 #include "engine/navigate/section_handle.h"
 #include "engine/ui/fly_panel.h"
 #include "engine/ui/lab_panel.h"
+#include "engine/ui/notes_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 #include "recon/core/grouped.h"
@@ -241,6 +242,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
   heading(state, interface);
   if (state.shown && state.fly.on) {
     fly_sections(state, interface);
+    notes_section(state, interface);
   } else if (state.shown) {
     fly_entrance(state, interface);
     lab_section(state, interface);
@@ -251,6 +253,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     measure_section(state, interface);
     overlays_section(state, interface);
     camera_section(state, interface);
+    notes_section(state, interface);
     picture_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});

@@ -38,7 +38,7 @@ struct Settings {
   BackFaces back_faces = BackFaces::cull;
   Camera::Projection projection = Camera::Projection::perspective;
   Backdrop backdrop = Backdrop::dark;
-  PictureSettings picture;
+  PictureSettings picture = {};
   Comfort comfort = {};
   friend bool operator==(const Settings&, const Settings&) = default;
 };

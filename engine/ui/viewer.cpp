@@ -15,6 +15,7 @@
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/marks.h"
+#include "engine/ui/notes_panel.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 
@@ -72,6 +73,7 @@ void Viewer::open(LoadRequest request) {
   }
   state_.trouble.clear();
   failure_ = nullptr;
+  if (open_tour(request)) return;
   if (!request.iso && !request.from_command_line && options_.is_volume(request.file)) {
     state_.question = VolumeQuestion{.file = std::move(request.file)};
     return;
@@ -89,6 +91,8 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
     react(event);
   }
   for (const Action action : std::exchange(state_.todo, {})) perform(action);
+  if (const auto line = std::exchange(state_.fly.ride_asked, {})) begin_ride(*line);
+  tend_notes();
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
   lay_out(input);
   take_finished_load();
@@ -98,6 +102,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   show_hovered();
   lay_out(input);
   draw_model(input, target);
+  draw_where_picture(target);
   draw_interface(input, target);
 }
 
@@ -119,17 +124,23 @@ void Viewer::take_finished_load() {
   try {
     show(std::make_shared<const LoadedModel>(job->take()));
     sample_shown_ = job->request().file.empty();
+    const bool by_name = !job->request().iso && !options_.is_volume(job->request().file);
+    file_shown_ = by_name ? job->request().file : std::string();
+    state_.notes = {};
+    if (auto tour = std::exchange(tour_after_load_, std::nullopt)) take_tour(std::move(*tour));
     if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
+    tour_after_load_.reset();
     notice("Stopped.");
   } catch (...) {
+    tour_after_load_.reset();
     failure_ = std::current_exception();
     state_.trouble = words_for_current_exception();
   }
 }
 
 void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
-  leave_flight(true);
+  end_flight();
   fade_.reset();
   state_.fly.dark = 0;
   leave_lab();
@@ -175,7 +186,7 @@ void Viewer::perform(Action action) {
     case Action::escape: escape(); return;
     default: break;
   }
-  if (!state.shown || perform_in_flight(action) || perform_in_lab(action)) return;
+  if (!state.shown || perform_on_notes(action) || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
   if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
@@ -232,6 +243,8 @@ void Viewer::escape() {
   else if (state_.question) state_.question.reset();
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
+  else if (state_.notes.draft) state_.notes.draft.reset();
+  else if (state_.notes.shown) state_.notes.shown.reset();
   else if (state_.fly.on) leave_flight();
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
   else if (state_.lab.lesson) state_.lab.lesson.reset();
@@ -304,6 +317,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   interface_.begin(scaled);
   const Area& viewport = viewport_;
   if (state_.shown) {
+    if (state_.fly.on) draw_flight(state_, panes_.front(), interface_, scale_);
     draw_fade(state_, viewport);
     for (const ViewPane& pane : panes_) {
       const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
@@ -316,6 +330,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
     }
   }
   if (state_.settings.panel) draw_panel(state_, interface_, {0, 0, viewport.left, viewport.height});
+  if (state_.shown) draw_note_card(state_, interface_, viewport, scale_);
   if (state_.lab.on) draw_lab(state_, panes_, interface_, viewport, scale_);
   draw_cards(state_, job_.get(), interface_, viewport);
   const ImDrawData* drawn = interface_.end();

@@ -107,7 +107,8 @@ class Viewer {
   void enter_cavity(std::size_t cavity);
   void enter_outdoors();
   void arrive(std::optional<std::size_t> cavity, const Flight& flight);
-  void leave_flight(bool at_once = false);
+  void leave_flight();
+  void end_flight();
   void pass_wall();
   void darken_then(std::function<void()> at_dark);
   void advance_flight(double seconds);
@@ -119,6 +120,22 @@ class Viewer {
   FlightRules flight_rules() const;
   const Walls& walls_now() const;
   bool flight_moves() const;
+
+  // viewer_ride.cpp: along canals, and where one is
+  bool perform_on_ride(Action action);
+  void begin_ride(std::size_t line);
+  void advance_ride(const FlightWish& wish, double seconds);
+  void leave_ride();
+  void draw_where_picture(const Target& target);
+
+  // viewer_notes.cpp: a teacher's notes
+  void tend_notes();
+  bool perform_on_notes(Action action);
+  void write_note();
+  void save_notes();
+  bool open_tour(LoadRequest& request);
+  void take_tour(TourNotes tour);
+  void go_to_note(std::size_t number);
 
   // viewer_gestures.cpp: mouse and keys
   void react(const Event& event);
@@ -216,9 +233,14 @@ class Viewer {
     std::function<void()> at_dark;
   };
   std::optional<Fade> fade_;
+  Framebuffer where_picture_;          // the tooth from outside, drawn once
+  std::shared_ptr<const LoadedModel> where_of_;
+  NamedView where_from_ = NamedView::buccal;
   std::set<int> held_;                 // keys, while one flies; see viewer_fly.cpp
   GamepadChanged gamepad_;
   std::optional<Camera> camera_before_dive_;
+  std::string file_shown_;             // that the model came from; empty: the sample, or nobody can open it again by name alone
+  std::optional<TourNotes> tour_after_load_;
   std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
   std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
 };

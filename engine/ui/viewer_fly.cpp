@@ -104,6 +104,8 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   fly.cavity = cavity;
   fly.flight = flight;
   fly.trail = {flight.eye};
+  fly.ride.reset();
+  fly.labels = cavity ? labels_inside(state_.shown->flight->cavities[*cavity]) : labels_outside(state_.shown->model, *state_.shown->flight);
   Scene scene = fly.scene_before;
   if (cavity) {
     const FlightSpace& space = state_.shown->flight->cavities[*cavity];
@@ -133,22 +135,23 @@ void Viewer::see_from_flight() {
   state_.scene.camera.near_mm = safe_near_mm(state_.shown->flight->rules.clearance, angle, std::max(aspect, widest_picture));
 }
 
-void Viewer::leave_flight(bool at_once) {
+void Viewer::leave_flight() {
+  if (state_.fly.on) darken_then([this] { end_flight(); });
+}
+
+/// At once: the view from before.
+void Viewer::end_flight() {
   if (!state_.fly.on) return;
-  const auto leave = [this] {
-    state_.scene = state_.fly.scene_before;
-    const double haste = state_.fly.haste;
-    state_.fly = {};
-    state_.fly.haste = haste;
-    held_.clear();
-    transition_.reset();
-  };
-  if (at_once) {
-    fade_.reset();
-    leave();
-  } else {
-    darken_then(leave);
-  }
+  state_.scene = state_.fly.scene_before;
+  FlyState ended;   // the next flight begins as this one ended
+  ended.haste = state_.fly.haste;
+  ended.show_labels = state_.fly.show_labels;
+  ended.show_where = state_.fly.show_where;
+  ended.where_from = state_.fly.where_from;
+  ended.dark = state_.fly.dark;
+  state_.fly = std::move(ended);
+  held_.clear();
+  transition_.reset();
 }
 
 void Viewer::pass_wall() {
@@ -176,6 +179,7 @@ bool Viewer::perform_in_flight(Action action) {
     default: break;
   }
   if (!fly.on) return false;
+  if (perform_on_ride(action)) return true;
   switch (action) {
     case Action::leave_flight: leave_flight(); return true;
     case Action::pass_wall: pass_wall(); return true;
@@ -202,6 +206,8 @@ void Viewer::on_flight_key(const KeyChanged& key) {
 void Viewer::on_gamepad(const GamepadChanged& gamepad) {
   if (state_.fly.on) {
     if (gamepad.pass && !gamepad_.pass) state_.todo.push_back(Action::pass_wall);
+    if (gamepad.play && !gamepad_.play) state_.todo.push_back(Action::ride_play);
+    if (gamepad.next && !gamepad_.next) state_.todo.push_back(Action::next_canal);
     if (gamepad.leave && !gamepad_.leave) state_.todo.push_back(Action::leave_flight);
   } else if (gamepad.play && !gamepad_.play) {
     state_.todo.push_back(Action::enter_pulp);
@@ -222,7 +228,9 @@ FlightWish Viewer::flight_wish() const {
 /// The hand went so many pixels.
 void Viewer::look_by(double across, double down) {
   const double per_pixel = glm::radians(drag_fields * state_.settings.comfort.field_of_view_deg) / std::max(panes_.front().area.height, 1.0);
-  state_.fly.flight = turned(state_.fly.flight, per_pixel * glm::dvec2(across, -down), flight_rules());
+  const glm::dvec2 angles = per_pixel * glm::dvec2(across, -down);
+  if (state_.fly.ride) state_.fly.ride->look += angles;
+  else state_.fly.flight = turned(state_.fly.flight, angles, flight_rules());
 }
 
 void Viewer::advance_flight(double seconds) {
@@ -231,7 +239,7 @@ void Viewer::advance_flight(double seconds) {
     fade_->seconds += seconds;
     if (!fade_->done && fade_->seconds >= darken_seconds) {
       fade_->done = true;
-      const std::function<void()> at_dark = std::move(fade_->at_dark);
+      const std::function<void()> at_dark = std::exchange(fade_->at_dark, nullptr);
       at_dark();
     }
     const double light = (fade_->seconds - darken_seconds) / brighten_seconds;
@@ -241,7 +249,11 @@ void Viewer::advance_flight(double seconds) {
   if (!fly.on) return;
   const glm::dvec3 sight_before = fly.sight_before;
   const bool may_move = !fade_ || fade_->done;
-  fly.flight = flown(fly.flight, may_move ? flight_wish() : FlightWish{}, walls_now(), flight_rules(), seconds);
+  const FlightWish wish = may_move ? flight_wish() : FlightWish{};
+  if (fly.ride) advance_ride(wish, seconds);
+  if (!fly.ride) fly.flight = flown(fly.flight, wish, walls_now(), flight_rules(), seconds);
+  if (fly.cavity) fly.place = canal_place(state_.shown->flight->cavities[*fly.cavity].lines, fly.flight.eye);
+  else fly.place.reset();
   const double step = trail_step * state_.shown->flight->rules.clearance;
   if (fly.trail.empty() || glm::length(fly.flight.eye - fly.trail.back()) > step) fly.trail.push_back(fly.flight.eye);
   if (fly.trail.size() > most_trail) fly.trail.erase(fly.trail.begin());
@@ -258,6 +270,7 @@ void Viewer::advance_flight(double seconds) {
 bool Viewer::flight_moves() const {
   if (fade_) return true;
   if (!state_.fly.on) return false;
+  if (state_.fly.ride && (state_.fly.ride->playing || state_.fly.ride->speed != 0)) return true;
   const FlightWish wish = flight_wish();
   return wish.move != glm::dvec3(0) || wish.turn != glm::dvec2(0) || state_.fly.turning > 0 || !resting(state_.fly.flight, state_.shown->flight->rules);
 }

@@ -6,6 +6,7 @@
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_marks.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/viewer.h"
 
@@ -133,7 +134,10 @@ void Viewer::on_click(double x, double y) {
   const ViewPane* pane = pane_at(x, y);
   if (!pane) return;
   const auto hit = hit_at(*pane, x, y);
-  if (state_.fly.on) return;
+  if (state_.fly.on) {
+    if (const auto line = label_hit(state_, *pane, interface_, scale_, x, y)) begin_ride(*line);
+    return;
+  }
   if (state_.tool != Tool::look) {
     if (hit) measure_at(pickable_of(*pane), *hit);
   } else if (second && hit) {
@@ -169,6 +173,11 @@ void Viewer::on_key(const KeyChanged& key) {
   if (state_.fly.on && !(key.down && interface_.wants_text())) on_flight_key(key);
   if (!key.down) return;
   if (interface_.wants_text() && key.key != Key::escape) return;
+  if (state_.fly.on)
+    if (const auto action = flight_action_for(key)) {
+      state_.todo.push_back(*action);
+      return;
+    }
   if (const auto action = action_for(key)) {
     state_.todo.push_back(*action);
     return;
@@ -189,6 +198,7 @@ void Viewer::on_text(const TextTyped& text) {
   if (interface_.wants_text()) return;
   if (state_.fly.on) {
     if (const auto action = flight_action_for(text)) state_.todo.push_back(*action);
+    else if (text.character >= U'1' && text.character <= U'9') begin_ride(text.character - U'1');
     return;
   }
   if (const auto action = action_for(text)) {

@@ -12,6 +12,7 @@
 #include "engine/ui/fly_state.h"
 #include "engine/ui/lab_state.h"
 #include "engine/ui/loading.h"
+#include "engine/ui/notes_state.h"
 #include "engine/ui/settings.h"
 
 namespace odontoscope {
@@ -24,6 +25,7 @@ enum class Action {
   fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
   measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape,
   enter_pulp, fly_outdoors, leave_flight, pass_wall, catch_mouse, faster, slower,
+  ride_play, ride_back, ride_farther, ride_nearer, ride_to_start, ride_to_end, next_canal, toggle_labels, toggle_where, turn_where, write_note,
   toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
 };
 
@@ -79,6 +81,7 @@ struct ViewerState {
   std::optional<VolumeQuestion> question;
   LabState lab;
   FlyState fly;
+  NotesState notes;
   std::string trouble;                     // an error to read and close; empty if none
   std::vector<Notice> notices;
   std::string drawn_with;                  // the context in words

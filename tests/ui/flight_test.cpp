@@ -2,7 +2,13 @@
 
 #include <glm/geometric.hpp>
 
+#include <filesystem>
+#include <fstream>
+
+#include "engine/navigate/screen.h"
 #include "engine/render/face_count.h"
+#include "engine/ui/fly_marks.h"
+#include "engine/ui/marks.h"
 #include "tests/ui/driver.h"
 #include "tests/ui/teeth.h"
 
@@ -142,7 +148,7 @@ TEST_F(FlightTest, ArrowsADragTheCaughtMouseAndAStickLookAround) {
   const auto turned_by = [&](auto turn) {
     const Flight before = fly().flight;
     turn();
-    frames(60);
+    frames(20);
     const glm::dvec3 right = glm::cross(before.sight, before.up);
     return glm::dvec2(glm::dot(fly().flight.sight, right), glm::dot(fly().flight.sight, before.up));
   };
@@ -191,7 +197,7 @@ TEST_F(FlightTest, AKeyGoesThroughTheWallInTheDark) {
     EXPECT_TRUE(fly().cavity.has_value() || dark) << "out before it was dark";
     const bool inside = spaces().cavities[0].walls.locate(fly().flight.eye) == Walls::Side::inside;
     EXPECT_EQ(inside, fly().cavity.has_value());
-    if (!inside) EXPECT_TRUE(spaces().outdoors(fly().flight.eye));
+    EXPECT_TRUE(inside || spaces().outdoors(fly().flight.eye));
   }
   EXPECT_TRUE(dark);
   EXPECT_EQ(fly().dark, 0);
@@ -250,6 +256,179 @@ TEST_F(FlightTest, AnotherModelEndsTheFlight) {
   EXPECT_FALSE(viewer().state().scene.headlight);
 }
 
+TEST_F(FlightTest, ARideLeadsAlongACanalAndStopsAtItsEnd) {
+  viewer_with(sample_tooth_loaded());
+  type(U'c');
+  fade();
+  type(U'1');
+  fade();
+  ASSERT_TRUE(fly().ride);
+  EXPECT_TRUE(fly().ride->playing);
+  const FlightSpace& pulp = spaces().cavities.at(0);
+  EXPECT_NE(where_in_words(viewer().state()).find("pulp chamber"), std::string::npos);
+  press_key(Key::space);
+  EXPECT_FALSE(fly().ride->playing);
+  frames(90);
+  const double stopped = fly().ride->along;
+  frames(5);
+  EXPECT_EQ(fly().ride->along, stopped);
+  EXPECT_GT(viewer().patience(), 0.1) << "nothing moves, so nothing is drawn";
+  press_key(Key::end);
+  EXPECT_EQ(fly().ride->along, fly().ride->track.points.back().along);
+  EXPECT_GE(pulp.walls.nearest(fly().flight.eye).distance, spaces().rules.clearance);
+  ASSERT_TRUE(fly().place);
+  EXPECT_GT(fly().place->depth, 0);
+  EXPECT_NE(measured_in_words(viewer().state()).find("to the apex"), std::string::npos);
+  type(U'r');
+  frames(40);
+  EXPECT_LT(fly().ride->along, fly().ride->track.points.back().along);
+  hold('w', 0.1);   // flying ends the ride where it is
+  EXPECT_FALSE(fly().ride);
+  EXPECT_EQ(pulp.walls.locate(fly().flight.eye), Walls::Side::inside);
+  type(U'9');
+  EXPECT_FALSE(fly().ride) << "there are not so many";
+}
+
+TEST_F(FlightTest, ReducedMotionLeavesTheRideToThePerson) {
+  viewer_with(sample_tooth_loaded(), {.settings = {.comfort = {.reduced_motion = true}}});
+  type(U'c');
+  fade();
+  type(U't');
+  fade();
+  ASSERT_TRUE(fly().ride);
+  EXPECT_FALSE(fly().ride->playing);
+  const double start = fly().ride->along;
+  type(U'.');
+  EXPECT_GT(fly().ride->along, start);
+}
+
+TEST_F(FlightTest, AClickOnACanalsNameBeginsTheRide) {
+  viewer_with(sample_tooth_loaded());
+  size_ = {960, 640};
+  type(U'c');
+  fade();
+  const FlightSpace& pulp = spaces().cavities.at(0);
+  const FlightLabel* orifice = nullptr;
+  for (const FlightLabel& label : fly().labels)
+    if (label.line == 1u && label.words.find("apex") == std::string::npos) orifice = &label;
+  ASSERT_NE(orifice, nullptr);
+  const Track track = track_of(*rideable(pulp.lines)[1], spaces().rules.clearance);
+  fly().flight = flight_on(track, track.orifice - 2 * place_on(track, track.orifice).radius);
+  frames(3);
+  const auto seen = seen_labels(fly().labels, viewer().state().scene.camera, viewer().panes().front().area.aspect(), pulp.walls, 3 * spaces().rules.clearance);
+  ASSERT_FALSE(seen.empty());
+  for (const SeenLabel& label : seen) {
+    if (&fly().labels[label.label] != orifice) continue;
+    const glm::dvec2 pixel = pixel_of(viewer().panes().front().area, label.place);
+    click(pixel.x + 20, pixel.y);
+  }
+  fade();
+  ASSERT_TRUE(fly().ride);
+  EXPECT_EQ(fly().ride->line, 1u);
+}
+
+TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
+  const ScratchFolder scratch;
+  viewer_with(toy_tooth(), {.folder = scratch.path()});
+  type(U'c');
+  fade();
+  hold('w', 0.2);
+  frames(60);
+  const Flight inside = fly().flight;
+  type(U'n');
+  NotesState& notes = viewer().state().notes;
+  ASSERT_TRUE(notes.draft);
+  for (const char32_t letter : std::u32string(U"wwww")) type(letter);   // into the title, not into the wall
+  press_key(Key::enter);
+  frames(2);
+  ASSERT_EQ(notes.tour.notes.size(), 1u);
+  EXPECT_EQ(notes.tour.notes[0].title, "wwww");
+  EXPECT_LT(glm::length(fly().flight.eye - inside.eye), 1e-4) << "the letters flew";
+  press_key(Key::escape);
+  fade();
+  ASSERT_FALSE(fly().on);
+  type(U'2');
+  frames(40);
+  const Camera lingual = viewer().state().scene.camera;
+  notes.write = true;
+  frames(2);
+  notes.draft->title = "From lingual";
+  notes.tour.notes.push_back(*notes.draft);
+  notes.draft.reset();
+  notes.save = true;
+  frames(2);
+  std::filesystem::path file;
+  for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) file = entry.path();
+  ASSERT_TRUE(named_like_a_tour(file.string())) << file;
+
+  viewer_with(toy_tooth(), {.folder = scratch.path()});
+  viewer().handle(FilesDropped{{file.string()}});
+  frame();
+  fade();
+  NotesState& opened = viewer().state().notes;
+  ASSERT_EQ(opened.shown, std::optional<std::size_t>(0));
+  ASSERT_TRUE(fly().on);
+  EXPECT_LT(glm::length(fly().flight.eye - inside.eye), 1e-4);
+  EXPECT_GT(glm::dot(fly().flight.sight, inside.sight), 1 - 1e-9);
+  press_key(Key::page_down);
+  fade();
+  EXPECT_FALSE(fly().on);
+  EXPECT_EQ(opened.shown, std::optional<std::size_t>(1));
+  EXPECT_LT(glm::length(viewer().state().scene.camera.position - lingual.position), 1e-9);
+  press_key(Key::page_up);
+  fade();
+  EXPECT_TRUE(fly().on);
+  press_key(Key::escape);
+  EXPECT_FALSE(opened.shown);
+  EXPECT_TRUE(fly().on) << "the first Esc only closes the lesson";
+}
+
+TEST_F(FlightTest, ABrokenTourIsToldAndNothingElseChanges) {
+  const ScratchFolder scratch;
+  const std::filesystem::path file = scratch.path() / "broken.tour.json";
+  std::ofstream(file) << "{\"format\":\"odontoscope.tour\"";
+  viewer_with_tooth();
+  const auto shown = viewer().state().shown;
+  viewer().handle(FilesDropped{{file.string()}});
+  frames(3);
+  EXPECT_NE(viewer().state().trouble.find("broken.tour.json"), std::string::npos);
+  EXPECT_EQ(viewer().state().shown, shown);
+  EXPECT_FALSE(viewer().loading());
+}
+
+TEST_F(FlightTest, ANoteFromAnotherToothIsToldOf) {
+  viewer_with_tooth();
+  NotesState& notes = viewer().state().notes;
+  TourNote elsewhere{"Elsewhere", "", {}, true};
+  elsewhere.camera.position = {500, 0, 0};
+  notes.tour.notes.push_back(elsewhere);
+  notes.go_to = 0;
+  frames(2);
+  EXPECT_FALSE(fly().on);
+  ASSERT_FALSE(viewer().state().notices.empty());
+  EXPECT_NE(viewer().state().notices.back().words.find("another tooth"), std::string::npos);
+}
+
+TEST_F(FlightTest, TheVignetteDarkensTheRimWhileItTurnsIfWanted) {
+  const auto rim_while_turning = [&](bool vignette) {
+    viewer_with_tooth({.settings = {.panel = false, .comfort = {.vignette = vignette}}});
+    type(U'c');
+    fade();
+    viewer().handle(KeyChanged{Key::right, true});
+    frames(30);
+    viewer().handle(KeyChanged{Key::right, false});
+    const Image image = picture();
+    const auto light = [&](int x, int y) {
+      const auto pixel = image.pixel(x, y);
+      return pixel[0] + pixel[1] + pixel[2];
+    };
+    return std::pair(light(4, 316), light(240, 120));
+  };
+  const auto with = rim_while_turning(true), without = rim_while_turning(false);
+  EXPECT_LT(with.first, 0.5 * without.first);
+  EXPECT_NEAR(with.second, without.second, 0.05 * without.second);
+}
+
 /// To be looked at: run with --gtest_also_run_disabled_tests.
 TEST_F(FlightTest, DISABLED_Gallery) {
   size_ = {1280, 800};
@@ -257,17 +436,29 @@ TEST_F(FlightTest, DISABLED_Gallery) {
     viewer_with(tooth, {});
     type(U'c');
     fade();
-    keep_picture("gallery-" + tooth.title + "-enter");
+    keep_picture("gallery-" + tooth.title + "-0enter");
+    fly().flight = looking(fly().flight.eye, {0.1, 0.1, -1});
+    frames(3, 0.05);
+    keep_picture("gallery-" + tooth.title + "-1floor");
     const CentreLines& lines = spaces().cavities[0].lines;
     ASSERT_FALSE(lines.canals.empty());
     for (const double part : {0.1, 0.5, 0.8}) {
       const CentreLine& canal = lines.canals[0];
       const auto i = static_cast<std::size_t>(part * static_cast<double>(canal.points.size() - 1));
-      const auto at = [&](std::size_t k) { const Point3& p = canal.points[std::min(k, canal.points.size() - 1)].at; return glm::dvec3(p.x, p.y, p.z); };
-      fly().flight = looking(at(i), at(i + 3) - at(i));
+      if (!fly().ride) {
+        type(U'1');
+        fade();
+        press_key(Key::space);
+      }
+      fly().ride->along = canal.points[i].along;
       frames(3, 0.05);
       keep_picture("gallery-" + tooth.title + "-canal-" + std::to_string(static_cast<int>(10 * part)));
     }
+    type(U'c');
+    fade();
+    type(U'a');
+    fade();
+    keep_picture("gallery-" + tooth.title + "-outdoors");
   }
 }
 

@@ -24,6 +24,7 @@ Settings unusual() {
   settings.projection = Camera::Projection::parallel;
   settings.backdrop = Backdrop::white;
   settings.picture = {640, 480, false, 4, true};
+  settings.comfort = {90, 2.5, true, true};
   return settings;
 }
 
@@ -50,7 +51,8 @@ TEST(Settings, WhatMakesNoSenseIsLeftAloneAndSaid) {
   const std::string head = R"({"format":"odontoscope.viewer-settings",)";
   for (const char* wrong : {R"("window":{"width":-4})", R"("window":{"width":1e300})", R"("window":7)", R"("panel":"yes")", R"("text_scale":1000)",
                             R"("back_faces":"everything")", R"("projection":3)", R"("backdrop":null)", R"("picture":{"samples_a_side":0})",
-                            R"("picture":{"height":"tall"})", R"("picture":[])"}) {
+                            R"("picture":{"height":"tall"})", R"("picture":[])", R"("flight":{"field_of_view_deg":200})", R"("flight":{"vignette":1})",
+                            R"("flight":{"speed_limit":0})"}) {
     const ReadSettings read = settings_from_json(head + wrong + "}");
     EXPECT_NE(read.complaint, "") << wrong;
     EXPECT_EQ(read.settings, Settings()) << wrong;

@@ -1,0 +1,105 @@
+#include "engine/ui/notes_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
+
+namespace odontoscope {
+
+namespace {
+
+using widgets::scaled;
+
+bool begin_card(const char* id, const Area& viewport, float scale, float from_bottom) {
+  const float width = std::min(620 * scale, static_cast<float>(viewport.width) - 40 * scale);
+  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height) - from_bottom * scale}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x1a1e23, 240));
+  const bool open = ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  return open;
+}
+
+void draft_card(NotesState& notes, const Interface& interface, const Area& viewport, float scale) {
+  if (begin_card("note draft", viewport, scale, 60)) {
+    TourNote& draft = *notes.draft;
+    ImGui::PushFont(interface.large);
+    ImGui::TextUnformatted("A note on this view");
+    ImGui::PopFont();
+    ImGui::TextUnformatted("Title");
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    const bool entered = ImGui::InputText("##title", &draft.title, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::TextUnformatted("What is there to see?");
+    ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
+    if (draft.title.size() > most_title_bytes) draft.title.resize(most_title_bytes);
+    if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
+    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::Button("Keep the note", {width, 0}) || entered) {
+      if (draft.title.empty()) draft.title = fmt::format("Note {}", notes.tour.notes.size() + 1);
+      notes.tour.notes.push_back(draft);
+      notes.unsaved = true;
+      notes.draft.reset();
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel (Esc)", {width, 0})) notes.draft.reset();
+  }
+  ImGui::End();
+}
+
+void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
+  const NotesState& notes = state.notes;
+  const TourNote& note = notes.tour.notes[*notes.shown];
+  if (begin_card("note", viewport, scale, 24)) {
+    ImGui::PushFont(interface.large);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(fmt::format("{} / {}   {}", *notes.shown + 1, notes.tour.notes.size(), note.title).c_str());
+    ImGui::PopFont();
+    ImGui::TextUnformatted(note.text.c_str());
+    ImGui::PopTextWrapPos();
+    const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
+    if (ImGui::Button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
+    ImGui::SameLine();
+    if (ImGui::Button("Next (Page down)", {width, 0})) state.todo.push_back(Action::next_step);
+    ImGui::SameLine();
+    if (ImGui::Button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
+  }
+  ImGui::End();
+}
+
+}  // namespace
+
+void notes_section(ViewerState& state, const Interface& interface) {
+  NotesState& notes = state.notes;
+  if (!widgets::section(interface, "Notes", !notes.tour.notes.empty())) return;
+  for (std::size_t i = 0; i < notes.tour.notes.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (widgets::wide_button(notes.tour.notes[i].title.empty() ? "(no title)" : notes.tour.notes[i].title.c_str(), notes.shown == i)) notes.go_to = i;
+    ImGui::PopID();
+  }
+  if (widgets::wide_button(state.fly.on ? "Note this view (N)" : "Note this view")) notes.write = true;
+  if (notes.tour.notes.empty()) {
+    widgets::remark(interface, "Viewpoints with a title and a text, for others to be led along. Open them again by dropping the file on the window.");
+    return;
+  }
+  ImGui::TextUnformatted("Title of the lesson");
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::InputText("##lesson", &notes.tour.title)) notes.unsaved = true;
+  if (notes.tour.title.size() > most_title_bytes) notes.tour.title.resize(most_title_bytes);
+  if (widgets::wide_button(notes.unsaved ? "Save the notes" : "Save the notes again")) notes.save = true;
+}
+
+void draw_note_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
+  if (state.notes.draft) draft_card(state.notes, interface, viewport, scale);
+  else if (state.notes.shown && *state.notes.shown < state.notes.tour.notes.size()) lesson_card(state, interface, viewport, scale);
+}
+
+}  // namespace odontoscope

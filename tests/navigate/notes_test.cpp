@@ -1,0 +1,95 @@
+// Teachers' notes as files: what is written is read as the same, and whatever else is refused in one sentence.
+
+#include "engine/navigate/notes.h"
+
+#include <gtest/gtest.h>
+
+#include "recon/core/error.h"
+#include "tests/support/random_numbers.h"
+
+namespace odontoscope::test {
+namespace {
+
+TourNotes some_tour() {
+  TourNotes tour{"Three canals", "molar.json", {}};
+  tour.notes.push_back({"The chamber", "Its floor shows three orifices.\nLook for the third.", {}, true});
+  tour.notes.back().camera.position = {0.1, 1.0 / 3, 9};
+  tour.notes.back().camera.target = {0, 0, 8};
+  tour.notes.push_back({"From outside \"here\"", "", {}, false});
+  tour.notes.back().camera.projection = Camera::Projection::parallel;
+  return tour;
+}
+
+std::string cause_of(const std::string& text) {
+  try {
+    parse_tour(text, "a.tour.json");
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("a.tour.json"), std::string::npos);
+    return std::string(error.cause());
+  }
+  return "read";
+}
+
+/// Of `some_tour` with one text replaced.
+std::string changed(const std::string& from, const std::string& to) {
+  std::string text = to_json(some_tour());
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(TourNotes, AreReadAsTheyWereWritten) { EXPECT_EQ(parse_tour(to_json(some_tour()), "a"), some_tour()); }
+
+TEST(TourNotes, RefuseEachWithItsCause) {
+  EXPECT_EQ(cause_of(""), "unparsable");
+  EXPECT_EQ(cause_of("{"), "unparsable");
+  EXPECT_EQ(cause_of(changed("odontoscope.tour", "odontoscope.lesson")), "wrong-format");
+  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 2")), "wrong-version");
+  EXPECT_EQ(cause_of(changed("\"title\": \"Three canals\",", "")), "missing-key");
+  EXPECT_EQ(cause_of(changed("\"inside\": true", "\"insid\": true")), "unknown-key");
+  EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": 1")), "wrong-type");
+  EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": true, \"inside\": true")), "repeated-key");
+  EXPECT_EQ(cause_of(changed("\"height_mm\": 25.0", "\"height_mm\": -1")), "bad-camera");
+  EXPECT_EQ(cause_of(changed("\"height_mm\": 25.0", "\"height_mm\": NaN")), "not-finite");
+  EXPECT_EQ(cause_of(changed("\"position\": [\n          0.1,", "\"position\": [\n")), "wrong-type");
+  EXPECT_EQ(cause_of(changed("\"position\": [\n          0.1,", "\"position\": [1, 2, 0.1,")), "wrong-type");
+  EXPECT_EQ(cause_of(changed("\"position\": [\n          0.1,", "\"position\": [1e300,")), "too-large");
+  EXPECT_EQ(cause_of(changed("The chamber", "The\\u0007 chamber")), "bad-title");
+  EXPECT_EQ(cause_of(changed("The chamber", std::string(most_title_bytes + 1, 'x'))), "bad-title");
+  EXPECT_EQ(cause_of(changed("Its floor", std::string(most_text_bytes + 1, 'x'))), "bad-text");
+  EXPECT_EQ(cause_of("{\"format\":\"odontoscope.tour\",\"version\":1,\"title\":\"\",\"notes\":[]}"), "no-notes");
+  TourNotes many = some_tour();
+  many.notes.resize(most_notes + 1, many.notes[0]);
+  EXPECT_EQ(cause_of(to_json(many)), "too-many-notes");
+  EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": true, \"x-by\": {\"a\": [1]}")), "read");
+}
+
+TEST(TourNotes, NoChangeOfAByteDoesHarm) {
+  const std::string whole = to_json(some_tour());
+  RandomNumbers random(3);
+  for (int i = 0; i < 4000; ++i) {
+    std::string text = whole;
+    for (int k = random.whole(1, 4); k > 0; --k) {
+      const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+      if (random.chance(0.5)) text[at] = static_cast<char>(random.below(256));
+      else if (random.chance(0.5)) text.erase(at, static_cast<std::size_t>(random.whole(1, 40)));
+      else text.insert(at, text.substr(static_cast<std::size_t>(random.below(static_cast<int>(text.size()))), 30));
+      if (text.empty()) text = " ";
+    }
+    try {
+      const TourNotes read = parse_tour(text, "x");
+      EXPECT_EQ(parse_tour(to_json(read), "again"), read);
+    } catch (const InputError&) {
+    }
+  }
+}
+
+TEST(TourNotes, AreKnownByTheirNames) {
+  EXPECT_TRUE(named_like_a_tour("a/b.tour.json"));
+  EXPECT_TRUE(named_like_a_tour("B.TOUR.JSON"));
+  EXPECT_FALSE(named_like_a_tour("b.json"));
+  EXPECT_FALSE(named_like_a_tour(".tour.json"));
+}
+
+}  // namespace
+}  // namespace odontoscope::test
