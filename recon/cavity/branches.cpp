@@ -319,7 +319,7 @@ Branches find_branches(const MedialGraph& graph, const WallTree& wall, long hand
   }
   for (Explorer::Found& one : found) {
     trim(graph, one.path);
-    result.branches.push_back({places(graph, one.path), one.beyond});
+    if (one.path.size() >= 2) result.branches.push_back({places(graph, one.path), one.beyond});
   }
   return result;
 }

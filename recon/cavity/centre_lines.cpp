@@ -1,8 +1,10 @@
 #include "recon/cavity/centre_lines.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <tuple>
 
@@ -52,17 +54,20 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   double longest = 0;
   for (const cavity::Branch& branch : found.branches) longest = std::max(longest, branch.beyond);
   const std::optional<Direction> crown = towards_crown(options.axis, lines.chamber, found.branches);
-  const double parts = static_cast<double>(found.branches.size() + 1);
-  for (std::size_t i = 0; i < found.branches.size(); ++i) {
+  // Each line by itself, whatever the number of threads.
+  std::vector<CentreLine> centred(found.branches.size());
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t{0}, centred.size(), [&](std::size_t i) {
     progress.check();
-    progress.tell(stage, 0.5 + 0.5 * static_cast<double>(i) / parts);
-    const cavity::Branch& branch = found.branches[i];
-    if (branch.path.size() < 2) continue;
-    CentreLine line = cavity::centred(branch.path, tree, found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
+    centred[i] = cavity::centred(found.branches[i].path, tree, found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
+    progress.tell(stage, 0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(centred.size()));
+  });
+  for (std::size_t i = 0; i < centred.size(); ++i) {
+    CentreLine& line = centred[i];
     const bool to_crown = crown && found.has_chamber && dot(*crown, line.end - lines.chamber) > 0;
     if (to_crown) {
       lines.horns.push_back(std::move(line));
-    } else if (branch.beyond < limits::canal_share * longest) {
+    } else if (found.branches[i].beyond < limits::canal_share * longest) {
       lines.others.push_back(std::move(line));
     } else {
       if (found.has_chamber) line.orifice = cavity::orifice_of(line, lines.chamber_radius, tree);

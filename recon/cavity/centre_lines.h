@@ -60,7 +60,8 @@ struct CentreLineOptions {
 };
 
 /// Precondition: the wall is a closed oriented manifold without self-intersections. Throws UsageError if it is no such manifold. A void that is too round to have
-/// branches has no lines; chamber and radius are told all the same. A crack that no ball fits in has a radius of 0. Stage: "centre lines".
+/// branches has no lines; chamber and radius are told all the same. A crack that no ball fits in has a radius of 0. Runs in
+/// the caller's TBB arena. Stage: "centre lines".
 CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options = {}, const Progress& progress = {});
 
 }  // namespace odontoscope

@@ -78,7 +78,7 @@ class Centring {
     std::vector<Point3> there = line_;
     const std::size_t last = line_.size() - 1;
     for (std::size_t i = closed_ ? 0 : 1; i < last; ++i) {
-      const Point3 widest = widest_near(line_[i], tangent(i), 0.16, 0.01);
+      const Point3 widest = widest_near(line_[i], tangent(i), 0.16, 0.04);
       if (tree_.clearance(line_[i]) < limits::line_share * tree_.clearance(widest)) there[i] = widest;
     }
     line_ = std::move(there);
@@ -218,7 +218,7 @@ CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) 
   line.centre(0.2, 0.05);
   line.smooth(4);
   line.spread_by_width(limits::line_step);
-  line.centre(0.08, 0.01);
+  line.centre(0.08, 0.015);
   line.smooth(8);
   line.correct();
   CentreLine made;
