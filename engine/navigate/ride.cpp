@@ -5,30 +5,21 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "engine/navigate/tour.h"
+
 namespace odontoscope {
 
 namespace {
 
-/// Radii a second at usual speed.
-constexpr double radii_per_second = 2.2;
-/// Room over the clearance, so that who leaves the ride has some.
-constexpr double least_room = 1.05;
-/// The eye looks from so far behind to so far ahead, in radii of the canal: corners are looked into before they are turned.
-constexpr double look_behind = 0.6, look_ahead = 2.0;
+/// Room over the clearance: between the line's points the eye may be a little nearer to the wall than at them.
+constexpr double least_room = 1.06;
+/// Between two points of the table.
+constexpr double table_seconds = 1.0 / 60;
 
 glm::dvec3 vec(const Point3& p) { return {p.x, p.y, p.z}; }
 
-glm::dvec3 on_line(const std::vector<CentrePoint>& points, double along) {
-  along = std::clamp(along, points.front().along, points.back().along);
-  const auto after = std::lower_bound(points.begin(), points.end(), along, [](const CentrePoint& point, double value) { return point.along < value; });
-  if (after == points.begin()) return vec(points.front().at);
-  const CentrePoint &a = *(after - 1), &b = *after;
-  const double part = b.along > a.along ? (along - a.along) / (b.along - a.along) : 0;
-  return (1 - part) * vec(a.at) + part * vec(b.at);
-}
-
 /// The longest run of points wide enough, as [first, last].
-std::pair<std::size_t, std::size_t> wide_enough(const std::vector<CentrePoint>& points, double clearance) {
+std::pair<std::size_t, std::size_t> wide_enough(const std::vector<Track::Point>& points, double clearance) {
   std::pair<std::size_t, std::size_t> best{1, 0};
   for (std::size_t i = 0; i < points.size();) {
     if (points[i].radius < least_room * clearance) {
@@ -53,38 +44,44 @@ std::vector<const CentreLine*> rideable(const CentreLines& lines) {
   return all;
 }
 
-Track track_of(const CentreLine& line, double clearance, const glm::dvec3& upright) {
+Track track_of(const CentreLine& line, double clearance) {
   Track track;
-  const auto [first, last] = wide_enough(line.points, clearance);
-  if (line.points.size() < 2 || first >= last) return track;
+  if (line.points.size() < 2) return track;
+  const Tour tour(line);
+  std::vector<Track::Point> all;
+  const auto count = static_cast<std::size_t>(std::ceil(tour.seconds() / table_seconds));
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double seconds = std::min(table_seconds * static_cast<double>(i), tour.seconds());
+    const TourInstant instant = tour.at(seconds);
+    if (!all.empty() && !(instant.along > all.back().along)) continue;
+    all.push_back({instant.camera.position, glm::normalize(instant.camera.target - instant.camera.position), instant.camera.up, instant.clearance, instant.along, seconds});
+  }
+  const auto [first, last] = wide_enough(all, clearance);
+  if (first >= last) return track;
+  track.points.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   track.orifice = line.points[std::min(line.orifice, line.points.size() - 1)].along;
   track.end = line.points.back().along + glm::length(vec(line.end) - vec(line.points.back().at));
-  glm::dvec3 up = upright;
-  for (std::size_t i = first; i <= last; ++i) {
-    const CentrePoint& point = line.points[i];
-    Track::Point made{vec(point.at), {}, {}, point.radius, point.along};
-    glm::dvec3 towards = on_line(line.points, point.along + look_ahead * point.radius) - on_line(line.points, point.along - look_behind * point.radius);
-    if (!(glm::length(towards) > 0)) towards = track.points.empty() ? glm::dvec3(0, 0, -1) : track.points.back().sight;
-    const Flight stands = looking(made.at, towards, track.points.empty() ? upright : up);
-    made.sight = stands.sight;
-    // Carried on from the point before: what of its up is at right angles to the new sight.
-    made.up = stands.up;
-    up = made.up;
-    track.points.push_back(made);
-  }
   return track;
 }
 
-Track::Point place_on(const Track& track, double along) {
+namespace {
+
+/// Between the points of the table, where `value` says.
+Track::Point place_by(const Track& track, double Track::Point::*member, double value) {
   const auto& points = track.points;
-  along = std::clamp(along, points.front().along, points.back().along);
-  const auto after = std::lower_bound(points.begin(), points.end(), along, [](const Track::Point& point, double value) { return point.along < value; });
+  value = std::clamp(value, points.front().*member, points.back().*member);
+  const auto after = std::lower_bound(points.begin(), points.end(), value, [&](const Track::Point& point, double wanted) { return point.*member < wanted; });
   if (after == points.begin()) return points.front();
   const Track::Point &a = *(after - 1), &b = *after;
-  const double part = b.along > a.along ? (along - a.along) / (b.along - a.along) : 0;
-  const Flight stands = looking({}, (1 - part) * a.sight + part * b.sight, (1 - part) * a.up + part * b.up);
-  return {(1 - part) * a.at + part * b.at, stands.sight, stands.up, (1 - part) * a.radius + part * b.radius, along};
+  const double part = (value - a.*member) / (b.*member - a.*member);
+  const auto mixed = [&](const auto& x, const auto& y) { return (1 - part) * x + part * y; };
+  const Flight stands = looking({}, mixed(a.sight, b.sight), mixed(a.up, b.up));
+  return {mixed(a.at, b.at), stands.sight, stands.up, mixed(a.radius, b.radius), mixed(a.along, b.along), mixed(a.seconds, b.seconds)};
 }
+
+}  // namespace
+
+Track::Point place_on(const Track& track, double along) { return place_by(track, &Track::Point::along, along); }
 
 Flight flight_on(const Track& track, double along) {
   const Track::Point place = place_on(track, along);
@@ -93,23 +90,17 @@ Flight flight_on(const Track& track, double along) {
 
 void advance(Ride& ride, const FlightRules& rules, double seconds) {
   if (ride.track.points.empty() || !(seconds > 0)) return;
-  constexpr double longest_tick = 1.0 / 120;
-  const int ticks = std::max(1, static_cast<int>(std::ceil(std::min(seconds, 10.0) / longest_tick - 1e-9)));
-  const double tick = std::min(seconds, 10.0) / ticks, share = 1 - std::exp(-tick / rules.settle_seconds);
-  const double from = ride.track.points.front().along, to = ride.track.points.back().along;
-  for (int i = 0; i < ticks; ++i) {
-    const double radius = place_on(ride.track, ride.along).radius;
-    const double usual = rules.haste * std::max(radii_per_second * radius, rules.least_speed);
-    const double wanted = ride.playing ? (ride.back ? -usual : usual) : 0;
-    ride.speed += share * (wanted - ride.speed);
-    ride.along += tick * ride.speed;
-    if (ride.along >= to || ride.along <= from) {
-      const bool over = ride.speed != 0 && (ride.along >= to) == (ride.speed > 0);
-      ride.along = std::clamp(ride.along, from, to);
-      if (!over) continue;
-      ride.playing = false;
-      ride.speed = 0;
-    }
+  const double wanted = !ride.playing ? 0 : ride.back ? -rules.haste : rules.haste;
+  // The pace nears what is wanted exponentially; so it comes as far in many short frames as in one long one.
+  const double share = 1 - std::exp(-seconds / rules.settle_seconds);
+  const double by = seconds * wanted + rules.settle_seconds * share * (ride.pace - wanted);
+  ride.pace += share * (wanted - ride.pace);
+  const double from = ride.track.points.front().seconds, to = ride.track.points.back().seconds;
+  const double time = place_on(ride.track, ride.along).seconds + by;
+  ride.along = place_by(ride.track, &Track::Point::seconds, time).along;
+  if ((time >= to && ride.pace > 0) || (time <= from && ride.pace < 0)) {
+    ride.playing = false;
+    ride.pace = 0;
   }
 }
 

@@ -14,28 +14,29 @@ namespace odontoscope {
 /// Those that one can ride: canals, then horns, then the other branches.
 std::vector<const CentreLine*> rideable(const CentreLines& lines);
 
-/// The part of a line that the flying ball fits through, with the eye's directions: it looks a little ahead along the line, and rolls no
-/// more than the line makes it (rotation-minimising, from `upright` at the start).
+/// The part of a line's tour (see tour.h) that the flying ball fits through, as a table that can be entered by time and by length.
 struct Track {
   struct Point {
     glm::dvec3 at{0}, sight{0}, up{0};
     double radius = 0, along = 0;   // clearance; mm from the line's start
+    double seconds = 0;             // of the tour at usual speed
   };
   std::vector<Point> points;        // at least two, or none: nowhere wide enough
   double orifice = 0;               // along, where the canal leaves the chamber; 0: it does not
   double end = 0;                   // along, where the line meets the wall
 };
-Track track_of(const CentreLine& line, double clearance, const glm::dvec3& upright = {0, 0, 1});
+Track track_of(const CentreLine& line, double clearance);
 
 /// Between the points, in proportion; `along` is held to the track. Precondition: it has points.
 Track::Point place_on(const Track& track, double along);
 Flight flight_on(const Track& track, double along);
 
-/// How far a ride came. Its apparent speed is constant: as many radii of the canal a second everywhere.
+/// How far a ride came.
 struct Ride {
   std::size_t line = 0;       // of rideable()
   Track track;
-  double along = 0, speed = 0;   // mm, mm/s
+  double along = 0;           // mm
+  double pace = 0;            // seconds of the tour a second: 1 usual, negative back
   bool playing = false, back = false;
   glm::dvec2 look{0};         // turned away from the line's direction by hand: radians to the right and upwards
 };

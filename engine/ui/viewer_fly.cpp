@@ -270,7 +270,7 @@ void Viewer::advance_flight(double seconds) {
 bool Viewer::flight_moves() const {
   if (fade_) return true;
   if (!state_.fly.on) return false;
-  if (state_.fly.ride && (state_.fly.ride->playing || state_.fly.ride->speed != 0)) return true;
+  if (state_.fly.ride && (state_.fly.ride->playing || state_.fly.ride->pace != 0)) return true;
   const FlightWish wish = flight_wish();
   return wish.move != glm::dvec3(0) || wish.turn != glm::dvec2(0) || state_.fly.turning > 0 || !resting(state_.fly.flight, state_.shown->flight->rules);
 }

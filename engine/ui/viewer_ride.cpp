@@ -77,7 +77,7 @@ void Viewer::advance_ride(const FlightWish& wish, double seconds) {
   Ride& ride = *fly.ride;
   ride.look += seconds * fly.flight.turning;
   odontoscope::advance(ride, rules, seconds);
-  if (std::abs(ride.speed) < 1e-3 * rules.least_speed && !ride.playing) ride.speed = 0;
+  if (!ride.playing && std::abs(ride.pace) < 1e-3) ride.pace = 0;
   const glm::dvec2 turning = fly.flight.turning;
   fly.flight = flight_of(ride, rules);
   fly.flight.turning = turning;
