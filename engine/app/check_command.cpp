@@ -85,7 +85,7 @@ ExitCode check_stack(const ContourStack& stack, const Options& options, Session&
   }
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL or PLY mesh",
+  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats");
 }
 
@@ -96,15 +96,10 @@ ExitCode check(const Options& options, Session& session) {
   }
   const std::string bytes = read_file(options.file);
   const FileKind kind = kind_of(bytes);
-  switch (kind) {
-    case FileKind::glb: return check_meshes(parse_glb(bytes, options.file), options, session);
-    case FileKind::ply: return check_meshes(parse_ply(bytes, options.file), options, session);
-    case FileKind::stl: return check_meshes(parse_stl(bytes, options.file), options, session);
-    case FileKind::contour_stack:
-      if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
-      return check_stack(parse_stack(bytes, options.file), options, session);
-    default: refuse(kind, options.file);
-  }
+  if (const auto meshes = meshes_in(kind, bytes, options.file)) return check_meshes(*meshes, options, session);
+  if (kind != FileKind::contour_stack) refuse(kind, options.file);
+  if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
+  return check_stack(parse_stack(bytes, options.file), options, session);
 }
 
 }  // namespace
@@ -112,7 +107,7 @@ ExitCode check(const Options& options, Session& session) {
 Command check_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("check", "Judge a mesh or a contour stack; exit code 1 if found wanting");
   const auto options = std::make_shared<Options>();
-  parser->add_option("FILE", options->file, "GLB, STL or PLY mesh, or contour stack; told by its content")
+  parser->add_option("FILE", options->file, "GLB, STL, PLY or OBJ mesh, or contour stack; told by its content")
       ->required()
       ->type_name("");
   parser->add_option("--report", options->report, "What was found in a mesh, for scripts")->type_name("FILE.json");

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "engine/app/command.h"
+#include "engine/app/foreign_input.h"
 #include "engine/app/outputs.h"
 #include "engine/app/volume_options.h"
 #include "engine/app/words.h"
@@ -13,20 +14,25 @@ namespace odontoscope::app {
 namespace {
 
 struct Options {
-  std::string volume;
+  std::string input;
   VolumeWords words;
+  ForeignWords foreign;
   std::string output;
 };
 
+ContourStack stack_of(const Options& options, Session& session) {
+  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session);
+  ContourStack stack = converted_told(options.input, options.foreign, session);
+  return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
+}
+
 ExitCode make_contours(const Options& options, Session& session) {
   known_ending(options.output, {".json"});
-  if (!options.words.any_level()) {
-    throw UsageError("nothing says where in the volume the surface lies",
-                     "Give --iso T for an image, --label N for a label map");
-  }
-  const VolumeContourOptions wanted = understood(options.words);
-  refuse_unwritable({.inputs = {options.volume}, .outputs = {options.output}});
-  const ContourStack stack = contours_told(options.volume, wanted, session);
+  refuse_volume_without_level(options.input, options.words);
+  refuse_senseless(options.foreign);
+  if (options.words.any_level()) understood(options.words);
+  refuse_unwritable({.inputs = {options.input}, .outputs = {options.output}});
+  const ContourStack stack = stack_of(options, session);
   const std::string text = to_json(stack);
   session.progress().check();
   write_all({{options.output, text}}, session.interrupts);
@@ -37,18 +43,29 @@ ExitCode make_contours(const Options& options, Session& session) {
 }  // namespace
 
 Command contours_command(CLI::App& root) {
-  CLI::App* parser = root.add_subcommand("contours", "Contours of a CT volume or label map, slice by slice");
+  CLI::App* parser = root.add_subcommand("contours", "Contours of a volume, a mesh, or another program's contour file");
   const auto options = std::make_shared<Options>();
-  parser->add_option("VOLUME", options->volume, "NRRD, NIfTI or MetaImage file, DICOM file or folder")
+  parser
+      ->add_option("INPUT", options->input,
+                   "Volume, mesh, or other program's contours; see below")
       ->required()
       ->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
   add_volume_options(*parser, options->words);
+  add_foreign_options(*parser, options->foreign);
   parser->footer(
       "Examples:\n"
       "  odontoscope contours tooth.nrrd --iso 120 -o tooth.json\n"
       "  odontoscope contours scan.nii.gz --iso 120=dentine --iso 195=enamel --min-area 0.1 -o tooth.json\n"
-      "  odontoscope contours segmented.mha --label 1=tooth --label 2=pulp --simplify 0.05 -o tooth.json\n");
+      "  odontoscope contours segmented.mha --label 1=tooth --label 2=pulp --simplify 0.05 -o tooth.json\n"
+      "  odontoscope contours scan.stl --spacing-z 0.2 -o scan.json\n"
+      "  odontoscope contours series.ser --structure Cell -o cell.json\n"
+      "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
+      "\n"
+      "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (GLB, STL, PLY, OBJ), contours of\n"
+      "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
+      "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves,\n"
+      "and small gaps of meshes, and lists every change; without it such input is refused.\n");
   return {parser, [options](Session& session) { return make_contours(*options, session); }};
 }
 

@@ -11,6 +11,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
+#include "engine/app/foreign_input.h"
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
@@ -30,6 +31,7 @@ struct Options {
   std::string input;
   Method method = Method::dt;
   VolumeWords words;
+  ForeignWords foreign;
   DbWords db;
   std::optional<Correspondence> correspondence;
   std::string links;
@@ -72,6 +74,7 @@ void refuse_tetrahedra_of_db(const std::string& output) {
 
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
+  refuse_senseless(options.foreign);
   for (const std::string& output : options.outputs) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
@@ -129,6 +132,14 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
+ContourStack stack_of(const Options& options, Session& session) {
+  if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
+    return contours_of_input(options.input, options.words, session);
+  }
+  ContourStack stack = converted_told(options.input, options.foreign, session);
+  return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
+}
+
 ExitCode make_model(const Options& options, Session& session) {
   refuse_senseless(options);
   if (options.words.any_level()) understood(options.words);
@@ -136,7 +147,7 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  ContourStack stack = contours_of_input(options.input, options.words, session);
+  ContourStack stack = stack_of(options, session);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
   const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, options, session);
   session.progress().check();
@@ -148,7 +159,7 @@ ExitCode make_model(const Options& options, Session& session) {
 }
 
 void add_options(CLI::App& parser, Options& options) {
-  parser.add_option("INPUT", options.input, "Contour stack (.json), or with --iso or --label a volume")
+  parser.add_option("INPUT", options.input, "Contours (as contours --help lists), or a mesh or volume to take them from")
       ->required()
       ->type_name("");
   repeatable(parser.add_option("-o,--output", options.outputs, "Model to write; its ending tells the format; repeatable"))
@@ -172,6 +183,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
   add_volume_options(parser, options.words);
+  add_foreign_options(parser, options.foreign);
   add_db_options(parser, options.db);
 }
 
@@ -186,6 +198,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct molar.json -o molar.glb --report molar-report.json\n"
       "  odontoscope reconstruct molar.json -o molar.stl -o molar.vtu --triangles 8000\n"
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
+      "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"

@@ -93,7 +93,7 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
                      "Give --iso T for an image, --label N for a label map");
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL or PLY mesh",
+  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
@@ -103,13 +103,9 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file);
   const FileKind kind = kind_of(bytes);
-  switch (kind) {
-    case FileKind::contour_stack: return found_in(parse_stack(bytes, file), session);
-    case FileKind::glb: return found_in(parse_glb(bytes, file), file);
-    case FileKind::ply: return found_in(parse_ply(bytes, file), file);
-    case FileKind::stl: return found_in(parse_stl(bytes, file), file);
-    default: refuse(kind, file);
-  }
+  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
+  if (auto meshes = meshes_in(kind, bytes, file)) return found_in(std::move(*meshes), file);
+  refuse(kind, file);
 }
 
 }  // namespace

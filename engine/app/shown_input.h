@@ -33,7 +33,7 @@ struct Shown {
   std::optional<Proven> proven;
 };
 
-/// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL and PLY are taken as
+/// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
 /// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do.
 Shown shown_from(const std::string& file, const VolumeWords& words, Session& session);
 

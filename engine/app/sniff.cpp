@@ -1,5 +1,6 @@
 #include "engine/app/sniff.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -26,6 +27,24 @@ bool has_nifti_mark(std::string_view bytes) {
   return bytes.size() > mark_at && (bytes.substr(mark_at).starts_with("n+1") || bytes.substr(mark_at).starts_with("ni1"));
 }
 
+/// The first word of the first line that is neither empty nor a comment.
+std::string_view first_word(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  for (;;) {
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    if (!text.starts_with('#')) return text.substr(0, text.find_first_of(blanks));
+    text.remove_prefix(std::min(text.find('\n'), text.size()));
+  }
+}
+
+bool is_obj(std::string_view bytes) {
+  const std::string_view word = first_word(bytes);
+  for (const std::string_view known : {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"}) {
+    if (word == known) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 FileKind kind_of(std::string_view bytes) {
@@ -39,7 +58,17 @@ FileKind kind_of(std::string_view bytes) {
   if (bytes.starts_with('{')) return FileKind::contour_stack;
   if (bytes.starts_with("solid")) return FileKind::stl;
   if (bytes.starts_with("ObjectType")) return FileKind::volume;
-  return FileKind::unknown;
+  return is_obj(bytes) ? FileKind::obj : FileKind::unknown;
+}
+
+std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view bytes, const std::string& file) {
+  switch (kind) {
+    case FileKind::glb: return parse_glb(bytes, file);
+    case FileKind::ply: return parse_ply(bytes, file);
+    case FileKind::stl: return parse_stl(bytes, file);
+    case FileKind::obj: return parse_obj(bytes, file);
+    default: return std::nullopt;
+  }
 }
 
 }  // namespace odontoscope::app

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 
 #include "engine/app/options.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
 #include "recon/volume/read_volume.h"
@@ -50,6 +52,16 @@ void tell_levels(const std::vector<LevelReport>& levels, Console& console) {
 void tell_simplification(std::size_t before, std::size_t after, double largest_deviation, Console& console) {
   console.say(fmt::format("  simplified from {} to {}, which moved contours by at most {} mm", counted(before, "point"),
                           counted(after, "point"), measured(largest_deviation)));
+}
+
+/// DICOM, but contours.
+bool is_structure_set(const std::string& file) {
+  constexpr std::size_t looked_at = 4096;
+  std::string head(looked_at, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return contour_file_kind(head).has_value();
 }
 
 }  // namespace
@@ -101,7 +113,7 @@ bool named_like_a_volume(const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return true;
   for (const std::string_view ending : {".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".hdr", ".img", ".dcm"}) {
-    if (file.ends_with(ending)) return true;
+    if (file.ends_with(ending)) return !is_structure_set(file);
   }
   return false;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// What the three mesh readers have in common. For the .cpp files of this room only.
+// What readers of meshes and of other programs' contours have in common. For the .cpp files of these rooms only.
 
 #include <cstddef>
 #include <cstring>

@@ -1,5 +1,5 @@
 #pragma once
-// Triangle surfaces from files that anybody may have written: GLB, STL (binary and ASCII), PLY (ASCII and binary).
+// Triangle surfaces from files that anybody may have written: GLB, STL (binary and ASCII), PLY (ASCII and binary), OBJ.
 //
 // What comes back is in millimetres, indices in range, coordinates finite; whether it is a manifold is for `inspect` to
 // say.
@@ -15,6 +15,8 @@
 //   PLY   elements `vertex` (x, y, z of any type) and `face` (vertex_indices or vertex_index, three each); other
 //   elements and
 //         properties are skipped. Vertices are joined by number only. The numbers are taken as millimetres.
+//   OBJ   each object ("o") becomes a NamedMesh. Vertices ("v") are joined by number only, faces ("f") name three; groups, normals,
+//         textures, materials, lines and points are skipped. The numbers are taken as millimetres.
 //
 // Throws FileError, UsageError (the ending tells no format), or InputError with one of these causes and the line or
 // byte:
@@ -43,7 +45,7 @@ struct NamedMesh {
   SurfaceMesh surface;
 };
 
-/// ".glb", ".stl", ".ply".
+/// ".glb", ".stl", ".ply", ".obj".
 const std::vector<std::string>& mesh_endings();
 
 /// The format follows from the file's ending, in any case.
@@ -53,5 +55,6 @@ std::vector<NamedMesh> read_mesh(const std::string& file);
 std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file);
 std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file);
 std::vector<NamedMesh> parse_ply(std::string_view bytes, const std::string& file);
+std::vector<NamedMesh> parse_obj(std::string_view bytes, const std::string& file);
 
 }  // namespace odontoscope

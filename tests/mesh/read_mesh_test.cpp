@@ -135,6 +135,48 @@ TEST(ReadStl, TextErrorsNameTheLine) {
   }
 }
 
+// --- OBJ -----------------------------------------------------------------------------------------------------------
+
+const std::string obj_text =
+    "# hello\r\nmtllib x.mtl\nv 0 0 0 1.0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvt 0 0\no first one\ng a b\ns off\nusemtl red\n"
+    "f 1 3 2\nv 0 0 1\no\tsecond\nf 1/1 2/1/1 4//1\nf -3 -2 -1\nl 1 2\nf 1 4 3";
+
+TEST(ReadObj, ObjectsWithTheirOwnVertices) {
+  const auto meshes = parse_obj(obj_text, "file");
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].name, "first one");
+  EXPECT_EQ(meshes[0].surface.points.size(), 3u);
+  EXPECT_EQ(meshes[1].name, "second");
+  EXPECT_EQ(meshes[1].surface.triangles.size(), 3u);
+  EXPECT_EQ(meshes[1].surface.points.size(), 4u);
+  const Triangle& relative = meshes[1].surface.triangles[1];  // the last three
+  EXPECT_EQ(meshes[1].surface.points[relative[2]], (Point3{0, 0, 1}));
+  EXPECT_TRUE(inspect(parse_obj(replaced(obj_text, "o\tsecond\n", ""), "file").at(0).surface).closed_oriented_manifold());
+}
+
+TEST(ReadObj, WrongFilesAreNamed) {
+  EXPECT_EQ(cause_of(parse_obj, ""), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_obj, "v 0 0 0\n"), "empty-mesh");
+  EXPECT_EQ(cause_of(parse_obj, obj_text + " 2"), "not-triangles");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 1 3 4")), "index-out-of-range");  // 4 comes later
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 0 3 2")), "index-out-of-range");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "-3 -2 -1", "-5 -2 -1")), "index-out-of-range");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 1 3 nan")), "unparsable");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 1 3 1e30")), "index-out-of-range");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 1 3 2.5")), "unparsable");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "v 1 0 0", "v 1 0")), "unparsable");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "v 1 0 0", "v 1 0 x")), "unparsable");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "v 1 0 0", "v 1 0 inf")), "not-finite");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "v 1 0 0", "v 1 0 1e7")), "too-large");
+  EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "usemtl", "usemtk")), "unparsable");
+  try {
+    parse_obj(replaced(obj_text, "s off", "soft off"), "tooth.obj");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().line, 10u);
+  }
+}
+
 // --- PLY -----------------------------------------------------------------------------------------------------------
 
 const std::string ply_text =
@@ -421,7 +463,7 @@ TEST(ReadMesh, DamagedFilesAreReadOrRefusedNeverWorse) {
 }
 
 TEST(ReadMesh, TheEndingDecides) {
-  EXPECT_THROW(read_mesh("tooth.obj"), UsageError);
+  EXPECT_THROW(read_mesh("tooth.off"), UsageError);
   EXPECT_THROW(read_mesh("/nowhere/tooth.STL"), FileError);
 }
 

@@ -1,0 +1,154 @@
+#include "engine/app/foreign_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+#include "engine/app/options.h"
+#include "engine/app/sniff.h"
+#include "engine/app/words.h"
+#include "recon/core/error.h"
+#include "recon/core/read_file.h"
+#include "recon/exchange/contour_file.h"
+#include "recon/exchange/cut_surfaces.h"
+#include "recon/exchange/repair_contours.h"
+#include "recon/input/stack_json.h"
+#include "recon/input/validate.h"
+
+namespace odontoscope::app {
+namespace {
+
+/// Our own GLB and OBJ files give a structure's outside and its cavities a mesh each.
+std::string structure_of(const std::string& mesh) {
+  for (const std::string ending : {" external", " cavity", " open", "_external", "_cavity", "_open"}) {
+    if (mesh.size() > ending.size() && mesh.ends_with(ending)) return mesh.substr(0, mesh.size() - ending.size());
+  }
+  return mesh.empty() ? "tooth" : mesh;
+}
+
+void tell_changes(const std::vector<ContourChange>& changes, Console& console) {
+  if (changes.empty()) {
+    console.say("  nothing had to be repaired");
+    return;
+  }
+  constexpr std::size_t most_lines = 40;
+  console.say(fmt::format("  repaired in {}:", counted(changes.size(), "place")));
+  for (std::size_t i = 0; i < std::min(changes.size(), most_lines); ++i) console.say("    " + in_words(changes[i]));
+  if (changes.size() > most_lines) console.say(fmt::format("    and {} more", changes.size() - most_lines));
+}
+
+std::vector<StructureSurface> surfaces_of(std::vector<NamedMesh> meshes, const ForeignWords& words, const std::string& file) {
+  std::vector<StructureSurface> surfaces;
+  for (NamedMesh& mesh : meshes) surfaces.push_back({structure_of(mesh.name), std::move(mesh.surface)});
+  if (words.structures.empty()) return surfaces;
+  // As a stack of their names, so that unknown ones are said as everywhere.
+  ContourStack names{{{0, {}}}, file};
+  for (const StructureSurface& surface : surfaces) names.slices.front().contours.push_back({surface.structure, {}});
+  keep_structures(names, words.structures);
+  std::erase_if(surfaces, [&](const StructureSurface& surface) {
+    return std::find(words.structures.begin(), words.structures.end(), surface.structure) == words.structures.end();
+  });
+  return surfaces;
+}
+
+ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, const ForeignWords& words, Session& session) {
+  if (!words.spacing_z && words.heights.empty()) {
+    throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file), "Give --spacing-z D, or --at Z for each plane");
+  }
+  const std::vector<StructureSurface> surfaces = surfaces_of(std::move(meshes), words, file);
+  std::vector<double> heights = words.spacing_z ? heights_at(surfaces, *words.spacing_z) : words.heights;
+  std::sort(heights.begin(), heights.end());
+  CutOptions options;
+  options.repair = words.repair;
+  options.widest_gap = words.widest_gap.value_or(options.widest_gap);
+  CutContours cut = cut_surfaces(surfaces, heights, file, options, session.progress());
+  session.console.say(fmt::format("{}: cut by {}", file, counted(heights.size(), "plane")));
+  if (words.repair) tell_changes(cut.changes, session.console);
+  return std::move(cut.stack);
+}
+
+/// What validate found can be mended here: says so.
+[[noreturn]] void offer_repair(const InputError& error) {
+  throw InputError(error.cause(), {}, std::string(error.what()).substr(0, std::string(error.what()).rfind(" [")),
+                   "Or give --repair, which tells what it changes");
+}
+
+bool can_be_repaired(const std::string& cause) {
+  for (const char* known : {"too-few-points", "repeated-point", "zero-area", "self-crossing", "contours-cross", "contours-touch"}) {
+    if (cause == known) return true;
+  }
+  return false;
+}
+
+ContourStack checked(ContourStack stack, const ForeignWords& words, Session& session) {
+  if (words.repair) {
+    RepairedContours repaired = repair_contours(stack, {}, session.progress());
+    tell_changes(repaired.changes, session.console);
+    stack = std::move(repaired.stack);
+  }
+  try {
+    validate(stack, session.progress());
+  } catch (const InputError& error) {
+    if (words.repair || !can_be_repaired(error.cause())) throw;
+    offer_repair(error);
+  }
+  return stack;
+}
+
+}  // namespace
+
+void add_foreign_options(CLI::App& parser, ForeignWords& words) {
+  const std::string group = "Meshes and other programs' contours";
+  parser.add_option("--spacing-z", words.spacing_z, "Cut a mesh every D mm, from D/2 above its lowest point on")
+      ->type_name("D")->group(group);
+  repeatable(parser.add_option("--at", words.heights, "Cut a mesh at height Z, mm; repeatable"))->type_name("Z")->group(group);
+  repeatable(parser.add_option("--structure", words.structures, "Keep this structure alone; repeatable"))->type_name("NAME")->group(group);
+  parser.add_flag("--repair", words.repair, "Mend what breaks the rules, and tell what was changed")->group(group);
+  parser.add_option("--widest-gap", words.widest_gap, "With --repair: widest gap of a mesh that is closed, mm (default: 0.5)")
+      ->type_name("G")->check(at_least_zero())->group(group);
+}
+
+void refuse_senseless(const ForeignWords& words) {
+  if (words.spacing_z && !words.heights.empty()) throw UsageError("--spacing-z and --at both say where to cut", "Give one of them");
+  if (words.widest_gap && !words.repair) throw UsageError("--widest-gap is about --repair", "Add --repair, or leave it out");
+}
+
+bool needs_conversion(const std::string& file, const ForeignWords& words) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return words.any();
+  if (words.any()) return true;
+  constexpr std::size_t looked_at = 1 << 16;
+  std::string head(looked_at, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  if (contour_file_kind(head)) return true;
+  const FileKind kind = kind_of(head);
+  if (kind == FileKind::contour_stack || kind == FileKind::volume) return false;
+  // Binary STL is told by its whole size.
+  return kind != FileKind::unknown || kind_of(read_file(file)) == FileKind::stl;
+}
+
+ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
+  const std::string bytes = read_file(file);
+  if (const auto kind = contour_file_kind(bytes)) {
+    FileContours read = read_contour_file(*kind, bytes, file, words.structures);
+    session.console.say(fmt::format("{}: {}", file, stack_in_words(read.stack)));
+    for (const std::string& remark : read.remarks) session.console.say("  " + remark);
+    return checked(std::move(read.stack), words, session);
+  }
+  const FileKind kind = kind_of(bytes);
+  if (auto meshes = meshes_in(kind, bytes, file)) return cut_told(std::move(*meshes), file, words, session);
+  if (kind == FileKind::volume) {
+    throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
+                     "Give --iso T for an image, --label N for a label map");
+  }
+  ContourStack stack = parse_stack(bytes, file);
+  keep_structures(stack, words.structures);
+  return checked(std::move(stack), words, session);
+}
+
+}  // namespace odontoscope::app

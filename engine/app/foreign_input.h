@@ -1,0 +1,38 @@
+#pragma once
+// What `contours` and `reconstruct` have in common: contours from other programs' contour files, and from meshes cut by planes.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/app/command.h"
+#include "recon/input/contour_stack.h"
+
+namespace odontoscope::app {
+
+/// As typed.
+struct ForeignWords {
+  std::optional<double> spacing_z;       // mm, for meshes
+  std::vector<double> heights;           // mm, instead of a spacing
+  std::vector<std::string> structures;   // to keep; all if empty
+  bool repair = false;
+  std::optional<double> widest_gap;      // mm, for meshes
+
+  bool any() const { return spacing_z || !heights.empty() || !structures.empty() || repair || widest_gap; }
+};
+
+void add_foreign_options(CLI::App& parser, ForeignWords& words);
+
+/// UsageError for options that contradict each other.
+void refuse_senseless(const ForeignWords& words);
+
+/// Is the file something else than a contour stack of ours, or do `words` ask for more than reading it? False for what cannot be
+/// looked into without using it up (pipes), or cannot be read.
+bool needs_conversion(const std::string& file, const ForeignWords& words);
+
+/// Contours of a mesh, of another program's contour file, or of a stack of ours, repaired if `words` say so; tells what was found, left out
+/// and changed. Valid. UsageError for a mesh without planes, and for a volume.
+ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session);
+
+}  // namespace odontoscope::app

@@ -1,0 +1,52 @@
+#pragma once
+// Surface meshes cut into contours, plane by plane: the way back from anybody's model.
+//
+// Which triangles a plane crosses, and how its points join up, is decided by signs alone: a vertex in the plane counts as above it (symbolic
+// perturbation, after H. Edelsbrunner and E. P. Muecke, "Simulation of simplicity", ACM Transactions on Graphics 9(1), 1990), as if
+// the plane lay lower by less than any number. So a closed surface always gives closed contours: a flat piece in the plane
+// gives its outline if the material is below, and nothing if it is above, and a plane that touches gives nothing. Points are
+// rounded once; where a vertex lies in the plane they are that vertex.
+// Where contours that meet in such a vertex would break the rules of contour_stack.h, the points beside it are taken a 64th of their edge
+// lower.
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recon/core/progress.h"
+#include "recon/exchange/repair_contours.h"
+#include "recon/input/contour_stack.h"
+#include "recon/mesh/meshes.h"
+
+namespace odontoscope {
+
+struct StructureSurface {
+  std::string structure;
+  SurfaceMesh surface;  // several of one structure are cut as one: an outside and its cavities
+};
+
+struct CutOptions {
+  /// Close gaps, untangle contours; tell what was changed.
+  bool repair = false;
+  /// With `repair`: the widest gap in a plane that is closed by a straight line, mm.
+  double widest_gap = 0.5;
+};
+
+struct CutContours {
+  ContourStack stack;                  // a slice for each height, in their order
+  std::vector<ContourChange> changes;  // none without `repair`
+};
+
+/// Heights at `spacing` from half of it above the lowest point on. UsageError for a spacing that is not positive or gives more slices than
+/// limits::slices or fewer than two.
+std::vector<double> heights_at(const std::vector<StructureSurface>& surfaces, double spacing);
+
+/// `file` is for messages. The result has passed `validate`, or InputError is thrown, with one of that function's causes or
+///   open-surface, crowded-edge, misoriented-surface   without `repair`: the surface is no closed, oriented manifold
+///   section-meets-itself   without `repair`: contours of one structure touch or cross, since the surface cuts through itself
+///   gap-too-wide           with `repair`
+/// Preconditions: indices in range, coordinates finite; heights ascending. Stage "cut".
+CutContours cut_surfaces(const std::vector<StructureSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
+                         const CutOptions& options = {}, const Progress& progress = {});
+
+}  // namespace odontoscope

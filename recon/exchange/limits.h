@@ -1,0 +1,24 @@
+#pragma once
+// Limits of this room, each with its reason.
+
+#include <cstddef>
+
+namespace odontoscope::limits {
+
+/// Bytes of an XML file: parsed it takes several times that. The largest sections of Reconstruct have a few MiB.
+inline constexpr std::size_t xml_bytes = 256u << 20;
+/// Bytes of a structure set, which lies in memory whole: real ones have up to 100 MiB.
+inline constexpr std::size_t structure_set_bytes = 1u << 30;
+/// How far contours of a structure set that belong to one plane may be apart along its normal, mm: they are written as decimal
+/// text of up to 16 characters, and drawn a fraction of a mm apart at least.
+inline constexpr double plane_thickness = 1e-3;
+/// How far from parallel planes may be, as the sine of the angle: their numbers are rounded to six digits or so.
+inline constexpr double out_of_parallel = 1e-5;
+/// How far a point may be off its plane, as a share of the least distance of planes: beyond, it is not in the plane that is said.
+inline constexpr double off_plane = 0.25;
+/// Steps of Newton's method for the inverse of a transform: from a sensible start it takes five or so.
+inline constexpr int transform_steps = 50;
+/// What is left over when it has converged, over the size of the coordinates.
+inline constexpr double transform_rest = 1e-12;
+
+}  // namespace odontoscope::limits

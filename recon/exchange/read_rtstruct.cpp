@@ -1,0 +1,252 @@
+#include "recon/exchange/read_rtstruct.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "recon/core/limits.h"
+#include "recon/exchange/dicom_set.h"
+#include "recon/exchange/limits.h"
+#include "recon/input/counts.h"
+#include "recon/mesh/parsing.h"
+
+namespace odontoscope {
+namespace {
+
+using namespace parsing;
+
+constexpr std::string_view structure_set_class = "1.2.840.10008.5.1.4.1.1.481.3";
+constexpr std::size_t preamble = 128;
+
+constexpr std::uint32_t roi_sequence = 0x30060020, roi_number = 0x30060022, roi_name = 0x30060026;
+constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042, point_count = 0x30060046,
+                        contour_data = 0x30060050, referenced_roi = 0x30060084;
+
+/// A contour in space, not yet in a plane.
+struct Outline {
+  std::size_t structure = 0;  // number of its ROI
+  std::size_t number = 0;     // within it
+  std::vector<Point3> points;
+};
+
+struct Roi {
+  std::string name;
+  std::map<std::string, std::size_t> left_out;  // types, and how many contours of them
+  std::size_t taken = 0;
+};
+
+double along(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+class Reader {
+ public:
+  Reader(std::string_view bytes, const std::string& file, const std::vector<std::string>& wanted) : set_(bytes, file), wanted_(wanted) {
+    whole_.file = file;
+  }
+
+  FileContours read() {
+    read_names();
+    read_outlines();
+    refuse_unknown();
+    result_.stack.source = whole_.file;
+    make_slices();
+    make_remarks();
+    return std::move(result_);
+  }
+
+ private:
+  void read_names() {
+    std::map<std::string, std::size_t> times;
+    for (const DicomSet::DataSet& item : set_.items(set_.top(), roi_sequence)) {
+      std::string name = plain(set_.text(item, roi_name));
+      const std::string number(set_.text(item, roi_number));
+      if (name.empty()) name = "ROI " + plain(number);
+      if (const std::size_t n = ++times[name]; n > 1) name = fmt::format("{} ({})", name, n);
+      by_number_.emplace(number, rois_.size());
+      rois_.push_back({name, {}, 0});
+      if (rois_.size() > limits::structures) refuse("too-many-structures", whole_, fmt::format("more than {} regions", limits::structures), {});
+    }
+    if (rois_.empty()) refuse("unreadable-structure-set", whole_, "it names no region of interest", "Check that it is the file you mean");
+  }
+
+  /// Names come in many character sets; what is no plain character is replaced.
+  static std::string plain(std::string_view name) {
+    std::string result;
+    for (const char c : name.substr(0, limits::name_length)) result += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? '?' : c;
+    return result;
+  }
+
+  bool is_wanted(const std::string& name) const { return wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end(); }
+
+  void read_outlines() {
+    const std::vector<DicomSet::DataSet> of_all = set_.items(set_.top(), contours_by_roi);
+    if (of_all.empty()) refuse("unreadable-structure-set", whole_, "it holds no contours", "Check that it is the file you mean");
+    for (const DicomSet::DataSet& of_roi : of_all) {
+      const auto roi = by_number_.find(std::string(set_.text(of_roi, referenced_roi)));
+      if (roi == by_number_.end()) refuse("unreadable-structure-set", whole_, "contours of a region that has no name", "Export it again");
+      if (!is_wanted(rois_[roi->second].name)) {
+        rois_[roi->second].taken = set_.items(of_roi, contour_sequence).size();  // for the list of those there
+        continue;
+      }
+      std::size_t number = 0;
+      for (const DicomSet::DataSet& item : set_.items(of_roi, contour_sequence)) add_outline(item, roi->second, number++);
+    }
+  }
+
+  void add_outline(const DicomSet::DataSet& item, std::size_t structure, std::size_t number) {
+    Roi& roi = rois_[structure];
+    const std::string type = plain(set_.text(item, geometric_type));
+    if (type != "CLOSED_PLANAR" && type != "CLOSEDPLANAR_XOR") {
+      ++roi.left_out[type.empty() ? "no type" : type];
+      return;
+    }
+    ++roi.taken;
+    Outline outline{structure, number, {}};
+    const std::string what = fmt::format("contour {} of {}", number, roi.name);
+    const std::vector<double> numbers = decimals(set_.text(item, contour_data), what);
+    const std::string_view said = set_.text(item, point_count);
+    if (numbers.size() % 3 != 0 || (!said.empty() && said != std::to_string(numbers.size() / 3))) {
+      refuse("wrong-count", whole_, fmt::format("{} says that it has {} points, and holds {} numbers", what, plain(said), numbers.size()), "Export it again");
+    }
+    for (std::size_t i = 0; i < numbers.size(); i += 3) {
+      outline.points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
+      const std::string_view fault = coordinate_fault(outline.points.back());
+      if (!fault.empty()) refuse(fault, whole_, fmt::format("{} has a point without usable coordinates", what));
+    }
+    check_point_count(points_ += outline.points.size(), whole_);
+    check_contour_count(outlines_.size() + 1, whole_);
+    if (!outline.points.empty()) outlines_.push_back(std::move(outline));
+  }
+
+  /// Separated by backslashes.
+  std::vector<double> decimals(std::string_view list, const std::string& what) const {
+    std::vector<double> numbers;
+    while (!list.empty()) {
+      std::string_view word = list.substr(0, list.find('\\'));
+      list.remove_prefix(std::min(word.size() + 1, list.size()));
+      while (!word.empty() && is_space(word.front())) word.remove_prefix(1);
+      while (!word.empty() && is_space(word.back())) word.remove_suffix(1);
+      double value = 0;
+      if (!parse_number(word, value)) {
+        refuse("unparsable", whole_, fmt::format("{} has \"{}\" where a number should be", what, tame(word.substr(0, limits::quoted_length))), "Export it again");
+      }
+      numbers.push_back(value);
+    }
+    return numbers;
+  }
+
+  void refuse_unknown() const {
+    for (const std::string& wanted : wanted_) {
+      const auto is_it = [&](const Roi& roi) { return roi.name == wanted; };
+      const auto roi = std::find_if(rois_.begin(), rois_.end(), is_it);
+      if (roi != rois_.end() && roi->taken > 0) continue;
+      std::vector<std::string> there;
+      for (const Roi& known : rois_) {
+        if (known.taken > 0) there.push_back(known.name);
+      }
+      refuse("unknown-structure", whole_,
+             roi == rois_.end() ? fmt::format("there is no region {}", wanted) : fmt::format("{} has no closed contour", wanted),
+             fmt::format("Those there are {}", fmt::join(there, ", ")));
+    }
+  }
+
+  bool is_flat(const Outline& outline, int axis) const {
+    const auto [low, high] = std::minmax_element(outline.points.begin(), outline.points.end(),
+                                                 [&](const Point3& a, const Point3& b) { return along(a, axis) < along(b, axis); });
+    return along(*high, axis) - along(*low, axis) <= limits::plane_thickness;
+  }
+
+  /// That all planes lie across.
+  int common_axis() const {
+    for (const int axis : {2, 0, 1}) {
+      if (std::all_of(outlines_.begin(), outlines_.end(), [&](const Outline& o) { return is_flat(o, axis); })) return axis;
+    }
+    const auto tilted = std::find_if(outlines_.begin(), outlines_.end(), [&](const Outline& o) { return !is_flat(o, 2); });
+    refuse("not-parallel", whole_,
+           fmt::format("contour {} of {} lies in no plane across z, and the others not all across x or y", tilted->number, rois_[tilted->structure].name),
+           "Only contours in parallel planes along an axis can be reconstructed; choose regions with --structure");
+  }
+
+  void make_slices() {
+    if (outlines_.empty()) return;
+    const int axis = common_axis();
+    std::vector<std::pair<double, std::size_t>> by_height;
+    for (std::size_t i = 0; i < outlines_.size(); ++i) by_height.emplace_back(along(outlines_[i].points.front(), axis), i);
+    std::stable_sort(by_height.begin(), by_height.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Slice>& slices = result_.stack.slices;
+    double last = 0;
+    for (const auto& [height, i] : by_height) {
+      if (slices.empty() || height - last > limits::plane_thickness) slices.push_back({height, {}});
+      last = height;
+      check_slice_count(slices.size(), whole_);
+      Contour contour;
+      contour.structure = rois_[outlines_[i].structure].name;
+      for (const Point3& p : outlines_[i].points) contour.points.push_back({along(p, (axis + 1) % 3), along(p, (axis + 2) % 3)});
+      slices.back().contours.push_back(std::move(contour));
+      check_contours_in_slice(slices.back().contours.size(), whole_);
+    }
+    if (axis != 2) result_.remarks.push_back(fmt::format("the planes lie across {}; the model's z is that axis", axis == 0 ? 'x' : 'y'));
+  }
+
+  void make_remarks() {
+    for (const Roi& roi : rois_) {
+      if (!is_wanted(roi.name)) continue;
+      for (const auto& [type, count] : roi.left_out) {
+        result_.remarks.push_back(fmt::format("{}: {} of type {} left out", roi.name, count, type));
+      }
+      if (roi.taken > 0) remark_skipped_planes(roi.name);
+    }
+  }
+
+  /// A structure that is not on every plane between its ends comes apart there.
+  void remark_skipped_planes(const std::string& name) {
+    std::vector<std::size_t> on;
+    const std::vector<Slice>& slices = result_.stack.slices;
+    for (std::size_t s = 0; s < slices.size(); ++s) {
+      const auto& contours = slices[s].contours;
+      if (std::any_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == name; })) on.push_back(s);
+    }
+    if (on.size() < 2) return;
+    const std::size_t skipped = on.back() - on.front() + 1 - on.size();
+    if (skipped == 0) return;
+    const auto gap = std::adjacent_find(on.begin(), on.end(), [](std::size_t a, std::size_t b) { return b > a + 1; });
+    result_.remarks.push_back(fmt::format("{}: nothing on {} planes between its first and last, the first at {:.6g}; the model has a gap there. If other "
+                                          "regions brought those planes in, choose this one alone with --structure",
+                                          name, skipped, slices[*gap + 1].z));
+  }
+
+  DicomSet set_;
+  const std::vector<std::string>& wanted_;
+  Place whole_;
+  std::map<std::string, std::size_t> by_number_;
+  std::vector<Roi> rois_;
+  std::vector<Outline> outlines_;
+  std::size_t points_ = 0;
+  FileContours result_;
+};
+
+}  // namespace
+
+bool looks_like_rtstruct(std::string_view bytes) {
+  constexpr std::size_t looked_at = 2048;  // the class stands in the first elements
+  if (bytes.size() <= preamble || !bytes.substr(preamble).starts_with("DICM")) return false;
+  const std::size_t at = bytes.substr(0, looked_at).find(structure_set_class);
+  if (at == bytes.npos) return false;
+  const char next = at + structure_set_class.size() < bytes.size() ? bytes[at + structure_set_class.size()] : '\0';
+  return next != '.' && !(next >= '0' && next <= '9');
+}
+
+FileContours parse_rtstruct(std::string_view bytes, const std::string& file, const std::vector<std::string>& structures) {
+  if (bytes.size() > limits::structure_set_bytes) {
+    Place place;
+    place.file = file;
+    refuse("file-too-large", place, fmt::format("the file has more than {} MiB", limits::structure_set_bytes >> 20), "Export fewer regions");
+  }
+  return Reader(bytes, file, structures).read();
+}
+
+}  // namespace odontoscope
