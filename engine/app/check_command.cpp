@@ -14,6 +14,7 @@
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/read_file.h"
+#include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/read_mesh.h"
@@ -89,16 +90,24 @@ ExitCode check_stack(const ContourStack& stack, const Options& options, Session&
                    "Give a file of one of these formats");
 }
 
+void refuse_report(const Options& options) {
+  if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
+}
+
 ExitCode check(const Options& options, Session& session) {
   if (!options.report.empty()) {
     known_ending(options.report, {".json"});
     refuse_unwritable({.inputs = {options.file}, .outputs = {options.report}});
   }
   const std::string bytes = read_file(options.file);
+  if (const auto kind = contour_file_kind(bytes)) {
+    refuse_report(options);
+    return check_stack(read_contour_file(*kind, bytes, options.file).stack, options, session);
+  }
   const FileKind kind = kind_of(bytes);
   if (const auto meshes = meshes_in(kind, bytes, options.file)) return check_meshes(*meshes, options, session);
   if (kind != FileKind::contour_stack) refuse(kind, options.file);
-  if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
+  refuse_report(options);
   return check_stack(parse_stack(bytes, options.file), options, session);
 }
 
@@ -107,7 +116,7 @@ ExitCode check(const Options& options, Session& session) {
 Command check_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("check", "Judge a mesh or a contour stack; exit code 1 if found wanting");
   const auto options = std::make_shared<Options>();
-  parser->add_option("FILE", options->file, "GLB, STL, PLY or OBJ mesh, or contour stack; told by its content")
+  parser->add_option("FILE", options->file, "Mesh (GLB, STL, PLY, OBJ) or contours; told by its content")
       ->required()
       ->type_name("");
   parser->add_option("--report", options->report, "What was found in a mesh, for scripts")->type_name("FILE.json");

@@ -44,6 +44,7 @@ ExitCode make_contours(const Options& options, Session& session) {
 
 Command contours_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("contours", "Contours of a volume, a mesh, or another program's contour file");
+  parser->alias("section");   // of a model: the way back to contours
   const auto options = std::make_shared<Options>();
   parser
       ->add_option("INPUT", options->input,
@@ -59,12 +60,13 @@ Command contours_command(CLI::App& root) {
       "  odontoscope contours scan.nii.gz --iso 120=dentine --iso 195=enamel --min-area 0.1 -o tooth.json\n"
       "  odontoscope contours segmented.mha --label 1=tooth --label 2=pulp --simplify 0.05 -o tooth.json\n"
       "  odontoscope contours scan.stl --spacing-z 0.2 -o scan.json\n"
+      "  odontoscope section molar.glb --at 4.5 --at 12 -o two.json\n"
       "  odontoscope contours series.ser --structure Cell -o cell.json\n"
       "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
       "\n"
       "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (GLB, STL, PLY, OBJ), contours of\n"
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
-      "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves,\n"
+      "section is another name for contours. What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves,\n"
       "and small gaps of meshes, and lists every change; without it such input is refused.\n");
   return {parser, [options](Session& session) { return make_contours(*options, session); }};
 }

@@ -10,10 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "engine/app/foreign_input.h"
 #include "engine/app/sniff.h"
 #include "engine/scene/shells.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/sample/sample_tooth.h"
@@ -102,6 +104,7 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
   if (words.any_level()) return found_in_volume(file, understood(words), session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file);
+  if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), session);
   const FileKind kind = kind_of(bytes);
   if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
   if (auto meshes = meshes_in(kind, bytes, file)) return found_in(std::move(*meshes), file);

@@ -90,6 +90,18 @@ TEST(WriteObj, HasEveryBitAndEveryName) {
   expect_same(mesh, shapes::together(model.solids[0].surface, model.solids[1].surface));
 }
 
+TEST(WriteObj, ReadsBackEveryBit) {
+  const Reconstruction model = models::tooth_and_enamel();
+  const auto meshes = parse_obj(obj_text(model), "model");
+  ASSERT_EQ(meshes.size(), 3u);
+  EXPECT_EQ(meshes[1].name, "tooth_cavity");
+  EXPECT_EQ(meshes[2].name, "enamel_external");
+  // The tooth's triangles come outside first, as they stand in the model.
+  expect_same(shapes::together(meshes[0].surface, meshes[1].surface), model.solids[0].surface);
+  expect_same(meshes[2].surface, model.solids[1].surface);
+  EXPECT_TRUE(inspect(meshes[2].surface).closed_oriented_manifold());
+}
+
 TEST(WriteVrml, HasEveryBitAndIsSolidAndCounterClockwise) {
   const Reconstruction model = two_spheres();
   const std::string text = vrml_text(model);
