@@ -125,8 +125,13 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
   if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
   session.console.say(fmt::format("Drawn with {}.", window.context().in_words()));
   viewer.open(first_request(options));
-  if (options.headset) enter_headset(viewer, window, session);
-  run_in_window(viewer, window, session.interrupts.token());
+  viewer.state().headset_possible = headsets_built_in();
+  viewer.state().headset_asked = options.headset;
+  do {
+    if (viewer.state().headset_asked) enter_headset(viewer, window, session);
+    viewer.state().headset_asked = false;
+    run_in_window(viewer, window, session.interrupts.token());
+  } while (viewer.state().headset_asked);
   const Settings& now = viewer.state().settings;
   if (!(now == read.settings)) {
     const auto held = session.interrupts.hold();

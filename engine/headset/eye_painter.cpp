@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "engine/headset/scale_mark.h"
+
 namespace odontoscope {
 
 EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
@@ -14,14 +16,14 @@ void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Visit
   Scene scene = visit.cavity ? seen_from_inside(world.scene, world.model, world.cavities[*visit.cavity]) : world.scene;
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
-  show_hands(visit, input, world.model);
+  show_marks(visit, input, world.model);
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
-  if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, hands_.lines.empty() ? nullptr : &hands_);
+  if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
   for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
 }
 
-void EyePainter::show_hands(const Visit& visit, const HeadsetInput& input, const Model& model) {
+void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const Model& model) {
   constexpr double ray = 1.5, stub = 0.12;   // metres
   LineSet lines{LineKind::measure, {}, {}};
   const auto in_model = [&](const glm::dvec3& place) { return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm)); };
@@ -33,7 +35,9 @@ void EyePainter::show_hands(const Visit& visit, const HeadsetInput& input, const
     for (const glm::dvec3& point : {hand.aim.position, end, end, hit ? end : hand.aim.position}) lines.points.push_back(in_model(point));
     if (!hit) lines.points.resize(lines.points.size() - 2);   // no dot
   }
-  hands_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});
+  if (visit.told > 0)
+    for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position)) lines.points.push_back(in_model(point));
+  marks_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});
   // The renderer draws no farther than the model's box.
   model_.low = low_;
   model_.high = high_;

@@ -27,7 +27,8 @@ class EyePainter {
   static void mirror(const Gl& gl, const Target& eye, const Target& target);
 
  private:
-  void show_hands(const Visit& visit, const HeadsetInput& input, const Model& model);
+  /// The hands' rays, and how large the tooth is.
+  void show_marks(const Visit& visit, const HeadsetInput& input, const Model& model);
   void ease(const Visit& visit, const FieldOfView& field, const Target& target) const;
 
   const Gl* gl_;
@@ -35,7 +36,7 @@ class EyePainter {
   Renderer renderer_;
   GpuModel model_;
   glm::vec3 low_, high_;      // the model's own box
-  GpuOverlay hands_;
+  GpuOverlay marks_;
   Program ease_;
   GlObject no_vertices_;
 };

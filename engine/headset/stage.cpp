@@ -53,10 +53,13 @@ glm::dvec3 direction_to_model(const Stage& stage, const glm::dvec3& direction) {
 
 double mm_per_metre(const Stage& stage) { return 1 / (metres_per_mm * stage.magnification); }
 
-Stage before(const Pose& head, const Model& model, double magnification) {
+Stage before(const Pose& head, const Model& model, double magnification, const glm::dvec3& facing) {
   constexpr double below_eyes = 0.1;
   const glm::dquat heading = heading_of(head);
-  Stage stage{{}, glm::normalize(heading * standing()), magnification};
+  // About the tooth's axis, from buccal to `facing`.
+  constexpr double steep = 1e-3;
+  const double round = std::hypot(facing.x, facing.y) > steep * std::abs(facing.z) ? std::atan2(facing.x, facing.y) : 0;
+  Stage stage{{}, glm::normalize(heading * standing() * glm::angleAxis(round, glm::dvec3(0, 0, 1))), magnification};
   const glm::dvec3 centre = head.position + heading * glm::dvec3(0, -below_eyes, -arms_length);
   stage.place = centre - (to_room(stage, model.bounds_mm.centre()) - stage.place);
   return stage;

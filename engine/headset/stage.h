@@ -30,8 +30,9 @@ glm::dvec3 direction_to_model(const Stage& stage, const glm::dvec3& direction);
 /// How many millimetres of the model a metre of the room is.
 double mm_per_metre(const Stage& stage);
 
-/// Upright before the head, at arm's length and somewhat below the eyes, its buccal side towards them.
-Stage before(const Pose& head, const Model& model, double magnification = usual_magnification);
+/// Upright before the head, at arm's length and somewhat below the eyes. The side that `facing` (a direction of the model) points to is towards them;
+/// from straight above or below it is the buccal one.
+Stage before(const Pose& head, const Model& model, double magnification = usual_magnification, const glm::dvec3& facing = {0, 1, 0});
 
 /// As the hand went that holds it.
 Stage carried(const Stage& stage, const Pose& from, const Pose& to);

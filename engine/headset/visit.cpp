@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limits>
 
 #include "engine/navigate/flight.h"
 
@@ -25,11 +26,22 @@ std::optional<Hit> pointed_at(const Visit& visit, const HandInput& hand, const V
   return pick(world.pickable, world.scene, ray, {.least_opacity = 1});
 }
 
-std::optional<std::size_t> cavity_named(const std::string& structure, std::span<const VisitedCavity> cavities) {
-  for (std::size_t i = 0; i < cavities.size(); ++i)
-    if (cavities[i].structure == structure) return i;
-  return std::nullopt;
+/// The cavity whose wall was hit, if it is one's.
+std::optional<std::size_t> cavity_of(const Hit& hit, std::span<const FlightSpace> cavities) {
+  std::optional<std::size_t> nearest;
+  double distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cavities.size(); ++i) {
+    if (cavities[i].structure != hit.structure) continue;
+    const double wall = cavities[i].walls.nearest(hit.point_mm, distance).distance;
+    if (!(wall < distance)) continue;
+    distance = wall;
+    nearest = i;
+  }
+  return nearest;
 }
+
+/// The side that the window's camera looks at is the side towards the person.
+glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target; }
 
 glm::dvec3 centre_of(const Visit& visit, const VisitWorld& world) { return to_room(visit.stage, world.model.bounds_mm.centre()); }
 
@@ -80,10 +92,10 @@ void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& wor
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput &hand = input.hands[i], &before = visit.before[i];
     visit.pointed[i] = pointed_at(visit, hand, world);
-    const std::optional<std::size_t> cavity = visit.pointed[i] ? cavity_named(visit.pointed[i]->structure, world.cavities) : std::nullopt;
+    const std::optional<std::size_t> cavity = visit.pointed[i] ? cavity_of(*visit.pointed[i], world.cavities) : std::nullopt;
     visit.held[i] = held_outside(visit.held[i], before, hand, cavity.has_value());
     if (cavity && before.tracked && went_down(before.trigger, hand.trigger)) visit.way = Visit::Way{cavity};
-    if (hand.menu && !before.menu) visit.stage = odontoscope::before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size);
+    if (hand.menu && !before.menu) visit.stage = odontoscope::before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size, facing(world.scene.camera));
   }
   carry(visit, input);
   turn_and_bring(visit, input, world, rules, seconds);
@@ -117,7 +129,7 @@ glm::dvec3 wanted_way(const HeadsetInput& input) {
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   for (std::size_t i = 0; i < 2; ++i)
     if (input.hands[i].menu && !visit.before[i].menu) visit.way = Visit::Way{};
-  const VisitedCavity& cavity = world.cavities[*visit.cavity];
+  const FlightSpace& cavity = world.cavities[*visit.cavity];
   const FlightRules flight_limits = flight_rules(visit.stage, rules);
   // Where the head itself went. A wall that it would go through is pushed along instead.
   const glm::dvec3 head_mm = to_model(visit.stage, input.head.position);
@@ -160,7 +172,7 @@ void fade(Visit& visit, const HeadsetInput& input, const VisitWorld& world, cons
 
 }  // namespace
 
-Stage inside(const VisitedCavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules) {
+Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, const ComfortRules& rules) {
   const Stage stage = before(head, model, rules.roomy / (metres_per_mm * cavity.room_mm));
   return moved(stage, head.position - to_room(stage, cavity.middle));
 }
@@ -169,7 +181,7 @@ Visit stepped(const Visit& visit, const HeadsetInput& input, const VisitWorld& w
   Visit after = visit;
   if (!input.head_tracked) return after;
   if (!after.placed || (input.recentred && !after.cavity)) {
-    after.stage = before(input.head, world.model, after.placed ? after.stage.magnification : usual_magnification);
+    after.stage = before(input.head, world.model, after.placed ? after.stage.magnification : usual_magnification, facing(world.scene.camera));
     after.placed = true;
   }
   if (input.recentred && after.cavity) after.stage = moved(after.stage, input.head.position - to_room(after.stage, after.eye_mm));   // only the numbers changed
@@ -185,6 +197,9 @@ Visit stepped(const Visit& visit, const HeadsetInput& input, const VisitWorld& w
     if (after.cavity) step_inside(after, input, world, rules, seconds);
     else step_outside(after, input, world, rules, seconds);
   }
+  constexpr double told_for = 3;
+  if (!after.cavity && after.stage.magnification != visit.stage.magnification) after.told = told_for;
+  else after.told = std::max(0.0, after.told - seconds);
   const double speed = after.cavity ? glm::length(after.velocity) / mm_per_metre(after.stage) / rules.most_speed : 0;
   const double share = 1 - std::exp(-seconds / rules.vignette_seconds);
   after.vignette += share * (std::min(speed, 1.0) - after.vignette);

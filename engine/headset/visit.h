@@ -9,8 +9,8 @@
 #include <optional>
 #include <span>
 
-#include "engine/headset/cavity.h"
 #include "engine/headset/hands.h"
+#include "engine/headset/inside.h"
 #include "engine/headset/stage.h"
 #include "engine/measure/pick.h"
 
@@ -31,7 +31,7 @@ struct VisitWorld {
   const Model& model;
   const Pickable& pickable;
   const Scene& scene;               // as seen from outside
-  std::span<const VisitedCavity> cavities;
+  std::span<const FlightSpace> cavities;
 };
 
 struct Visit {
@@ -53,12 +53,13 @@ struct Visit {
   std::optional<Way> way;
   double dark = 0;                       // of the fade: 1 hides everything
   double vignette = 0;                   // 0 to 1
+  double told = 0;                       // seconds for which the magnification is still to be seen
 };
 
 /// `seconds` later. Precondition: finite input.
 Visit stepped(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 
 /// The stage on which the roomiest place of the cavity is where the head is, upright.
-Stage inside(const VisitedCavity& cavity, const Pose& head, const Model& model, const ComfortRules& rules);
+Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, const ComfortRules& rules);
 
 }  // namespace odontoscope

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <future>
 #include <thread>
 #include <variant>
 
@@ -46,9 +45,9 @@ class HeadsetVisit {
   HeadsetVisit(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const HeadsetVisitOptions& options)
       : viewer_(viewer), window_(window), options_(options), loaded_(viewer.state().shown), scene_(viewer.state().scene),
         gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality) {
-    // Off this thread: the headset's beat goes on meanwhile.
-    cavities_to_come_ = std::async(std::launch::async, [loaded = loaded_] { return cavities_of(loaded->model); });
+    if (loaded_->flight) cavities_ = loaded_->flight->cavities;
     say(fmt::format("In the headset: {}.", headset_->in_words()));
+    say(cavities_.empty() ? "This model has no cavity to enter." : fmt::format("Point at {} and pull the trigger to be inside.", cavities_.front().structure));
   }
 
   void run(const std::stop_token& stop) {
@@ -59,7 +58,6 @@ class HeadsetVisit {
         leaving = true;
         continue;
       }
-      take_cavities();
       tell_controllers(state);
       if (state == HeadsetState::waiting) std::this_thread::sleep_for(rest);
       else headset_->frame([this](const HeadsetFrame& frame) { draw(frame); });
@@ -70,12 +68,6 @@ class HeadsetVisit {
  private:
   void say(const std::string& words) const {
     if (options_.say) options_.say(words);
-  }
-
-  void take_cavities() {
-    if (!cavities_to_come_.valid() || cavities_to_come_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
-    cavities_ = cavities_to_come_.get();
-    say(cavities_.empty() ? "There is no cavity to enter in this model." : fmt::format("Point at {} and pull the trigger to be inside.", cavities_.front().structure));
   }
 
   void tell_controllers(HeadsetState state) {
@@ -112,8 +104,7 @@ class HeadsetVisit {
   const Gl& gl_;
   std::unique_ptr<Headset> headset_;
   EyePainter painter_;
-  std::vector<VisitedCavity> cavities_;
-  std::future<std::vector<VisitedCavity>> cavities_to_come_;
+  std::span<const FlightSpace> cavities_;
   Visit visit_;
   bool drawn_ = false;
   std::string title_, controllers_;

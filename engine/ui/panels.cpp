@@ -257,6 +257,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     picture_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});
+  if (state.shown && state.headset_possible && widgets::wide_button("Enter the headset")) state.headset_asked = true;
   if (widgets::wide_button("Open a file\xE2\x80\xA6")) state.todo.push_back(Action::open_file);
   ImGui::End();
 }

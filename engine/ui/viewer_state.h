@@ -82,6 +82,7 @@ struct ViewerState {
   LabState lab;
   FlyState fly;
   NotesState notes;
+  bool headset_possible = false, headset_asked = false;   // asked: the window's loop ends, for whoever drives the headset
   std::string trouble;                     // an error to read and close; empty if none
   std::vector<Notice> notices;
   std::string drawn_with;                  // the context in words

@@ -11,7 +11,7 @@ void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop) 
   constexpr double longest_step = 0.1;   // after a rest nothing jumps
   Clock::time_point before = Clock::now();
   std::string title;
-  while (!window.closing() && !stop.stop_requested()) {
+  while (!window.closing() && !stop.stop_requested() && !viewer.state().headset_asked) {
     for (const Event& event : window.events(viewer.patience())) viewer.handle(event);
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - before).count();

@@ -42,7 +42,7 @@ struct Case {
 /// Two eyes over one.
 double measure(const Gl& gl, const Case& one) {
   const Pickable pickable(*one.model);
-  const std::vector<Cavity> cavities = one.inside ? cavities_of(*one.model) : std::vector<Cavity>{};
+  const std::vector<FlightSpace> cavities = one.inside ? flight_spaces(small_molar_surfaces(), *one.model).cavities : std::vector<FlightSpace>{};
   const VisitWorld world{*one.model, pickable, one.scene, cavities};
   HeadsetInput input = person();
   input.hands = {};

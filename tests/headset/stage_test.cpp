@@ -1,10 +1,13 @@
 // Where the model stands in the room: similarities that keep what they promise.
 #include "engine/headset/stage.h"
 
+#include "engine/headset/scale_mark.h"
+
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
+#include <set>
 
 #include "tests/headset/worlds.h"
 
@@ -51,6 +54,39 @@ TEST(Stage, StandsUprightAtArmsLengthWithItsBuccalSideToTheEyes) {
     head.turn = glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::angleAxis(tilt, glm::dvec3(1, 0, 0));
     expect_near(heading_of(head) * glm::dvec3(0, 0, -1), glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::dvec3(0, 0, -1), 1e-3);
   }
+}
+
+TEST(Stage, TurnsTheWantedSideToTheEyes) {
+  const BallWorld balls;
+  const Pose head{{0, 1.6, 0}, {1, 0, 0, 0}};
+  for (const glm::dvec3& facing : {glm::dvec3(1, 0, 0), glm::dvec3(-3, 1, 2), glm::dvec3(0, -1, 0.5)}) {
+    const Stage stage = before(head, balls.model, 25, facing);
+    const glm::dvec3 shown = stage.turn * glm::normalize(glm::dvec3(facing.x, facing.y, 0));
+    expect_near(shown, {0, 0, 1});
+    expect_near(stage.turn * glm::dvec3(0, 0, 1), {0, 1, 0});
+  }
+  EXPECT_EQ(before(head, balls.model, 25, {0, 0, 1}), before(head, balls.model));
+}
+
+TEST(ScaleMark, IsWrittenBelowTheToothForWhoeverLooksAtIt) {
+  const BallWorld balls;
+  const Pose head{{0.4, 1.6, -0.2}, glm::angleAxis(1.1, glm::dvec3(0, 1, 0))};
+  const Stage stage = before(head, balls.model);
+  EXPECT_EQ(strokes("8").size(), 14u);
+  EXPECT_EQ(strokes("1").size(), 4u);
+  std::set<std::size_t> lit;
+  for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
+    std::size_t code = 0;
+    for (const glm::dvec3& point : strokes(digit)) code = 31 * code + static_cast<std::size_t>(4 * point.x + 16 * point.y);
+    EXPECT_TRUE(lit.insert(code).second) << digit << " looks like another";
+  }
+  const std::vector<glm::dvec3> mark = scale_mark(stage, balls.model, head.position);
+  ASSERT_EQ(mark.size(), strokes("25x").size());
+  const glm::dvec3 right = head.turn * glm::dvec3(1, 0, 0);
+  const double lowest = to_room(stage, balls.model.bounds_mm.centre()).y - balls.model.radius_mm * 0.025;
+  for (const glm::dvec3& point : mark) EXPECT_LT(point.y, lowest);
+  // Begins on the left and ends on the right.
+  EXPECT_LT(glm::dot(mark.front() - mark.back(), right), -0.02);
 }
 
 TEST(Stage, OneHandCarriesItRigidly) {

@@ -43,7 +43,7 @@ class VisitTest : public ::testing::Test {
 TEST_F(VisitTest, KnowsThePulpAsACavity) {
   ASSERT_EQ(balls.cavities.size(), 1u);
   EXPECT_EQ(balls.cavities[0].structure, "pulp");
-  EXPECT_TRUE(balls.cavities[0].filled);
+  EXPECT_TRUE(balls.cavities[0].body);
   EXPECT_NEAR(balls.cavities[0].room_mm, 2, 0.1);
   const Scene inside = seen_from_inside(balls.scene, balls.model, balls.cavities[0]);
   EXPECT_TRUE(inside.look_of("pulp")->as_body);

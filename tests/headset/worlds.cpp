@@ -8,11 +8,11 @@ namespace odontoscope::testing_support {
 
 namespace {
 
-Model balls() { return make_model({{"dentine", ball({{1, 2, 30}, 5})}, {"pulp", ball({{1, 2, 30}, 2})}}); }
+std::vector<NamedSurface> balls() { return {{"dentine", ball({{1, 2, 30}, 5})}, {"pulp", ball({{1, 2, 30}, 2})}}; }
 
 }  // namespace
 
-BallWorld::BallWorld() : model(balls()), pickable(model), scene(usual_scene(model, 1)), cavities(cavities_of(model)) {}
+BallWorld::BallWorld() : model(make_model(balls())), pickable(model), scene(usual_scene(model, 1)), cavities(flight_spaces(balls(), model).cavities) {}
 
 HeadsetInput person() {
   HeadsetInput input;

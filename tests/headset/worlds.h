@@ -11,7 +11,7 @@ struct BallWorld {
   Model model;
   Pickable pickable;
   Scene scene;
-  std::vector<VisitedCavity> cavities;
+  std::vector<FlightSpace> cavities;
   VisitWorld world() const { return {model, pickable, scene, cavities}; }
 };
 

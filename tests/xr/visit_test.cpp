@@ -168,7 +168,7 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
   int step = 0, frames_here = 0;
   double least_wall = 1e9, moved = 0;
   glm::dvec3 entered_at(0);
-  std::vector<Cavity> cavities;
+  std::vector<FlightSpace> cavities;
   HeadsetVisitOptions options;
   options.headset.layers = {validation_layer};
   options.headset.resolution = 2;   // Monado's pictures are small unless asked for larger ones
@@ -177,7 +177,8 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
   const bool well = visit(
       [&] {
         LoadedModel loaded = loaded_from(small_molar(), "Small molar");
-        cavities = cavities_of(loaded.model);
+        loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(small_molar_surfaces(), loaded.model));
+        cavities = loaded.flight->cavities;
         return loaded;
       },
       [&](const HeadsetFrame& frame, const Visit& now) {

@@ -1,0 +1,29 @@
+#include "engine/headset/inside.h"
+
+namespace odontoscope {
+
+namespace {
+
+/// Of the roomiest place's clearance: there the lamp leaves no corner dark, and a canal's end is.
+constexpr double lamp_reach = 2;
+
+}  // namespace
+
+Scene seen_from_inside(const Scene& scene, const Model& model, const FlightSpace& space) {
+  Scene inside = scene;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const std::string& structure = model.parts[i].structure;
+    Look* look = inside.look_of(structure);
+    if (!look) look = &inside.looks.emplace_back(Look{structure, usual_colour(structure, i)});
+    look->visible = structure == space.structure;
+    if (!look->visible) continue;
+    look->as_body = space.body;
+    look->opacity = 1;
+  }
+  inside.section.reset();
+  inside.overlays = {};
+  inside.headlight = Headlight{lamp_reach * space.room_mm};
+  return inside;
+}
+
+}  // namespace odontoscope
