@@ -38,6 +38,8 @@ TEST(SceneFiles, ComeBackAsTheyWere) {
   scene.looks[0] = {"shell", colour_from_hex("#123456"), 0.7f, false, true};
   scene.looks[1].colour = colour_from_hex("#fedcba");
   scene.cap = {CapLook::Shows::ct, ValueWindow{-1000, 2500.5}};
+  scene.headlight = Headlight{1.25};
+  scene.camera.near_mm = 0.0125;
   EXPECT_EQ(scene_from_json(to_json(scene), Scene{}), scene);
   EXPECT_EQ(to_json(scene_from_json(to_json(scene), Scene{})), to_json(scene));
 }
@@ -72,7 +74,11 @@ TEST(SceneFiles, ThatMakeNoSenseAreRefused) {
   EXPECT_EQ(cause_of(with(R"("camera":{"position":[0,0,9],"target":[0,0,0],"up":[0,0,-2]})")), "bad-camera");
   EXPECT_EQ(cause_of(with(R"("camera":{"field_of_view_deg":180})")), "bad-camera");
   EXPECT_EQ(cause_of(with(R"("camera":{"height_mm":0})")), "bad-camera");
+  EXPECT_EQ(cause_of(with(R"("camera":{"near_mm":-1})")), "bad-camera");
   EXPECT_EQ(cause_of(with(R"("camera":{"projection":"fisheye"})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("headlight":{"reach_mm":0})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("headlight":{"reach_mm":1e300})")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("headlight":true)")), "wrong-type");
   EXPECT_EQ(cause_of(with(R"("structures":[{"opacity":0.5}])")), "bad-value");
   EXPECT_EQ(cause_of(with(R"("structures":[{"name":"a","opacity":1.5}])")), "bad-value");
   EXPECT_EQ(cause_of(with(R"("structures":[{"name":"a","colour":"red"}])")), "bad-value");

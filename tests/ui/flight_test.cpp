@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 
@@ -427,6 +428,27 @@ TEST_F(FlightTest, TheVignetteDarkensTheRimWhileItTurnsIfWanted) {
   const auto with = rim_while_turning(true), without = rim_while_turning(false);
   EXPECT_LT(with.first, 0.5 * without.first);
   EXPECT_NEAR(with.second, without.second, 0.05 * without.second);
+}
+
+/// What a frame costs besides the picture of the model: printed, since a time is no test.
+TEST_F(FlightTest, DISABLED_FrameCost) {
+  size_ = {1280, 800};
+  viewer_with(ct_molar_there() ? ct_molar_loaded() : sample_tooth_loaded());
+  const auto milliseconds = [&] {
+    constexpr int count = 40;
+    frames(5);
+    const auto start = std::chrono::steady_clock::now();
+    for (int i = 0; i < count; ++i) frame(1e-6);
+    gl().Finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / count;
+  };
+  const double outside = milliseconds();
+  type(U'c');
+  fade();
+  const double inside = milliseconds();
+  fly().show_labels = fly().show_where = false;
+  const double bare = milliseconds();
+  std::printf("a frame that redraws nothing of the model: %.2f ms outside, %.2f ms in flight, %.2f ms of them names and small pictures\n", outside, inside, inside - bare);
 }
 
 /// To be looked at: run with --gtest_also_run_disabled_tests.
