@@ -98,8 +98,11 @@ void notes_section(ViewerState& state, const Interface& interface) {
 }
 
 void draw_note_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
-  if (state.notes.draft) draft_card(state.notes, interface, viewport, scale);
-  else if (state.notes.shown && *state.notes.shown < state.notes.tour.notes.size()) lesson_card(state, interface, viewport, scale);
+  Area room = viewport;
+  constexpr double small_pictures = 230, least_width = 360;   // interface pixels
+  if (state.fly.on && state.fly.show_where) room.width = std::max(room.width - small_pictures * scale, std::min(room.width, least_width * scale));
+  if (state.notes.draft) draft_card(state.notes, interface, room, scale);
+  else if (state.notes.shown && *state.notes.shown < state.notes.tour.notes.size()) lesson_card(state, interface, room, scale);
 }
 
 }  // namespace odontoscope
