@@ -30,6 +30,7 @@ constexpr const char* first_steps =
     "  odontoscope view molar.glb                            look at it, turn it, cut it open\n"
     "  odontoscope render molar.glb -o molar.png             a picture of it\n"
     "  odontoscope web molar.json -o molar.html              a page to look at it in any browser\n"
+    "  odontoscope anatomy molar.json                        its canals in numbers\n"
     "  odontoscope check molar.glb                           is it closed and oriented?\n"
     "  odontoscope reconstruct scan.nrrd --iso 120 -o t.stl  straight from a CT volume\n"
     "\n"
@@ -56,7 +57,7 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
 std::vector<Command> add_commands(CLI::App& root) {
   std::vector<Command> commands;
   for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command, view_command, web_command,
-                          compare_command, canal_command, figures_command, compare_images_command}) {
+                          compare_command, canal_command, anatomy_command, figures_command, compare_images_command}) {
     commands.push_back(make(root));
     // --quiet and --threads may stand behind the subcommand too.
     commands.back().parser->fallthrough();

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <future>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
+#include "engine/app/tour_film.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/view/offscreen.h"
@@ -33,10 +36,21 @@ struct Options {
   std::string backend = "auto";
   int samples = 4;
   int turntable = 0;
+  std::string tour;
+  int frames = 0;   // of a tour; 0: as usual
 };
 
-/// x.png, or x-000.png, x-001.png, ... for a turntable.
+constexpr int usual_frames = 120;
+
+int frames_of(const Options& options) { return options.frames > 0 ? options.frames : usual_frames; }
+
+/// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ....
 std::vector<std::string> picture_files(const Options& options) {
+  if (!options.tour.empty()) {
+    std::vector<std::string> frames;
+    for (int i = 0; i < frames_of(options); ++i) frames.push_back((std::filesystem::path(options.output) / fmt::format("frame-{:04}.png", i)).string());
+    return frames;
+  }
   if (options.turntable == 0) return {options.output};
   const std::filesystem::path path(options.output);
   std::vector<std::string> files;
@@ -68,6 +82,15 @@ PictureOptions picture_options(const Options& options) {
   return picture;
 }
 
+/// The folder must be there: files are written whole or not at all, folders are not made.
+void refuse_senseless_tour(const Options& options) {
+  if (options.turntable > 0) throw UsageError("--tour and --turntable both lead the camera", "Choose one.");
+  if (!options.scene.section.empty()) throw UsageError("--section: on a tour nothing is cut open", "Leave it out.");
+  if (!std::filesystem::is_directory(options.output))
+    throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output),
+                     "Make it first. For a film join the frames: ffmpeg -framerate 30 -i FOLDER/frame-%04d.png film.mp4");
+}
+
 /// Makes the model on a thread of its own, so that the driver can start and compile meanwhile: each takes about half of the time to a first
 /// picture. Stops the work when it is no longer wanted.
 class ModelOnTheWay {
@@ -88,7 +111,8 @@ class ModelOnTheWay {
   std::future<Shown> shown_;   // waits for the thread when it goes
 };
 
-std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session) {
+std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, const std::optional<Tour>& tour,
+                              Session& session) {
   const PictureOptions picture = picture_options(options);
   const GpuModel gpu_model = upload(context.gl(), shown.model);
   const GpuOverlay overlay = upload(context.gl(), make_overlay(shown.overlays, scene.overlays, shown.model));
@@ -100,6 +124,10 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, Render
     session.progress().check();
     session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
     Scene frame = scene;
+    if (tour) {
+      const double last = static_cast<double>(std::max<std::size_t>(names.size() - 1, 1));
+      frame = frame_of(scene, shown, *tour, tour->seconds() * static_cast<double>(i) / last);
+    }
     if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
     files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay, ct ? &values : nullptr))});
   }
@@ -120,7 +148,12 @@ void tell_cap(const Options& options, const Shown& shown, const Scene& scene, Co
 }
 
 ExitCode render(const Options& options, Session& session) {
-  known_ending(options.output, {".png"});
+  if (options.tour.empty()) {
+    if (options.frames > 0) throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
+    known_ending(options.output, {".png"});
+  } else {
+    refuse_senseless_tour(options);
+  }
   if (!options.save_scene.empty()) known_ending(options.save_scene, {".json"});
   const PictureOptions picture = picture_options(options);
   refuse_senseless(options.scene);
@@ -134,11 +167,14 @@ ExitCode render(const Options& options, Session& session) {
   const Shown shown = model.get();
   const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   tell_cap(options, shown, scene, session.console);
-  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, session);
+  std::optional<Tour> tour;
+  if (!options.tour.empty()) tour = tour_of(shown, options.tour, session);
+  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, tour, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
+  if (tour) session.console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", tour->seconds(), (frames_of(options) - 1) / tour->seconds()));
   session.console.say(files.size() <= 2 ? fmt::format("Wrote {}", files[0].file.string())
                                         : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
   return ExitCode::done;
@@ -147,7 +183,7 @@ ExitCode render(const Options& options, Session& session) {
 void add_options(CLI::App& parser, Options& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
-  parser.add_option("-o,--output", options.output, "The picture to write")->required()->type_name("FILE.png");
+  parser.add_option("-o,--output", options.output, "The picture to write, or the folder for a tour")->required()->type_name("FILE.png");
   parser.add_option("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
   parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16")
       ->type_name("N")
@@ -157,6 +193,8 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_frames));
+  parser.add_option("--tour", options.tour, "Film through the pulp along a line, into the folder of -o: canal-1, horn-2, ...")->type_name("LINE");
+  parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
   add_volume_options(parser, options.volume);
@@ -174,7 +212,8 @@ Command render_command(CLI::App& root) {
       "  odontoscope render molar.json -o cut.png --section buccal --opacity enamel=1 --opacity dentine=1\n"
       "  odontoscope render tooth.nrrd -o ct.png --iso 120 --min-area 4 --section buccal --view buccal --cap ct\n"
       "  odontoscope render scan.stl -o holes.png --cull tint\n"
-      "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n");
+      "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n"
+      "  odontoscope render --tour canal-1 --frames 240 --size 1280x720 -o film\n");
   return {parser, [options](Session& session) { return render(*options, session); }};
 }
 

@@ -158,6 +158,7 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
       Frame& frame = frames_[i];
       frame.at = spline<glm::dvec3>(way.at.size(), place, [&](std::size_t j) { return way.at[j]; });
       frame.along = spline<double>(way.at.size(), place, [&](std::size_t j) { return way.along[j]; });
+      frame.width = spline<double>(way.at.size(), place, [&](std::size_t j) { return way.width[j]; });
       frame.clearance = std::min(way.clearance[k], way.clearance[k + 1]);
       sights[i] = spline<glm::dvec3>(way.at.size(), place, [&](std::size_t j) { return way.sight[j]; });
     }
@@ -196,6 +197,7 @@ TourInstant Tour::at(double seconds) const {
   TourInstant instant;
   instant.clearance = std::min(frames_[before].clearance, frames_[before + 1].clearance);
   instant.along = spline<double>(frames_.size(), place, [&](std::size_t i) { return frames_[i].along; });
+  instant.width = spline<double>(frames_.size(), place, [&](std::size_t i) { return frames_[i].width; });
   Camera& camera = instant.camera;
   camera.position = value(&Frame::at);
   const glm::dvec3 sight = glm::normalize(value(&Frame::sight)), up = value(&Frame::up);

@@ -26,7 +26,8 @@ struct TourOptions {
 struct TourInstant {
   Camera camera;
   double along = 0;       // mm from the line's start, on the line
-  double clearance = 0;   // to the wall, mm
+  double clearance = 0;   // to the wall, mm: at least so much
+  double width = 0;       // the void's radius about there, mm, without its small bumps: what a lamp's reach may follow
 };
 
 class Tour {
@@ -44,7 +45,7 @@ class Tour {
  private:
   struct Frame {
     glm::dvec3 at{0}, sight{0}, up{0};
-    double along = 0, clearance = 0;
+    double along = 0, clearance = 0, width = 0;
   };
   std::vector<Frame> frames_;   // `step_` seconds apart, at least two
   double step_ = 0;

@@ -11,6 +11,7 @@
 #include "recon/cavity/branches.h"
 #include "recon/cavity/centring.h"
 #include "recon/cavity/limits.h"
+#include "recon/cavity/names.h"
 #include "recon/cavity/orifice.h"
 #include "recon/core/error.h"
 
@@ -79,6 +80,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   order(lines.horns, "horn");
   order(lines.others, "branch");
   order(lines.loops, "loop");
+  name_as_sample(lines);
   progress.tell(stage, 1);
   return lines;
 }

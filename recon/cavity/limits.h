@@ -1,5 +1,5 @@
 #pragma once
-// Every bound of this room, each with its reason. All are shares of the shape itself, so that a tooth in voxels and one in
+// Every bound of this room, each with its reason. All but known_end are shares of the shape itself, so that a tooth in voxels and one in
 // millimetres are treated alike.
 
 #include <cstddef>
@@ -44,6 +44,8 @@ inline constexpr double section_reach = 2.5;
 inline constexpr double wall_samples = 4000;
 /// Where smoothing would leave less than this share of the clearance that a point had, it is not smoothed.
 inline constexpr double line_share = 0.96;
+/// How near to its known end a sample tooth's canal must end to be taken for it, mm: a slice's spacing and a little more.
+inline constexpr double known_end = 0.6;
 /// Distance of a line's points, over its median radius, and the most points of a line.
 inline constexpr double line_step = 0.25;
 inline constexpr std::size_t line_points = 4000;

@@ -1,0 +1,245 @@
+#include "recon/cavity/anatomy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string_view>
+
+#include "recon/cavity/plane_loops.h"
+#include "recon/cavity/wall_tree.h"
+
+namespace odontoscope {
+namespace {
+
+constexpr std::string_view stage = "measure";
+constexpr double degrees = 57.29577951308232;
+/// Heights at which a root's canals are counted.
+constexpr std::size_t root_sections = 120;
+
+MeasuredStructure measured(const StructureSurface& part, const SurfaceReport& report) {
+  MeasuredStructure made{part.structure};
+  for (const Shell& shell : report.shells) {
+    made.volume += shell.kind == Shell::Kind::open ? 0 : shell.volume;
+    made.area += shell.kind == Shell::Kind::external ? shell.area : 0;
+  }
+  return made;
+}
+
+/// The outer shells of the solid that the void lies in; nothing if it is not there. The void that a body of pulp fills lies in what is called
+/// dentine or tooth.
+SurfaceMesh outside_of(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports, const std::string& cavity_of) {
+  constexpr std::string_view cavity_suffix = " cavity";
+  std::string solid = cavity_of;
+  if (solid.ends_with(cavity_suffix)) solid.resize(solid.size() - cavity_suffix.size());
+  const auto shells = [&](auto wanted) {
+    SurfaceMesh outside;
+    for (std::size_t s = 0; s < model.size(); ++s) {
+      if (!wanted(model[s].structure)) continue;
+      const auto base = static_cast<PointIndex>(outside.points.size());
+      outside.points.insert(outside.points.end(), model[s].surface->points.begin(), model[s].surface->points.end());
+      for (std::size_t t = 0; t < model[s].surface->triangles.size(); ++t) {
+        if (reports[s].shells[reports[s].shell_of[t]].kind != Shell::Kind::external) continue;
+        const Triangle& triangle = model[s].surface->triangles[t];
+        outside.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
+      }
+    }
+    return outside;
+  };
+  const auto has_word = [](const std::string& name, std::string_view word) { return name.find(word) != std::string::npos; };
+  if (has_word(solid, "pulp") || has_word(solid, "Pulp"))
+    return shells([&](const std::string& name) { return has_word(name, "dentin") || has_word(name, "tooth"); });
+  return shells([&](const std::string& name) { return name == solid || name == solid + " external"; });
+}
+
+double schneider(const CentreLine& line, double length_of_canal) {
+  const CentrePoint& orifice = line.points[line.orifice];
+  const auto third = std::find_if(line.points.begin() + static_cast<std::ptrdiff_t>(line.orifice), line.points.end(),
+                                  [&](const CentrePoint& p) { return p.along >= orifice.along + length_of_canal / 3; });
+  if (third == line.points.end()) return 0;
+  const Direction way = third->at - orifice.at;
+  const Direction axis = (1 / length(way)) * way;
+  for (auto p = third; p != line.points.end(); ++p) {
+    const Direction off = p->at - orifice.at;
+    if (length(cross(axis, off)) <= 0.5 * p->radius) continue;
+    const Direction apical = line.end - p->at;
+    return degrees * std::atan2(length(cross(axis, apical)), dot(axis, apical));
+  }
+  return 0;
+}
+
+double smallest_bend(const CentreLine& line, double window) {
+  double smallest = std::numeric_limits<double>::infinity();
+  const std::size_t first = line.orifice, last = line.points.size() - 1;
+  const double step = line.points[1].along - line.points[0].along;
+  const std::size_t reach = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(window / step)));
+  for (std::size_t i = first + reach; i + reach <= last; ++i) {
+    const Direction a = line.points[i].at - line.points[i - reach].at, b = line.points[i + reach].at - line.points[i].at,
+                    c = line.points[i + reach].at - line.points[i - reach].at;
+    const double twice_area = length(cross(a, b));
+    if (twice_area > 0) smallest = std::min(smallest, length(a) * length(b) * length(c) / (2 * twice_area));
+  }
+  return smallest;
+}
+
+MeasuredCanal measured(const CentreLine& line) {
+  MeasuredCanal canal;
+  canal.name = line.name;
+  canal.orifice = line.points[line.orifice].at;
+  canal.end = line.end;
+  const CentrePoint& last = line.points.back();
+  canal.length = last.along - line.points[line.orifice].along + length(line.end - last.at);
+  double sum = 0;
+  for (std::size_t i = line.orifice; i < line.points.size(); ++i) sum += line.points[i].radius;
+  canal.mean_width = 2 * sum / static_cast<double>(line.points.size() - line.orifice);
+  canal.narrowest = {2 * line.points[line.orifice].radius, canal.orifice};
+  for (std::size_t i = line.orifice; i < line.points.size(); ++i) {
+    const CentrePoint& p = line.points[i];
+    if (length(line.end - p.at) >= canal.mean_width && 2 * p.radius < canal.narrowest.width) canal.narrowest = {2 * p.radius, p.at};
+  }
+  canal.schneider_deg = schneider(line, canal.length);
+  canal.smallest_bend = smallest_bend(line, canal.mean_width);
+  return canal;
+}
+
+/// From each point of the void's wall that is nearest to a canal's line, below its orifice, to the outside.
+void measure_walls(const Cavity& cavity, const CentreLines& lines, const WallTree& outside, std::vector<MeasuredCanal>& canals, const Progress& progress) {
+  for (const Point3& p : cavity.wall.points) {
+    progress.check();
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t canal = canals.size();
+    const auto look = [&](const CentreLine& line, std::size_t number) {
+      for (std::size_t i = 0; i < line.points.size(); ++i) {
+        const double far = length(p - line.points[i].at);
+        if (far < nearest) {
+          nearest = far;
+          canal = number < canals.size() && i >= line.orifice ? number : canals.size();
+        }
+      }
+    };
+    for (std::size_t c = 0; c < lines.canals.size(); ++c) look(lines.canals[c], c);
+    for (const CentreLine& line : lines.horns) look(line, canals.size());
+    if (canal == canals.size()) continue;
+    const double thick = outside.nearest(p).distance;
+    std::optional<MeasuredPlace>& thinnest = canals[canal].thinnest_wall;
+    if (!thinnest || thick < thinnest->width) thinnest = MeasuredPlace{thick, p};
+  }
+}
+
+/// Where a canal's line passes this height last, on its way to the apex; nothing if it does not, below the orifice.
+std::optional<Point2> passes(const CentreLine& line, double z) {
+  for (std::size_t i = line.points.size() - 1; i > line.orifice; --i) {
+    const Point3 &a = line.points[i - 1].at, &b = line.points[i].at;
+    if ((a.z >= z) == (b.z >= z)) continue;
+    const double share = (z - a.z) / (b.z - a.z);
+    return Point2{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+  }
+  return std::nullopt;
+}
+
+/// The number of the smallest loop round the place; as many as there are loops if none is.
+std::size_t loop_round(const std::vector<cavity::Loop>& loops, const std::optional<Point2>& place) {
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (place && cavity::is_inside(loops[i], *place)) return i;
+  return loops.size();
+}
+
+std::string vertucci_type(const std::vector<std::size_t>& sections) {
+  constexpr std::array<const char*, 8> names = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
+  const std::array<std::vector<std::size_t>, 8> types = {{{1}, {2, 1}, {1, 2, 1}, {2}, {1, 2}, {2, 1, 2}, {1, 2, 1, 2}, {3}}};
+  const auto found = std::find(types.begin(), types.end(), sections);
+  return found == types.end() ? "other" : names[static_cast<std::size_t>(found - types.begin())];
+}
+
+/// Counts from the lower orifice to the first blind end, in runs.
+std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLines& lines, const MeasuredRoot& root, const std::vector<MeasuredCanal>& canals) {
+  double top = std::numeric_limits<double>::infinity(), bottom = -top, width = 0;
+  for (const std::size_t c : root.canals) {
+    const double high = std::max(canals[c].orifice.z, canals[c].end.z), low = std::min(canals[c].orifice.z, canals[c].end.z);
+    top = std::min(top, high);
+    bottom = std::max(bottom, low);
+    width = std::max(width, canals[c].mean_width);
+  }
+  top -= 0.5 * width;
+  bottom += 0.5 * width;
+  std::vector<std::pair<std::size_t, std::size_t>> runs;   // count, heights
+  for (std::size_t i = 0; i < root_sections && top > bottom; ++i) {
+    const double z = top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom);
+    const std::vector<cavity::Loop> loops = cavity::loops_at(cavity.wall, z);
+    std::vector<std::size_t> seen;
+    for (const std::size_t c : root.canals) seen.push_back(loop_round(loops, passes(lines.canals[c], z)));
+    std::sort(seen.begin(), seen.end());
+    const auto count = static_cast<std::size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+    if (runs.empty() || runs.back().first != count) runs.push_back({count, 0});
+    ++runs.back().second;
+  }
+  std::vector<std::size_t> sections;
+  for (const auto& [count, heights] : runs) {
+    const double tall = (top - bottom) * static_cast<double>(heights) / root_sections;
+    if (tall >= width && (sections.empty() || sections.back() != count)) sections.push_back(count);
+  }
+  if (sections.empty() && !runs.empty()) sections.push_back(runs.front().first);
+  return sections;
+}
+
+std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals) {
+  std::vector<std::size_t> root_of(canals.size());
+  std::iota(root_of.begin(), root_of.end(), std::size_t{0});
+  for (std::size_t a = 0; a < canals.size(); ++a) {
+    for (std::size_t b = a + 1; b < canals.size(); ++b) {
+      // Canals of one root end at about the same height; the middle of the apical half that both have.
+      const double end = std::max(canals[a].end.z, canals[b].end.z), orifice = std::min(canals[a].orifice.z, canals[b].orifice.z);
+      const double z = end + 0.25 * (orifice - end);
+      const std::vector<cavity::Loop> loops = cavity::loops_at(outside, z);
+      const std::size_t one = loop_round(loops, passes(lines.canals[a], z)), other = loop_round(loops, passes(lines.canals[b], z));
+      if (one == other && one < loops.size()) std::replace(root_of.begin(), root_of.end(), root_of[b], root_of[a]);
+    }
+  }
+  std::vector<MeasuredRoot> roots;
+  for (std::size_t first = 0; first < canals.size(); ++first) {
+    MeasuredRoot root;
+    for (std::size_t c = 0; c < canals.size(); ++c)
+      if (root_of[c] == first) root.canals.push_back(c);
+    if (root.canals.empty()) continue;
+    root.sections = counted_sections(cavity, lines, root, canals);
+    root.vertucci = vertucci_type(root.sections);
+    roots.push_back(std::move(root));
+  }
+  return roots;
+}
+
+}  // namespace
+
+Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress) {
+  Anatomy made;
+  std::vector<SurfaceReport> reports;
+  for (const StructureSurface& part : model) {
+    reports.push_back(inspect(*part.surface));
+    made.structures.push_back(measured(part, reports.back()));
+  }
+  const std::vector<Cavity> cavities = cavities_in(model);
+  if (cavities.empty()) return made;
+  const Cavity& cavity = cavities.front();
+  const SurfaceReport wall = inspect(cavity.wall);
+  made.cavity_of = cavity.structure;
+  made.cavity_volume = cavity.volume;
+  made.cavity_area = wall.shells.front().area;
+  made.handles = wall.shells.front().genus;
+  const CentreLines lines = centre_lines(cavity, {}, progress);
+  progress.tell(stage, 0);
+  made.chamber_width = 2 * lines.chamber_radius;
+  made.horns = lines.horns.size();
+  made.other_branches = lines.others.size();
+  for (const CentreLine& line : lines.canals) made.canals.push_back(measured(line));
+  const SurfaceMesh outside = outside_of(model, reports, cavity.structure);
+  if (!outside.triangles.empty()) {
+    measure_walls(cavity, lines, WallTree(outside), made.canals, progress);
+    progress.tell(stage, 0.5);
+    if (made.handles == 0) made.roots = roots_of(cavity, lines, outside, made.canals);
+  }
+  progress.tell(stage, 1);
+  return made;
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,83 @@
+#include "recon/output/anatomy_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "recon/output/json_values.h"
+
+namespace odontoscope {
+namespace {
+
+Json json_of(const Point3& p) { return {p.x, p.y, p.z}; }
+Json json_of(const MeasuredPlace& place) { return {{"width", place.width}, {"at", json_of(place.at)}}; }
+
+Json json_of(const MeasuredCanal& canal) {
+  return {{"name", canal.name},
+          {"length", canal.length},
+          {"schneider_deg", canal.schneider_deg},
+          {"smallest_bend_radius", std::isfinite(canal.smallest_bend) ? Json(canal.smallest_bend) : Json()},
+          {"mean_width", canal.mean_width},
+          {"narrowest", json_of(canal.narrowest)},
+          {"thinnest_wall", canal.thinnest_wall ? json_of(*canal.thinnest_wall) : Json()},
+          {"orifice", json_of(canal.orifice)},
+          {"end", json_of(canal.end)}};
+}
+
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string made = "\"";
+  for (const char c : text) made += c == '"' ? "\"\"" : std::string(1, c);
+  return made + '"';
+}
+
+std::string root_of(const Anatomy& anatomy, std::size_t canal) {
+  for (std::size_t r = 0; r < anatomy.roots.size(); ++r)
+    for (const std::size_t c : anatomy.roots[r].canals)
+      if (c == canal) return fmt::format("{},{}", r + 1, anatomy.roots[r].vertucci);
+  return ",";
+}
+
+}  // namespace
+
+std::string anatomy_json(const Anatomy& anatomy, const std::string& source) {
+  Json json{{"format", "odontoscope.anatomy"}, {"version", 1}, {"unit", "mm"}, {"source", source}};
+  json["structures"] = Json::array();
+  for (const MeasuredStructure& structure : anatomy.structures)
+    json["structures"].push_back({{"name", structure.name}, {"volume", structure.volume}, {"outer_area", structure.area}});
+  if (anatomy.cavity_of.empty()) {
+    json["cavity"] = nullptr;
+  } else {
+    json["cavity"] = {{"structure", anatomy.cavity_of}, {"volume", anatomy.cavity_volume},   {"area", anatomy.cavity_area},
+                      {"chamber_width", anatomy.chamber_width}, {"horns", anatomy.horns}, {"other_branches", anatomy.other_branches},
+                      {"handles", anatomy.handles}};
+  }
+  json["canals"] = Json::array();
+  for (const MeasuredCanal& canal : anatomy.canals) json["canals"].push_back(json_of(canal));
+  json["roots"] = Json::array();
+  for (const MeasuredRoot& root : anatomy.roots) {
+    Json names = Json::array();
+    for (const std::size_t c : root.canals) names.push_back(anatomy.canals[c].name);
+    json["roots"].push_back({{"canals", names}, {"sections", root.sections}, {"vertucci", root.vertucci}});
+  }
+  return text_of(json);
+}
+
+std::string anatomy_csv(const Anatomy& anatomy) {
+  std::string text =
+      "canal,length_mm,schneider_deg,smallest_bend_radius_mm,mean_width_mm,narrowest_width_mm,narrowest_x,narrowest_y,narrowest_z,"
+      "thinnest_wall_mm,thinnest_x,thinnest_y,thinnest_z,root,vertucci\r\n";
+  for (std::size_t i = 0; i < anatomy.canals.size(); ++i) {
+    const MeasuredCanal& canal = anatomy.canals[i];
+    text += fmt::format("{},{:.4f},{:.2f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},", quoted(canal.name), canal.length, canal.schneider_deg,
+                        std::isfinite(canal.smallest_bend) ? fmt::format("{:.4f}", canal.smallest_bend) : "", canal.mean_width, canal.narrowest.width,
+                        canal.narrowest.at.x, canal.narrowest.at.y, canal.narrowest.at.z);
+    text += canal.thinnest_wall ? fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},", canal.thinnest_wall->width, canal.thinnest_wall->at.x, canal.thinnest_wall->at.y,
+                                              canal.thinnest_wall->at.z)
+                                : ",,,,";
+    text += root_of(anatomy, i) + "\r\n";
+  }
+  return text;
+}
+
+}  // namespace odontoscope
