@@ -78,9 +78,42 @@ glm::dvec3 place_ahead(const Way& way, std::size_t from, double distance) {
   return way.at.back() + left * glm::normalize(way.at.back() - way.at[before]);
 }
 
+/// Takes out waves shorter than some ten points, and keeps bends where they are (Taubin's two steps, see the line's own smoothing).
+void even_out(std::vector<glm::dvec3>& places, std::size_t times) {
+  for (; times > 0; --times) {
+    for (const double share : {0.5, -0.503}) {
+      std::vector<glm::dvec3> there = places;
+      for (std::size_t i = 1; i + 1 < places.size(); ++i) there[i] += share * (0.5 * (places[i - 1] + places[i + 1]) - places[i]);
+      places = std::move(there);
+    }
+  }
+}
+
+/// Takes out what little crookedness a line has left, which a fast eye would feel, and not more than a share of the clearance; that then
+/// is less by as much.
+void make_even(std::vector<CentrePoint>& points) {
+  constexpr double most = 0.3;
+  std::vector<glm::dvec3> places;
+  for (const CentrePoint& p : points) places.emplace_back(p.at.x, p.at.y, p.at.z);
+  const std::vector<glm::dvec3> before = places;
+  for (const std::size_t times : {200u, 40u}) {
+    even_out(places, times);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const glm::dvec3 off = places[i] - before[i];
+      const double far = glm::length(off);
+      if (far > most * points[i].radius) places[i] = before[i] + most * points[i].radius / far * off;
+    }
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    points[i].at = {places[i].x, places[i].y, places[i].z};
+    points[i].radius -= glm::length(places[i] - before[i]);
+  }
+}
+
 Way way_along(const CentreLine& line, bool back) {
   std::vector<CentrePoint> points = line.points;
   if (back) std::reverse(points.begin(), points.end());
+  make_even(points);
   std::vector<double> widths;
   for (const CentrePoint& p : points) widths.push_back(p.radius);
   std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2), widths.end());
@@ -162,14 +195,19 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
       frame.clearance = std::min(way.clearance[k], way.clearance[k + 1]);
       sights[i] = spline<glm::dvec3>(way.at.size(), place, [&](std::size_t j) { return way.sight[j]; });
     }
+    // Between samples time runs evenly, so that speed changes in steps: both are smoothed over time, too.
     constexpr std::size_t over_a_fifth_second = 150;
     smooth(sights, over_a_fifth_second);
+    std::vector<glm::dvec3> places;
+    for (const Frame& frame : frames_) places.push_back(frame.at);
+    smooth(places, over_a_fifth_second);
+    for (std::size_t i = 0; i <= steps; ++i) frames_[i].at = places[i];
     for (std::size_t i = 0; i <= steps; ++i) frames_[i].sight = glm::normalize(sights[i]);
     double turn = 0, jerk = 0;
     for (std::size_t i = 1; i <= steps; ++i) turn = std::max(turn, angle_between(frames_[i - 1].sight, frames_[i].sight) / step_);
     for (std::size_t i = 3; i <= steps; ++i) {
       const glm::dvec3 third = frames_[i].at - 3.0 * frames_[i - 1].at + 3.0 * frames_[i - 2].at - frames_[i - 3].at;
-      jerk = std::max(jerk, glm::length(third) / (step_ * step_ * step_) / std::max(frames_[i].clearance, 1e-12));
+      jerk = std::max(jerk, glm::length(third) / (step_ * step_ * step_) / frames_[i].width);
     }
     constexpr double margin = 0.95;
     const double factor = std::max(turn / (margin * glm::radians(largest_turn_deg_s)), std::cbrt(jerk / (margin * largest_jerk)));

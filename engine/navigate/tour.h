@@ -32,7 +32,7 @@ struct TourInstant {
 
 class Tour {
  public:
-  /// What holds at every instant: the view's turn in degrees a second, and the third derivative of the eye's place in local radii over s^3.
+  /// What holds at every instant: the view's turn in degrees a second, and the third derivative of the eye's place in radii (TourInstant::width) over s^3.
   static constexpr double largest_turn_deg_s = 60, largest_jerk = 40;
 
   /// Precondition: at least two points, radii positive. Throws UsageError for a speed out of range.
