@@ -31,7 +31,7 @@ struct MeasuredCanal {
   /// local radius to the end. 0 if it never does.
   double schneider_deg = 0;
   double smallest_bend = 0;     // smallest radius of curvature, over a window of the mean width to either side; infinite if straight
-  MeasuredPlace narrowest;      // twice the least clearance, no nearer to the end than the mean width
+  MeasuredPlace narrowest;      // twice the least clearance, no nearer to a blind end than the mean width
   double mean_width = 0;        // twice the mean clearance over the length
   /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there.
   std::optional<MeasuredPlace> thinnest_wall;
