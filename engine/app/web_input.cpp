@@ -12,6 +12,7 @@
 #include "engine/app/sniff.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/shells.h"
+#include "recon/cavity/centre_lines.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/stack_json.h"
@@ -61,11 +62,31 @@ std::vector<WebLook> looks_of(const WrittenModel& written) {
   return looks;
 }
 
-WebModel model_by_dt(const ContourStack& stack, const WebWords& words, std::vector<WebLook>& looks, Session& session) {
+/// The centre lines of the largest void's canals, from the chamber to their ends; none where the void's wall is not sound enough for any.
+std::vector<WebTour> tours_through(const WrittenModel& written, Session& session) {
+  std::vector<StructureSurface> surfaces;
+  for (const WrittenSurface& one : written.solids)
+    if (one.report.closed_oriented_manifold()) surfaces.push_back({one.structure, &one.surface});
+  const std::vector<Cavity> cavities = cavities_in(surfaces);
+  if (cavities.empty()) return {};
+  std::vector<WebTour> tours;
+  try {
+    for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals) {
+      tours.push_back({canal.name, {}});
+      for (const CentrePoint& point : canal.points) tours.back().points.push_back(point.at);
+    }
+  } catch (const UsageError&) {
+    return {};
+  }
+  return tours;
+}
+
+WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
   ReconstructOptions engine;
   engine.threads = session.threads;
   Model made{reconstruct(stack, engine, session.progress()), {}};
-  looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
+  page.tours = tours_through(made.reconstruction, session);
+  page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
   session.progress().tell("page", 0.2);
@@ -139,6 +160,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   }
   WebPage page;
   page.looks = looks_of(written);
+  page.tours = tours_through(written, session);
   page.models.push_back(web_model(written, certificate_of(structures, reports)));
   page.models.back().name = "Mesh";
   page.models.back().words = "A mesh, as it was read.";
@@ -156,14 +178,18 @@ std::optional<std::vector<NamedMesh>> meshes_in(const WebWords& words) {
   }
 }
 
-/// The canals of the sample molar, known by construction, from the orifice down.
-std::vector<WebTour> tours_of_sample() {
-  std::vector<WebTour> tours;
-  for (const CanalFact& canal : sample_facts(ToothKind::molar).canals) {
-    tours.push_back({canal.name + " canal", canal.axis});
-    std::reverse(tours.back().points.begin(), tours.back().points.end());
+double squared_distance(const Point3& a, const Point3& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z); }
+
+/// The sample molar's canals have names by construction: each line gets that of the canal whose tip is nearest to its end.
+void name_after_sample(std::vector<WebTour>& tours) {
+  for (WebTour& tour : tours) {
+    const std::vector<CanalFact> canals = sample_facts(ToothKind::molar).canals;
+    const Point3& end = tour.points.back();
+    const auto nearest = std::min_element(canals.begin(), canals.end(), [&](const CanalFact& a, const CanalFact& b) {
+      return squared_distance(a.axis.front(), end) < squared_distance(b.axis.front(), end);
+    });
+    tour.name = nearest->name + " canal";
   }
-  return tours;
 }
 
 }  // namespace
@@ -184,9 +210,9 @@ WebPage web_page_of(const WebWords& words, Session& session) {
   }
   const ContourStack stack = words.input.empty() ? sample_tooth(ToothKind::molar) : contours_of_input(words.input, words.volume, session);
   WebPage page;
-  page.models.push_back(model_by_dt(stack, words, page.looks, session));
+  page.models.push_back(model_by_dt(stack, words, page, session));
   if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
-  if (words.input.empty()) page.tours = tours_of_sample();
+  if (words.input.empty()) name_after_sample(page.tours);
   return page;
 }
 

@@ -28,6 +28,12 @@ export async function partsOf(model) {
   return parts;
 }
 
+/// The walls of what one can be inside of: cavities; in a model without any, the pulp's own surface, which is then seen turned inside out.
+export function voidsOf(parts) {
+  const cavities = parts.filter(part => part.kind === 'cavity');
+  return cavities.length > 0 ? cavities : parts.filter(part => /pulp/i.test(part.structure));
+}
+
 export function boundsOf(parts) {
   const box = new Box3();
   for (const part of parts) {

@@ -62,7 +62,6 @@ export class Headset {
     viewer.world.position.set(0, 0, 0);
     viewer.world.quaternion.identity();
     viewer.world.scale.setScalar(1);
-    viewer.shared.millimetre.value = 1;
     viewer.leave();
     viewer.resize();
   }
@@ -107,7 +106,6 @@ export class Headset {
     const stick = this.sticks();
     if (this.viewer.journey.mode === 'fly') this.fly(seconds, stick);
     else this.grab(seconds, stick);
-    this.viewer.shared.millimetre.value = this.viewer.world.scale.x;
   }
 
   /// Left (or only) stick: move; the other: turn and grow.

@@ -159,13 +159,13 @@ export function flightStart(tree, tours, cavities, bounds) {
   return {place: front, direction: new Vector3(0, -1, 0), up: new Vector3(0, 0, 1)};
 }
 
-/// Walls face into the void: from a place on one along its normal to the wall opposite, half way, for some places.
+/// A cavity's walls face into the void: from a place on one along its normal to the wall opposite, half way, for some places.
 function roomiest(tree, cavities, little) {
   let best = null, most = 0;
-  for (const {geometry} of cavities) {
+  for (const {geometry, kind} of cavities) {
     const positions = geometry.attributes.position, normals = geometry.attributes.normal, step = Math.max(1, Math.floor(positions.count / 150));
     for (let i = 0; i < positions.count; i += step) {
-      const wall = new Vector3().fromBufferAttribute(positions, i), normal = new Vector3().fromBufferAttribute(normals, i);
+      const wall = new Vector3().fromBufferAttribute(positions, i), normal = new Vector3().fromBufferAttribute(normals, i).multiplyScalar(kind === 'cavity' ? 1 : -1);
       // Away from the wall as long as the room grows, by less than what there is, so that no wall is crossed.
       let place = wall.clone().addScaledVector(normal, little), room = tree.nearest(place.toArray()).distance;
       for (let k = 0; k < 80; ++k) {

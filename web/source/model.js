@@ -3,6 +3,7 @@ import {
   AlwaysStencilFunc, BackSide, BufferGeometry, DecrementWrapStencilOp, Float32BufferAttribute, FrontSide, Group, IncrementWrapStencilOp, KeepStencilOp, Matrix4, Mesh,
   NotEqualStencilFunc, Vector3, Vector4, ZeroStencilOp,
 } from 'three';
+import {voidsOf} from './data.js';
 import {setFaces, surfaceMaterial} from './surface.js';
 
 const capOrder = 100, seeThroughOrder = 1000;
@@ -42,6 +43,7 @@ export class ShownModel {
     this.group = new Group();
     this.looks = looks;
     this.bounds = bounds;
+    this.voids = new Set(voidsOf(parts).map(part => part.geometry));
     this.parts = parts.map(part => this.partMeshes(part, shared));
     const square_ = square();
     this.caps = [...new Set(parts.map(part => part.structure))].map((structure, index) => this.capMeshes(structure, index, shared, square_));
@@ -78,9 +80,9 @@ export class ShownModel {
   dress({faces, section, inside}) {
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
-      const left_out = inside && this.fills(part);
+      const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && this.fills(part);
       const visible = look.visible && opacity > 0 && !left_out, clear = opacity < 1;
-      const body = look.as_body && !inside;
+      const body = inside ? wall && part.kind !== 'cavity' : look.as_body;
       for (const mesh of [part.shown, part.first]) {
         setFaces(mesh.material, faces, body);
         mesh.material.uniforms.opacity.value = opacity;

@@ -34,8 +34,6 @@ uniform float normal_sign;     // -1: shown inside out
 uniform bool turned;           // the other winding is the front
 uniform vec4 section;          // cut away where dot(section.xyz, place) > section.w
 uniform mat3 light_frame;      // from the eye to where the lights stand
-uniform float reach;           // mm after which it is half as bright; 0: nowhere
-uniform float millimetre;      // its length in eye space
 uniform bool encode;           // for a target that shows what it is given
 layout(location = 0) out vec4 out_colour;
 void main() {
@@ -47,13 +45,8 @@ void main() {
   float slant = 1.0 - abs(dot(normal, to_eye));   // edge-on a wall is looked through lengthwise
   float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
   if (!front) alpha = max(alpha, least_back_opacity);
-  Reflected light = reflected(light_frame * normal, light_frame * to_eye, front ? colour : back_colour, 0.38);
+  Reflected light = reflected(light_frame * eye_place, light_frame * normal, light_frame * to_eye, front ? colour : back_colour, 0.38);
   vec3 body = light.diffuse + light.ambient, gloss = light.gloss;
-  if (reach > 0.0) {
-    float far = length(eye_place) / (millimetre * reach);
-    body *= 1.6 / (1.0 + far * far);
-    gloss *= 0.5 / (1.0 + far * far);
-  }
   out_colour = vec4(alpha * body + gloss, alpha);
   if (encode) out_colour.rgb = alpha * encoded(clamp(shoulder(body + gloss / max(alpha, 0.05)), 0.0, 1.0));
 }`;
@@ -63,8 +56,7 @@ export function sharedUniforms() {
   return {
     section: {value: new Vector4(0, 0, 0, 1)},
     light_frame: {value: new Matrix3()},
-    reach: {value: 0},
-    millimetre: {value: 1},
+    lamp: {value: new Vector4(0, 0, 0, 0)},   // its place and reach in eye space; reach 0: none
     encode: {value: false},
   };
 }

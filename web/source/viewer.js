@@ -2,7 +2,7 @@
 import {Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
-import {boundsOf, partsOf, trianglesOf} from './data.js';
+import {boundsOf, partsOf, trianglesOf, voidsOf} from './data.js';
 import {Headset} from './headset.js';
 import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
@@ -70,7 +70,7 @@ export class Viewer extends EventTarget {
   }
 
   prepareInside() {
-    const parts = this.models[0].parts, cavities = parts.filter(part => part.kind === 'cavity');
+    const parts = this.models[0].parts, cavities = voidsOf(parts);
     const {positions, indices} = trianglesOf(cavities.length > 0 ? cavities : parts);
     this.walls = new TriangleTree(positions, indices);
     this.tours = this.description.tours.filter(tour => tour.points_mm.length > 1).map(tour => new Tour(tour, lengthsFor(this.bounds.radius)));
@@ -91,7 +91,6 @@ export class Viewer extends EventTarget {
     const section = this.section.plane();
     if (section && !this.inside) this.shared.section.value.copy(section);
     else this.shared.section.value.set(0, 0, 0, 1);
-    this.shared.reach.value = this.inside ? this.journey.lengths.sight : 0;
     this.shown.forEach((shown, index) => {
       shown.group.visible = index === this.chosen;
       shown.dress({faces: this.faces, section, inside: this.inside});
@@ -178,6 +177,8 @@ export class Viewer extends EventTarget {
 
   draw() {
     setLightFrame(this.shared, this.headset.present ? this.renderer.xr.getCamera() : null);
+    const sight = this.inside ? this.journey.lengths.sight * this.world.scale.x : 0;
+    this.shared.lamp.value.set(0.1 * sight, 0.16 * sight, 0, sight);   // in the hand beside the eye, as on the desktop
     this.picture.draw(this.scene, this.camera);
     this.frames += 1;
     this.dispatchEvent(new Event('drawn'));
