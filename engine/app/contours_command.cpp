@@ -66,9 +66,9 @@ Command contours_command(CLI::App& root) {
       "\n"
       "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (GLB, STL, PLY, OBJ), contours of\n"
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
-      "section is another name for contours. What a file is, is told by its content. --repair mends contours that\n"
-      "cross, touch or repeat themselves, and small gaps of meshes, and lists every change; without it such input\n"
-      "is refused.\n");
+      "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves, and\n"
+      "small gaps of meshes, and lists every change; without it such input is refused. section is another name for\n"
+      "this subcommand.\n");
   return {parser, [options](Session& session) { return make_contours(*options, session); }};
 }
 

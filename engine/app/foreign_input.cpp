@@ -70,6 +70,28 @@ ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, co
   return std::move(cut.stack);
 }
 
+/// The first bytes of a plain file; of anything else none.
+std::string head_of(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  constexpr std::size_t looked_at = 1 << 16;
+  std::string head(looked_at, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return head;
+}
+
+[[noreturn]] void refuse_unknown(const std::string& file, std::string_view bytes) {
+  Place place;
+  place.file = file;
+  if (bytes.substr(0, 4096).find("<Section") != bytes.npos) {
+    throw InputError("unknown-format", std::move(place), "this is one section of a Reconstruct series", "Give the .ser beside it");
+  }
+  throw InputError("unknown-format", std::move(place), "this is no volume, mesh or contour file that is known here",
+                   "contours --help lists the formats");
+}
+
 /// What validate found can be mended here: says so.
 [[noreturn]] void offer_repair(const InputError& error) {
   throw InputError(error.cause(), {}, std::string(error.what()).substr(0, std::string(error.what()).rfind(" [")),
@@ -116,15 +138,11 @@ void refuse_senseless(const ForeignWords& words) {
   if (words.widest_gap && !words.repair) throw UsageError("--widest-gap is about --repair", "Add --repair, or leave it out");
 }
 
+bool is_contour_file(const std::string& file) { return contour_file_kind(head_of(file)).has_value(); }
+
 bool needs_conversion(const std::string& file, const ForeignWords& words) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return words.any();
-  if (words.any()) return true;
-  constexpr std::size_t looked_at = 1 << 16;
-  std::string head(looked_at, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  const std::string head = head_of(file);
+  if (words.any() || head.empty()) return words.any();
   if (contour_file_kind(head)) return true;
   const FileKind kind = kind_of(head);
   if (kind == FileKind::contour_stack || kind == FileKind::volume) return false;
@@ -146,6 +164,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
                      "Give --iso T for an image, --label N for a label map");
   }
+  if (kind == FileKind::unknown) refuse_unknown(file, bytes);
   ContourStack stack = parse_stack(bytes, file);
   keep_structures(stack, words.structures);
   return checked(std::move(stack), words, session);

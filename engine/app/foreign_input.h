@@ -27,6 +27,9 @@ void add_foreign_options(CLI::App& parser, ForeignWords& words);
 /// UsageError for options that contradict each other.
 void refuse_senseless(const ForeignWords& words);
 
+/// Is it a contour file of another program? False for what is no plain file, or cannot be read.
+bool is_contour_file(const std::string& file);
+
 /// Is the file something else than a contour stack of ours, or do `words` ask for more than reading it? False for what cannot be
 /// looked into without using it up (pipes), or cannot be read.
 bool needs_conversion(const std::string& file, const ForeignWords& words);

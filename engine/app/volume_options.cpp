@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
+#include "engine/app/foreign_input.h"
 #include "engine/app/options.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
 #include "recon/volume/read_volume.h"
@@ -52,16 +51,6 @@ void tell_levels(const std::vector<LevelReport>& levels, Console& console) {
 void tell_simplification(std::size_t before, std::size_t after, double largest_deviation, Console& console) {
   console.say(fmt::format("  simplified from {} to {}, which moved contours by at most {} mm", counted(before, "point"),
                           counted(after, "point"), measured(largest_deviation)));
-}
-
-/// DICOM, but contours.
-bool is_structure_set(const std::string& file) {
-  constexpr std::size_t looked_at = 4096;
-  std::string head(looked_at, '\0');
-  std::ifstream in(file, std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return contour_file_kind(head).has_value();
 }
 
 }  // namespace
@@ -113,14 +102,14 @@ bool named_like_a_volume(const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return true;
   for (const std::string_view ending : {".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".hdr", ".img", ".dcm"}) {
-    if (file.ends_with(ending)) return !is_structure_set(file);
+    if (file.ends_with(ending)) return !is_contour_file(file);   // structure sets are DICOM, too
   }
   return false;
 }
 
 ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session) {
   if (words.any_level()) return contours_told(file, understood(words), session);
-  ContourStack stack = read_stack(file);
+  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session) : read_stack(file);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);

@@ -42,6 +42,25 @@ TEST_F(ForeignInput, RepairIsOfferedAndTellsWhatItDid) {
   EXPECT_TRUE(repaired.says("slice 1 (z = 1), contour 0, tooth: crossed itself at (2, 2): 1 contour became 2")) << repaired.out;
 }
 
+TEST_F(ForeignInput, OtherSubcommandsReadThemToo) {
+  given("planes.csl", csl + "0 1 2 3\n");
+  EXPECT_EQ(odontoscope({"check", "planes.csl"}).exit_code, 0);
+  EXPECT_EQ(odontoscope({"compare", "planes.csl", "--grid", "32"}).exit_code, 0);
+  EXPECT_EQ(odontoscope({"section", "planes.csl", "-o", "a.json"}).exit_code, 0);
+  EXPECT_EQ(odontoscope({"check", "a.json"}).exit_code, 0);
+}
+
+TEST_F(ForeignInput, WhatIsNoneOfAllIsSaid) {
+  given("model.msh", "$MeshFormat\n");
+  const Ending nothing = odontoscope({"contours", "model.msh", "-o", "a.json"});
+  EXPECT_EQ(nothing.exit_code, 3);
+  EXPECT_TRUE(nothing.complains("[unknown-format]")) << nothing.err;
+  given("s.12", "<?xml version=\"1.0\"?>\n<Section index=\"12\" thickness=\"1\"></Section>");
+  const Ending section = odontoscope({"contours", "s.12", "-o", "a.json"});
+  EXPECT_EQ(section.exit_code, 3);
+  EXPECT_TRUE(section.complains("Give the .ser")) << section.err;
+}
+
 TEST_F(ForeignInput, AStackOfOursCanBeRepairedToo) {
   given("bow-tie.json", cube_stack("[[0,0],[1,1],[1,0],[0,1]]"));
   EXPECT_EQ(odontoscope({"contours", "bow-tie.json", "-o", "mended.json"}).exit_code, 3);
