@@ -6,6 +6,8 @@ namespace {
 
 /// Of the roomiest place's clearance: there the lamp leaves no corner dark, and a canal's end is.
 constexpr double lamp_reach = 2;
+/// Dentine, with the warmth of what lines it.
+constexpr Colour wall = colour_of(0xe8cba6);
 
 }  // namespace
 
@@ -19,6 +21,7 @@ Scene seen_from_inside(const Scene& scene, const Model& model, const FlightSpace
     if (!look->visible) continue;
     look->as_body = space.body;
     look->opacity = 1;
+    look->colour = wall;
   }
   inside.section.reset();
   inside.overlays = {};

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <limits>
 
 #include "engine/navigate/flight.h"
 
@@ -26,19 +25,16 @@ std::optional<Hit> pointed_at(const Visit& visit, const HandInput& hand, const V
   return pick(world.pickable, world.scene, ray, {.least_opacity = 1});
 }
 
-/// The cavity whose wall was hit, if it is one's.
-std::optional<std::size_t> cavity_of(const Hit& hit, std::span<const FlightSpace> cavities) {
-  std::optional<std::size_t> nearest;
-  double distance = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < cavities.size(); ++i) {
-    if (cavities[i].structure != hit.structure) continue;
-    const double wall = cavities[i].walls.nearest(hit.point_mm, distance).distance;
-    if (!(wall < distance)) continue;
-    distance = wall;
-    nearest = i;
+/// The cavity whose wall, or the body that fills it, was hit. Not by name: in the sample teeth the void is the dentine's, and a pulp of its own fills it.
+std::optional<std::size_t> cavity_of(const Hit& hit, const VisitWorld& world) {
+  const double on_wall = 1e-4 * world.model.radius_mm;   // coordinates were rounded to float
+  for (std::size_t i = 0; i < world.cavities.size(); ++i) {
+    const Walls& walls = world.cavities[i].walls;
+    if (walls.locate(hit.point_mm) != Walls::Side::outside || walls.nearest(hit.point_mm, on_wall).distance < on_wall) return i;
   }
-  return nearest;
+  return std::nullopt;
 }
+
 
 /// The side that the window's camera looks at is the side towards the person.
 glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target; }
@@ -92,7 +88,7 @@ void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& wor
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput &hand = input.hands[i], &before = visit.before[i];
     visit.pointed[i] = pointed_at(visit, hand, world);
-    const std::optional<std::size_t> cavity = visit.pointed[i] ? cavity_of(*visit.pointed[i], world.cavities) : std::nullopt;
+    const std::optional<std::size_t> cavity = visit.pointed[i] ? cavity_of(*visit.pointed[i], world) : std::nullopt;
     visit.held[i] = held_outside(visit.held[i], before, hand, cavity.has_value());
     if (cavity && before.tracked && went_down(before.trigger, hand.trigger)) visit.way = Visit::Way{cavity};
     if (hand.menu && !before.menu) visit.stage = odontoscope::before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size, facing(world.scene.camera));

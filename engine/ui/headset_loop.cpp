@@ -47,7 +47,7 @@ class HeadsetVisit {
         gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality) {
     if (loaded_->flight) cavities_ = loaded_->flight->cavities;
     say(fmt::format("In the headset: {}.", headset_->in_words()));
-    say(cavities_.empty() ? "This model has no cavity to enter." : fmt::format("Point at {} and pull the trigger to be inside.", cavities_.front().structure));
+    say(cavities_.empty() ? "This model has no cavity to enter." : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
   }
 
   void run(const std::stop_token& stop) {

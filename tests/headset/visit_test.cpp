@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "tests/headset/worlds.h"
+#include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {
 namespace {
@@ -170,6 +171,25 @@ TEST_F(VisitTest, ATriggerOnThePulpLeadsInside) {
   seconds(2.2 * rules.fade_seconds);
   EXPECT_FALSE(visit.cavity);
   EXPECT_NEAR(visit.stage.magnification, outside, 1e-9);
+}
+
+// The sample molar's void belongs to the dentine, and a pulp fills it: what one points at is the pulp.
+TEST(Visit, TheSampleMolarsPulpLeadsIntoTheDentinesVoid) {
+  const Model& model = small_molar();
+  const Pickable pickable(model);
+  const Scene scene = usual_scene(model, 1);
+  const std::vector<FlightSpace> cavities = flight_spaces(small_molar_surfaces(), model).cavities;
+  ASSERT_FALSE(cavities.empty());
+  const VisitWorld world{model, pickable, scene, cavities};
+  HeadsetInput input = person();
+  Visit visit = stepped({}, input, world, {}, tick);
+  input.hands[1] = pointing_at(to_room(visit.stage, cavities[0].middle), input.hands[1].grip.position);
+  visit = stepped(visit, input, world, {}, tick);
+  ASSERT_TRUE(visit.pointed[1]);
+  EXPECT_EQ(visit.pointed[1]->structure, "pulp");
+  input.hands[1].trigger = 1;
+  for (int i = 0; i < 60; ++i) visit = stepped(visit, input, world, {}, tick);
+  EXPECT_TRUE(visit.cavity);
 }
 
 TEST_F(VisitTest, ItIsDarkWhileThePlaceChanges) {
