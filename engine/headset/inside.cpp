@@ -4,8 +4,8 @@ namespace odontoscope {
 
 namespace {
 
-/// Of the roomiest place's clearance: there the lamp leaves no corner dark, and a canal's end is.
-constexpr double lamp_reach = 2;
+/// Of the roomiest place's clearance: near walls are bright, and a canal's end is dark.
+constexpr double lamp_reach = 1;
 /// Dentine, with the warmth of what lines it.
 constexpr Colour wall = colour_of(0xe8cba6);
 

@@ -25,12 +25,14 @@ std::optional<Hit> pointed_at(const Visit& visit, const HandInput& hand, const V
   return pick(world.pickable, world.scene, ray, {.least_opacity = 1});
 }
 
-/// The cavity whose wall, or the body that fills it, was hit. Not by name: in the sample teeth the void is the dentine's, and a pulp of its own fills it.
+/// The cavity whose wall, or the body that fills it, was hit. In the sample teeth the void is the dentine's, and a pulp of its own fills it, whose
+/// horns and tips reach beyond the void by a fraction of a slice.
 std::optional<std::size_t> cavity_of(const Hit& hit, const VisitWorld& world) {
-  const double on_wall = 1e-4 * world.model.radius_mm;   // coordinates were rounded to float
+  constexpr double rounded = 1e-4, of_a_slice = 0.03;   // of the model's radius
   for (std::size_t i = 0; i < world.cavities.size(); ++i) {
-    const Walls& walls = world.cavities[i].walls;
-    if (walls.locate(hit.point_mm) != Walls::Side::outside || walls.nearest(hit.point_mm, on_wall).distance < on_wall) return i;
+    const FlightSpace& cavity = world.cavities[i];
+    const double near = (hit.structure == cavity.structure ? rounded : of_a_slice) * world.model.radius_mm;
+    if (cavity.walls.locate(hit.point_mm) != Walls::Side::outside || cavity.walls.nearest(hit.point_mm, near).distance < near) return i;
   }
   return std::nullopt;
 }
