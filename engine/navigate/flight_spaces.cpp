@@ -41,7 +41,7 @@ bool FlightSpaces::outdoors(const glm::dvec3& place) const {
 FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Model& model, const Progress& progress) {
   FlightSpaces spaces;
   spaces.rules = rules_for(model.radius_mm);
-  std::vector<SurfaceView> structures;
+  std::vector<StructureSurface> structures;
   std::vector<const SurfaceMesh*> outer;
   for (const NamedSurface& named : surfaces) {
     structures.push_back({named.structure, &named.surface});

@@ -81,12 +81,12 @@ std::vector<Cavity> voids_filled_by(const std::string& structure, const SurfaceM
   return cavities_of(structure, turned);
 }
 
-std::vector<Cavity> cavities_in(const std::vector<SurfaceView>& model) {
+std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model) {
   std::vector<Cavity> all;
   const auto add = [&](std::vector<Cavity> some) { std::move(some.begin(), some.end(), std::back_inserter(all)); };
-  for (const SurfaceView& part : model) add(cavities_of(part.structure, *part.surface));
+  for (const StructureSurface& part : model) add(cavities_of(part.structure, *part.surface));
   if (all.empty()) {
-    for (const SurfaceView& part : model)
+    for (const StructureSurface& part : model)
       if (named_pulp(part.structure)) add(voids_filled_by(part.structure, *part.surface));
   }
   return largest_first(std::move(all));

@@ -31,13 +31,13 @@ std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh&
 std::vector<Cavity> voids_filled_by(const std::string& structure, const SurfaceMesh& body);
 
 /// A structure's surface, looked at.
-struct SurfaceView {
+struct StructureSurface {
   std::string structure;
   const SurfaceMesh* surface = nullptr;
 };
 
 /// What can be flown through in a whole model: the cavities of all its structures. If it has none, the void that a body with
 /// "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
-std::vector<Cavity> cavities_in(const std::vector<SurfaceView>& model);
+std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);
 
 }  // namespace odontoscope

@@ -21,7 +21,7 @@ double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x,
 
 /// A mesh made ready: its edges, and its triangles from low to high.
 struct Prepared {
-  const StructureSurface& source;
+  const CutSurface& source;
   EdgeMates mates;
   struct Span {
     double low, high;
@@ -30,7 +30,7 @@ struct Prepared {
   std::vector<Span> spans;  // by `low`
 };
 
-Prepared prepared(const StructureSurface& source) {
+Prepared prepared(const CutSurface& source) {
   const SurfaceMesh& mesh = source.surface;
   Prepared ready{source, edge_mates(mesh), {}};
   ready.spans.reserve(mesh.triangles.size());
@@ -252,9 +252,9 @@ class StructureCutter {
 };
 
 /// Surfaces of one name together, in order of first appearance.
-std::vector<std::vector<Prepared>> by_structure(const std::vector<StructureSurface>& surfaces) {
+std::vector<std::vector<Prepared>> by_structure(const std::vector<CutSurface>& surfaces) {
   std::vector<std::vector<Prepared>> groups;
-  for (const StructureSurface& surface : surfaces) {
+  for (const CutSurface& surface : surfaces) {
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().source.structure == surface.structure; });
     if (group == groups.end()) group = groups.insert(groups.end(), std::vector<Prepared>{});
     group->push_back(prepared(surface));
@@ -289,10 +289,10 @@ void turn_outwards(ContourStack& stack) {
 
 }  // namespace
 
-std::vector<double> heights_at(const std::vector<StructureSurface>& surfaces, double spacing) {
+std::vector<double> heights_at(const std::vector<CutSurface>& surfaces, double spacing) {
   if (!(spacing > 0) || !std::isfinite(spacing)) throw UsageError(fmt::format("--spacing-z {}: slices lie a positive length apart", spacing));
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (const StructureSurface& surface : surfaces) {
+  for (const CutSurface& surface : surfaces) {
     for (const Triangle& t : surface.surface.triangles) {
       for (const PointIndex v : t) {
         low = std::min(low, surface.surface.points[v].z);
@@ -314,7 +314,7 @@ std::vector<double> heights_at(const std::vector<StructureSurface>& surfaces, do
   return heights;
 }
 
-CutContours cut_surfaces(const std::vector<StructureSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
+CutContours cut_surfaces(const std::vector<CutSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
                          const CutOptions& options, const Progress& progress) {
   CutContours result;
   result.stack.source = file;

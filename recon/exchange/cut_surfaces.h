@@ -20,7 +20,8 @@
 
 namespace odontoscope {
 
-struct StructureSurface {
+/// What is cut as one: a structure with all its surfaces.
+struct CutSurface {
   std::string structure;
   SurfaceMesh surface;  // several of one structure are cut as one: an outside and its cavities
 };
@@ -39,14 +40,14 @@ struct CutContours {
 
 /// Heights at `spacing` from half of it above the lowest point on. UsageError for a spacing that is not positive or gives more slices than
 /// limits::slices or fewer than two.
-std::vector<double> heights_at(const std::vector<StructureSurface>& surfaces, double spacing);
+std::vector<double> heights_at(const std::vector<CutSurface>& surfaces, double spacing);
 
 /// `file` is for messages. The result has passed `validate`, or InputError is thrown, with one of that function's causes or
 ///   open-surface, crowded-edge, misoriented-surface   without `repair`: the surface is no closed, oriented manifold
 ///   section-meets-itself   without `repair`: contours of one structure touch or cross, since the surface cuts through itself
 ///   gap-too-wide           with `repair`
 /// Preconditions: indices in range, coordinates finite; heights ascending. Stage "cut".
-CutContours cut_surfaces(const std::vector<StructureSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
+CutContours cut_surfaces(const std::vector<CutSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
                          const CutOptions& options = {}, const Progress& progress = {});
 
 }  // namespace odontoscope

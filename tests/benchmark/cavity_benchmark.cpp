@@ -16,7 +16,7 @@ namespace odontoscope {
 namespace {
 
 Cavity largest_void(const ContourStack& stack) {
-  std::vector<SurfaceView> surfaces;
+  std::vector<StructureSurface> surfaces;
   const Reconstruction made = reconstruct(stack);
   for (const Solid& solid : made.solids) surfaces.push_back({solid.structure, &solid.surface});
   std::vector<Cavity> cavities = cavities_in(surfaces);
