@@ -193,7 +193,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_frames));
-  parser.add_option("--tour", options.tour, "Film through the pulp along a line, into the folder of -o: canal-1, horn-2, ...")->type_name("LINE");
+  parser.add_option("--tour", options.tour, "Film into the folder of -o along a line: canal-1, horn-2, ...")->type_name("LINE");
   parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);

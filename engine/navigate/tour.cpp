@@ -7,7 +7,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <numbers>
 
 #include "engine/navigate/flight.h"
 #include "recon/core/error.h"
