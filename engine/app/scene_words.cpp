@@ -271,7 +271,7 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
   parser.add_option("--section", words.section, "Cut away: +x to -z, buccal, ..., or X,Y,Z; @MM says where, e.g. -x@2.5")
       ->type_name("SIDE[@MM]")
       ->group(showing);
-  parser.add_option("--cap", words.cap, "On the cut: material (default), plain, or a volume's values: ct, ct=LOW,HIGH")
+  parser.add_option("--cap", words.cap, "On the cut: material (default), plain, or CT values: ct, ct=BLACK,WHITE")
       ->type_name("WHAT")
       ->group(showing);
   parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")
