@@ -55,7 +55,8 @@ TEST_F(Headlights, ReachFartherIfTheyMay) {
 TEST_F(Headlights, TheNearPlaneIsAsNearAsTheCameraSays) {
   const Model model = corridor();
   Scene scene = in_corridor(model);
-  scene.camera.position = {0.985, 0, 0};   // 0.015 from a wall
+  scene.camera.position = {0.985, 0, 0};   // 0.015 from a wall, along it
+  scene.camera.target = {0.985, 1, 0};
   scene.camera.near_mm = 0.004;
   const auto seen_through = [](const Image& image) {
     int count = 0;
