@@ -462,6 +462,12 @@ TEST_F(FlightTest, DISABLED_Gallery) {
     fly().flight = looking(fly().flight.eye, {0.1, 0.1, -1});
     frames(3, 0.05);
     keep_picture("gallery-" + tooth.title + "-1floor");
+    type(U'?');
+    keep_picture("gallery-" + tooth.title + "-help");
+    press_key(Key::escape);
+    type(U'n');
+    keep_picture("gallery-" + tooth.title + "-note");
+    press_key(Key::escape);
     const CentreLines& lines = spaces().cavities[0].lines;
     ASSERT_FALSE(lines.canals.empty());
     for (const double part : {0.1, 0.5, 0.8}) {
