@@ -136,7 +136,7 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
   std::size_t row = 0;
   for (const ActionKey& key : state.fly.on ? flight_keys() : action_keys()) {
     if (!told.insert(key.action).second || key.words.empty()) continue;   // a second key for the same
-    constexpr std::size_t rows_at_left = 12;
+    const std::size_t rows_at_left = state.fly.on ? 7 : 12;
     if (row++ == rows_at_left) ImGui::NextColumn();
     key_row(interface, key.printed, key.words, scaled(72));
   }
