@@ -13,6 +13,7 @@ namespace {
 
 /// Room over the clearance: between the line's points the eye may be a little nearer to the wall than at them.
 constexpr double least_room = 1.06;
+constexpr double least_width = 0.1;   // clearances
 /// Between two points of the table.
 constexpr double table_seconds = 1.0 / 60;
 
@@ -47,7 +48,10 @@ std::vector<const CentreLine*> rideable(const CentreLines& lines) {
 Track track_of(const CentreLine& line, double clearance) {
   Track track;
   if (line.points.size() < 2) return track;
-  const Tour tour(line);
+  // A tour wants some width everywhere; where a line leads through a crack the track is cut off below.
+  CentreLine passable = line;
+  for (CentrePoint& point : passable.points) point.radius = std::max(point.radius, least_width * clearance);
+  const Tour tour(passable);
   std::vector<Track::Point> all;
   const auto count = static_cast<std::size_t>(std::ceil(tour.seconds() / table_seconds));
   for (std::size_t i = 0; i <= count; ++i) {

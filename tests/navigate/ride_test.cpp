@@ -55,6 +55,12 @@ TEST(Ride, LeavesOutWhatTheBallDoesNotFitThrough) {
   EXPECT_TRUE(track_of(bent(), 2).points.empty());
 }
 
+TEST(Ride, ALineThroughACrackOfNoWidthHasNoTrack) {
+  CentreLine line = bent();
+  for (CentrePoint& point : line.points) point.radius = 0;
+  EXPECT_TRUE(track_of(line, 0.1).points.empty());
+}
+
 TEST(Ride, IsTheTourAndTheSameAtEveryFrameRate) {
   const FlightRules rules = rules_for(10);
   const auto ridden = [&](double hertz) {
