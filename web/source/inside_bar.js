@@ -59,7 +59,9 @@ export class InsideBar {
     const {width, height} = this.map, scale = height / viewer.canvas.height;
     this.picture = document.createElement('canvas');
     Object.assign(this.picture, {width, height});
-    this.picture.getContext('2d').drawImage(viewer.canvas, (width - viewer.canvas.width * scale) / 2, 0, viewer.canvas.width * scale, height);
+    const context = this.picture.getContext('2d');
+    context.drawImage(viewer.canvas, 0, 0, 2, viewer.canvas.height, 0, 0, width, height);   // the background, where the picture is too narrow
+    context.drawImage(viewer.canvas, (width - viewer.canvas.width * scale) / 2, 0, viewer.canvas.width * scale, height);
     this.toMap = p => [width / 2 + 0.5 * p.x * viewer.canvas.width * scale, (0.5 - 0.5 * p.y) * height];
     camera.position.copy(kept.position);
     viewer.orbit.controls.target.copy(kept.target);

@@ -15,9 +15,9 @@ const told = [
 export function makeHelp() {
   const dialog = document.getElementById('help');
   const rows = told.map(([keys, words]) => element('tr', {}, element('td', {}, element('kbd', {}, keys)), element('td', {}, words)));
-  dialog.append(element('h2', {id: 'help-title'}, 'Keys and gestures'), element('table', {}, element('tbody', {}, ...rows)),
-    element('p', {class: 'quiet'}, 'In flight, drag to look round; the ring at the left is for the thumb. Walls cannot be flown through. With a headset: grab the tooth with the trigger, with both hands make it larger or smaller; the sticks fly.'),
-    element('form', {method: 'dialog'}, element('button', {class: 'main'}, 'Close')));
+  const close = element('form', {method: 'dialog'}, element('button', {class: 'main'}, 'Close'));
+  dialog.append(element('div', {class: 'row'}, element('h2', {id: 'help-title', class: 'grow'}, 'Keys and gestures'), close), element('table', {}, element('tbody', {}, ...rows)),
+    element('p', {class: 'quiet'}, 'In flight, drag to look round; the ring at the left is for the thumb. Walls cannot be flown through. With a headset: grab the tooth with the trigger, with both hands make it larger or smaller; the sticks fly.'));
   return () => dialog.showModal();
 }
 

@@ -44,7 +44,7 @@ export class Picture {
   setBackground(top, bottom) {
     this.compose.uniforms.top.value.setStyle(top, SRGBColorSpace);
     this.compose.uniforms.bottom.value.setStyle(bottom, SRGBColorSpace);
-    this.plain.setStyle(bottom, SRGBColorSpace);
+    this.plain.setStyle(top, SRGBColorSpace);
   }
 
   draw(scene, camera) {
