@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/app/certificate.h"
+#include "engine/app/foreign_input.h"
 #include "engine/app/model.h"
 #include "engine/app/sniff.h"
 #include "engine/scene/scene.h"
@@ -15,7 +16,6 @@
 #include "recon/cavity/centre_lines.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
-#include "recon/input/stack_json.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/output/write_glb.h"
 #include "recon/sample/sample_tooth.h"
@@ -167,15 +167,18 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   return page;
 }
 
-std::optional<std::vector<NamedMesh>> meshes_in(const WebWords& words) {
+std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words) {
   if (words.input.empty() || words.volume.any_level()) return {};
   const std::string bytes = read_file(words.input);
-  switch (kind_of(bytes)) {
-    case FileKind::glb: return parse_glb(bytes, words.input);
-    case FileKind::ply: return parse_ply(bytes, words.input);
-    case FileKind::stl: return parse_stl(bytes, words.input);
-    default: return {};
-  }
+  return meshes_in(kind_of(bytes), bytes, words.input);
+}
+
+/// Of ours, of another program's contour file, or of a volume.
+ContourStack stack_of(const WebWords& words, Session& session) {
+  if (words.input.empty()) return sample_tooth(ToothKind::molar);
+  if (words.volume.any_level() || !needs_conversion(words.input, {})) return contours_of_input(words.input, words.volume, session);
+  ContourStack stack = converted_told(words.input, {}, session);
+  return words.volume.simplify ? simplify_told(stack, {*words.volume.simplify}, session) : stack;
 }
 
 double squared_distance(const Point3& a, const Point3& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z); }
@@ -203,12 +206,12 @@ void refuse_senseless(const WebWords& words) {
 }
 
 WebPage web_page_of(const WebWords& words, Session& session) {
-  if (const auto meshes = meshes_in(words)) {
+  if (const auto meshes = meshes_of(words)) {
     if (words.with_db || words.triangles)
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);
   }
-  const ContourStack stack = words.input.empty() ? sample_tooth(ToothKind::molar) : contours_of_input(words.input, words.volume, session);
+  const ContourStack stack = stack_of(words, session);
   WebPage page;
   page.models.push_back(model_by_dt(stack, words, page, session));
   if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
