@@ -12,7 +12,7 @@ const manifold = await loadManifold();
 manifold.setup();
 
 odontoscope('sample', 'molar', '-o', 'molar.json');
-odontoscope('reconstruct', 'molar.json', '-o', 'molar.glb', '--report', 'molar-report.json');
+odontoscope('reconstruct', 'molar.json', '-o', 'molar.glb', '-o', 'molar.gltf', '--report', 'molar-report.json');
 odontoscope('sample', 'molar', '--filled-dentine', '-o', 'filled.json');
 odontoscope('reconstruct', 'filled.json', '--together', 'dentine,pulp', '-o', 'hollow.glb');
 odontoscope('reconstruct', 'molar.json', '--method', 'db', '--grid', '40', '--cases', 'classic-unoriented', '-o', 'db.glb');
@@ -28,7 +28,7 @@ async function validated(bytes) {
   return {...issues, words: issues.messages.map(m => `${m.code} ${m.pointer ?? ''}: ${m.message}`).join('\n')};
 }
 
-for (const name of [...dt, 'db.glb']) {
+for (const name of [...dt, 'db.glb', 'molar.gltf']) {
   test(`gltf-validator finds nothing wrong with ${name}`, async () => {
     const found = await validated(bytesOf(name));
     assert.equal(found.numErrors + found.numWarnings, 0, found.words);

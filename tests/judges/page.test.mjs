@@ -163,7 +163,16 @@ test('the keyboard does everything', async () => {
   const touring = await press('t');
   assert.deepEqual([touring.mode, touring.playing], ['tour', true]);
   assert.equal((await press(' ')).playing, false);
-  assert.equal((await press('f')).mode, 'fly');
+  assert.equal((await press('Escape')).mode, null);
+  assert.equal((await press('c')).mode, 'fly');
+  assert.equal((await press('2')).mode, 'tour');
+  assert.equal((await press('c')).mode, null);
+  await press('-');
+  const distance = () => page.evaluate(() => viewer.orbit.camera.position.distanceTo(viewer.orbit.controls.target));
+  const farther = await distance();
+  await page.keyboard.press('f');
+  await page.waitForFunction(before => viewer.orbit.camera.position.distanceTo(viewer.orbit.controls.target) < before, farther);
+  assert.equal((await press('c')).mode, 'fly');
   assert.equal((await press('Escape')).mode, null);
   assert.equal((await press('?')).help, true);
   assert.equal((await press('Escape')).help, false);

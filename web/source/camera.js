@@ -29,7 +29,7 @@ export class Orbit {
     this.controls.minDistance = 0.15 * bounds.radius;
     this.controls.maxDistance = 30 * bounds.radius;
     this.controls.addEventListener('change', changed);
-    this.controls.addEventListener('start', () => { this.move = null; });
+    this.controls.addEventListener('start', () => { this.move = this.view = null; });
     this.move = null;
   }
 
@@ -66,9 +66,12 @@ export class Orbit {
     this.changed();
   }
 
+  /// All of it, from where one looks.
+  fit() { this.goTo({towards: this.camera.position.clone().sub(this.controls.target).toArray(), up: [0, 0, 1]}); }
+
   /// Nearer or farther, round the side or over the top, by keys.
   nudge({turn = 0, tilt = 0, nearer = 1}) {
-    this.move = null;
+    this.move = this.view = null;   // the person's own choice is kept when the window changes
     const offset = this.camera.position.clone().sub(this.controls.target);
     const distance = MathUtils.clamp(offset.length() * nearer, this.controls.minDistance, this.controls.maxDistance);
     const round = Math.atan2(offset.y, offset.x) + turn, over = MathUtils.clamp(Math.asin(offset.z / offset.length()) + tilt, -1.55, 1.55);

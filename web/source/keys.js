@@ -6,10 +6,10 @@ const turnStep = 0.12, nearStep = 0.88;
 
 const told = [
   ['drag, one finger', 'turn'], ['right drag, two fingers', 'move'], ['wheel, pinch', 'nearer, farther'],
-  ['arrow keys', 'turn'], ['+  \u2212', 'nearer, farther'], ['1 to 6, 0', 'from buccal, lingual, mesial, distal, occlusal, apical, three quarters'],
+  ['arrow keys', 'turn'], ['+  \u2212', 'nearer, farther'], ['1 to 6, 0', 'from buccal, lingual, mesial, distal, occlusal, apical, three quarters'], ['F', 'fit all into the picture'],
   ['S', 'cut the model open or close it'], ['R', 'cut away the other side'], ['[  ]', 'move the cut'], ['B', 'faces from behind: cull, two-sided, tint'], ['X', 'DT or DB, where the page has both'],
-  ['L', 'labels'], ['T', 'tour through the next canal'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'],
-  ['F', 'fly inside'], ['W A S D, E Q', 'fly: forward, left, back, right, up, down'], ['Esc', 'leave tour or flight'], ['?', 'this list'],
+  ['L', 'labels'], ['C', 'fly inside, and back out'], ['W A S D, E Q', 'fly: ahead, left, back, right, up, down; or I J K L, O U'],
+  ['T, 1 to 9', 'tour through the next canal; inside: through that one'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'], ['Esc', 'leave tour or flight'], ['?', 'this list'],
 ];
 
 export function makeHelp() {
@@ -22,6 +22,7 @@ export function makeHelp() {
 }
 
 const flying = {w: ['forward', 1], s: ['forward', -1], a: ['side', -1], d: ['side', 1], e: ['rise', 1], q: ['rise', -1],
+  i: ['forward', 1], k: ['forward', -1], j: ['side', -1], l: ['side', 1], o: ['rise', 1], u: ['rise', -1],
   arrowleft: ['turn', -1], arrowright: ['turn', 1], arrowup: ['tilt', 1], arrowdown: ['tilt', -1]};
 
 function outside(viewer, key) {
@@ -33,12 +34,14 @@ function outside(viewer, key) {
     case '+': case '=': return viewer.orbit.nudge({nearer: nearStep});
     case '-': return viewer.orbit.nudge({nearer: 1 / nearStep});
     case 's': return viewer.cut({on: !viewer.section.on});
+    case 'f': return viewer.orbit.fit();
     default: return false;
   }
 }
 
 function always(viewer, key, help) {
   const view = views.find(v => v.key === key), {low, high} = viewer.section.range();
+  if (viewer.inside && viewer.tours[Number(key) - 1]) return viewer.startTour(Number(key) - 1);
   if (view) return viewer.look(view.name);
   switch (key) {
     case 'r': return viewer.cut({reversed: !viewer.section.reversed});
@@ -47,7 +50,7 @@ function always(viewer, key, help) {
     case 'x': return viewer.show((viewer.chosen + 1) % viewer.models.length);
     case 'l': viewer.labels.on = !viewer.labels.on; return viewer.touch();
     case 't': return viewer.tours.length > 0 ? viewer.startTour((viewer.tours.indexOf(viewer.journey.tour) + 1) % viewer.tours.length) : undefined;
-    case 'f': return viewer.startFlight();
+    case 'c': return viewer.inside ? viewer.leave() : viewer.startFlight();
     case 'escape': return viewer.inside ? viewer.leave() : undefined;
     case '?': return help();
     default: return false;

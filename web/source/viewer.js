@@ -156,7 +156,7 @@ export class Viewer extends EventTarget {
     this.renderer.setSize(width, height, false);
     this.orbit.resize(width / height);
     this.journey.resize(width / height);
-    if (this.orbit.view && !this.turned) this.orbit.goTo(this.orbit.view, true);
+    if (this.orbit.view) this.orbit.goTo(this.orbit.view, true);
     this.touch();
   }
 
