@@ -5,7 +5,7 @@ namespace odontoscope {
 namespace {
 
 /// Of the roomiest place's clearance: near walls are bright, and a canal's end is dark.
-constexpr double lamp_reach = 1;
+constexpr double lamp_reach = 1.5;
 /// Dentine, with the warmth of what lines it.
 constexpr Colour wall = colour_of(0xe8cba6);
 
