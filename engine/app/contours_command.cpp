@@ -29,7 +29,7 @@ ContourStack stack_of(const Options& options, Session& session) {
 ExitCode make_contours(const Options& options, Session& session) {
   known_ending(options.output, {".json"});
   refuse_volume_without_level(options.input, options.words);
-  refuse_senseless(options.foreign);
+  refuse_senseless(options.foreign, options.words.any_level());
   if (options.words.any_level()) understood(options.words);
   refuse_unwritable({.inputs = {options.input}, .outputs = {options.output}});
   const ContourStack stack = stack_of(options, session);

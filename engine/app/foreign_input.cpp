@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -92,6 +93,11 @@ std::string head_of(const std::string& file) {
                    "contours --help lists the formats");
 }
 
+void refuse_planes(const std::string& file, const ForeignWords& words) {
+  if (!words.spacing_z && words.heights.empty() && !words.widest_gap) return;
+  throw UsageError(fmt::format("{} holds contours, and --spacing-z, --at and --widest-gap are about meshes", file), "Leave them out");
+}
+
 /// What validate found can be mended here: says so.
 [[noreturn]] void offer_repair(const InputError& error) {
   throw InputError(error.cause(), {}, std::string(error.what()).substr(0, std::string(error.what()).rfind(" [")),
@@ -133,7 +139,13 @@ void add_foreign_options(CLI::App& parser, ForeignWords& words) {
       ->type_name("G")->check(at_least_zero())->group(group);
 }
 
-void refuse_senseless(const ForeignWords& words) {
+void refuse_senseless(const ForeignWords& words, bool of_volume) {
+  if (of_volume && words.any()) {
+    throw UsageError("--spacing-z, --at, --structure, --repair and --widest-gap are about meshes and contour files, not volumes", "Leave them out");
+  }
+  for (const double height : words.heights) {
+    if (!std::isfinite(height)) throw UsageError("--at wants a height in mm");
+  }
   if (words.spacing_z && !words.heights.empty()) throw UsageError("--spacing-z and --at both say where to cut", "Give one of them");
   if (words.widest_gap && !words.repair) throw UsageError("--widest-gap is about --repair", "Add --repair, or leave it out");
 }
@@ -152,8 +164,10 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
 
 ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
   const std::string bytes = read_file(file);
-  if (const auto kind = contour_file_kind(bytes)) {
-    FileContours read = read_contour_file(*kind, bytes, file, words.structures);
+  const auto contour_kind = contour_file_kind(bytes);
+  if (contour_kind || kind_of(bytes) == FileKind::contour_stack) refuse_planes(file, words);
+  if (contour_kind) {
+    FileContours read = read_contour_file(*contour_kind, bytes, file, words.structures);
     session.console.say(fmt::format("{}: {}", file, stack_in_words(read.stack)));
     for (const std::string& remark : read.remarks) session.console.say("  " + remark);
     return checked(std::move(read.stack), words, session);

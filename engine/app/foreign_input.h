@@ -24,8 +24,8 @@ struct ForeignWords {
 
 void add_foreign_options(CLI::App& parser, ForeignWords& words);
 
-/// UsageError for options that contradict each other.
-void refuse_senseless(const ForeignWords& words);
+/// UsageError for options that contradict each other, or that are about something else than what is read.
+void refuse_senseless(const ForeignWords& words, bool of_volume);
 
 /// Is it a contour file of another program? False for what is no plain file, or cannot be read.
 bool is_contour_file(const std::string& file);

@@ -74,7 +74,7 @@ void refuse_tetrahedra_of_db(const std::string& output) {
 
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
-  refuse_senseless(options.foreign);
+  refuse_senseless(options.foreign, options.words.any_level());
   for (const std::string& output : options.outputs) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());

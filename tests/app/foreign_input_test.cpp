@@ -77,6 +77,9 @@ TEST_F(ForeignInput, UsageThatMakesNoSenseIsSaid) {
   EXPECT_EQ(odontoscope({"contours", "a.stl", "--spacing-z", "0", "-o", "b.json"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"contours", "a.stl", "--spacing-z", "0.1", "--at", "1", "-o", "b.json"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"contours", "a.stl", "--spacing-z", "0.1", "--widest-gap", "1", "-o", "b.json"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"contours", "a.stl", "--at", "nan", "-o", "b.json"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"contours", "cube.json", "--spacing-z", "0.1", "-o", "b.json"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"contours", "a.stl", "--iso", "1", "--repair", "-o", "b.json"}).exit_code, 2);
   const Ending unknown = odontoscope({"contours", "a.stl", "--spacing-z", "0.1", "--structure", "pulp", "-o", "b.json"});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_TRUE(unknown.complains("[unknown-structure]")) << unknown.err;
