@@ -10,6 +10,7 @@
 
 #include "recon/core/limits.h"
 #include "recon/exchange/plane_trace.h"
+#include "recon/exchange/region_border.h"
 #include "recon/input/planar_sweep.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/half_edges.h"
@@ -18,6 +19,15 @@ namespace odontoscope {
 namespace {
 
 double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double twice_area(const std::vector<Point2>& polygon) {
+  double sum = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    sum += a.x * b.y - b.x * a.y;
+  }
+  return sum;
+}
 
 /// A mesh made ready: its edges, and its triangles from low to high.
 struct Prepared {
@@ -171,21 +181,13 @@ class StructureCutter {
       : meshes_(std::move(meshes)), next_(meshes_.size(), 0), active_(meshes_.size()), options_(options), changes_(changes) {}
 
   std::vector<Contour> cut(double height, const Place& place) {
-    std::vector<std::vector<Trace>> traces;
-    bool through_vertex = false;
-    for (std::size_t m = 0; m < meshes_.size(); ++m) {
-      traces.push_back(trace_plane(meshes_[m].source.surface, meshes_[m].mates, crossed(m, height), height));
-      for (const Trace& trace : traces.back()) through_vertex = through_vertex || passes_vertex(m, trace, height);
-    }
-    std::vector<ContourChange> told;
-    std::vector<Contour> contours = contours_of(traces, height, false, place, told);
+    advance_to(height);
+    std::vector<Contour> contours = contours_on(Side::below, height, place, &changes_);
     std::optional<Breach> breach = breach_of(contours);
-    if (breach && through_vertex) {
-      told.clear();
-      contours = contours_of(traces, height, true, place, told);
+    if (touches_vertex(height) && (!breach || breach->kind != Breach::Kind::crossing)) {
+      contours = either_side(std::move(contours), contours_on(Side::above, height, place, nullptr));
       breach = breach_of(contours);
     }
-    changes_.insert(changes_.end(), told.begin(), told.end());
     if (breach && !options_.repair) refuse(*breach, place);
     return contours;
   }
@@ -193,35 +195,90 @@ class StructureCutter {
  private:
   const std::string& structure() const { return meshes_.front().source.structure; }
 
-  std::vector<std::uint32_t> crossed(std::size_t m, double height) {
-    const auto& spans = meshes_[m].spans;
-    auto& active = active_[m];
-    for (; next_[m] < spans.size() && spans[next_[m]].low < height; ++next_[m]) active.push_back(spans[next_[m]]);
-    std::erase_if(active, [&](const Prepared::Span& span) { return span.high < height; });
+  /// Takes up the triangles that begin at or below the height, and drops those that end below it.
+  void advance_to(double height) {
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      const auto& spans = meshes_[m].spans;
+      for (; next_[m] < spans.size() && spans[next_[m]].low <= height; ++next_[m]) active_[m].push_back(spans[next_[m]]);
+      std::erase_if(active_[m], [&](const Prepared::Span& span) { return span.high < height; });
+    }
+  }
+
+  std::vector<std::uint32_t> crossed(std::size_t m, double height, Side side) const {
     std::vector<std::uint32_t> triangles;
-    for (const Prepared::Span& span : active) triangles.push_back(span.triangle);
+    for (const Prepared::Span& span : active_[m]) {
+      const bool begins_below = side == Side::below ? span.low < height : span.low <= height;
+      const bool ends_above = side == Side::below ? span.high >= height : span.high > height;
+      if (begins_below && ends_above) triangles.push_back(span.triangle);
+    }
     std::sort(triangles.begin(), triangles.end());
     return triangles;
   }
 
-  bool passes_vertex(std::size_t m, const Trace& trace, double height) const {
-    const SurfaceMesh& mesh = meshes_[m].source.surface;
-    return std::any_of(trace.edges.begin(), trace.edges.end(), [&](HalfEdge h) {
-      return mesh.points[start(mesh, h)].z == height || mesh.points[end(mesh, h)].z == height;
-    });
+  bool touches_vertex(double height) const {
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+      const SurfaceMesh& mesh = meshes_[m].source.surface;
+      for (const Prepared::Span& span : active_[m]) {
+        for (const PointIndex v : mesh.triangles[span.triangle]) {
+          if (mesh.points[v].z == height) return true;
+        }
+      }
+    }
+    return false;
   }
 
-  std::vector<Contour> contours_of(const std::vector<std::vector<Trace>>& traces, double height, bool lowered, const Place& place,
-                                   std::vector<ContourChange>& told) const {
+  /// What is material just below the plane or just above it. As it lies below, to the bit, where the two are the same.
+  std::vector<Contour> either_side(std::vector<Contour> below, const std::vector<Contour>& above) const {
+    std::vector<std::vector<Point2>> polygons;
+    double sum = 0;
+    const auto take = [&](const std::vector<Contour>& side) {
+      for (const Contour& contour : side) {
+        polygons.push_back(contour.points);
+        sum += twice_area(contour.points);
+      }
+    };
+    take(below);
+    take(above);
+    if (is_same(below, above) && !breach_of(below)) return below;
+    if (sum < 0) {  // a surface that is inside out as a whole
+      for (std::vector<Point2>& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
+    }
+    std::vector<Contour> both;
+    for (std::vector<Point2>& points : region_border(polygons, {.inside = Inside::positive})) both.push_back({structure(), std::move(points)});
+    return both;
+  }
+
+  /// The same points in the same order, whichever is first.
+  static bool is_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
+    const auto in_order = [](const std::vector<Contour>& contours) {
+      const auto before = [](const Point2& p, const Point2& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };
+      std::vector<std::vector<Point2>> polygons;
+      for (const Contour& contour : contours) {
+        polygons.push_back(contour.points);
+        std::rotate(polygons.back().begin(), std::min_element(polygons.back().begin(), polygons.back().end(), before), polygons.back().end());
+      }
+      std::sort(polygons.begin(), polygons.end(), [&](const auto& p, const auto& q) {
+        return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), before);
+      });
+      return polygons;
+    };
+    return in_order(a) == in_order(b);
+  }
+
+  /// Gaps that were closed go to `told` unless it is null.
+  std::vector<Contour> contours_on(Side side, double height, const Place& place, std::vector<ContourChange>* told) const {
     std::vector<std::vector<Point2>> loops, lines;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
-      for (const Trace& trace : traces[m]) {
+      const SurfaceMesh& mesh = meshes_[m].source.surface;
+      for (const Trace& trace : trace_plane(mesh, meshes_[m].mates, crossed(m, height, side), height, side)) {
         std::vector<Point2> points;
-        for (const HalfEdge h : trace.edges) points.push_back(crossing_point(meshes_[m].source.surface, h, height, lowered));
+        for (const HalfEdge h : trace.edges) points.push_back(crossing_point(mesh, h, height));
         (trace.closed ? loops : lines).push_back(std::move(points));
       }
     }
-    for (std::vector<Point2>& loop : GapCloser(std::move(lines), place, structure(), options_, told).closed()) loops.push_back(std::move(loop));
+    std::vector<ContourChange> unheard;
+    GapCloser closer(std::move(lines), place, structure(), options_, told != nullptr ? *told : unheard);
+    for (std::vector<Point2>& loop : closer.closed()) loops.push_back(std::move(loop));
     std::vector<Contour> contours;
     for (std::vector<Point2>& points : loops) {
       points.erase(std::unique(points.begin(), points.end()), points.end());
@@ -246,7 +303,7 @@ class StructureCutter {
 
   std::vector<Prepared> meshes_;
   std::vector<std::size_t> next_;                    // span that comes next, for each mesh
-  std::vector<std::vector<Prepared::Span>> active_;  // that reach up to the height at hand
+  std::vector<std::vector<Prepared::Span>> active_;  // that reach up to the height at hand and begin no higher
   const CutOptions& options_;
   std::vector<ContourChange>& changes_;
 };
@@ -260,15 +317,6 @@ std::vector<std::vector<Prepared>> by_structure(const std::vector<CutSurface>& s
     group->push_back(prepared(surface));
   }
   return groups;
-}
-
-double twice_area(const std::vector<Point2>& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return sum;
 }
 
 /// A surface that is inside out as a whole would otherwise be wound around nowhere.

@@ -1,13 +1,12 @@
 #pragma once
 // Surface meshes cut into contours, plane by plane: the way back from anybody's model.
 //
-// Which triangles a plane crosses, and how its points join up, is decided by signs alone: a vertex in the plane counts as above it (symbolic
-// perturbation, after H. Edelsbrunner and E. P. Muecke, "Simulation of simplicity", ACM Transactions on Graphics 9(1), 1990), as if
-// the plane lay lower by less than any number. So a closed surface always gives closed contours: a flat piece in the plane
-// gives its outline if the material is below, and nothing if it is above, and a plane that touches gives nothing. Points are
-// rounded once; where a vertex lies in the plane they are that vertex.
-// Where contours that meet in such a vertex would break the rules of contour_stack.h, the points beside it are taken a 64th of their edge
-// lower.
+// Which triangles a plane crosses, and how its points join up, is decided by signs alone: a plane is cut as if it lay lower, and as if it lay
+// higher, by less than any number, so that no vertex lies in it (symbolic perturbation, after H. Edelsbrunner and E. P. Muecke,
+// "Simulation of simplicity", ACM Transactions on Graphics 9(1), 1990). So a closed surface always gives closed contours. A section is what is
+// material on either side: a flat piece in the plane gives its outline, a plane that only touches gives nothing, and a model that was made of
+// slices gives them back at their heights. Points are rounded once; where a vertex lies in the plane they are that vertex.
+// Where contours meet in such a vertex, corners are cut off there by a 64th of their edges, since contours keep apart.
 
 #include <cstddef>
 #include <string>

@@ -9,8 +9,8 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height)
-      : mesh_(mesh), mates_(mates), height_(height) {
+  Tracer(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height, Side side)
+      : mesh_(mesh), mates_(mates), height_(height), side_(side) {
     taken_.reserve(crossing.size());
     for (const std::uint32_t t : crossing) taken_.emplace(t, false);
   }
@@ -33,7 +33,7 @@ class Tracer {
   bool is_taken(std::uint32_t t) const { return taken_.at(t); }
 
  private:
-  bool above(PointIndex v) const { return mesh_.points[v].z >= height_; }
+  bool above(PointIndex v) const { return lies_above(mesh_.points[v], height_, side_); }
   bool crosses(HalfEdge h) const { return above(start(mesh_, h)) != above(end(mesh_, h)); }
   /// The half-edge of a crossed triangle that runs down through the plane, or up. From the one to the other the material is left.
   HalfEdge downward(std::uint32_t t) const {
@@ -68,13 +68,15 @@ class Tracer {
   const SurfaceMesh& mesh_;
   const EdgeMates& mates_;
   double height_;
+  Side side_;
   std::unordered_map<std::uint32_t, bool> taken_;
 };
 
 }  // namespace
 
-std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height) {
-  Tracer tracer(mesh, mates, crossing, height);
+std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height,
+                               Side side) {
+  Tracer tracer(mesh, mates, crossing, height, side);
   std::vector<Trace> traces;
   for (const std::uint32_t t : crossing) {
     if (!tracer.is_taken(t)) traces.push_back(tracer.through(t));
@@ -82,16 +84,13 @@ std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, 
   return traces;
 }
 
-Point2 crossing_point(const SurfaceMesh& mesh, HalfEdge edge, double height, bool lowered) {
+Point2 crossing_point(const SurfaceMesh& mesh, HalfEdge edge, double height) {
   const Point3* low = &mesh.points[start(mesh, edge)];
   const Point3* high = &mesh.points[end(mesh, edge)];
   if (high->z < low->z) std::swap(low, high);
-  constexpr double nearly_up = 63.0 / 64;
-  double share = (height - low->z) / (high->z - low->z);
-  if (high->z == height) {
-    if (!lowered) return {high->x, high->y};
-    share = nearly_up;
-  }
+  if (high->z == height) return {high->x, high->y};
+  if (low->z == height) return {low->x, low->y};
+  const double share = (height - low->z) / (high->z - low->z);
   return {low->x + share * (high->x - low->x), low->y + share * (high->y - low->y)};
 }
 

@@ -14,10 +14,18 @@ struct Trace {
   bool closed = false;
 };
 
-/// `crossing` holds the triangles with vertices on both sides, a vertex with z >= `height` counting as above.
-std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height);
+/// Where the plane really lies: lower or higher than its height by less than any number, so that no vertex lies in it.
+enum class Side { below, above };
+/// Does the point lie above that plane?
+inline bool lies_above(const Point3& point, double height, Side side) {
+  return side == Side::below ? point.z >= height : point.z > height;
+}
 
-/// Where the plane crosses the edge: the vertex itself if one lies in the plane, but with `lowered` a 64th of the edge below it.
-Point2 crossing_point(const SurfaceMesh& mesh, HalfEdge edge, double height, bool lowered);
+/// `crossing` holds the triangles with vertices on both sides.
+std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height,
+                               Side side);
+
+/// Where the plane crosses the edge: the vertex itself if one lies at that height.
+Point2 crossing_point(const SurfaceMesh& mesh, HalfEdge edge, double height);
 
 }  // namespace odontoscope

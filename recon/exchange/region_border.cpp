@@ -46,9 +46,14 @@ int turn_of(const Turns& turns, Vertex from, Vertex to) {
   return reversed ? -at->second : at->second;
 }
 
-/// Edges that are given twice are inserted once, with the sum of their turns.
-Turns edges_between(Triangulation& triangulation, const std::vector<std::vector<Point2>>& polygons) {
-  Turns turns;
+/// Each edge once, as it is first given, in that order: handles are addresses, whose order differs from run to run.
+struct GivenEdges {
+  std::vector<std::pair<Vertex, Vertex>> ends;
+  Turns turns;  // summed over all times that an edge is given
+};
+
+GivenEdges edges_between(Triangulation& triangulation, const std::vector<std::vector<Point2>>& polygons) {
+  GivenEdges edges;
   for (const std::vector<Point2>& polygon : polygons) {
     std::vector<Vertex> corners;
     for (const Point2& p : polygon) {
@@ -56,24 +61,25 @@ Turns edges_between(Triangulation& triangulation, const std::vector<std::vector<
     }
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vertex from = corners[i], to = corners[(i + 1) % corners.size()];
-      if (from != to) count_turn(turns, from, to, 1);
+      if (from == to) continue;
+      const std::size_t known = edges.turns.size();
+      count_turn(edges.turns, from, to, 1);
+      if (edges.turns.size() > known) edges.ends.emplace_back(from, to);
     }
   }
-  return turns;
+  return edges;
 }
 
 Turns insert(Triangulation& triangulation, const std::vector<std::vector<Point2>>& polygons) {
-  const Turns given = edges_between(triangulation, polygons);
-  std::vector<std::pair<Triangulation::Constraint_id, Turns::const_iterator>> edges;
-  for (auto edge = given.begin(); edge != given.end(); ++edge) {
-    edges.emplace_back(triangulation.insert_constraint(edge->first.first, edge->first.second), edge);
-  }
+  const GivenEdges given = edges_between(triangulation, polygons);
+  std::vector<Triangulation::Constraint_id> constraints;
+  for (const auto& [from, to] : given.ends) constraints.push_back(triangulation.insert_constraint(from, to));
   Turns turns;
-  for (const auto& [constraint, edge] : edges) {
+  for (std::size_t e = 0; e < constraints.size(); ++e) {
     // The pieces that later crossings have cut the edge into, in one direction or the other.
-    const std::vector<Vertex> pieces(triangulation.vertices_in_constraint_begin(constraint),
-                                     triangulation.vertices_in_constraint_end(constraint));
-    const int times = pieces.front() == edge->first.first ? edge->second : -edge->second;
+    const std::vector<Vertex> pieces(triangulation.vertices_in_constraint_begin(constraints[e]),
+                                     triangulation.vertices_in_constraint_end(constraints[e]));
+    const int times = turn_of(given.turns, pieces.front(), pieces.back());
     for (std::size_t i = 0; i + 1 < pieces.size(); ++i) count_turn(turns, pieces[i], pieces[i + 1], times);
   }
   return turns;
