@@ -111,7 +111,7 @@ class ModelOnTheWay {
   std::future<Shown> shown_;   // waits for the thread when it goes
 };
 
-std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, const std::optional<Tour>& tour,
+std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, const std::optional<Film>& film,
                               Session& session) {
   const PictureOptions picture = picture_options(options);
   const GpuModel gpu_model = upload(context.gl(), shown.model);
@@ -124,9 +124,9 @@ std::vector<FileContent> draw(const Options& options, GlContext& context, Render
     session.progress().check();
     session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
     Scene frame = scene;
-    if (tour) {
+    if (film) {
       const double last = static_cast<double>(std::max<std::size_t>(names.size() - 1, 1));
-      frame = frame_of(scene, shown, *tour, tour->seconds() * static_cast<double>(i) / last);
+      frame = frame_of(scene, shown, *film, film->tour.seconds() * static_cast<double>(i) / last);
     }
     if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
     files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay, ct ? &values : nullptr))});
@@ -167,14 +167,14 @@ ExitCode render(const Options& options, Session& session) {
   const Shown shown = model.get();
   const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   tell_cap(options, shown, scene, session.console);
-  std::optional<Tour> tour;
-  if (!options.tour.empty()) tour = tour_of(shown, options.tour, session);
-  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, tour, session);
+  std::optional<Film> film;
+  if (!options.tour.empty()) film = film_of(shown, options.tour, session);
+  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, film, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
-  if (tour) session.console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", tour->seconds(), (frames_of(options) - 1) / tour->seconds()));
+  if (film) session.console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", film->tour.seconds(), (frames_of(options) - 1) / film->tour.seconds()));
   session.console.say(files.size() <= 2 ? fmt::format("Wrote {}", files[0].file.string())
                                         : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
   return ExitCode::done;

@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "engine/app/whole_structures.h"
+#include "engine/navigate/seen_within.h"
 #include "recon/cavity/centre_lines.h"
 
 namespace odontoscope::app {
@@ -13,13 +14,19 @@ namespace {
 
 /// The lamp's reach, in local radii: the next bend is lit, what lies far behind it is dark.
 constexpr double lamp_reach = 5;
-const Colour wall_colour = colour_of(0xd9b48f);
 
 /// "mesiobuccal canal" as one types it.
 std::string typed(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '-');
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return name;
+}
+
+/// The model's part that walls the void in.
+VoidWall wall_of(const Cavity& cavity, const Model& model) {
+  for (const ModelPart& part : model.parts)
+    if (part.cavity && part.solid == cavity.structure) return {part.structure, false};
+  return {cavity.structure, true};
 }
 
 struct NamedLine {
@@ -41,38 +48,24 @@ std::vector<NamedLine> named_lines(const CentreLines& lines) {
 
 }  // namespace
 
-Tour tour_of(const Shown& shown, const std::string& wanted, Session& session) {
+Film film_of(const Shown& shown, const std::string& wanted, Session& session) {
   const std::vector<WholeStructure> whole = whole_structures(shown.surfaces);
   const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
   if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
   const CentreLines lines = centre_lines(cavities.front(), {}, session.progress());
   std::string names;
   for (const NamedLine& line : named_lines(lines)) {
-    if (typed(wanted) == line.name || typed(wanted) == line.number) return Tour(*line.line);
+    if (typed(wanted) == line.name || typed(wanted) == line.number) return {Tour(*line.line), wall_of(cavities.front(), shown.model)};
     names += (names.empty() ? "" : ", ") + (line.name == line.number ? line.number : fmt::format("{} ({})", line.number, line.name));
   }
   throw UsageError(fmt::format("--tour: there is no line \"{}\"", wanted), names.empty() ? "The void has no branches." : "There are " + names + ".");
 }
 
-Scene frame_of(const Scene& scene, const Shown& shown, const Tour& tour, double seconds) {
-  const TourInstant now = tour.at(seconds);
-  Scene frame = scene;
+Scene frame_of(const Scene& scene, const Shown& shown, const Film& film, double seconds) {
+  const TourInstant now = film.tour.at(seconds);
+  Scene frame = seen_within(scene, shown.model, film.wall, lamp_reach * now.width);
   frame.camera = now.camera;
-  frame.section.reset();
-  frame.overlays = {};
-  frame.background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
-  frame.headlight = Headlight{lamp_reach * now.width};
   frame.back_faces = BackFaces::cull;
-  const bool has_cavity = std::any_of(shown.model.parts.begin(), shown.model.parts.end(), [](const ModelPart& part) { return part.cavity; });
-  for (Look& look : frame.looks) {
-    const auto part = std::find_if(shown.model.parts.begin(), shown.model.parts.end(), [&](const ModelPart& p) { return p.structure == look.structure; });
-    if (part == shown.model.parts.end()) continue;
-    const bool pulp = typed(look.structure).find("pulp") != std::string::npos;
-    look.visible = has_cavity ? part->cavity : pulp;
-    look.opacity = 1;
-    look.as_body = !has_cavity;
-    look.colour = wall_colour;
-  }
   return frame;
 }
 

@@ -5,15 +5,29 @@
 #include <glm/common.hpp>
 
 #include "engine/headset/scale_mark.h"
+#include "engine/navigate/seen_within.h"
 
 namespace odontoscope {
+
+namespace {
+
+/// The lamp's reach, in clearances of the roomiest place: near walls are bright, and a canal's end is dark.
+constexpr double lamp_reach = 1.5;
+
+Scene scene_of(const Visit& visit, const VisitWorld& world) {
+  if (!visit.cavity) return world.scene;
+  const FlightSpace& space = world.cavities[*visit.cavity];
+  return seen_within(world.scene, world.model, space.wall(), lamp_reach * space.room_mm);
+}
+
+}  // namespace
 
 EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
     : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
       ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
 void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets) {
-  Scene scene = visit.cavity ? seen_from_inside(world.scene, world.model, world.cavities[*visit.cavity]) : world.scene;
+  Scene scene = scene_of(visit, world);
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
   show_marks(visit, input, world.model);

@@ -10,9 +10,9 @@
 #include <span>
 
 #include "engine/headset/hands.h"
-#include "engine/headset/inside.h"
 #include "engine/headset/stage.h"
 #include "engine/measure/pick.h"
+#include "engine/navigate/flight_spaces.h"
 
 namespace odontoscope {
 

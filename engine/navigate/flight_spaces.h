@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/navigate/flight.h"
+#include "engine/navigate/seen_within.h"
 #include "engine/navigate/walls.h"
 #include "engine/scene/model.h"
 #include "recon/cavity/centre_lines.h"
@@ -21,6 +22,8 @@ struct FlightSpace {
   glm::dvec3 middle{0};      // its roomiest place
   double room_mm = 0;        // clearance there
   CentreLines lines;         // empty where none could be made
+
+  VoidWall wall() const { return {structure, body}; }
 };
 
 struct FlightSpaces {

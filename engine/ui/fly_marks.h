@@ -9,9 +9,6 @@
 
 namespace odontoscope {
 
-/// The inside of a tooth by lamplight: dentine, warmer than from outside.
-inline constexpr Colour wall_colour = colour_of(0xe8cba6);
-
 /// Slower and faster than usual, at most.
 inline constexpr double least_haste = 0.2, most_haste = 8;
 

@@ -106,23 +106,12 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   fly.trail = {flight.eye};
   fly.ride.reset();
   fly.labels = cavity ? labels_inside(state_.shown->flight->cavities[*cavity]) : labels_outside(state_.shown->model, *state_.shown->flight);
-  Scene scene = fly.scene_before;
+  state_.scene = fly.scene_before;
   if (cavity) {
-    const FlightSpace& space = state_.shown->flight->cavities[*cavity];
-    scene.section.reset();
-    scene.overlays = {};
-    scene.background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
-    scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
-    scene.headlight = Headlight{lamp_reach * state_.shown->model.radius_mm};
-    for (Look& look : scene.looks) {
-      look.visible = look.structure == space.structure;
-      if (!look.visible) continue;
-      look.opacity = 1;
-      look.as_body = space.body;
-      look.colour = wall_colour;
-    }
+    const Model& model = state_.shown->model;
+    state_.scene = seen_within(fly.scene_before, model, state_.shown->flight->cavities[*cavity].wall(), lamp_reach * model.radius_mm);
+    state_.scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
   }
-  state_.scene = std::move(scene);
   see_from_flight();
 }
 
