@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "recon/core/error.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope::app {
 namespace {
@@ -40,8 +40,7 @@ void refuse_unwritable(const PlannedFiles& files) {
 }
 
 std::string known_ending(const std::string& file, const std::vector<std::string>& known) {
-  std::string ending = fs::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::string ending = lower_case(fs::path(file).extension().string());
   if (std::find(known.begin(), known.end(), ending) != known.end()) return ending;
   const std::string found = ending.empty() ? "this one has none" : fmt::format("{} is not written here", ending);
   throw UsageError(fmt::format("{}: the ending of a name tells the format, and {}", file, found),

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <utility>
 
 #include "engine/app/whole_structures.h"
 #include "engine/navigate/seen_within.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope::app {
 namespace {
@@ -18,8 +19,7 @@ constexpr double lamp_reach = 5;
 /// "mesiobuccal canal" as one types it.
 std::string typed(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '-');
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return name;
+  return lower_case(std::move(name));
 }
 
 /// The model's part that walls the void in.

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "engine/scene/vector.h"
 #include "recon/mesh/faulty_edges.h"
 
 namespace odontoscope {
@@ -19,8 +20,6 @@ namespace {
 
 /// Half of what the picture spans from top to bottom at an artefact, over the grid's spacing.
 constexpr double seen_cells = 9;
-
-glm::dvec3 vec(const Point3& p) { return {p.x, p.y, p.z}; }
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
   const double length = glm::length(v);

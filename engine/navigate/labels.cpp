@@ -6,12 +6,11 @@
 
 #include "engine/navigate/ride.h"
 #include "engine/navigate/screen.h"
+#include "engine/scene/vector.h"
 
 namespace odontoscope {
 
 namespace {
-
-glm::dvec3 vec(const Point3& p) { return {p.x, p.y, p.z}; }
 
 }  // namespace
 

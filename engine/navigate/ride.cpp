@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/navigate/tour.h"
+#include "engine/scene/vector.h"
 
 namespace odontoscope {
 
@@ -16,8 +17,6 @@ constexpr double least_room = 1.06;
 constexpr double least_width = 0.1;   // clearances
 /// Between two points of the table.
 constexpr double table_seconds = 1.0 / 60;
-
-glm::dvec3 vec(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// The longest run of points wide enough, as [first, last].
 std::pair<std::size_t, std::size_t> wide_enough(const std::vector<Track::Point>& points, double clearance) {

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "engine/scene/vector.h"
 #include "recon/mesh/exact_predicates.h"
 
 namespace odontoscope {
@@ -17,7 +18,6 @@ constexpr std::uint32_t most_in_leaf = 4;
 constexpr std::size_t deepest = 64;
 
 Point3 exact(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
-glm::dvec3 plain(const Point3& p) { return {p.x, p.y, p.z}; }
 
 int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) { return orientation(exact(a), exact(b), exact(c), exact(d)); }
 
@@ -98,7 +98,7 @@ Walls::Walls(const SurfaceMesh& surface) : Walls(std::vector<const SurfaceMesh*>
 
 Walls::Walls(const std::vector<const SurfaceMesh*>& surfaces) {
   for (const SurfaceMesh* surface : surfaces)
-    for (const auto& [a, b, c] : surface->triangles) triangles_.push_back({plain(surface->points[a]), plain(surface->points[b]), plain(surface->points[c])});
+    for (const auto& [a, b, c] : surface->triangles) triangles_.push_back({vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
   build();
 }
 

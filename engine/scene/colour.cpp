@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "recon/core/error.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope {
 
@@ -37,8 +38,7 @@ constexpr std::array<Tissue, 8> tissues = {{
 }};
 
 const Tissue* tissue_called(std::string_view structure) {
-  std::string name(structure);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string name = lower_case(std::string(structure));
   for (const Tissue& tissue : tissues)
     if (name.find(tissue.part_of_name) != std::string::npos) return &tissue;
   return nullptr;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/scene/normals.h"
+#include "engine/scene/vector.h"
 #include "recon/core/error.h"
 
 namespace odontoscope {
@@ -14,15 +15,13 @@ namespace {
 
 constexpr double least_radius_mm = 1e-6;
 
-glm::dvec3 vector(const Point3& point) { return {point.x, point.y, point.z}; }
-
 Box bounds(const std::vector<NamedSurface>& surfaces) {
   Box box{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
   for (const NamedSurface& named : surfaces)
     for (const Triangle& triangle : named.surface.triangles)
       for (const PointIndex index : triangle) {
-        box.low = glm::min(box.low, vector(named.surface.points[index]));
-        box.high = glm::max(box.high, vector(named.surface.points[index]));
+        box.low = glm::min(box.low, vec(named.surface.points[index]));
+        box.high = glm::max(box.high, vec(named.surface.points[index]));
       }
   return box;
 }
@@ -31,7 +30,7 @@ double radius_around(const glm::dvec3& centre, const std::vector<NamedSurface>& 
   double radius = least_radius_mm;
   for (const NamedSurface& named : surfaces)
     for (const Triangle& triangle : named.surface.triangles)
-      for (const PointIndex index : triangle) radius = std::max(radius, glm::distance(centre, vector(named.surface.points[index])));
+      for (const PointIndex index : triangle) radius = std::max(radius, glm::distance(centre, vec(named.surface.points[index])));
   return radius;
 }
 
@@ -52,7 +51,7 @@ ModelPart make_part(const NamedSurface& named, const glm::dvec3& origin_mm, doub
     while (vertex != none && part.normals[vertex] != normals[corner]) vertex = next[vertex];
     if (vertex == none) {
       vertex = static_cast<std::uint32_t>(part.positions.size());
-      part.positions.emplace_back(metres_per_mm * (vector(named.surface.points[point]) - origin_mm));
+      part.positions.emplace_back(metres_per_mm * (vec(named.surface.points[point]) - origin_mm));
       part.normals.push_back(normals[corner]);
       next.push_back(first_of[point]);
       first_of[point] = vertex;

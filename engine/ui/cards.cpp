@@ -173,6 +173,19 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 
 }  // namespace
 
+bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom) {
+  const float width = std::min(most_width * scale, static_cast<float>(viewport.width) - 40 * scale);
+  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height) - from_bottom * scale}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSize({width, 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x1a1e23, 240));
+  const bool open = ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(2);
+  return open;
+}
+
 std::string stage_in_words(std::string_view stage) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 12> known = {{{"read", "Reading the file"},
                                                                                    {"contours", "Tracing contours through the volume"},

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/cards.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -181,19 +182,6 @@ void draw_artefact_ring(const ViewerState& state, const std::vector<ViewPane>& p
   }
 }
 
-bool begin_card(const char* id, const Area& viewport, float scale) {
-  const float width = std::min(680 * scale, static_cast<float>(viewport.width) - 40 * scale);
-  ImGui::SetNextWindowPos(vec(viewport.left + viewport.width / 2, viewport.top + viewport.height - (culling_height + 8) * scale), ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x1a1e23, 240));
-  const bool open = ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
-  return open;
-}
-
 void wrapped(const std::string& words) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.c_str());
@@ -213,7 +201,7 @@ void three_buttons(ViewerState& state, const char* back, Action on_back, const c
 void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const LabState& lab = state.lab;
   const LessonStep& step = lab.lesson->steps[lab.step];
-  if (begin_card("lesson", viewport, scale)) {
+  if (begin_card("lesson", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     ImGui::TextUnformatted(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title).c_str());
     ImGui::PopFont();
@@ -227,7 +215,7 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
 void artefact_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const LabResult& made = *state.lab.made;
   const LabArtefact& artefact = made.artefacts[*state.lab.artefact];
-  if (begin_card("artefact", viewport, scale)) {
+  if (begin_card("artefact", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     const char* kind = artefact.kind == DefectKind::crack ? "Crack" : artefact.kind == DefectKind::misoriented ? "Misoriented triangles" : "Non-manifold edge";
     ImGui::TextUnformatted(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1), grouped(made.artefacts.size())).c_str());

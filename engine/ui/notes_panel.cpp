@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "engine/ui/cards.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -15,21 +16,8 @@ namespace {
 
 using widgets::scaled;
 
-bool begin_card(const char* id, const Area& viewport, float scale, float from_bottom) {
-  const float width = std::min(620 * scale, static_cast<float>(viewport.width) - 40 * scale);
-  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height) - from_bottom * scale}, ImGuiCond_Always, {0.5f, 1});
-  ImGui::SetNextWindowSize({width, 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale);
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x1a1e23, 240));
-  const bool open = ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar(2);
-  return open;
-}
-
 void draft_card(NotesState& notes, const Interface& interface, const Area& viewport, float scale) {
-  if (begin_card("note draft", viewport, scale, 60)) {
+  if (begin_card("note draft", viewport, scale, 620, 60)) {
     TourNote& draft = *notes.draft;
     ImGui::PushFont(interface.large);
     ImGui::TextUnformatted("A note on this view");
@@ -58,7 +46,7 @@ void draft_card(NotesState& notes, const Interface& interface, const Area& viewp
 void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const NotesState& notes = state.notes;
   const TourNote& note = notes.tour.notes[*notes.shown];
-  if (begin_card("note", viewport, scale, 24)) {
+  if (begin_card("note", viewport, scale, 620, 24)) {
     ImGui::PushFont(interface.large);
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(fmt::format("{} / {}   {}", *notes.shown + 1, notes.tour.notes.size(), note.title).c_str());

@@ -1,13 +1,13 @@
 #include "recon/cavity/cavity.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "recon/cavity/limits.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope {
 namespace {
@@ -60,10 +60,7 @@ std::vector<Cavity> largest_first(std::vector<Cavity> cavities) {
   return cavities;
 }
 
-bool named_pulp(std::string name) {
-  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return name.find("pulp") != std::string::npos;
-}
+bool named_pulp(const std::string& name) { return lower_case(name).find("pulp") != std::string::npos; }
 
 }  // namespace
 

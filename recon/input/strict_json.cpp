@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "recon/core/limits.h"
+#include "recon/core/lower_case.h"
 #include "recon/input/names.h"
 
 namespace odontoscope {
@@ -53,9 +53,7 @@ constexpr std::size_t longest_word = 3;  // "nan", "inf"
 /// Does the last word read, with what follows, begin with the name that other programs give to what is no number?
 bool ends_in_no_number(std::string_view token, std::string_view upcoming) {
   std::string text(token.substr(token.find_last_of(" \t\r\n,:[{") + 1));
-  text += upcoming;
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  text = lower_case(text.append(upcoming));
   if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.erase(0, 1);
   return text.starts_with("nan") || text.starts_with("inf");
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/lower_case.h"
 #include "recon/output/write_glb.h"
 #include "recon/output/write_inp.h"
 #include "recon/output/write_msh.h"
@@ -45,11 +46,6 @@ std::vector<std::string> endings_of(const std::vector<Format<Model>>& formats) {
   std::vector<std::string> endings;
   for (const Format<Model>& format : formats) endings.push_back(format.ending);
   return endings;
-}
-
-std::string lower_case(std::string text) {
-  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return text;
 }
 
 std::string ending_of(const std::filesystem::path& file) { return lower_case(file.extension().string()); }

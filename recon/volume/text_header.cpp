@@ -10,6 +10,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope {
 namespace {
@@ -29,12 +30,6 @@ std::string_view trimmed(std::string_view text) {
 }
 
 }  // namespace
-
-std::string lower_case(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 TextHeader read_text_header(const std::string& path, const TextHeaderRules& rules) {
   TextHeader header;

@@ -36,6 +36,4 @@ TextHeader read_text_header(const std::string& path, const TextHeaderRules& rule
 /// Path of a data file that the header at `header` names; many-data-files if the name is a list or a pattern.
 std::string data_file_beside(const std::string& header, const std::string& name);
 
-std::string lower_case(std::string text);
-
 }  // namespace odontoscope

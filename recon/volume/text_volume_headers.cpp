@@ -10,6 +10,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/lower_case.h"
 #include "recon/volume/text_header.h"
 #include "recon/volume/volume_header.h"
 
