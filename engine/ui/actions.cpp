@@ -102,26 +102,15 @@ std::span<const ActionKey> flight_keys() { return in_flight; }
 
 std::span<const Gesture> flight_gestures() { return flying; }
 
-std::optional<Action> flight_action_for(const TextTyped& text) {
-  const auto found = std::find_if(in_flight.begin(), in_flight.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
-  return found == in_flight.end() ? std::nullopt : std::optional(found->action);
+std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKey> known) {
+  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
+  return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 
-std::optional<Action> flight_action_for(const KeyChanged& pressed) {
+std::optional<Action> action_for(const KeyChanged& pressed, std::span<const ActionKey> known) {
   if (!pressed.down || pressed.key == Key::other) return std::nullopt;
-  const auto found = std::find_if(in_flight.begin(), in_flight.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
-  return found == in_flight.end() ? std::nullopt : std::optional(found->action);
-}
-
-std::optional<Action> action_for(const TextTyped& text) {
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
-  return found == keys.end() ? std::nullopt : std::optional(found->action);
-}
-
-std::optional<Action> action_for(const KeyChanged& pressed) {
-  if (!pressed.down || pressed.key == Key::other) return std::nullopt;
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
-  return found == keys.end() ? std::nullopt : std::optional(found->action);
+  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
+  return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 
 std::optional<NamedView> view_of(Action action) {

@@ -22,10 +22,9 @@ struct ActionKey {
 std::span<const ActionKey> action_keys();
 /// While one flies letters mean this instead. (Those that fly are held down, see viewer_fly.cpp.)
 std::span<const ActionKey> flight_keys();
-std::optional<Action> flight_action_for(const TextTyped& text);
-std::optional<Action> flight_action_for(const KeyChanged& key);
-std::optional<Action> action_for(const TextTyped& text);
-std::optional<Action> action_for(const KeyChanged& key);
+/// What is meant, by either of these lists.
+std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKey> known = action_keys());
+std::optional<Action> action_for(const KeyChanged& key, std::span<const ActionKey> known = action_keys());
 
 /// What the mouse does, for the list.
 struct Gesture {

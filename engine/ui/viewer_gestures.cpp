@@ -174,7 +174,7 @@ void Viewer::on_key(const KeyChanged& key) {
   if (!key.down) return;
   if (interface_.wants_text() && key.key != Key::escape) return;
   if (state_.fly.on)
-    if (const auto action = flight_action_for(key)) {
+    if (const auto action = action_for(key, flight_keys())) {
       state_.todo.push_back(*action);
       return;
     }
@@ -197,7 +197,7 @@ void Viewer::on_key(const KeyChanged& key) {
 void Viewer::on_text(const TextTyped& text) {
   if (interface_.wants_text()) return;
   if (state_.fly.on) {
-    if (const auto action = flight_action_for(text)) state_.todo.push_back(*action);
+    if (const auto action = action_for(text, flight_keys())) state_.todo.push_back(*action);
     else if (text.character >= U'1' && text.character <= U'9') begin_ride(text.character - U'1');
     return;
   }
