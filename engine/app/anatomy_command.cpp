@@ -62,7 +62,7 @@ ExitCode run(const Options& options, Session& session) {
   if (!options.input.empty()) files.inputs.push_back(options.input);
   refuse_unwritable(files);
   const Shown shown = shown_from(options.input, options.volume, session);
-  const std::vector<WholeStructure> whole = whole_structures(shown.surfaces);
+  const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
   const Anatomy anatomy = measure_anatomy(looked_at(whole), session.progress());
   std::vector<FileContent> contents;
   for (const std::string& file : options.outputs)

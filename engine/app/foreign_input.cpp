@@ -41,16 +41,16 @@ void tell_changes(const std::vector<ContourChange>& changes, Console& console) {
   if (changes.size() > most_lines) console.say(fmt::format("    and {} more", changes.size() - most_lines));
 }
 
-std::vector<CutSurface> surfaces_of(std::vector<NamedMesh> meshes, const ForeignWords& words, const std::string& file) {
-  std::vector<CutSurface> surfaces;
+std::vector<NamedMesh> surfaces_of(std::vector<NamedMesh> meshes, const ForeignWords& words, const std::string& file) {
+  std::vector<NamedMesh> surfaces;
   for (NamedMesh& mesh : meshes) surfaces.push_back({structure_of(mesh.name), std::move(mesh.surface)});
   if (words.structures.empty()) return surfaces;
   // As a stack of their names, so that unknown ones are said as everywhere.
   ContourStack names{{{0, {}}}, file};
-  for (const CutSurface& surface : surfaces) names.slices.front().contours.push_back({surface.structure, {}});
+  for (const NamedMesh& surface : surfaces) names.slices.front().contours.push_back({surface.name, {}});
   keep_structures(names, words.structures);
-  std::erase_if(surfaces, [&](const CutSurface& surface) {
-    return std::find(words.structures.begin(), words.structures.end(), surface.structure) == words.structures.end();
+  std::erase_if(surfaces, [&](const NamedMesh& surface) {
+    return std::find(words.structures.begin(), words.structures.end(), surface.name) == words.structures.end();
   });
   return surfaces;
 }
@@ -59,7 +59,7 @@ ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, co
   if (!words.spacing_z && words.heights.empty()) {
     throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file), "Give --spacing-z D, or --at Z for each plane");
   }
-  const std::vector<CutSurface> surfaces = surfaces_of(std::move(meshes), words, file);
+  const std::vector<NamedMesh> surfaces = surfaces_of(std::move(meshes), words, file);
   std::vector<double> heights = words.spacing_z ? heights_at(surfaces, *words.spacing_z) : words.heights;
   std::sort(heights.begin(), heights.end());
   CutOptions options;

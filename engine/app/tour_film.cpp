@@ -49,7 +49,7 @@ std::vector<NamedLine> named_lines(const CentreLines& lines) {
 }  // namespace
 
 Film film_of(const Shown& shown, const std::string& wanted, Session& session) {
-  const std::vector<WholeStructure> whole = whole_structures(shown.surfaces);
+  const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
   const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
   if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
   const CentreLines lines = centre_lines(cavities.front(), {}, session.progress());

@@ -6,23 +6,19 @@
 
 #include "engine/scene/model.h"
 #include "recon/cavity/cavity.h"
+#include "recon/mesh/named_mesh.h"
 
 namespace odontoscope::app {
 
-struct WholeStructure {
-  std::string name;
-  SurfaceMesh surface;
-};
-
 /// One for each solid, in order of first appearance.
-inline std::vector<WholeStructure> whole_structures(const std::vector<NamedSurface>& surfaces) {
-  std::vector<WholeStructure> whole;
+inline std::vector<NamedMesh> whole_structures(const std::vector<NamedSurface>& surfaces) {
+  std::vector<NamedMesh> whole;
   for (const NamedSurface& part : surfaces) {
     const std::string& name = part.solid.empty() ? part.structure : part.solid;
-    WholeStructure* solid = nullptr;
-    for (WholeStructure& known : whole)
+    NamedMesh* solid = nullptr;
+    for (NamedMesh& known : whole)
       if (known.name == name) solid = &known;
-    if (solid == nullptr) solid = &whole.emplace_back(WholeStructure{name, {}});
+    if (solid == nullptr) solid = &whole.emplace_back(NamedMesh{name, {}});
     SurfaceMesh& mesh = solid->surface;
     const auto base = static_cast<PointIndex>(mesh.points.size());
     mesh.points.insert(mesh.points.end(), part.surface.points.begin(), part.surface.points.end());
@@ -32,9 +28,9 @@ inline std::vector<WholeStructure> whole_structures(const std::vector<NamedSurfa
 }
 
 /// Views of them, for what is computed from a whole model.
-inline std::vector<StructureSurface> looked_at(const std::vector<WholeStructure>& whole) {
+inline std::vector<StructureSurface> looked_at(const std::vector<NamedMesh>& whole) {
   std::vector<StructureSurface> views;
-  for (const WholeStructure& solid : whole) views.push_back({solid.name, &solid.surface});
+  for (const NamedMesh& solid : whole) views.push_back({solid.name, &solid.surface});
   return views;
 }
 

@@ -6,13 +6,12 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "engine/scene/nearest_on_triangle.h"
+
 namespace odontoscope {
 
 namespace {
 
-constexpr std::uint32_t most_in_leaf = 4;
-/// A tree over 2^32 triangles that is halved each time is 32 deep; one more for each level that is open on both sides.
-constexpr int deepest = 64;
 /// Boxes are widened by this part of the distance, so that rounding in the slab test never misses a triangle.
 constexpr double box_slack = 1e-12;
 
@@ -79,28 +78,6 @@ bool meets(const glm::vec3& low, const glm::vec3& high, const TreeRay& ray, cons
   return enter <= leave + box_slack * (std::abs(enter) + std::abs(leave));
 }
 
-double squared_distance(const glm::vec3& low, const glm::vec3& high, const glm::dvec3& place) {
-  const glm::dvec3 outside = glm::max(glm::max(glm::dvec3(low) - place, place - glm::dvec3(high)), glm::dvec3(0));
-  return glm::dot(outside, outside);
-}
-
-glm::dvec3 nearest_on_edge(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& place) {
-  const glm::dvec3 along = b - a;
-  const double squared = glm::dot(along, along);
-  return squared > 0 ? a + std::clamp(glm::dot(place - a, along) / squared, 0.0, 1.0) * along : a;
-}
-
-glm::dvec3 nearest_on_triangle(const std::array<glm::vec3, 3>& corners, const glm::dvec3& place) {
-  const glm::dvec3 a(corners[0]), b(corners[1]), c(corners[2]);
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double squared = glm::dot(normal, normal);
-  const auto inside = [&](const glm::dvec3& p, const glm::dvec3& q) { return glm::dot(glm::cross(q - p, place - p), normal) >= 0; };
-  if (squared > 0 && inside(a, b) && inside(b, c) && inside(c, a)) return place - (glm::dot(place - a, normal) / squared) * normal;
-  const glm::dvec3 candidates[3] = {nearest_on_edge(a, b, place), nearest_on_edge(b, c, place), nearest_on_edge(c, a, place)};
-  return *std::min_element(candidates, candidates + 3,
-                           [&](const glm::dvec3& p, const glm::dvec3& q) { return glm::distance(p, place) < glm::distance(q, place); });
-}
-
 }  // namespace
 
 TriangleTree::TriangleTree(const Model& model, const Progress& progress) {
@@ -114,93 +91,35 @@ TriangleTree::TriangleTree(const Model& model, const Progress& progress) {
     }
   }
   if (corners.empty()) return;
-  std::vector<glm::vec3> centres;
-  std::vector<std::uint32_t> order;
-  for (const Corners& c : corners) {
-    order.push_back(static_cast<std::uint32_t>(centres.size()));
-    centres.push_back((c.at[0] + c.at[1] + c.at[2]) / 3.0f);
-  }
   progress.tell("prepare picking", 0);
-  nodes_.reserve(corners.size());
-  nodes_.emplace_back();
-  struct Open {
-    std::uint32_t node, first, count;
-  };
-  std::vector<Open> open = {{0, 0, static_cast<std::uint32_t>(order.size())}};
-  std::uint32_t done = 0;
-  while (!open.empty()) {
-    const Open next = open.back();
-    open.pop_back();
-    divide(next.node, next.first, next.count, order, centres, corners);
-    if (nodes_[next.node].count != 0) {
-      done += next.count;
-      if (done % 4096 < next.count) progress.check();
-      continue;
-    }
-    const std::uint32_t half = next.count / 2;
-    open.push_back({nodes_[next.node].first, next.first, half});
-    open.push_back({nodes_[next.node].first + 1, next.first + half, next.count - half});
-  }
-  triangles_.reserve(order.size());
-  for (const std::uint32_t i : order) {
+  std::vector<BoxTree<glm::vec3>::Bounds> bounds;
+  bounds.reserve(corners.size());
+  for (const auto& [at, normals, part, triangle] : corners)
+    bounds.push_back({glm::min(glm::min(at[0], at[1]), at[2]), glm::max(glm::max(at[0], at[1]), at[2])});
+  tree_ = BoxTree<glm::vec3>(bounds, [&](std::uint32_t) { progress.check(); });
+  triangles_.reserve(corners.size());
+  for (const std::uint32_t i : tree_.order()) {
     place_of_[corners[i].part][corners[i].triangle] = static_cast<std::uint32_t>(triangles_.size());
     triangles_.push_back(corners[i]);
   }
   progress.tell("prepare picking", 1);
 }
 
-/// Boxes the triangles and halves them at the median of the axis along which their centres spread most.
-void TriangleTree::divide(std::uint32_t node, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& order,
-                          const std::vector<glm::vec3>& centres, const std::vector<Corners>& corners) {
-  constexpr float huge = std::numeric_limits<float>::max();
-  glm::vec3 low(huge), high(-huge), centre_low(huge), centre_high(-huge);
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    for (const glm::vec3& corner : corners[order[i]].at) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
-    centre_low = glm::min(centre_low, centres[order[i]]);
-    centre_high = glm::max(centre_high, centres[order[i]]);
-  }
-  nodes_[node] = {low, high, first, count};
-  if (count <= most_in_leaf) return;
-  const glm::vec3 size = centre_high - centre_low;
-  const int axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-  const auto begin = order.begin() + first;
-  std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-  });
-  nodes_[node].first = static_cast<std::uint32_t>(nodes_.size());
-  nodes_[node].count = 0;
-  nodes_.emplace_back();
-  nodes_.emplace_back();
-}
-
 template <class Visit>
 void TriangleTree::walk(const TreeRay& ray, bool edges_count, Visit visit) const {
-  if (nodes_.empty()) return;
   const Shear shear(ray);
   const glm::dvec3 inverse = 1.0 / ray.direction;
   double to = ray.to;
-  std::uint32_t open[deepest];
-  int depth = 0;
-  open[depth++] = 0;
-  while (depth > 0) {
-    const Node& node = nodes_[open[--depth]];
-    if (!meets(node.low, node.high, ray, inverse, to)) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const auto passed = passage(shear, triangles_[i].at, edges_count);
-      if (passed && passed->distance >= ray.from && passed->distance <= to)
-        to = visit(Crossing{triangles_[i].part, triangles_[i].triangle, passed->distance, passed->front}, to);
-    }
-    if (node.count != 0) continue;
-    // The child whose box begins nearer goes on top.
-    const Node &left = nodes_[node.first], &right = nodes_[node.first + 1];
-    const glm::dvec3 apart = glm::dvec3(right.low + right.high) - glm::dvec3(left.low + left.high);
-    const bool left_first = glm::dot(apart, ray.direction) > 0;
-    open[depth++] = left_first ? node.first + 1 : node.first;
-    open[depth++] = left_first ? node.first : node.first + 1;
-  }
+  tree_.along(
+      ray.direction, [&](const glm::vec3& low, const glm::vec3& high) { return meets(low, high, ray, inverse, to); },
+      [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+          const auto passed = passage(shear, triangles_[i].at, edges_count);
+          if (passed && passed->distance >= ray.from && passed->distance <= to)
+            to = visit(Crossing{triangles_[i].part, triangles_[i].triangle, passed->distance, passed->front}, to);
+        }
+        return true;
+      });
 }
 
 std::optional<Crossing> TriangleTree::nearest(const TreeRay& ray, const std::function<bool(const Crossing&)>& counts) const {
@@ -227,28 +146,17 @@ std::optional<NearestPoint> TriangleTree::nearest_point(const glm::dvec3& place,
                                                         double most) const {
   std::optional<NearestPoint> found;
   double least = most * most;
-  if (nodes_.empty()) return found;
-  std::uint32_t open[deepest];
-  int depth = 0;
-  open[depth++] = 0;
-  while (depth > 0) {
-    const Node& node = nodes_[open[--depth]];
-    if (squared_distance(node.low, node.high, place) > least) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+  tree_.nearest_first(place, least, 0, [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t i = first; i < end; ++i) {
       const Corners& triangle = triangles_[i];
       if (!counts(triangle.part)) continue;
-      const glm::dvec3 point = nearest_on_triangle(triangle.at, place);
+      const glm::dvec3 point = nearest_on_triangle({glm::dvec3(triangle.at[0]), glm::dvec3(triangle.at[1]), glm::dvec3(triangle.at[2])}, place);
       const double squared = glm::dot(point - place, point - place);
       if (squared >= least) continue;
       least = squared;
       found = NearestPoint{triangle.part, triangle.triangle, point, std::sqrt(squared)};
     }
-    if (node.count != 0) continue;
-    const auto to_child = [&](std::uint32_t child) { return squared_distance(nodes_[child].low, nodes_[child].high, place); };
-    const bool left_first = to_child(node.first) <= to_child(node.first + 1);
-    open[depth++] = left_first ? node.first + 1 : node.first;
-    open[depth++] = left_first ? node.first : node.first + 1;
-  }
+  });
   return found;
 }
 

@@ -14,6 +14,7 @@
 
 #include "engine/scene/model.h"
 #include "recon/core/progress.h"
+#include "recon/mesh/box_tree.h"
 
 namespace odontoscope {
 
@@ -68,18 +69,11 @@ class TriangleTree {
     std::array<glm::vec3, 3> at, normals;
     std::uint32_t part, triangle;
   };
-  struct Node {
-    glm::vec3 low, high;
-    std::uint32_t first;   // of its triangles, or of its two children
-    std::uint32_t count;   // triangles; 0 for a node with children
-  };
-  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t count, std::vector<std::uint32_t>& order,
-              const std::vector<glm::vec3>& centres, const std::vector<Corners>& corners);
   /// Visits crossings in the order of the tree; `visit` returns how far the search still goes.
   template <class Visit>
   void walk(const TreeRay& ray, bool edges_count, Visit visit) const;
 
-  std::vector<Node> nodes_;
+  BoxTree<glm::vec3> tree_;
   std::vector<Corners> triangles_;                      // leaf by leaf
   std::vector<std::vector<std::uint32_t>> place_of_;    // in triangles_, by part and triangle
 };

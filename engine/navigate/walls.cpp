@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "engine/scene/nearest_on_triangle.h"
 #include "engine/scene/vector.h"
 #include "recon/mesh/exact_predicates.h"
 
@@ -13,40 +14,9 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::uint32_t most_in_leaf = 4;
-/// Deeper than any tree of triangles that fits into memory: each level halves them.
-constexpr std::size_t deepest = 64;
-
 Point3 exact(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) { return orientation(exact(a), exact(b), exact(c), exact(d)); }
-
-double square(const glm::dvec3& v) { return glm::dot(v, v); }
-
-glm::dvec3 nearest_on_line(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& place) {
-  const glm::dvec3 along = b - a;
-  const double length = square(along);
-  return length > 0 ? a + std::clamp(glm::dot(place - a, along) / length, 0.0, 1.0) * along : a;
-}
-
-glm::dvec3 nearest_on_triangle(const std::array<glm::dvec3, 3>& t, const glm::dvec3& place) {
-  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], w = place - t[0];
-  const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), wu = glm::dot(w, u), wv = glm::dot(w, v);
-  const double whole = uu * vv - uv * uv, s = vv * wu - uv * wv, r = uu * wv - uv * wu;
-  // Errors along the triangle count only squared; a needle's may be large, so its edges are asked too.
-  constexpr double needle = 1e-6;
-  const bool over = whole > 0 && s >= 0 && r >= 0 && s + r <= whole;
-  const glm::dvec3 within = over ? t[0] + (s / whole) * u + (r / whole) * v : t[0];
-  if (over && whole > needle * uu * vv) return within;
-  glm::dvec3 best = within;
-  for (const glm::dvec3& other : {nearest_on_line(t[0], t[1], place), nearest_on_line(t[1], t[2], place), nearest_on_line(t[2], t[0], place)})
-    if (square(other - place) < square(best - place)) best = other;
-  return best;
-}
-
-double squared_distance(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& place) {
-  return square(glm::max(glm::max(low - place, place - high), glm::dvec3(0)));
-}
 
 /// Never false where the segment meets the box: slabs with room for rounding.
 bool may_meet(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& from, const glm::dvec3& to) {
@@ -97,98 +67,45 @@ glm::dvec3 fibonacci(int i, int count) {
 Walls::Walls(const SurfaceMesh& surface) : Walls(std::vector<const SurfaceMesh*>{&surface}) {}
 
 Walls::Walls(const std::vector<const SurfaceMesh*>& surfaces) {
+  std::vector<Corners> given;
+  std::vector<BoxTree<glm::dvec3>::Bounds> bounds;
   for (const SurfaceMesh* surface : surfaces)
-    for (const auto& [a, b, c] : surface->triangles) triangles_.push_back({vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
-  build();
-}
-
-void Walls::build() {
-  if (triangles_.empty()) return;
-  nodes_.reserve(triangles_.size());
-  nodes_.emplace_back();
-  divide(0, 0, static_cast<std::uint32_t>(triangles_.size()));
-  bounds_ = {nodes_[0].low, nodes_[0].high};
-}
-
-void Walls::divide(std::uint32_t node, std::uint32_t first, std::uint32_t count) {
-  glm::dvec3 low = triangles_[first][0], high = low, centre_low = (low + triangles_[first][1] + triangles_[first][2]) / 3.0, centre_high = centre_low;
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    const Corners& t = triangles_[i];
-    for (const glm::dvec3& corner : t) {
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
+    for (const auto& [a, b, c] : surface->triangles) {
+      const Corners& t = given.emplace_back(Corners{vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
+      bounds.push_back({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
     }
-    const glm::dvec3 centre = (t[0] + t[1] + t[2]) / 3.0;
-    centre_low = glm::min(centre_low, centre);
-    centre_high = glm::max(centre_high, centre);
-  }
-  nodes_[node] = {low, high, first, count};
-  if (count <= most_in_leaf) return;
-  const glm::dvec3 extent = centre_high - centre_low;
-  const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  const auto begin = triangles_.begin() + first;
-  const std::uint32_t half = count / 2;
-  std::nth_element(begin, begin + half, begin + count, [axis](const Corners& a, const Corners& b) { return a[0][axis] + a[1][axis] + a[2][axis] < b[0][axis] + b[1][axis] + b[2][axis]; });
-  const auto children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.resize(nodes_.size() + 2);
-  nodes_[node].first = children;
-  nodes_[node].count = 0;
-  divide(children, first, half);
-  divide(children + 1, first + half, count - half);
+  tree_ = BoxTree<glm::dvec3>(bounds);
+  if (tree_.empty()) return;
+  bounds_ = {tree_.bounds().low, tree_.bounds().high};
+  triangles_.reserve(given.size());
+  for (const std::uint32_t i : tree_.order()) triangles_.push_back(given[i]);
 }
 
 Walls::Nearest Walls::nearest(const glm::dvec3& place, double most) const {
-  Nearest best;
-  if (nodes_.empty()) return best;
-  double squared = most < std::sqrt(std::numeric_limits<double>::max()) ? most * most : std::numeric_limits<double>::infinity();
-  struct Open {
-    double squared;
-    std::uint32_t node;
-  };
-  std::array<Open, deepest> stack;
-  std::size_t open = 0;
-  stack[open++] = {squared_distance(nodes_[0].low, nodes_[0].high, place), 0};
-  while (open > 0) {
-    const Open next = stack[--open];
-    if (next.squared >= squared) continue;
-    const Node& node = nodes_[next.node];
-    if (node.count == 0) {
-      const Node &left = nodes_[node.first], &right = nodes_[node.first + 1];
-      const Open a{squared_distance(left.low, left.high, place), node.first}, b{squared_distance(right.low, right.high, place), node.first + 1};
-      stack[open++] = a.squared < b.squared ? b : a;
-      stack[open++] = a.squared < b.squared ? a : b;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const glm::dvec3 point = nearest_on_triangle(triangles_[i], place);
-      if (const double far = square(point - place); far < squared) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double squared = most < std::sqrt(std::numeric_limits<double>::max()) ? most * most : infinity;
+  std::optional<glm::dvec3> point;
+  tree_.nearest_first(place, squared, 0, [&](std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t i = first; i < end; ++i) {
+      const glm::dvec3 here = nearest_on_triangle(triangles_[i], place);
+      if (const double far = glm::dot(here - place, here - place); far < squared) {
         squared = far;
-        best = {0, point};
+        point = here;
       }
     }
-    if (best.distance == 0) best.distance = std::sqrt(squared);
-  }
-  if (best.distance < std::numeric_limits<double>::infinity()) best.distance = std::sqrt(squared);
-  return best;
+  });
+  return point ? Nearest{std::sqrt(squared), *point} : Nearest{};
 }
 
 template <class Visit>
 void Walls::along(const glm::dvec3& from, const glm::dvec3& to, Visit visit) const {
-  if (nodes_.empty()) return;
-  std::array<std::uint32_t, deepest> stack;
-  std::size_t open = 0;
-  stack[open++] = 0;
-  while (open > 0) {
-    const Node& node = nodes_[stack[--open]];
-    if (!may_meet(node.low, node.high, from, to)) continue;
-    if (node.count == 0) {
-      stack[open++] = node.first;
-      stack[open++] = node.first + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      if (!visit(triangles_[i])) return;
-  }
+  tree_.along(
+      to - from, [&](const glm::dvec3& low, const glm::dvec3& high) { return may_meet(low, high, from, to); },
+      [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i)
+          if (!visit(triangles_[i])) return false;
+        return true;
+      });
 }
 
 namespace {
@@ -220,7 +137,7 @@ std::vector<double> Walls::meetings(const glm::dvec3& eye, const glm::dvec3& dir
 }
 
 Walls::Side Walls::locate(const glm::dvec3& place) const {
-  if (nodes_.empty()) return Side::outside;
+  if (empty()) return Side::outside;
   constexpr int lines = 16;
   for (int line = 0; line < lines; ++line) {
     const glm::dvec3 far = place + beyond(bounds_, place) * fibonacci(line, lines);

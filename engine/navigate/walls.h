@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/scene/model.h"
+#include "recon/mesh/box_tree.h"
 #include "recon/mesh/meshes.h"
 
 namespace odontoscope {
@@ -49,19 +50,12 @@ class Walls {
   bool crosses(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
-  struct Node {
-    glm::dvec3 low, high;
-    std::uint32_t first;   // of its triangles, or of its two children
-    std::uint32_t count;   // triangles; 0 for a node with children
-  };
   using Corners = std::array<glm::dvec3, 3>;
-  void build();
-  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t count);
   /// Visits triangles whose boxes the segment may meet; `visit` returns false to end.
   template <class Visit>
   void along(const glm::dvec3& from, const glm::dvec3& to, Visit visit) const;
 
-  std::vector<Node> nodes_;
+  BoxTree<glm::dvec3> tree_;
   std::vector<Corners> triangles_;   // leaf by leaf
   Box bounds_;
 };

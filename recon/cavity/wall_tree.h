@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "recon/mesh/box_tree.h"
 #include "recon/mesh/meshes.h"
 #include "recon/mesh/vector.h"
 
@@ -36,21 +37,14 @@ class WallTree {
   double clearance_above(const Point3& from, double least, double most = std::numeric_limits<double>::infinity()) const;
 
  private:
-  struct Node {
-    Point3 low, high;
-    std::uint32_t first;  // triangle or left child; the right child is next to it
-    std::uint32_t count;  // triangles; 0 for a node with children
-  };
   struct Face {
     Point3 a;
     Direction ab, ac, normal;
     std::uint32_t number;
   };
   Nearest nearest(const Point3& from, double enough, double most) const;
-  void divide(std::uint32_t node, std::uint32_t first, std::uint32_t count, const std::vector<Point3>& centres, const SurfaceMesh& wall,
-              std::vector<std::uint32_t>& order);
 
-  std::vector<Node> nodes_;
+  BoxTree<std::array<double, 3>> tree_;
   std::vector<Face> faces_;  // leaf by leaf
   std::vector<Direction> vertex_normals_;
   std::vector<Direction> edge_normals_;  // one a half-edge

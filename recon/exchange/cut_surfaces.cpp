@@ -31,7 +31,7 @@ double twice_area(const std::vector<Point2>& polygon) {
 
 /// A mesh made ready: its edges, and its triangles from low to high.
 struct Prepared {
-  const CutSurface& source;
+  const NamedMesh& source;
   EdgeMates mates;
   struct Span {
     double low, high;
@@ -40,7 +40,7 @@ struct Prepared {
   std::vector<Span> spans;  // by `low`
 };
 
-Prepared prepared(const CutSurface& source) {
+Prepared prepared(const NamedMesh& source) {
   const SurfaceMesh& mesh = source.surface;
   Prepared ready{source, edge_mates(mesh), {}};
   ready.spans.reserve(mesh.triangles.size());
@@ -74,13 +74,13 @@ void refuse_unless_closed(const Prepared& ready, const std::string& file) {
   if (mates.boundary_edges > 0) {
     const std::string where = first_place(mesh, mates, [&](HalfEdge h) { return mates.mate[h] == EdgeMates::none; });
     throw InputError("open-surface", place,
-                     fmt::format("the surface of {} is open: {} border edges, one at {}", ready.source.structure, mates.boundary_edges, where),
+                     fmt::format("the surface of {} is open: {} border edges, one at {}", ready.source.name, mates.boundary_edges, where),
                      remedy);
   }
   if (mates.nonmanifold_edges > 0) {
     const std::string where = first_place(mesh, mates, [&](HalfEdge h) { return mates.mate[h] == EdgeMates::many; });
     throw InputError("crowded-edge", place,
-                     fmt::format("{} edges of {} have more than two triangles, one at {}", mates.nonmanifold_edges, ready.source.structure, where),
+                     fmt::format("{} edges of {} have more than two triangles, one at {}", mates.nonmanifold_edges, ready.source.name, where),
                      remedy);
   }
   if (mates.misoriented_edges > 0) {
@@ -89,7 +89,7 @@ void refuse_unless_closed(const Prepared& ready, const std::string& file) {
     });
     throw InputError("misoriented-surface", place,
                      fmt::format("at {} edges of {} neighbouring triangles are turned opposite ways, at one near {}", mates.misoriented_edges,
-                                 ready.source.structure, where),
+                                 ready.source.name, where),
                      remedy);
   }
 }
@@ -193,7 +193,7 @@ class StructureCutter {
   }
 
  private:
-  const std::string& structure() const { return meshes_.front().source.structure; }
+  const std::string& structure() const { return meshes_.front().source.name; }
 
   /// Takes up the triangles that begin at or below the height, and drops those that end below it.
   void advance_to(double height) {
@@ -309,10 +309,10 @@ class StructureCutter {
 };
 
 /// Surfaces of one name together, in order of first appearance.
-std::vector<std::vector<Prepared>> by_structure(const std::vector<CutSurface>& surfaces) {
+std::vector<std::vector<Prepared>> by_structure(const std::vector<NamedMesh>& surfaces) {
   std::vector<std::vector<Prepared>> groups;
-  for (const CutSurface& surface : surfaces) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().source.structure == surface.structure; });
+  for (const NamedMesh& surface : surfaces) {
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().source.name == surface.name; });
     if (group == groups.end()) group = groups.insert(groups.end(), std::vector<Prepared>{});
     group->push_back(prepared(surface));
   }
@@ -337,10 +337,10 @@ void turn_outwards(ContourStack& stack) {
 
 }  // namespace
 
-std::vector<double> heights_at(const std::vector<CutSurface>& surfaces, double spacing) {
+std::vector<double> heights_at(const std::vector<NamedMesh>& surfaces, double spacing) {
   if (!(spacing > 0) || !std::isfinite(spacing)) throw UsageError(fmt::format("--spacing-z {}: slices lie a positive length apart", spacing));
   double low = std::numeric_limits<double>::max(), high = -low;
-  for (const CutSurface& surface : surfaces) {
+  for (const NamedMesh& surface : surfaces) {
     for (const Triangle& t : surface.surface.triangles) {
       for (const PointIndex v : t) {
         low = std::min(low, surface.surface.points[v].z);
@@ -362,7 +362,7 @@ std::vector<double> heights_at(const std::vector<CutSurface>& surfaces, double s
   return heights;
 }
 
-CutContours cut_surfaces(const std::vector<CutSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
+CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vector<double>& heights, const std::string& file,
                          const CutOptions& options, const Progress& progress) {
   CutContours result;
   result.stack.source = file;

@@ -15,15 +15,9 @@
 #include "recon/core/progress.h"
 #include "recon/exchange/repair_contours.h"
 #include "recon/input/contour_stack.h"
-#include "recon/mesh/meshes.h"
+#include "recon/mesh/named_mesh.h"
 
 namespace odontoscope {
-
-/// What is cut as one: a structure with all its surfaces.
-struct CutSurface {
-  std::string structure;
-  SurfaceMesh surface;  // several of one structure are cut as one: an outside and its cavities
-};
 
 struct CutOptions {
   /// Close gaps, untangle contours; tell what was changed.
@@ -39,14 +33,14 @@ struct CutContours {
 
 /// Heights at `spacing` from half of it above the lowest point on. UsageError for a spacing that is not positive or gives more slices than
 /// limits::slices or fewer than two.
-std::vector<double> heights_at(const std::vector<CutSurface>& surfaces, double spacing);
+std::vector<double> heights_at(const std::vector<NamedMesh>& surfaces, double spacing);
 
-/// `file` is for messages. The result has passed `validate`, or InputError is thrown, with one of that function's causes or
+/// Surfaces of one name are cut as one: a structure's outside and its cavities. `file` is for messages. The result has passed `validate`, or InputError is thrown, with one of that function's causes or
 ///   open-surface, crowded-edge, misoriented-surface   without `repair`: the surface is no closed, oriented manifold
 ///   section-meets-itself   without `repair`: contours of one structure touch or cross, since the surface cuts through itself
 ///   gap-too-wide           with `repair`
 /// Preconditions: indices in range, coordinates finite; heights ascending. Stage "cut".
-CutContours cut_surfaces(const std::vector<CutSurface>& surfaces, const std::vector<double>& heights, const std::string& file,
+CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vector<double>& heights, const std::string& file,
                          const CutOptions& options = {}, const Progress& progress = {});
 
 }  // namespace odontoscope

@@ -36,19 +36,14 @@
 #include <string_view>
 #include <vector>
 
-#include "recon/mesh/meshes.h"
+#include "recon/mesh/named_mesh.h"
 
 namespace odontoscope {
-
-struct NamedMesh {
-  std::string name;  // of the node or solid; may be empty. Control characters are replaced.
-  SurfaceMesh surface;
-};
 
 /// ".glb", ".stl", ".ply", ".obj".
 const std::vector<std::string>& mesh_endings();
 
-/// The format follows from the file's ending, in any case.
+/// The format follows from the file's ending, in any case. Control characters in names are replaced.
 std::vector<NamedMesh> read_mesh(const std::string& file);
 
 /// The same from memory; `file` is for messages.

@@ -144,7 +144,7 @@ TEST(CutSurfaces, RepairJoinsSolidsThatOverlap) {
 TEST(CutSurfaces, AnEngineOfItsOwnModelGivesItsContoursBack) {
   const ContourStack molar = sample_tooth(ToothKind::molar, {.slice_spacing = 0.35, .point_spacing = 0.5});
   const Reconstruction model = reconstruct(molar);
-  std::vector<CutSurface> surfaces;
+  std::vector<NamedMesh> surfaces;
   for (const Solid& solid : model.solids) surfaces.push_back({solid.structure, solid.surface});
   std::vector<double> heights;
   for (const Slice& slice : molar.slices) heights.push_back(slice.z);
@@ -172,7 +172,7 @@ TEST(CutSurfaces, ReconstructedAgainItIsNear) {
 }
 
 TEST(CutSurfaces, HeightsFitTheModel) {
-  const std::vector<CutSurface> cube{{"tooth", shapes::cube(0, 0, 5, 2)}};
+  const std::vector<NamedMesh> cube{{"tooth", shapes::cube(0, 0, 5, 2)}};
   EXPECT_EQ(heights_at(cube, 0.5), (std::vector<double>{5.25, 5.75, 6.25, 6.75}));
   for (const double wrong : {0.0, -1.0, 1.9, 1e-7, std::nan("")}) EXPECT_THROW(heights_at(cube, wrong), UsageError) << wrong;
 }

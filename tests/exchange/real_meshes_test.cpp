@@ -28,7 +28,7 @@ class Incisor : public ::testing::Test {
     std::vector<ContourChange> changes;
   };
   static Made made(const std::string& part, const CutOptions& options) {
-    const std::vector<CutSurface> surfaces{{part, read_mesh(file(part)).at(0).surface}};
+    const std::vector<NamedMesh> surfaces{{part, read_mesh(file(part)).at(0).surface}};
     CutContours cut = cut_surfaces(surfaces, heights_at(surfaces, 0.2), file(part), options);
     Made made{reconstruct(cut.stack), {}, std::move(cut.changes)};
     made.off = distance_to_surface(surfaces[0].surface.points, made.model.solids.at(0).surface).value();

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using Parser = std::vector<NamedMesh> (*)(std::string_view, const std::string&);
   constexpr Parser parsers[] = {parse_glb, parse_stl, parse_ply, parse_obj};
   return fuzz::refused_or_read([&] {
-    std::vector<CutSurface> surfaces;
+    std::vector<NamedMesh> surfaces;
     for (NamedMesh& mesh : parsers[data[0] % 4](fuzz::text(data + 1, size - 1), "fuzz")) surfaces.push_back({"tooth", std::move(mesh.surface)});
     const double middle = surfaces.front().surface.points.front().z;
     for (const bool repair : {false, true}) {
