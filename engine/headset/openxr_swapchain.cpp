@@ -45,10 +45,10 @@ EyePictures::EyePictures(const Gl& gl, XrSession session, std::int64_t format, P
 Target EyePictures::acquire() {
   std::uint32_t index = 0;
   check(xrAcquireSwapchainImage(swapchain_.get(), nullptr, &index), "taking an eye's picture");
-  lent_ = true;
   XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO};
   wait.timeout = XR_INFINITE_DURATION;
   check(xrWaitSwapchainImage(swapchain_.get(), &wait), "waiting for an eye's picture");
+  lent_ = true;   // one that was not waited for must not be given back
   return {framebuffers_.at(index).id(), 0, 0, size_, true};
 }
 
