@@ -17,7 +17,7 @@ namespace odontoscope {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 constexpr const char* format_name = "odontoscope.lesson";
 constexpr int format_version = 1;

@@ -7,13 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "recon/core/error.h"
+#include "recon/core/limits.h"
 #include "recon/core/read_file.h"
 
 namespace odontoscope {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;   // written in the order given
+using Parsed = nlohmann::json;         // finds a key among many in no time
 
 constexpr const char* format_name = "odontoscope.scene";
 constexpr int format_version = 1;
@@ -44,24 +46,24 @@ const char* name(CapLook::Shows shows) {
 /// Reads members of one object; each call leaves `value` alone if the member is missing.
 class Reader {
  public:
-  Reader(const Json& object, std::string path, const std::string& file) : object_(object), path_(std::move(path)), file_(file) {
+  Reader(const Parsed& object, std::string path, const std::string& file) : object_(object), path_(std::move(path)), file_(file) {
     if (!object.is_object()) refuse("wrong-type", path_, "is no object");
   }
 
-  const Json* member(const char* key) const {
+  const Parsed* member(const char* key) const {
     const auto found = object_.find(key);
     return found == object_.end() || found->is_null() ? nullptr : &*found;
   }
 
   void read(const char* key, bool& value) const {
-    if (const Json* json = member(key)) {
+    if (const Parsed* json = member(key)) {
       if (!json->is_boolean()) refuse("wrong-type", key, "is neither true nor false");
       value = json->get<bool>();
     }
   }
 
   void read(const char* key, double& value) const {
-    if (const Json* json = member(key)) value = number(*json, key);
+    if (const Parsed* json = member(key)) value = number(*json, key);
   }
 
   void read(const char* key, float& value, float low, float high) const {
@@ -72,21 +74,21 @@ class Reader {
   }
 
   void read(const char* key, glm::dvec3& value) const {
-    if (const Json* json = member(key)) {
+    if (const Parsed* json = member(key)) {
       if (!json->is_array() || json->size() != 3) refuse("wrong-type", key, "is no list of three numbers");
       value = {number((*json)[0], key), number((*json)[1], key), number((*json)[2], key)};
     }
   }
 
   void read(const char* key, ValueWindow& value) const {
-    if (const Json* json = member(key)) {
+    if (const Parsed* json = member(key)) {
       if (!json->is_array() || json->size() != 2) refuse("wrong-type", key, "is no list of two numbers");
       value = {number((*json)[0], key), number((*json)[1], key)};
     }
   }
 
   void read(const char* key, std::string& value) const {
-    if (const Json* json = member(key)) {
+    if (const Parsed* json = member(key)) {
       if (!json->is_string()) refuse("wrong-type", key, "is no text");
       value = json->get<std::string>();
     }
@@ -124,14 +126,14 @@ class Reader {
   }
 
  private:
-  double number(const Json& json, const char* key) const {
+  double number(const Parsed& json, const char* key) const {
     if (!json.is_number()) refuse("wrong-type", key, "is no number");
     const double value = json.get<double>();
     if (!std::isfinite(value)) refuse("not-finite", key, "is not finite");
     return value;
   }
 
-  const Json& object_;
+  const Parsed& object_;
   std::string path_;
   const std::string& file_;
 };
@@ -149,7 +151,7 @@ Background::Kind background_named(std::string_view wanted) {
 }
 
 void read_camera(const Reader& scene, const std::string& file, Camera& camera) {
-  const Json* json = scene.member("camera");
+  const Parsed* json = scene.member("camera");
   if (!json) return;
   const Reader reader(*json, "camera", file);
   reader.read_word("projection", camera.projection, projection_named);
@@ -163,9 +165,10 @@ void read_camera(const Reader& scene, const std::string& file, Camera& camera) {
 }
 
 void read_looks(const Reader& scene, const std::string& file, Scene& result) {
-  const Json* json = scene.member("structures");
+  const Parsed* json = scene.member("structures");
   if (!json) return;
   if (!json->is_array()) scene.refuse("wrong-type", "structures", "is no list");
+  if (json->size() > limits::structures) scene.refuse("bad-value", "structures", fmt::format("are more than {}", limits::structures));
   for (std::size_t i = 0; i < json->size(); ++i) {
     const Reader reader((*json)[i], fmt::format("structures[{}]", i), file);
     std::string structure;
@@ -181,7 +184,7 @@ void read_looks(const Reader& scene, const std::string& file, Scene& result) {
 }
 
 void read_section(const Reader& scene, const std::string& file, Scene& result) {
-  const Json* json = scene.member("section");
+  const Parsed* json = scene.member("section");
   if (!json) return;
   const Reader reader(*json, "section", file);
   Section section;
@@ -198,7 +201,7 @@ CapLook::Shows cap_named(std::string_view wanted) {
 }
 
 void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {
-  const Json* json = scene.member("cap");
+  const Parsed* json = scene.member("cap");
   if (!json) return;
   const Reader reader(*json, "cap", file);
   reader.read_word("shows", cap.shows, cap_named);
@@ -211,19 +214,19 @@ void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {
 }
 
 void read_surroundings(const Reader& scene, const std::string& file, Scene& result) {
-  if (const Json* json = scene.member("background")) {
+  if (const Parsed* json = scene.member("background")) {
     const Reader reader(*json, "background", file);
     reader.read_word("kind", result.background.kind, background_named);
     reader.read("top", result.background.top);
     reader.read("bottom", result.background.bottom);
   }
-  if (const Json* json = scene.member("ambient_occlusion")) {
+  if (const Parsed* json = scene.member("ambient_occlusion")) {
     const Reader reader(*json, "ambient_occlusion", file);
     reader.read("on", result.occlusion.on);
     reader.read("strength", result.occlusion.strength, 0, most_emphasis);
     reader.read("reach", result.occlusion.reach, 0, 1);
   }
-  if (const Json* json = scene.member("headlight")) {
+  if (const Parsed* json = scene.member("headlight")) {
     const Reader reader(*json, "headlight", file);
     Headlight headlight;
     reader.read("reach_mm", headlight.reach_mm);
@@ -233,7 +236,7 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
 }
 
 void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& overlays) {
-  const Json* json = scene.member("overlays");
+  const Parsed* json = scene.member("overlays");
   if (!json) return;
   const Reader reader(*json, "overlays", file);
   reader.read("contours", overlays.contours);
@@ -306,7 +309,7 @@ std::string to_json(const Scene& scene) {
 }
 
 Scene scene_from_json(const std::string& text, const Scene& start, const std::string& file) {
-  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Parsed json = Parsed::parse(text, nullptr, /*allow_exceptions=*/false);
   Place place;
   place.file = file;
   if (json.is_discarded()) throw InputError("unparsable", place, "this is no JSON", "Save a scene from the viewer as a pattern.");

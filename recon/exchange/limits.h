@@ -7,6 +7,8 @@ namespace odontoscope::limits {
 
 /// Bytes of an XML file: parsed it takes several times that. The largest sections of Reconstruct have a few MiB.
 inline constexpr std::size_t xml_bytes = 256u << 20;
+/// Elements and attributes of it, which take up to 64 bytes each however short they are.
+inline constexpr std::size_t xml_parts = 8'000'000;
 /// Bytes of a structure set, which lies in memory whole: real ones have up to 100 MiB.
 inline constexpr std::size_t structure_set_bytes = 1u << 30;
 /// How far contours of a structure set that belong to one plane may be apart along its normal, mm: they are written as decimal

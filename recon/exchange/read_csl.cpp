@@ -44,7 +44,7 @@ Frame frame_of(const Vector& unit_normal) {
 
 struct Component {
   std::size_t label = 0;
-  std::optional<std::size_t> hole_of;
+  std::size_t owner = 0;  // the component that it is a hole of, or itself
   std::vector<std::size_t> vertices;
 };
 
@@ -81,8 +81,8 @@ class Reader {
     const std::size_t components = number_up_to(limits::contours_per_slice, "components");
     const Vector normal{number(), number(), number()};
     const double size = length(normal), shift = number();
-    if (!(size > 0) || !std::isfinite(size)) fail("unparsable", "a plane's A, B and C are no direction");
-    plane.normal = scaled(normal, 1 / size);
+    if (!std::isnormal(size)) fail("unparsable", "a plane's A, B and C are no direction");
+    plane.normal = {normal[0] / size, normal[1] / size, normal[2] / size};
     plane.offset = -shift / size;
     require_bytes(vertices, 6);  // three digits and blanks
     for (std::size_t i = 0; i < vertices; ++i) {
@@ -91,18 +91,20 @@ class Reader {
       if (!fault.empty()) fail(fault, fmt::format("vertex {} has no usable coordinates", i));
       plane.vertices.push_back({p.x, p.y, p.z});
     }
-    for (std::size_t i = 0; i < components; ++i) plane.components.push_back(component(vertices, i));
+    for (std::size_t i = 0; i < components; ++i) plane.components.push_back(component(vertices, plane.components));
     return plane;
   }
 
-  Component component(std::size_t vertices, std::size_t own) {
+  Component component(std::size_t vertices, const std::vector<Component>& before) {
     Component component;
+    component.owner = before.size();
     std::string_view word = words_.next();
     const std::size_t h = word.find('h');
     const std::size_t count = whole(word.substr(0, h));
     if (h != word.npos) {
-      component.hole_of = whole(word.substr(h + 1));
-      if (*component.hole_of >= own) fail("index-out-of-range", fmt::format("a hole of component {}, which has not come yet", *component.hole_of));
+      const std::size_t other = whole(word.substr(h + 1));
+      if (other >= before.size()) fail("index-out-of-range", fmt::format("a hole of component {}, which has not come yet", other));
+      component.owner = before[other].owner;
     }
     component.label = whole_number();
     require_bytes(count, 2);
@@ -187,10 +189,8 @@ Slice slice_of(const Plane& plane, double height, const Frame& frame, double all
   }
   Slice slice{height, {}};
   for (const Component& component : plane.components) {
-    const Component* owner = &component;
-    while (owner->hole_of) owner = &plane.components[*owner->hole_of];
     Contour contour;
-    contour.structure = labels <= 2 ? "tooth" : fmt::format("label {}", owner->label);
+    contour.structure = labels <= 2 ? "tooth" : fmt::format("label {}", plane.components[component.owner].label);
     for (const std::size_t v : component.vertices) contour.points.push_back({dot(plane.vertices[v], frame.u), dot(plane.vertices[v], frame.v)});
     slice.contours.push_back(std::move(contour));
   }

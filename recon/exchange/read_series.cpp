@@ -33,6 +33,10 @@ class Document {
     if (bytes.size() > limits::xml_bytes) {
       parsing::refuse("file-too-large", whole(), fmt::format("the file has more than {} MiB", limits::xml_bytes >> 20), "Split it");
     }
+    const auto opens = [](char c) { return c == '<' || c == '='; };
+    if (static_cast<std::size_t>(std::count_if(bytes.begin(), bytes.end(), opens)) > limits::xml_parts) {
+      parsing::refuse("file-too-large", whole(), fmt::format("the file has more than {} elements and attributes", limits::xml_parts), "Split it");
+    }
     // No document type is looked into, and no entity of its own expanded.
     const pugi::xml_parse_result result =
         document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_minimal | pugi::parse_escapes, pugi::encoding_utf8);
@@ -87,7 +91,11 @@ class Document {
   }
   Place place(std::ptrdiff_t offset) const {
     const std::size_t end = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), bytes_.size());
-    return at_line(file_, 1 + static_cast<std::size_t>(std::count(bytes_.begin(), bytes_.begin() + static_cast<std::ptrdiff_t>(end), '\n')));
+    if (end < counted_) counted_ = counted_ends_ = 0;
+    const std::string_view more = bytes_.substr(counted_, end - counted_);
+    counted_ends_ += static_cast<std::size_t>(std::count(more.begin(), more.end(), '\n'));
+    counted_ = end;
+    return at_line(file_, 1 + counted_ends_);
   }
   [[noreturn]] void refuse(std::string_view cause, std::ptrdiff_t offset, std::string_view wrong) const {
     parsing::refuse(cause, place(offset), wrong, "Save the series again with Reconstruct");
@@ -95,6 +103,7 @@ class Document {
 
   std::string_view bytes_;
   const std::string& file_;
+  mutable std::size_t counted_ = 0, counted_ends_ = 0;  // bytes in which ends of line were counted: places come mostly in order
   pugi::xml_document document_;
   pugi::xml_node root_;
 };

@@ -45,7 +45,7 @@ bool JsonSource::fetch() {
   taken_before_ = offset();
   lines_before_ = *end.line - 1;
   line_start_ = taken_before_ - column_of_end;
-  position_ = 0;
+  position_ = counted_ = counted_ends_ = 0;
   piece_ = {};
   const std::size_t got = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
   if (got == 0 && std::ferror(file_.get())) {
@@ -63,8 +63,10 @@ bool JsonSource::fetch() {
 Place JsonSource::place() const {
   Place place;
   place.file = name_;
-  const std::string_view taken = piece_.substr(0, position_);
-  place.line = lines_before_ + static_cast<std::size_t>(std::count(taken.begin(), taken.end(), '\n')) + 1;
+  const std::string_view more = piece_.substr(counted_, position_ - counted_);
+  counted_ends_ += static_cast<std::size_t>(std::count(more.begin(), more.end(), '\n'));
+  counted_ = position_;
+  place.line = lines_before_ + counted_ends_ + 1;
   return place;
 }
 

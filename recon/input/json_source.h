@@ -37,7 +37,7 @@ class JsonSource {
   bool ended() const { return ended_; }
   /// The next bytes, up to `count`, as far as they are at hand.
   std::string_view upcoming(std::size_t count) const { return piece_.substr(position_, count); }
-  /// File and line, from 1, of the last byte taken.
+  /// File and line, from 1, of the last byte taken. Asked again and again, it counts every byte once.
   Place place() const;
   /// Column in that line, from 1.
   std::size_t column() const;
@@ -89,6 +89,8 @@ class JsonSource {
   std::size_t lines_before_ = 0;  // ends of line in them
   std::size_t line_start_ = 0;    // offset of the first byte of the line that this piece starts in
   std::size_t marked_ = 0;
+  mutable std::size_t counted_ = 0;       // bytes of this piece in which ends of line were counted
+  mutable std::size_t counted_ends_ = 0;  // and how many those were
   bool ended_ = false;
 };
 

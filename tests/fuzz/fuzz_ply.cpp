@@ -1,0 +1,6 @@
+// Any bytes as PLY.
+#include "tests/fuzz/fuzz_mesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  return odontoscope::fuzz::mesh(odontoscope::parse_ply, data, size);
+}

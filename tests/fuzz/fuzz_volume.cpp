@@ -1,0 +1,40 @@
+// Any bytes as a volume in one file: NRRD, MetaImage, NIfTI or DICOM. ITK and GDCM come compiled, without counters and sanitizers: what they do
+// wrong is seen only where it ends the program or takes too long, and the search is led by our own checks in front of them.
+#include <filesystem>
+#include <fstream>
+
+#include "recon/volume/read_volume.h"
+#include "tests/fuzz/fuzz_bytes.h"
+
+using namespace odontoscope;
+
+namespace {
+
+/// Empty but for the file: a DICOM file is read with all others of its series in its folder.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "odontoscope-fuzz-XXXXXX").string();
+    fuzz::require(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string file() const { return (path_ / "volume").string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const Folder folder;
+  std::ofstream(folder.file(), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+  return fuzz::refused_or_read([&] { validate_volume(read_volume(folder.file())); });
+}
