@@ -15,6 +15,7 @@
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/input/links_json.h"
@@ -38,6 +39,7 @@ struct Options {
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
   std::vector<std::string> outputs;
+  bool tours = false;
   std::string report;
 };
 
@@ -72,6 +74,11 @@ void refuse_tetrahedra_of_db(const std::string& output) {
                    fmt::format("Use {}", fmt::join(surface_endings(), ", ")));
 }
 
+bool is_gltf(const std::string& output) {
+  const std::string ending = known_ending(output, model_endings());
+  return ending == ".glb" || ending == ".gltf";
+}
+
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
@@ -79,6 +86,8 @@ void refuse_senseless(const Options& options) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
+  if (options.tours && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
+    throw UsageError("--tours: only .glb and .gltf hold cameras that move", "Write one of these too: -o model.glb");
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   refuse_volume_without_level(options.input, options.words);
@@ -104,7 +113,23 @@ std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
 struct Made {
   std::vector<FileContent> files;
   std::function<void(double seconds, Console& console)> tell;
+  std::vector<CameraPath> paths;
 };
+
+/// The model in each format that was asked for. `Made::tell` is left to the caller.
+template <class MadeModel>
+Made files_of(const MadeModel& model, const Options& options, Session& session) {
+  Made made;
+  if (options.tours) made.paths = tour_cameras(model, session);
+  for (const std::string& output : options.outputs) made.files.push_back(model_file(model, output, {.paths = made.paths}));
+  return made;
+}
+
+void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
+  std::string words;
+  for (const CameraPath& path : paths) words += fmt::format("{}{} ({:.0f} s)", words.empty() ? "" : ", ", path.name, path.keys.back().seconds);
+  if (!words.empty()) console.say("Tours: " + words);
+}
 
 Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
   ReconstructOptions engine;
@@ -113,8 +138,7 @@ Made made_by_dt(const ContourStack& stack, const Options& options, Session& sess
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}});
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
-  Made made;
-  for (const std::string& output : options.outputs) made.files.push_back(model_file(model->reconstruction, output));
+  Made made = files_of(model->reconstruction, options, session);
   if (!options.report.empty()) {
     made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications})});
   }
@@ -125,8 +149,7 @@ Made made_by_dt(const ContourStack& stack, const Options& options, Session& sess
 Made made_by_db(const ContourStack& stack, const Options& options, Session& session) {
   const DbOptions engine = understood(options.db, session.threads);
   const auto model = std::make_shared<DbReconstruction>(reconstruct_by_distance(stack, engine, session.progress()));
-  Made made;
-  for (const std::string& output : options.outputs) made.files.push_back(model_file(*model, output));
+  Made made = files_of(*model, options, session);
   if (!options.report.empty()) made.files.push_back({options.report, report_json(*model, engine)});
   made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
   return made;
@@ -154,6 +177,7 @@ ExitCode make_model(const Options& options, Session& session) {
   write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   made.tell(taken.count(), session.console);
+  tell_tours(made.paths, session.console);
   for (const FileContent& file : made.files) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return ExitCode::done;
 }
@@ -165,6 +189,7 @@ void add_options(CLI::App& parser, Options& options) {
   repeatable(parser.add_option("-o,--output", options.outputs, "Model to write; its ending tells the format; repeatable"))
       ->required()
       ->type_name("FILE");
+  parser.add_flag("--tours", options.tours, "Into .glb and .gltf: a moving camera for each canal, to be played");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},
                      "dt: Delaunay (default); db: distance field and marching cubes")

@@ -20,46 +20,51 @@
 namespace odontoscope {
 namespace {
 
-std::string glb(const WrittenModel& model) { return glb_bytes(model); }
-
-std::string gltf(const WrittenModel& model) { return gltf_text(model); }
-
 /// Formats of surfaces, and of tetrahedra for reconstructions that have them.
-template <class Model>
+template <class... What>
 struct Format {
   std::string ending;
-  std::string (*bytes)(const Model&);
+  std::string (*bytes)(const What&...);
 };
-const std::vector<Format<WrittenModel>>& surface_formats() {
-  static const std::vector<Format<WrittenModel>> all{{".glb", glb},       {".stl", stl_bytes}, {".ply", ply_bytes},
-                                                     {".gltf", gltf},     {".obj", obj_text},  {".wrl", vrml_text},
-                                                     {".x3d", x3d_text},  {".vtp", vtp_bytes}};
+using SurfaceFormat = Format<WrittenModel, GlbOptions>;
+using TetrahedraFormat = Format<Reconstruction>;
+
+/// A writer that has no options.
+template <std::string (*write)(const WrittenModel&)>
+std::string plain(const WrittenModel& model, const GlbOptions&) {
+  return write(model);
+}
+
+const std::vector<SurfaceFormat>& surface_formats() {
+  static const std::vector<SurfaceFormat> all{{".glb", glb_bytes},        {".stl", plain<stl_bytes>}, {".ply", plain<ply_bytes>},
+                                              {".gltf", gltf_text},       {".obj", plain<obj_text>},  {".wrl", plain<vrml_text>},
+                                              {".x3d", plain<x3d_text>},  {".vtp", plain<vtp_bytes>}};
   return all;
 }
-const std::vector<Format<Reconstruction>>& tetrahedra_formats() {
-  static const std::vector<Format<Reconstruction>> all{{".vtu", vtu_bytes}, {".msh", msh_text}, {".inp", inp_text}};
+const std::vector<TetrahedraFormat>& tetrahedra_formats() {
+  static const std::vector<TetrahedraFormat> all{{".vtu", vtu_bytes}, {".msh", msh_text}, {".inp", inp_text}};
   return all;
 }
 
-template <class Model>
-std::vector<std::string> endings_of(const std::vector<Format<Model>>& formats) {
+template <class AFormat>
+std::vector<std::string> endings_of(const std::vector<AFormat>& formats) {
   std::vector<std::string> endings;
-  for (const Format<Model>& format : formats) endings.push_back(format.ending);
+  for (const AFormat& format : formats) endings.push_back(format.ending);
   return endings;
 }
 
 std::string ending_of(const std::filesystem::path& file) { return lower_case(file.extension().string()); }
 
 /// Null if the file's ending is that of no such format.
-template <class Model>
-const Format<Model>* format_of(const std::filesystem::path& file, const std::vector<Format<Model>>& formats) {
+template <class AFormat>
+const AFormat* format_of(const std::filesystem::path& file, const std::vector<AFormat>& formats) {
   const std::string ending = ending_of(file);
-  const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format<Model>& f) { return f.ending == ending; });
+  const auto format = std::find_if(formats.begin(), formats.end(), [&](const AFormat& f) { return f.ending == ending; });
   return format == formats.end() ? nullptr : &*format;
 }
 
-FileContent surface_file(const WrittenModel& model, const std::filesystem::path& file, const std::vector<std::string>& endings) {
-  if (const auto* format = format_of(file, surface_formats())) return {file, format->bytes(model)};
+FileContent surface_file(const WrittenModel& model, const std::filesystem::path& file, const std::vector<std::string>& endings, const GlbOptions& glb) {
+  if (const auto* format = format_of(file, surface_formats())) return {file, format->bytes(model, glb)};
   throw UsageError(fmt::format("{}: the ending tells no model format", file.string()),
                    fmt::format("Use one of {}", fmt::join(endings, ", ")));
 }
@@ -85,17 +90,17 @@ const std::vector<std::string>& model_endings() {
   return endings;
 }
 
-FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file) {
+FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb) {
   if (const auto* format = format_of(file, tetrahedra_formats())) return {file, format->bytes(reconstruction)};
-  return surface_file(reconstruction, file, model_endings());
+  return surface_file(reconstruction, file, model_endings(), glb);
 }
 
-FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file) {
+FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb) {
   if (const auto* format = format_of(file, tetrahedra_formats())) {
     throw UsageError(fmt::format("{}: {} holds tetrahedra, and marching cubes makes none, only a surface", file.string(), format->ending),
                      fmt::format("Use one of {}", fmt::join(surface_endings(), ", ")));
   }
-  return surface_file(reconstruction, file, surface_endings());
+  return surface_file(reconstruction, file, surface_endings(), glb);
 }
 
 void write_model(const Reconstruction& reconstruction, std::span<const std::filesystem::path> files) {

@@ -9,6 +9,7 @@
 #include "recon/core/atomic_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
+#include "recon/output/write_glb.h"
 
 namespace odontoscope {
 
@@ -20,10 +21,10 @@ const std::vector<std::string>& tetrahedra_endings();
 
 /// The bytes of `file`, which is not touched yet: give all that belong together to write_files
 /// (recon/core/atomic_file.h). UsageError for an ending that is not known. See the write_*.h of this folder for what each
-/// holds.
-FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file);
+/// holds. `glb` is for .glb and .gltf.
+FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb = {});
 /// The same of a DB model; UsageError for formats of tetrahedra too, since it has none.
-FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file);
+FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb = {});
 
 /// Writes all files or none. UsageError, FileError.
 void write_model(const Reconstruction& reconstruction, std::span<const std::filesystem::path> files);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <sstream>
 #include <utility>
 
@@ -52,6 +54,37 @@ Json certificate(const WrittenModel& model) {
           {"surface_in_mm", json_of(reports)}};
 }
 
+using FloatQuaternion = std::array<float, 4>;   // x, y, z, w
+
+/// The turn from glTF's camera, which looks along -z with +y up, to this one.
+std::array<double, 4> turn_of(const Direction& sight, const Direction& up) {
+  const Direction right = cross(sight, up), back = -1 * sight;
+  // The matrix with these columns as a quaternion, from its largest component (S. Shepperd, 1978).
+  const std::array<double, 4> squares{1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z, 1 - right.x - up.y + back.z, 1 + right.x + up.y + back.z};
+  const auto largest = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
+  const double yz = up.z + back.y, zx = right.z + back.x, xy = right.y + up.x, x = up.z - back.y, y = back.x - right.z, z = right.y - up.x;
+  const std::array<std::array<double, 4>, 4> rows{{{squares[0], xy, zx, x}, {xy, squares[1], yz, y}, {zx, yz, squares[2], z}, {x, y, z, squares[3]}}};
+  std::array<double, 4> turn = rows[largest];
+  const double size = std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
+  for (double& component : turn) component /= size;
+  return turn;
+}
+
+/// A turn a key; of the two quaternions that mean it the one nearer to that before, since players go the short way only then.
+std::vector<FloatQuaternion> turns_of(const std::vector<CameraKey>& keys) {
+  std::vector<FloatQuaternion> turns;
+  std::array<double, 4> before{0, 0, 0, 1};
+  for (const CameraKey& key : keys) {
+    std::array<double, 4> turn = turn_of(key.sight, key.up);
+    double along = 0;
+    for (std::size_t i = 0; i < 4; ++i) along += turn[i] * before[i];
+    for (double& component : turn) component *= along < 0 ? -1 : 1;
+    turns.push_back({static_cast<float>(turn[0]), static_cast<float>(turn[1]), static_cast<float>(turn[2]), static_cast<float>(turn[3])});
+    before = turn;
+  }
+  return turns;
+}
+
 /// Builds the model piece by piece: one buffer, one view an accessor.
 class Builder {
  public:
@@ -74,6 +107,39 @@ class Builder {
     const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, metres_per_millimetre);
     const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
     for (const ShellGroup& group : groups) add_group(group, points, shaded);
+  }
+
+  void add_path(const CameraPath& path) {
+    std::vector<float> times;
+    std::vector<FloatPoint> places;
+    for (const CameraKey& key : path.keys) {
+      times.push_back(static_cast<float>(key.seconds));
+      places.push_back({static_cast<float>(metres_per_millimetre * key.at.x), static_cast<float>(metres_per_millimetre * key.at.y),
+                        static_cast<float>(metres_per_millimetre * key.at.z)});
+    }
+    const std::vector<FloatQuaternion> turns = turns_of(path.keys);
+    const int node = add_camera(path, places.front(), turns.front());
+
+    tinygltf::Animation animation;
+    animation.name = path.name;
+    const int input = add_accessor(times.data(), sizeof(float) * times.size(), times.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR});
+    model_.accessors.back().minValues = {times.front()};
+    model_.accessors.back().maxValues = {times.back()};
+    const int translation = add_accessor(places.data(), sizeof(FloatPoint) * places.size(), places.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
+    const int rotation = add_accessor(turns.data(), sizeof(FloatQuaternion) * turns.size(), turns.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4});
+    for (const auto& [output, moved] : {std::pair(translation, "translation"), std::pair(rotation, "rotation")}) {
+      tinygltf::AnimationSampler sampler;
+      sampler.input = input;
+      sampler.output = output;
+      sampler.interpolation = "LINEAR";
+      tinygltf::AnimationChannel channel;
+      channel.sampler = static_cast<int>(animation.samplers.size());
+      channel.target_node = node;
+      channel.target_path = moved;
+      animation.samplers.push_back(std::move(sampler));
+      animation.channels.push_back(std::move(channel));
+    }
+    model_.animations.push_back(std::move(animation));
   }
 
   /// GLB, or glTF's text with the buffer embedded.
@@ -124,6 +190,26 @@ class Builder {
     model_.meshes.push_back(std::move(mesh));
     model_.nodes.front().children.push_back(static_cast<int>(model_.nodes.size()));
     model_.nodes.push_back(std::move(node));
+  }
+
+  /// The node's number. It stands where the path begins.
+  int add_camera(const CameraPath& path, const FloatPoint& place, const FloatQuaternion& turn) {
+    tinygltf::Camera camera;
+    camera.name = path.name;
+    camera.type = "perspective";
+    camera.perspective.yfov = path.field_of_view_deg * std::numbers::pi / 180;
+    camera.perspective.znear = metres_per_millimetre * path.near_mm;
+    camera.perspective.zfar = metres_per_millimetre * path.far_mm;
+    tinygltf::Node node;
+    node.name = path.name;
+    node.camera = static_cast<int>(model_.cameras.size());
+    node.translation.assign(place.begin(), place.end());
+    node.rotation.assign(turn.begin(), turn.end());
+    const int number = static_cast<int>(model_.nodes.size());
+    model_.cameras.push_back(std::move(camera));
+    model_.nodes.front().children.push_back(number);
+    model_.nodes.push_back(std::move(node));
+    return number;
   }
 
   static void bound(tinygltf::Accessor& accessor, const std::vector<FloatPoint>& positions) {
@@ -188,18 +274,17 @@ class Builder {
   tinygltf::Model model_;
 };
 
+std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool binary) {
+  Builder builder(model);
+  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
+  for (const CameraPath& path : options.paths) builder.add_path(path);
+  return builder.bytes(binary);
+}
+
 }  // namespace
 
-std::string glb_bytes(const WrittenModel& model, const GlbOptions& options) {
-  Builder builder(model);
-  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
-  return builder.bytes(true);
-}
+std::string glb_bytes(const WrittenModel& model, const GlbOptions& options) { return bytes_of(model, options, true); }
 
-std::string gltf_text(const WrittenModel& model, const GlbOptions& options) {
-  Builder builder(model);
-  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
-  return builder.bytes(false);
-}
+std::string gltf_text(const WrittenModel& model, const GlbOptions& options) { return bytes_of(model, options, false); }
 
 }  // namespace odontoscope

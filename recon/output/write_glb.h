@@ -8,9 +8,14 @@
 // Vertices are doubled where the surface has a crease, since a vertex has one normal; points that are distinct in the
 // reconstruction stay distinct in single precision, so that joining vertices of equal position gives the surface back.
 // asset.extras is the certificate. No extension is used.
+//
+// A camera path becomes a node with a perspective camera, and an animation of its place and turn (LINEAR), all of its name. Which of several
+// animations is played, and whether through its camera, is the viewer's choice.
 
 #include <string>
+#include <vector>
 
+#include "recon/output/camera_path.h"
 #include "recon/output/written_model.h"
 
 namespace odontoscope {
@@ -18,6 +23,8 @@ namespace odontoscope {
 struct GlbOptions {
   /// Two triangles that meet at a sharper angle than this (degrees between their normals) are shaded apart.
   double crease_angle_deg = 60;
+  /// Ways through the model that a viewer can play; without any the file has neither camera nor animation.
+  std::vector<CameraPath> paths = {};
 };
 
 /// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too

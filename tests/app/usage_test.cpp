@@ -55,6 +55,8 @@ const Mistake mistakes[] = {
     {"VolumeOptionWithoutIso", {"reconstruct", "cube.json", "--min-area", "4", "-o", "a.glb"}, "--iso"},
     {"UnknownCriterion", {"reconstruct", "cube.json", "--correspondence", "guess", "-o", "a.glb"}, "medial"},
     {"NoTriangles", {"reconstruct", "cube.json", "--triangles", "0", "-o", "a.glb"}, "--triangles"},
+    {"ToursInAFormatWithoutCameras", {"reconstruct", "cube.json", "--tours", "-o", "a.stl"}, ".glb"},
+    {"ToursOfASolidWithoutAVoid", {"reconstruct", "cube.json", "--tours", "-o", "a.glb"}, "no void"},
     {"TogetherWithItself", {"reconstruct", "cube.json", "--together", "tooth", "-o", "a.glb"}, "--together"},
     {"NoThreads", {"--threads", "0", "reconstruct", "cube.json", "-o", "a.glb"}, "--threads"},
     {"ThreadsInWords", {"reconstruct", "cube.json", "-o", "a.glb", "--threads", "many"}, "--threads"},

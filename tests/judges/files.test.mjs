@@ -13,6 +13,7 @@ manifold.setup();
 
 odontoscope('sample', 'molar', '-o', 'molar.json');
 odontoscope('reconstruct', 'molar.json', '-o', 'molar.glb', '-o', 'molar.gltf', '--report', 'molar-report.json');
+odontoscope('reconstruct', 'molar.json', '--tours', '-o', 'tours.glb', '-o', 'tours.gltf');
 odontoscope('sample', 'molar', '--filled-dentine', '-o', 'filled.json');
 odontoscope('reconstruct', 'filled.json', '--together', 'dentine,pulp', '-o', 'hollow.glb');
 odontoscope('reconstruct', 'molar.json', '--method', 'db', '--grid', '40', '--cases', 'classic-unoriented', '-o', 'db.glb');
@@ -28,7 +29,7 @@ async function validated(bytes) {
   return {...issues, words: issues.messages.map(m => `${m.code} ${m.pointer ?? ''}: ${m.message}`).join('\n')};
 }
 
-for (const name of [...dt, 'db.glb', 'molar.gltf']) {
+for (const name of [...dt, 'db.glb', 'molar.gltf', 'tours.glb', 'tours.gltf']) {
   test(`gltf-validator finds nothing wrong with ${name}`, async () => {
     const found = await validated(bytesOf(name));
     assert.equal(found.numErrors + found.numWarnings, 0, found.words);
@@ -44,7 +45,10 @@ test('gltf-validator finds what is wrong with mutants', async () => {
   new DataView(longNormal.buffer, normals.byteOffset ?? 0).setFloat32(0, 7, true);
   const strayIndex = binary.slice(), indices = json.bufferViews[json.accessors[json.meshes[0].primitives[0].indices].bufferView];
   new DataView(strayIndex.buffer, indices.byteOffset ?? 0).setUint32(0, position.count, true);
-  for (const mutant of [{json: outOfBounds, binary}, {json, binary: longNormal}, {json, binary: strayIndex}])
+  const tours = glbParts(bytesOf('tours.glb')), backwards = tours.binary.slice();
+  const times = tours.json.bufferViews[tours.json.accessors[tours.json.animations[0].samplers[0].input].bufferView];
+  new DataView(backwards.buffer, times.byteOffset).setFloat32(8, 0, true);
+  for (const mutant of [{json: outOfBounds, binary}, {json, binary: longNormal}, {json, binary: strayIndex}, {json: tours.json, binary: backwards}])
     assert.notEqual((await validated(glbOf(mutant))).numErrors, 0);
 });
 

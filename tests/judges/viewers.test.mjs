@@ -51,7 +51,7 @@ async function pageWith(files) {
   await page.route('**/*', route => {
     const path = new URL(route.request().url()).pathname.slice(1), body = files(path);
     if (body === undefined) return route.fulfill({status: 404});
-    const type = {html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', css: 'text/css', glb: 'model/gltf-binary', wrl: 'model/vrml'}[path.split('.').pop()];
+    const type = {html: 'text/html', js: 'text/javascript', mjs: 'text/javascript', css: 'text/css', glb: 'model/gltf-binary', gltf: 'model/gltf+json', wrl: 'model/vrml'}[path.split('.').pop()];
     return route.fulfill({body: typeof body === 'string' ? body : Buffer.from(body), contentType: type ?? 'application/octet-stream'});
   });
   return {page, failures};
@@ -133,6 +133,80 @@ test('three.js', {timeout: 240_000}, async () => {
   }
   assert.deepEqual(failures, []);
   judge('three.js', results);
+  await page.close();
+});
+
+// What a player of the file sees from within, by the file's own cameras: the wall, in green here, and nothing else. The body of pulp is hidden, as in our
+// own films; its surface keeps a little off the wall and would show in folds.
+test('three.js plays the tours', {timeout: 240_000}, async () => {
+  const script = `import {AnimationMixer, Color, LoopOnce, MeshBasicMaterial, Scene, Vector3, WebGLRenderer} from 'three';
+    import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+    const renderer = new WebGLRenderer({antialias: false, preserveDrawingBuffer: true});
+    renderer.setSize(${size}, ${size});
+    globalThis.load = async url => {
+      globalThis.file = await new GLTFLoader().loadAsync(url);
+      globalThis.scene = new Scene();
+      scene.background = new Color(0, 0, 1);
+      scene.add(file.scene);
+      scene.traverse(node => {
+        node.visible = !node.name.startsWith('pulp');
+        if (node.isMesh) node.material = new MeshBasicMaterial({side: node.material.side, color: node.name.endsWith('cavity') ? 0x00ff00 : 0xff0000});
+      });
+      return file.animations.map(({name, duration}) => ({name, duration}));
+    };
+    globalThis.play = (name, share) => {
+      const clip = file.animations.find(clip => clip.name === name), mixer = new AnimationMixer(file.scene);
+      const action = mixer.clipAction(clip).setLoop(LoopOnce).play();
+      action.clampWhenFinished = true;
+      mixer.setTime(share * clip.duration);
+      scene.updateMatrixWorld(true);
+      const camera = file.cameras.find(camera => camera.name === clip.tracks[0].name.split('.')[0]);
+      camera.aspect = 1;
+      camera.updateProjectionMatrix();
+      renderer.render(scene, camera);
+      const place = camera.getWorldPosition(new Vector3()).toArray();
+      const gl = renderer.getContext(), pixels = new Uint8Array(${4 * size * size});
+      gl.readPixels(0, 0, ${size}, ${size}, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      let wall = 0;
+      for (let i = 0; i < pixels.length; i += 4) wall += pixels[i] === 0 && pixels[i + 1] === 255 && pixels[i + 2] === 0;
+      mixer.uncacheRoot(file.scene);   // which puts the camera back
+      return {wall, place};
+    };`;
+  writeFileSync(made('tours.mjs'), script);
+  await packageNamed('esbuild').build({entryPoints: [made('tours.mjs')], bundle: true, format: 'iife', outfile: made('tours.js'), nodePaths: [modules], logLevel: 'error'});
+  odontoscope('sample', 'molar', '-o', 'fine.json');
+  odontoscope('reconstruct', 'fine.json', '--tours', '-o', 'tours.glb', '-o', 'tours.gltf');
+  const facing = bytesOf('tours.glb'), strayed = glbParts(facing), view = new DataView((strayed.binary = strayed.binary.slice()).buffer);
+  for (const {samplers, channels} of strayed.json.animations) {   // turned about: what the camera is led along is mirrored
+    const {output} = samplers[channels.find(({target}) => target.path === 'translation').sampler], {bufferView, count} = strayed.json.accessors[output];
+    const from = strayed.json.bufferViews[bufferView].byteOffset;
+    for (let i = 0; i < 3 * count; i += 3) view.setFloat32(from + 4 * i, -view.getFloat32(from + 4 * i, true), true);
+  }
+  const given = {'tours.glb': facing, 'tours.gltf': readFileSync(made('tours.gltf')), 'flipped.glb': flipped(facing, 0.1), 'strayed.glb': glbOf(strayed)};
+  const {page, failures} = await pageWith(path => path === 'index.html' ? '<!DOCTYPE html><script src="tours.js"></script>' : path === 'tours.js' ? readFileSync(made('tours.js')) : given[path]);
+  await page.goto('http://judge.test/index.html');
+  const seen = {};
+  for (const name of Object.keys(given)) {
+    const clips = await page.evaluate(url => load(url), name), [pixels, places] = [[], []];
+    assert.equal(clips.length, 3, 'one animation for each canal');
+    for (const clip of clips) {
+      assert.ok(clip.duration > 5, `${clip.name} takes ${clip.duration} s`);
+      for (const share of [0, 0.1, 0.25, 0.4, 0.6, 0.8, 0.95, 1]) {
+        const {wall, place} = await page.evaluate(([name, share]) => play(name, share), [clip.name, share]);
+        pixels.push(size * size - wall);
+        places.push(place);
+      }
+      // In metres, +y up: down from the chamber by some millimetres.
+      const [start, end] = [places.at(-8), places.at(-1)];
+      assert.ok(start[1] - end[1] > 0.005 && start[1] - end[1] < 0.02, `${clip.name} leads from ${start} to ${end}`);
+    }
+    seen[name] = pixels.reduce((sum, one) => sum + one, 0);
+  }
+  console.log(`three.js from within: ${Object.entries(seen).map(([name, others]) => `${name} ${others} pixels that are no wall`).join('; ')}`);
+  assert.deepEqual(failures, []);
+  assert.equal(seen['tours.glb'], 0);
+  assert.equal(seen['tours.gltf'], 0);
+  assert.ok(seen['flipped.glb'] > 100 && seen['strayed.glb'] > 100, 'mutants pass');
   await page.close();
 });
 

@@ -1,0 +1,39 @@
+#include "engine/app/tour_cameras.h"
+
+#include <algorithm>
+
+#include "engine/navigate/camera_path.h"
+#include "recon/cavity/centre_lines.h"
+
+namespace odontoscope::app {
+namespace {
+
+/// From corner to corner of the box round all surfaces: nothing is farther from an eye inside.
+double diagonal(const WrittenModel& model) {
+  Point3 low = model.solids.front().surface.points.front(), high = low;
+  for (const WrittenSurface& solid : model.solids) {
+    for (const Point3& p : solid.surface.points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  return length(high - low);
+}
+
+}  // namespace
+
+std::vector<CameraPath> tour_cameras(const WrittenModel& model, Session& session) {
+  std::vector<StructureSurface> closed;
+  for (const WrittenSurface& solid : model.solids)
+    if (solid.report.closed_oriented_manifold()) closed.push_back({solid.structure, &solid.surface});
+  const std::vector<Cavity> cavities = cavities_in(closed);
+  if (cavities.empty())
+    throw UsageError("--tours: there is no void inside", "Leave it out. A pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
+  std::vector<CameraPath> paths;
+  for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals)
+    paths.push_back(camera_path(Tour(canal), canal.name, diagonal(model)));
+  if (paths.empty()) throw UsageError("--tours: the void has no canal", "Leave it out.");
+  return paths;
+}
+
+}  // namespace odontoscope::app
