@@ -4,29 +4,17 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "engine/headset/placards.h"
 #include "engine/headset/scale_mark.h"
-#include "engine/navigate/seen_within.h"
 
 namespace odontoscope {
-
-namespace {
-
-/// The lamp's reach, in clearances of the roomiest place: near walls are bright, and a canal's end is dark.
-constexpr double lamp_reach = 1.5;
-
-Scene scene_of(const Visit& visit, const VisitWorld& world) {
-  if (!visit.cavity) return world.scene;
-  const FlightSpace& space = world.cavities[*visit.cavity];
-  return seen_within(world.scene, world.model, space.wall(), lamp_reach * space.room_mm);
-}
-
-}  // namespace
 
 EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
     : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
       ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets) {
+void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
+                      const Over& over) {
   Scene scene = scene_of(visit, world);
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
@@ -34,21 +22,15 @@ void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Visit
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
   if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
+  if (over && visit.dark < 1)
+    for (std::size_t i = 0; i < targets.size(); ++i) over(eyes[i], targets[i]);
   for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
 }
 
 void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const Model& model) {
-  constexpr double ray = 1.5, stub = 0.12;   // metres
   LineSet lines{LineKind::measure, {}, {}};
   const auto in_model = [&](const glm::dvec3& place) { return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm)); };
-  for (std::size_t i = 0; i < input.hands.size(); ++i) {
-    const HandInput& hand = input.hands[i];
-    if (!hand.tracked) continue;
-    const std::optional<Hit>& hit = visit.pointed[i];
-    const glm::dvec3 end = hit ? to_room(visit.stage, hit->point_mm) : hand.aim.position + (visit.cavity ? stub : ray) * hand.aim.ahead();
-    for (const glm::dvec3& point : {hand.aim.position, end, end, hit ? end : hand.aim.position}) lines.points.push_back(in_model(point));
-    if (!hit) lines.points.resize(lines.points.size() - 2);   // no dot
-  }
+  for (const glm::dvec3& point : room_marks(visit, input)) lines.points.push_back(in_model(point));
   if (visit.told > 0)
     for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position)) lines.points.push_back(in_model(point));
   marks_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});

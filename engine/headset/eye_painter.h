@@ -1,6 +1,8 @@
 #pragma once
 // Draws what both eyes see of a visit, with the renderer of every other picture.
 
+#include <functional>
+
 #include "engine/gpu/program.h"
 #include "engine/headset/headset.h"
 #include "engine/headset/visit.h"
@@ -20,8 +22,10 @@ class EyePainter {
   /// Uploads the model. The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError.
   EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality = {});
 
+  /// Draws more over the picture of an eye, before it is darkened.
+  using Over = std::function<void(const EyeView&, const Target&)>;
   /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once.
-  void draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets);
+  void draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets, const Over& over = {});
 
   /// Fills the target with the middle of an eye's picture.
   static void mirror(const Gl& gl, const Target& eye, const Target& target);

@@ -3,13 +3,16 @@
 //
 // Outside, the tooth stands in the room: one hand carries it, two scale and turn it, a stick turns it by steps and brings it nearer; a trigger on a
 // cavity that can be seen leads into it. Inside, a trigger glides where the hand points, sticks move and turn, and neither they nor the head get
-// through a wall. Menu leads out again; outside it changes between enlarged and true size. Nothing happens without the system's focus.
+// through a wall. A panel stands beside the person: menu fetches it and puts it away, a hand's ray is its mouse, and what is chosen on it is asked for
+// by VisitAction. Menu held down leads out again; outside it changes between enlarged and true size. Nothing happens without the system's focus.
 
 #include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "engine/headset/hands.h"
+#include "engine/headset/room_panel.h"
 #include "engine/headset/stage.h"
 #include "engine/measure/pick.h"
 #include "engine/navigate/flight_spaces.h"
@@ -25,14 +28,21 @@ struct ComfortRules {
   double roomy = 1.3;               // m to the nearest wall where one comes in
   double fade_seconds = 0.3;        // into the dark, and out of it again
   double vignette_seconds = 0.15;   // in which the edges of sight darken while one glides
+  double menu_seconds = 0.7;        // that menu is held down to go out, or to change the size
 };
 
 struct VisitWorld {
   const Model& model;
   const Pickable& pickable;
-  const Scene& scene;               // as seen from outside
+  const Scene& scene;               // as seen from outside when the visit begins
   std::span<const FlightSpace> cavities;
 };
+
+/// What a trigger does on the model, where the panel is not. look: enters a cavity, names what else it meets. distance: marks its ends.
+enum class HandTool { look, distance };
+
+/// What is asked for on the panel and done in the next step.
+enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, put_panel_away, leave_headset };
 
 struct Visit {
   /// Where a fade leads.
@@ -40,26 +50,44 @@ struct Visit {
     std::optional<std::size_t> into;   // none: out
     friend bool operator==(const Way&, const Way&) = default;
   };
-  enum class Held { nothing, model };
+  enum class Held { nothing, model, panel };
 
   Stage stage;
   bool placed = false;                   // before the person, once there is one
+  Scene scene;                           // as seen from outside: the world's, and what was changed on the panel
+  std::optional<Section> section_put_away;   // what switching the section off and on again brings back
   std::optional<std::size_t> cavity;     // that one is in
   Stage stage_outside;                   // to come back to
   glm::dvec3 eye_mm{0}, velocity{0};     // inside: the middle of the eyes, and mm/s that sticks and triggers gave it
   std::array<HandInput, 2> before;       // what the hands did last
   std::array<Held, 2> held{};
-  std::array<std::optional<Hit>, 2> pointed;   // outside: what the hands point at
+  std::array<std::optional<Hit>, 2> pointed;   // what the hands point at, unless it is the panel
   std::optional<Way> way;
   double dark = 0;                       // of the fade: 1 hides everything
   double vignette = 0;                   // 0 to 1
   double told = 0;                       // seconds for which the magnification is still to be seen
+
+  std::optional<RoomPanel> panel;
+  std::array<std::optional<PanelPlace>, 2> on_panel;   // of the hands that point at it, or hold a press that began on it
+  std::array<bool, 2> pressing{};        // that press
+  std::array<double, 2> menu_held{};     // seconds; below 0: it has done what it does when held
+  HandTool tool = HandTool::look;
+  std::optional<Hit> named;              // what a trigger met last
+  std::vector<Hit> ends;                 // of a distance: one or two
+  std::vector<VisitAction> todo;
+  bool leaving = false;                  // asked for on the panel: the headset itself
 };
 
 /// `seconds` later. Precondition: finite input.
-Visit stepped(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
+Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 
 /// The stage on which the roomiest place of the cavity is where the head is, upright.
 Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, const ComfortRules& rules);
+
+/// What the person sees: from outside, or the cavity's wall and nothing else.
+Scene scene_of(const Visit& visit, const VisitWorld& world);
+
+/// The hand whose ray is the panel's mouse: that which presses, else one that points, the right one first; none if neither does.
+std::optional<std::size_t> panel_hand(const Visit& visit);
 
 }  // namespace odontoscope

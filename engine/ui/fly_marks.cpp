@@ -205,29 +205,38 @@ Camera where_camera(const Model& model, NamedView from, const Area& area) {
   return camera;
 }
 
-std::string where_in_words(const ViewerState& state) {
-  constexpr const char* then = " \xE2\x86\x92 ";
-  const FlyState& fly = state.fly;
-  std::string words = state.shown->title;
-  if (!fly.cavity) return words + then + "outside";
-  const FlightSpace& space = state.shown->flight->cavities[*fly.cavity];
-  if (!fly.place) return words + then + space.structure;
-  const CentreLine& line = *rideable(space.lines)[fly.place->line];
-  const bool in_chamber = space.lines.has_chamber && fly.place->depth < 0;
+namespace {
+
+constexpr const char* then = " \xE2\x86\x92 ";
+
+}  // namespace
+
+std::string where_in_words(const std::string& title, const FlightSpace& space, const std::optional<CanalPlace>& place) {
+  std::string words = title;
+  if (!place) return words + then + space.structure;
+  const CentreLine& line = *rideable(space.lines)[place->line];
+  const bool in_chamber = space.lines.has_chamber && place->depth < 0;
   if (space.lines.has_chamber) words += std::string(then) + "pulp chamber";
   return in_chamber ? words : words + then + line.name;
 }
 
+std::string where_in_words(const ViewerState& state) {
+  const FlyState& fly = state.fly;
+  if (!fly.cavity) return state.shown->title + then + "outside";
+  return where_in_words(state.shown->title, state.shown->flight->cavities[*fly.cavity], fly.place);
+}
+
+std::string measured_in_words(const FlightSpace& space, const CanalPlace& place) {
+  const bool canal = place.line < space.lines.canals.size();
+  const std::string& name = rideable(space.lines)[place.line]->name;
+  if (space.lines.has_chamber && place.depth < 0)
+    return canal ? fmt::format("{:.2f} mm wide here; {:.2f} mm to the orifice of {}", place.width, -place.depth, name) : fmt::format("{:.2f} mm wide here", place.width);
+  return fmt::format("{:.2f} mm {}; {:.2f} mm wide here; {:.2f} mm to the {}", place.depth, canal ? "past the orifice" : "from its start", place.width, place.to_end, canal ? "apex" : "end");
+}
+
 std::string measured_in_words(const ViewerState& state) {
   const FlyState& fly = state.fly;
-  if (!fly.place) return {};
-  const FlightSpace& space = state.shown->flight->cavities[*fly.cavity];
-  const bool canal = fly.place->line < space.lines.canals.size();
-  const std::string& name = rideable(space.lines)[fly.place->line]->name;
-  if (space.lines.has_chamber && fly.place->depth < 0)
-    return canal ? fmt::format("{:.2f} mm wide here; {:.2f} mm to the orifice of {}", fly.place->width, -fly.place->depth, name) : fmt::format("{:.2f} mm wide here", fly.place->width);
-  return fmt::format("{:.2f} mm {}; {:.2f} mm wide here; {:.2f} mm to the {}", fly.place->depth, canal ? "past the orifice" : "from its start", fly.place->width, fly.place->to_end,
-                     canal ? "apex" : "end");
+  return fly.place ? measured_in_words(state.shown->flight->cavities[*fly.cavity], *fly.place) : std::string();
 }
 
 std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y) {

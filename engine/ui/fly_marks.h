@@ -26,6 +26,9 @@ Camera where_camera(const Model& model, NamedView from, const Area& area);
 std::string where_in_words(const ViewerState& state);
 /// "3.2 mm past the orifice, 0.64 mm wide here, 7.1 mm to the apex"; empty outdoors.
 std::string measured_in_words(const ViewerState& state);
+/// The same of any place in a cavity; `place` empty: in a cavity without lines.
+std::string where_in_words(const std::string& title, const FlightSpace& space, const std::optional<CanalPlace>& place);
+std::string measured_in_words(const FlightSpace& space, const CanalPlace& place);
 
 /// Darkens the picture for passages, and its rim while it turns if that is wanted.
 void draw_fade(const ViewerState& state, const Area& viewport);

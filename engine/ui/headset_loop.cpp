@@ -6,6 +6,8 @@
 #include <thread>
 #include <variant>
 
+#include "engine/ui/headset_sheet.h"
+
 namespace odontoscope {
 
 namespace {
@@ -44,7 +46,7 @@ class HeadsetVisit {
  public:
   HeadsetVisit(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const HeadsetVisitOptions& options)
       : viewer_(viewer), window_(window), options_(options), loaded_(viewer.state().shown), scene_(viewer.state().scene),
-        gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality) {
+        gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality), sheet_(gl_, shaders) {
     if (loaded_->flight) cavities_ = loaded_->flight->cavities;
     say(fmt::format("In the headset: {}.", headset_->in_words()));
     say(cavities_.empty() ? "This model has no cavity to enter." : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
@@ -53,7 +55,7 @@ class HeadsetVisit {
   void run(const std::stop_token& stop) {
     bool leaving = false;
     for (HeadsetState state = headset_->poll(); state != HeadsetState::over; state = headset_->poll()) {
-      if (!leaving && (pressed_escape(window_.events(0)) || window_.closing() || stop.stop_requested())) {
+      if (!leaving && (pressed_escape(window_.events(0)) || window_.closing() || visit_.leaving || stop.stop_requested())) {
         headset_->leave();
         leaving = true;
         continue;
@@ -81,8 +83,9 @@ class HeadsetVisit {
   void draw(const HeadsetFrame& frame) {
     const VisitWorld world{loaded_->model, *loaded_->pickable, scene_, cavities_};
     visit_ = stepped(visit_, frame.input, world, options_.comfort, frame.seconds);
+    sheet_.update(visit_, frame.input, world, {loaded_->title}, frame.seconds);
     if (frame.draw) {
-      painter_.draw(visit_, frame.input, world, frame.eyes, frame.targets);
+      painter_.draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); });
       const PixelSize size = window_.size();
       if (size.width > 0 && size.height > 0) EyePainter::mirror(gl_, frame.targets.front(), {0, 0, 0, size});
     }
@@ -104,6 +107,7 @@ class HeadsetVisit {
   const Gl& gl_;
   std::unique_ptr<Headset> headset_;
   EyePainter painter_;
+  HeadsetSheet sheet_;
   std::span<const FlightSpace> cavities_;
   Visit visit_;
   bool drawn_ = false;

@@ -50,6 +50,7 @@ TEST_F(Eyes, SeeTheInsideOfThePulpAndNothingElse) {
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   Visit visit;
   visit.placed = true;
+  visit.scene = balls.scene;
   visit.cavity = 0;
   const HeadsetInput input = handless();
   visit.stage = inside(balls.cavities[0], input.head, balls.model, {});

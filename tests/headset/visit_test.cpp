@@ -112,12 +112,12 @@ TEST_F(VisitTest, TwoHandsScaleAndTrueSizeComesBack) {
   EXPECT_NEAR(visit.stage.magnification, 2 * usual_magnification, 1e-9);
   for (HandInput& hand : input.hands) hand.grab = 0;
   input.hands[0].menu = true;
-  step(3);
+  seconds(3 * rules.menu_seconds);   // held on it does it once
   EXPECT_EQ(visit.stage.magnification, 1);
   input.hands[0].menu = false;
   step();
   input.hands[0].menu = true;
-  step();
+  seconds(rules.menu_seconds + tick);
   EXPECT_EQ(visit.stage.magnification, usual_magnification);
 }
 
@@ -166,7 +166,7 @@ TEST_F(VisitTest, ATriggerOnThePulpLeadsInside) {
   // Up is up.
   EXPECT_LT(glm::length(visit.stage.turn * glm::dvec3(0, 0, 1) - glm::dvec3(0, 1, 0)), 1e-9);
   input.hands[0].menu = true;
-  step();
+  seconds(rules.menu_seconds + tick);
   input.hands[0].menu = false;
   seconds(2.2 * rules.fade_seconds);
   EXPECT_FALSE(visit.cavity);

@@ -1,0 +1,30 @@
+#pragma once
+// What is written in the room beside the panel: the name of what a trigger met, a distance. As values; who draws them knows letters.
+
+#include <string>
+#include <vector>
+
+#include "engine/headset/visit.h"
+
+namespace odontoscope {
+
+struct Placard {
+  std::string words;
+  glm::dvec3 at{0};        // metres in the room: the middle of its lower edge
+  glm::dvec3 of{0};        // what it speaks of
+};
+
+/// Towards the head, so that what they speak of does not lie before them.
+std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world);
+
+/// Upright and towards the eyes, of a height that is read everywhere alike: an angle. `aspect` is width over height.
+struct PlacardShape {
+  Pose pose;
+  glm::dvec2 size{0};
+};
+PlacardShape shape_of(const Placard& placard, const Pose& head, double aspect);
+
+/// What else is drawn with lines: the hands' rays, what is measured; two places of the room a line, a dot where they are one.
+std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input);
+
+}  // namespace odontoscope

@@ -1,0 +1,114 @@
+// Outside: the tooth carried, turned, scaled and pointed at by hands.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "engine/headset/visit_steps.h"
+
+namespace odontoscope::visit_steps {
+
+namespace {
+
+/// The cavity whose wall, or the body that fills it, was hit. In the sample teeth the void is the dentine's, and a pulp of its own fills it, whose
+/// horns and tips reach beyond the void by a fraction of a slice.
+std::optional<std::size_t> cavity_of(const Hit& hit, const VisitWorld& world) {
+  constexpr double rounded = 1e-4, of_a_slice = 0.03;   // of the model's radius
+  for (std::size_t i = 0; i < world.cavities.size(); ++i) {
+    const FlightSpace& cavity = world.cavities[i];
+    const double near = (hit.structure == cavity.structure ? rounded : of_a_slice) * world.model.radius_mm;
+    if (cavity.walls.locate(hit.point_mm) != Walls::Side::outside || cavity.walls.nearest(hit.point_mm, near).distance < near) return i;
+  }
+  return std::nullopt;
+}
+
+glm::dvec3 centre_of(const Visit& visit, const VisitWorld& world) { return to_room(visit.stage, world.model.bounds_mm.centre()); }
+
+/// Holds or lets go, by what the hand's buttons say now.
+Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandInput& hand, bool trigger_is_taken) {
+  if (held == Visit::Held::panel) return held;
+  if (!hand.tracked) return Visit::Held::nothing;
+  const double button = hand.can_grab ? hand.grab : hand.trigger, was = hand.can_grab ? before.grab : before.trigger;
+  if (held != Visit::Held::nothing) return button < released_below ? Visit::Held::nothing : held;
+  if (!hand.can_grab && trigger_is_taken) return Visit::Held::nothing;
+  return went_down(was, button) && before.tracked ? Visit::Held::model : Visit::Held::nothing;
+}
+
+void carry(Visit& visit, const HeadsetInput& input) {
+  const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model; };
+  if (holds(0) && holds(1)) {
+    visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position}, {input.hands[0].grip.position, input.hands[1].grip.position});
+    return;
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+    if (holds(i)) visit.stage = carried(visit.stage, visit.before[i].grip, input.hands[i].grip);
+}
+
+/// The sticks outside: turn the tooth by steps, push it away or bring it nearer.
+void turn_and_bring(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+  constexpr double nearest = 0.25, farthest = 4;   // metres from the head to the model's middle
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int snap = snap_of(visit.before[i], input.hands[i]);
+    if (snap != 0) visit.stage = turned_about(visit.stage, centre_of(visit, world), snap * glm::radians(rules.snap_turn_deg));
+    const glm::dvec3 away = centre_of(visit, world) - input.head.position;
+    const double apart = glm::length(away);
+    if (along(input.hands[i]) == 0 || !(apart > 0)) continue;
+    const double wanted = apart + seconds * rules.most_speed * along(input.hands[i]);
+    // Carried nearer or farther by hand it stays there until the stick brings it back.
+    const double to = along(input.hands[i]) > 0 ? std::max(apart, std::min(wanted, farthest)) : std::min(apart, std::max(wanted, nearest));
+    visit.stage = moved(visit.stage, (to / apart - 1) * away);
+  }
+}
+
+}  // namespace
+
+int snap_of(const HandInput& before, const HandInput& hand) {
+  if (std::abs(hand.stick.x) <= pressed_above || std::abs(before.stick.x) > pressed_above) return 0;
+  return hand.stick.x > 0 ? 1 : -1;
+}
+
+double along(const HandInput& hand) { return std::abs(hand.stick.y) > stick_at_rest ? hand.stick.y : 0; }
+
+void point_at_model(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  constexpr float faintest = 0.05f;
+  const Scene scene = scene_of(visit, world);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput& hand = input.hands[i];
+    visit.pointed[i].reset();
+    if (!hand.tracked || at_panel(visit, i)) continue;
+    const Ray ray{to_model(visit.stage, hand.aim.position), direction_to_model(visit.stage, hand.aim.ahead())};
+    visit.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = 1});
+    if (!visit.pointed[i]) visit.pointed[i] = pick(world.pickable, scene, ray, {.least_opacity = faintest});
+  }
+}
+
+bool use_tool(Visit& visit, std::size_t hand) {
+  const std::optional<Hit>& hit = visit.pointed[hand];
+  if (!hit) return false;
+  if (visit.tool == HandTool::distance) {
+    if (visit.ends.size() == 2) visit.ends.clear();
+    visit.ends.push_back(*hit);
+  } else {
+    visit.named = hit;
+  }
+  return true;
+}
+
+void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+  point_at_model(visit, input, world);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput &hand = input.hands[i], &before = visit.before[i];
+    const bool looks = visit.tool == HandTool::look && visit.pointed[i];
+    const std::optional<std::size_t> cavity = looks ? cavity_of(*visit.pointed[i], world) : std::nullopt;
+    const bool taken = at_panel(visit, i) || cavity || (visit.tool == HandTool::distance && visit.pointed[i]);
+    visit.held[i] = held_outside(visit.held[i], before, hand, taken);
+    if (at_panel(visit, i) || !pulled(visit, input, i)) continue;
+    if (cavity) visit.way = Visit::Way{cavity};
+    else use_tool(visit, i);
+  }
+  carry(visit, input);
+  turn_and_bring(visit, input, world, rules, seconds);
+}
+
+}  // namespace odontoscope::visit_steps

@@ -1,0 +1,117 @@
+// The panel and the menu button: fetched, put away, carried, pointed at; and what was asked for on it.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/headset/visit_steps.h"
+#include "engine/navigate/section_handle.h"
+
+namespace odontoscope {
+
+namespace visit_steps {
+
+namespace {
+
+constexpr double true_size = 1;
+
+/// Not behind a wall, if there is room before it.
+RoomPanel fetched(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, double side) {
+  const RoomPanel usual = summoned(input.head, side);
+  if (!visit.cavity) return usual;
+  constexpr double before_wall = 0.9;
+  const glm::dvec3 way = direction_to_model(visit.stage, glm::normalize(usual.pose.position - input.head.position));
+  const double free = world.cavities[*visit.cavity].walls.free_distance(visit.eye_mm, way) / mm_per_metre(visit.stage);
+  return summoned(input.head, side, std::isfinite(free) ? before_wall * free : panel_distance);
+}
+
+void on_short_press(Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::size_t hand) {
+  const bool seen = visit.panel && within_sight(*visit.panel, input.head);
+  if (seen) visit.panel.reset();
+  else visit.panel = fetched(visit, input, world, hand == 0 ? -1 : 1);
+}
+
+void toggle_section(Visit& visit, const VisitWorld& world) {
+  if (visit.scene.section) {
+    visit.section_put_away = std::exchange(visit.scene.section, std::nullopt);
+    return;
+  }
+  visit.scene.section = visit.section_put_away ? *visit.section_put_away : with_offset({world.model.bounds_mm.centre(), AnatomicalFrame{}.buccal}, 0, world.model);
+}
+
+}  // namespace
+
+void change_size(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  const glm::dvec3 facing = world.scene.camera.position - world.scene.camera.target;
+  visit.stage = before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size, facing);
+}
+
+void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    double& held = visit.menu_held[i];
+    const bool down = input.hands[i].menu, was_down = visit.before[i].menu;
+    if (down && !was_down) held = 0;
+    if (down && held >= 0) held += seconds;
+    if (down && held >= rules.menu_seconds) {
+      held = -1;
+      if (visit.cavity) visit.way = Visit::Way{};
+      else change_size(visit, input, world);
+    }
+    if (!down && was_down && held >= 0) on_short_press(visit, input, world, i);
+  }
+}
+
+void point_at_panel(Visit& visit, const HeadsetInput& input) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput& hand = input.hands[i];
+    visit.on_panel[i].reset();
+    const std::optional<PanelPlace> aimed = visit.panel && hand.tracked ? aimed_at(*visit.panel, hand.aim) : std::nullopt;
+    if (!aimed || !(visit.pressing[i] ? hand.trigger >= released_below : true)) visit.pressing[i] = false;
+    if (!aimed || visit.held[i] == Visit::Held::model) continue;
+    if (aimed->on_it() && pulled(visit, input, i)) visit.pressing[i] = true;
+    if (aimed->on_it() || visit.pressing[i]) visit.on_panel[i] = aimed;
+  }
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput& hand = input.hands[i];
+    if (visit.held[i] == Visit::Held::panel && (!visit.panel || !hand.tracked || hand.grab < released_below)) visit.held[i] = Visit::Held::nothing;
+    if (visit.held[i] == Visit::Held::panel) visit.panel = carried(*visit.panel, visit.before[i].grip, hand.grip);
+    else if (at_panel(visit, i) && hand.can_grab && visit.before[i].tracked && went_down(visit.before[i].grab, hand.grab)) visit.held[i] = Visit::Held::panel;
+  }
+}
+
+void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  for (const VisitAction action : std::exchange(visit.todo, {})) {
+    switch (action) {
+      case VisitAction::enter:
+        if (!visit.cavity && !world.cavities.empty()) visit.way = Visit::Way{0};
+        break;
+      case VisitAction::leave:
+        if (visit.cavity) visit.way = Visit::Way{};
+        break;
+      case VisitAction::change_size:
+        if (!visit.cavity) change_size(visit, input, world);
+        break;
+      case VisitAction::toggle_section: toggle_section(visit, world); break;
+      case VisitAction::flip_section:
+        if (visit.scene.section) visit.scene.section->normal = -visit.scene.section->normal;
+        break;
+      case VisitAction::forget_marks:
+        visit.ends.clear();
+        visit.named.reset();
+        break;
+      case VisitAction::put_panel_away: visit.panel.reset(); break;
+      case VisitAction::leave_headset: visit.leaving = true; break;
+    }
+  }
+}
+
+}  // namespace visit_steps
+
+std::optional<std::size_t> panel_hand(const Visit& visit) {
+  for (const bool presses : {true, false})
+    for (const std::size_t i : {1u, 0u})
+      if (visit.on_panel[i] && visit.pressing[i] == presses) return i;
+  return std::nullopt;
+}
+
+}  // namespace odontoscope

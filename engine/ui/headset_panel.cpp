@@ -1,0 +1,122 @@
+#include "engine/ui/headset_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <cmath>
+
+#include "engine/measure/wall_thickness.h"
+#include "engine/navigate/ride.h"
+#include "engine/ui/fly_marks.h"
+#include "engine/ui/theme.h"
+#include "engine/ui/widgets.h"
+
+namespace odontoscope {
+
+namespace {
+
+using widgets::scaled;
+
+void ask(Visit& visit, VisitAction action) { visit.todo.push_back(action); }
+
+void button(Visit& visit, const char* words, VisitAction action, bool strong = false) {
+  if (widgets::wide_button(words, strong)) ask(visit, action);
+}
+
+/// Words in the panel's own size: what is small on a desk cannot be read here.
+void say(const std::string& words) {
+  ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+}
+
+void structures(Visit& visit) {
+  for (Look& look : visit.scene.looks) {
+    ImGui::PushID(look.structure.c_str());
+    widgets::eye("eye", look.visible);
+    ImGui::SameLine(0, scaled(8));
+    ImGui::BeginGroup();
+    double percent = 100.0 * look.opacity;
+    if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%")) look.opacity = static_cast<float>(percent / 100);
+    ImGui::EndGroup();
+    ImGui::PopID();
+  }
+}
+
+void section_rows(Visit& visit) {
+  bool on = visit.scene.section.has_value();
+  if (widgets::toggle("Cut it open", on)) ask(visit, VisitAction::toggle_section);
+  if (visit.scene.section) button(visit, "Cut away the other side", VisitAction::flip_section);
+}
+
+void outside(Visit& visit, const VisitWorld& world) {
+  structures(visit);
+  int faces = static_cast<int>(visit.scene.back_faces);
+  if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"})) visit.scene.back_faces = static_cast<BackFaces>(faces);
+  section_rows(visit);
+  button(visit, visit.stage.magnification == 1 ? "Enlarge it" : "True size", VisitAction::change_size);
+  if (!world.cavities.empty()) button(visit, "Go inside", VisitAction::enter, true);
+}
+
+void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words) {
+  const FlightSpace& space = world.cavities[*visit.cavity];
+  const std::optional<CanalPlace> place = canal_place(space.lines, visit.eye_mm);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(where_in_words(words.title, space, place).c_str());
+  ImGui::PopTextWrapPos();
+  if (place) say(measured_in_words(space, *place));
+  say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
+}
+
+void measure(Visit& visit, const Interface& interface) {
+  int tool = static_cast<int>(visit.tool);
+  say("The trigger, on the tooth:");
+  if (widgets::choice("tool", tool, {visit.cavity ? "Glides" : "Enters, names", "Measures"})) visit.tool = static_cast<HandTool>(tool);
+  if (visit.tool == HandTool::distance) say("Pull it at one place and at another: the straight way between them.");
+  if (visit.ends.size() == 2) {
+    ImGui::PushFont(interface.large);
+    ImGui::Text("%.2f mm", distance_between_mm(visit.ends[0], visit.ends[1]));
+    ImGui::PopFont();
+    say(fmt::format("from {} to {}", visit.ends[0].structure, visit.ends[1].structure));
+  }
+  if (visit.named) say("Pointed at: " + visit.named->structure);
+  if (visit.named || !visit.ends.empty()) button(visit, "Forget the marks", VisitAction::forget_marks);
+}
+
+void help(Visit& visit) {
+  if (visit.cavity) {
+    say("Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
+  } else {
+    say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");
+  }
+  say("Sit or stand as you like; there is no floor. The headset's own recentre puts everything before you again. Not well? Close your eyes, take it off.");
+  button(visit, "Leave the headset", VisitAction::leave_headset);
+}
+
+}  // namespace
+
+void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface, float width, float height) {
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::Begin("room panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
+  ImGui::PushFont(interface.large);
+  ImGui::TextUnformatted(words.title.c_str());
+  ImGui::PopFont();
+  int chosen = static_cast<int>(page);
+  if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);
+  ImGui::Dummy({0, scaled(2)});
+  switch (page) {
+    case HeadsetPage::tooth:
+      if (visit.cavity) where(visit, world, words);
+      else outside(visit, world);
+      break;
+    case HeadsetPage::measure: measure(visit, interface); break;
+    case HeadsetPage::help: help(visit); break;
+  }
+  if (visit.cavity) button(visit, "Out again", VisitAction::leave, true);
+  ImGui::End();
+}
+
+}  // namespace odontoscope
