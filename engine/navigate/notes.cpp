@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "engine/scene/scene_json.h"
 #include "recon/core/read_file.h"
 #include "recon/input/strict_json.h"
 
@@ -17,16 +18,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format_name = "odontoscope.tour";
-constexpr int format_version = 1;
+constexpr int format_version = 2, version_without_scenes = 1;
 constexpr double farthest_mm = 1e7;
 
-enum Node { document, format, version, title, model, notes, note, note_title, note_text, note_inside, camera, position, target, up, coordinate, angle, height, parallel };
+enum Node { document, format, version, title, model, notes, note, note_title, note_text, note_inside, note_scene, camera, position, target, up, coordinate, angle, height, near, parallel };
 
 using Shape = JsonNode::Shape;
 constexpr JsonNode::Key document_keys[] = {{"format", format, true}, {"version", version, true}, {"title", title, true}, {"model", model, false}, {"notes", notes, true}};
-constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false}, {"camera", camera, true}};
+constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false}, {"camera", camera, true}, {"scene", note_scene, false}};
 constexpr JsonNode::Key camera_keys[] = {{"position", position, true}, {"target", target, true},   {"up", up, true},
-                                         {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"parallel", parallel, false}};
+                                         {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false}, {"parallel", parallel, false}};
 constexpr JsonNode nodes[] = {
     {Shape::object, "a tour", -1, document_keys},
     {Shape::text, "\"format\""},
@@ -38,6 +39,7 @@ constexpr JsonNode nodes[] = {
     {Shape::text, "\"title\""},
     {Shape::text, "\"text\""},
     {Shape::boolean, "\"inside\""},
+    {Shape::ignored, "\"scene\""},
     {Shape::object, "a camera", -1, camera_keys},
     {Shape::array, "\"position\"", coordinate},
     {Shape::array, "\"target\"", coordinate},
@@ -45,6 +47,7 @@ constexpr JsonNode nodes[] = {
     {Shape::number, "a coordinate"},
     {Shape::number, "\"field_of_view_deg\""},
     {Shape::number, "\"height_mm\""},
+    {Shape::number, "\"near_mm\""},
     {Shape::boolean, "\"parallel\""},
 };
 
@@ -79,12 +82,15 @@ class TourReader final : public StrictJson {
   }
   void number(int node, double value) override {
     if (node == version) {
-      if (value != format_version) refuse("wrong-version", fmt::format("version {} of the format, but this program reads version {}", value, format_version), "Write the file anew with a matching program.");
+      if (value != format_version && value != version_without_scenes)
+        refuse("wrong-version", fmt::format("version {} of the format, but this program reads versions {} and {}", value, version_without_scenes, format_version),
+               "Write the file anew with a matching program.");
       return;
     }
     Camera& camera = tour_.notes.back().camera;
     if (node == angle) camera.field_of_view_deg = value;
     else if (node == height) camera.height_mm = value;
+    else if (node == near) camera.near_mm = value;
     else {
       if (coordinates_ == 3) refuse("wrong-type", "a place has three coordinates, this one more", "Write [x, y, z].");
       if (std::abs(value) > farthest_mm) refuse("too-large", fmt::format("{} mm lies beyond {} mm", value, farthest_mm), "Check the unit.");
@@ -121,24 +127,68 @@ class TourReader final : public StrictJson {
 
 Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
+/// Scenes have a reader of their own. `bytes` are known to be a tour, and nowhere nested deeply.
+void take_scenes(std::string_view bytes, const std::string& name, TourNotes& tour) {
+  const Json json = Json::parse(bytes, nullptr, /*allow_exceptions=*/false);
+  if (json.is_discarded()) throw InternalError("a tour that was read cannot be read again");
+  for (std::size_t i = 0; i < tour.notes.size(); ++i) {
+    const Json& note = json["notes"][i];
+    const auto found = note.find("scene");
+    if (found == note.end()) continue;
+    Json scene = *found;
+    if (scene.is_object()) scene.erase("camera");
+    tour.notes[i].scene = scene.dump();
+    scene_from_json(tour.notes[i].scene, Scene{}, fmt::format("{}, note {}", name, i + 1));   // refused now rather than in the middle of a lesson
+  }
+}
+
 }  // namespace
 
 TourNotes parse_tour(std::string_view bytes, const std::string& name) {
   JsonSource source = JsonSource::from_bytes(bytes, name);
-  return TourReader().read_tour(source);
+  TourNotes tour = TourReader().read_tour(source);
+  take_scenes(bytes, name, tour);
+  return tour;
+}
+
+TourNote note_of(const Scene& scene, bool inside) {
+  TourNote note;
+  note.camera = scene.camera;
+  if (inside) note.camera.near_mm = 0;
+  note.inside = inside;
+  Json json = Json::parse(to_json(scene));
+  json.erase("camera");
+  note.scene = json.dump();
+  return note;
+}
+
+Scene TourNote::scene_over(const Scene& now, const Scene& usual) const {
+  Scene result = now;
+  if (!scene.empty()) {
+    Scene start = usual;
+    start.section.reset();   // a scene that has none does not speak of it
+    if (!inside) start.headlight.reset();
+    start.overlays.slab.reset();
+    result = scene_from_json(scene, start, "note");
+  }
+  result.camera = camera;
+  return result;
 }
 
 TourNotes read_tour(const std::string& file) { return parse_tour(read_file(file, most_tour_bytes), file); }
 
 std::string to_json(const TourNotes& tour) {
-  Json json{{"format", format_name}, {"version", format_version}, {"title", tour.title}};
+  const bool plain = std::all_of(tour.notes.begin(), tour.notes.end(), [](const TourNote& note) { return note.scene.empty(); });
+  Json json{{"format", format_name}, {"version", plain ? version_without_scenes : format_version}, {"title", tour.title}};
   if (!tour.model.empty()) json["model"] = tour.model;
   json["notes"] = Json::array();
   for (const TourNote& note : tour.notes) {
     const Camera& camera = note.camera;
     Json eye{{"position", json_of(camera.position)}, {"target", json_of(camera.target)}, {"up", json_of(camera.up)}, {"field_of_view_deg", camera.field_of_view_deg}, {"height_mm", camera.height_mm}};
     if (camera.projection == Camera::Projection::parallel) eye["parallel"] = true;
+    if (camera.near_mm > 0) eye["near_mm"] = camera.near_mm;
     json["notes"].push_back({{"title", note.title}, {"text", note.text}, {"inside", note.inside}, {"camera", eye}});
+    if (!note.scene.empty()) json["notes"].back()["scene"] = Json::parse(note.scene);
   }
   return json.dump(2) + "\n";
 }

@@ -80,6 +80,22 @@ constexpr std::array<Gesture, 8> flying = {{
     {"Esc, Backspace", "back to outside"},
 }};
 
+constexpr std::array<Gesture, 13> gamepad = {{
+    {"A", "into the pulp; there: ride, go on, stop"},
+    {"B", "back to outside"},
+    {"X", "through the wall straight ahead"},
+    {"Y", "ride down the next canal"},
+    {"Left stick", "fly ahead, back, to the sides"},
+    {"Right stick", "look around"},
+    {"Triggers", "down, up"},
+    {"LB RB", "three times as fast"},
+    {"Cross left, right", "notes and lesson: back, next"},
+    {"Cross up", "names on or off"},
+    {"Cross down", "small pictures on or off"},
+    {"Back", "fly around the outside"},
+    {"Start", "this list"},
+}};
+
 constexpr std::array<Gesture, 7> mouse = {{
     {"Drag", "turn"},
     {"Right drag, Shift drag", "move"},
@@ -101,6 +117,8 @@ std::span<const Gesture> gestures() { return mouse; }
 std::span<const ActionKey> flight_keys() { return in_flight; }
 
 std::span<const Gesture> flight_gestures() { return flying; }
+
+std::span<const Gesture> gamepad_gestures() { return gamepad; }
 
 std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKey> known) {
   const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });

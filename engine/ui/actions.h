@@ -32,6 +32,8 @@ struct Gesture {
 };
 std::span<const Gesture> gestures();
 std::span<const Gesture> flight_gestures();
+/// What a gamepad does, in flight or not.
+std::span<const Gesture> gamepad_gestures();
 
 std::optional<NamedView> view_of(Action action);
 

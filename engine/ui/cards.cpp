@@ -114,6 +114,18 @@ void open_card(ViewerState& state, const Interface& interface, const Area& viewp
   if (widgets::wide_button("Cancel")) state.file_asked_for.reset();
 }
 
+void leaving_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  using Answer = LeavingNotes::Answer;
+  const Card card("leaving", viewport, 460);
+  LeavingNotes& leaving = *state.notes.leaving;
+  title(interface, "Your notes are not saved");
+  wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(leaving.to_open->file))
+                          : "They go when the window is closed.");
+  if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true)) leaving.answer = Answer::save;
+  if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving")) leaving.answer = Answer::drop;
+  if (widgets::wide_button("Stay (Esc)")) leaving.answer = Answer::stay;
+}
+
 void key_row(const Interface& interface, std::string_view printed, std::string_view words, float column) {
   ImGui::PushFont(interface.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::accent);
@@ -122,6 +134,14 @@ void key_row(const Interface& interface, std::string_view printed, std::string_v
   ImGui::PopFont();
   ImGui::SameLine(column);
   ImGui::TextUnformatted(words.data(), words.data() + words.size());
+}
+
+void gamepad_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Card card("help", viewport, 480);
+  title(interface, "Gamepad");
+  for (const Gesture& gesture : gamepad_gestures()) key_row(interface, gesture.printed, gesture.words, scaled(170));
+  widgets::remark(interface, "By the letters of an Xbox pad: A lies below, B at the right, X at the left, Y above. ? on the keyboard lists the keys.");
+  if (widgets::wide_button("Close (Start or B)")) state.help = false;
 }
 
 void help_card(ViewerState& state, const Interface& interface, const Area& viewport) {
@@ -207,8 +227,10 @@ std::string stage_in_words(std::string_view stage) {
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport) {
   if (loading) loading_card(state, *loading, interface, viewport);
   else if (!state.trouble.empty()) trouble_card(state, interface, viewport);
+  else if (state.notes.leaving) leaving_card(state, interface, viewport);
   else if (state.question) question_card(state, interface, viewport);
   else if (state.file_asked_for) open_card(state, interface, viewport);
+  else if (state.help && state.pad_in_hand) gamepad_card(state, interface, viewport);
   else if (state.help) help_card(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});   // long, so over all
   else if (!state.shown) empty_card(state, interface, viewport);
   draw_notices(state, interface, viewport);

@@ -92,18 +92,29 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
   }
 }
 
+/// The buttons that matter now, for who has the gamepad in hand.
+std::string gamepad_hint(const ViewerState& state) {
+  const FlyState& fly = state.fly;
+  if (!fly.cavity) return "A: into the pulp   X: through the wall   B: back   Start: all buttons";
+  const char* ride = fly.ride && fly.ride->playing ? "stop" : fly.ride ? "go on" : "ride";
+  return fmt::format("A: {}   Y: next canal   X: through the wall   B: back to outside   Start: all buttons", ride);
+}
+
 /// Breadcrumb and figures, at the upper left of the picture.
 void draw_words(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const std::string where = where_in_words(state), measured = measured_in_words(state);
+  const std::string where = where_in_words(state), measured = measured_in_words(state), pad = state.pad_in_hand ? gamepad_hint(state) : "";
   const float wrap = std::max(120.0f * scale, static_cast<float>(pane.area.width) - 200 * scale);   // the compass is at the right
   const ImVec2 first = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, wrap, where.c_str());
   const ImVec2 second = measured.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, measured.c_str());
+  const ImVec2 third = pad.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, pad.c_str());
   const ImVec2 low = vec(pane.area.left + 16 * scale, pane.area.top + 16 * scale);
-  const ImVec2 high{low.x + std::max(first.x, second.x) + 24 * scale, low.y + first.y + second.y + (measured.empty() ? 14 : 18) * scale};
+  const ImVec2 high{low.x + std::max({first.x, second.x, third.x}) + 24 * scale,
+                    low.y + first.y + second.y + third.y + static_cast<float>(14 + (measured.empty() ? 0 : 4) + (pad.empty() ? 0 : 4)) * scale};
   list.AddRectFilled(low, high, theme::rgb(0x14181c, 190), 8 * scale);
   list.AddText(interface.bold, interface.bold->FontSize, {low.x + 12 * scale, low.y + 7 * scale}, theme::text, where.c_str(), nullptr, wrap);
   if (!measured.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, low.y + first.y + 11 * scale}, theme::mark, measured.c_str(), nullptr, wrap);
+  if (!pad.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, high.y - third.y - 7 * scale}, theme::text, pad.c_str(), nullptr, wrap);
 }
 
 /// Where the eye is in the small picture, where it looks, and how it came there.

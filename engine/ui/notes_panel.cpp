@@ -32,10 +32,7 @@ void draft_card(NotesState& notes, const Interface& interface, const Area& viewp
     if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::Button("Keep the note", {width, 0}) || entered) {
-      if (draft.title.empty()) draft.title = fmt::format("Note {}", notes.tour.notes.size() + 1);
-      notes.tour.notes.push_back(draft);
-      notes.unsaved = true;
-      notes.draft.reset();
+      keep_draft(notes);
     }
     ImGui::SameLine();
     if (ImGui::Button("Cancel (Esc)", {width, 0})) notes.draft.reset();
@@ -68,6 +65,7 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
 void notes_section(ViewerState& state, const Interface& interface) {
   NotesState& notes = state.notes;
   if (!widgets::section(interface, "Notes", !notes.tour.notes.empty())) return;
+  if (!notes.tour.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
   for (std::size_t i = 0; i < notes.tour.notes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     if (widgets::wide_button(notes.tour.notes[i].title.empty() ? "(no title)" : notes.tour.notes[i].title.c_str(), notes.shown == i)) notes.go_to = i;
@@ -75,7 +73,7 @@ void notes_section(ViewerState& state, const Interface& interface) {
   }
   if (widgets::wide_button(state.fly.on ? "Note this view (N)" : "Note this view")) notes.write = true;
   if (notes.tour.notes.empty()) {
-    widgets::remark(interface, "Viewpoints with a title and a text, for others to be led along. Open them again by dropping the file on the window.");
+    widgets::remark(interface, "Views with a title and a text, for others to be led along: camera, looks, section and all. Open them again by dropping the file on the window.");
     return;
   }
   ImGui::TextUnformatted("Title of the lesson");

@@ -73,6 +73,10 @@ void Viewer::open(LoadRequest request) {
   }
   state_.trouble.clear();
   failure_ = nullptr;
+  if (notes_at_risk() && !notes_may_go_) {
+    state_.notes.leaving = LeavingNotes{std::move(request)};
+    return;
+  }
   if (open_tour(request)) return;
   if (!request.iso && !request.from_command_line && options_.is_volume(request.file)) {
     state_.question = VolumeQuestion{.file = std::move(request.file)};
@@ -126,14 +130,18 @@ void Viewer::take_finished_load() {
     sample_shown_ = job->request().file.empty();
     const bool by_name = !job->request().iso && !options_.is_volume(job->request().file);
     file_shown_ = by_name ? job->request().file : std::string();
+    if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
+    notes_may_go_ = false;
     state_.notes = {};
     if (auto tour = std::exchange(tour_after_load_, std::nullopt)) take_tour(std::move(*tour));
     if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
     tour_after_load_.reset();
+    notes_may_go_ = false;
     notice("Stopped.");
   } catch (...) {
     tour_after_load_.reset();
+    notes_may_go_ = false;
     failure_ = std::current_exception();
     state_.trouble = words_for_current_exception();
   }
@@ -161,6 +169,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   state_.measured = {};
   state_.under_pointer.reset();
   transition_.reset();
+  look_transition_.reset();
   drag_.reset();
 }
 
@@ -172,10 +181,14 @@ void Viewer::advance(double seconds) {
     state_.scene.camera = transition_->advance(seconds);
     if (transition_->over()) transition_.reset();
   }
+  if (look_transition_) {
+    state_.scene = look_transition_->advance(seconds, state_.scene.camera, state_.shown->model);
+    if (look_transition_->over()) look_transition_.reset();
+  }
   advance_flight(seconds);
 }
 
-void Viewer::go_to(const Camera& camera) { transition_.emplace(state_.scene.camera, camera); }
+void Viewer::go_to(const Camera& camera, double seconds) { transition_.emplace(state_.scene.camera, camera, seconds); }
 
 void Viewer::perform(Action action) {
   ViewerState& state = state_;
@@ -240,6 +253,7 @@ void Viewer::toggle_section() {
 void Viewer::escape() {
   if (job_) job_->cancel();
   else if (!state_.trouble.empty()) state_.trouble.clear();
+  else if (state_.notes.leaving) state_.notes.leaving->answer = LeavingNotes::Answer::stay;
   else if (state_.question) state_.question.reset();
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
@@ -339,10 +353,9 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 }
 
 double Viewer::patience() const {
-  if (flight_moves() || transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
+  if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
   if (job_ || !writing_.empty() || state_.lab.working) return loading;
-  if (gamepad_.present && state_.fly.on) return loading;   // a stick wakes nobody
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

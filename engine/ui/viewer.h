@@ -58,6 +58,8 @@ class Viewer {
   const std::exception_ptr& failure() const { return failure_; }
   Pointer pointer() const { return pointer_; }
   std::string title() const;
+  /// Nothing would be lost by closing; otherwise the person is asked, and ViewerState::close follows once they agree.
+  bool may_close();
   /// The part of the picture that the panel leaves, and the views in it, as last drawn.
   const std::vector<ViewPane>& panes() const { return panes_; }
 
@@ -80,7 +82,7 @@ class Viewer {
   void choose(Tool tool);
   void toggle_section();
   void escape();
-  void go_to(const Camera& camera);
+  void go_to(const Camera& camera, double seconds = transition_seconds);
   void notice(std::string words, bool bad = false);
 
   // viewer_lab.cpp: DB mode
@@ -136,6 +138,11 @@ class Viewer {
   bool open_tour(LoadRequest& request);
   void take_tour(TourNotes tour);
   void go_to_note(std::size_t number);
+  void show_note_outside(const TourNote& note);
+  /// At once what a lesson's looks were on their way to.
+  void settle_looks();
+  bool notes_at_risk() const;
+  void answer_about_notes();
 
   // viewer_gestures.cpp: mouse and keys
   void react(const Event& event);
@@ -215,6 +222,7 @@ class Viewer {
   std::optional<SectionGrip> hovered_grip_;
   Pointer pointer_ = Pointer::arrow;
   std::optional<Transition> transition_;
+  std::optional<LookTransition> look_transition_;
   std::unique_ptr<LoadJob> job_;
   std::exception_ptr failure_;
   std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
@@ -241,6 +249,7 @@ class Viewer {
   std::optional<Camera> camera_before_dive_;
   std::string file_shown_;             // that the model came from; empty: the sample, or nobody can open it again by name alone
   std::optional<TourNotes> tour_after_load_;
+  bool notes_may_go_ = false;          // the person said so of those that are there
   std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
   std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
 };

@@ -12,6 +12,7 @@
 #include "engine/ui/actions.h"
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/viewer.h"
+#include "engine/view/gamepad.h"
 
 namespace odontoscope {
 
@@ -91,6 +92,7 @@ void Viewer::enter_outdoors() {
 void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   FlyState& fly = state_.fly;
   if (!fly.on) {
+    settle_looks();
     leave_lab();
     fly.scene_before = state_.scene;
     if (camera_before_dive_) fly.scene_before.camera = *std::exchange(camera_before_dive_, std::nullopt);
@@ -193,15 +195,29 @@ void Viewer::on_flight_key(const KeyChanged& key) {
 }
 
 void Viewer::on_gamepad(const GamepadChanged& gamepad) {
-  if (state_.fly.on) {
-    if (gamepad.pass && !gamepad_.pass) state_.todo.push_back(Action::pass_wall);
-    if (gamepad.play && !gamepad_.play) state_.todo.push_back(Action::ride_play);
-    if (gamepad.next && !gamepad_.next) state_.todo.push_back(Action::next_canal);
-    if (gamepad.leave && !gamepad_.leave) state_.todo.push_back(Action::leave_flight);
-  } else if (gamepad.play && !gamepad_.play) {
-    state_.todo.push_back(Action::enter_pulp);
+  const GamepadChanged before = std::exchange(gamepad_, gamepad);
+  if (gamepad.present != before.present) notice(gamepad.present ? "A gamepad is there: Start shows what it does." : "The gamepad is gone. Keys and mouse go on.");
+  state_.pad_in_hand = gamepad.present && (state_.pad_in_hand || in_use(gamepad));
+  if (!gamepad.present) return;
+  const auto pressed = [&](bool GamepadChanged::*button) { return gamepad.*button && !(before.*button); };
+  const auto ask = [&](bool GamepadChanged::*button, Action action) {
+    if (pressed(button)) state_.todo.push_back(action);
+  };
+  ask(&GamepadChanged::help, Action::toggle_help);
+  ask(&GamepadChanged::next_note, Action::next_step);
+  ask(&GamepadChanged::previous_note, Action::previous_step);
+  ask(&GamepadChanged::outdoors, Action::fly_outdoors);
+  if (!state_.fly.on) {
+    ask(&GamepadChanged::play, Action::enter_pulp);
+    ask(&GamepadChanged::leave, Action::escape);
+    return;
   }
-  gamepad_ = gamepad;
+  ask(&GamepadChanged::pass, Action::pass_wall);
+  ask(&GamepadChanged::play, state_.fly.cavity ? Action::ride_play : Action::enter_pulp);
+  ask(&GamepadChanged::next, Action::next_canal);
+  ask(&GamepadChanged::labels, Action::toggle_labels);
+  ask(&GamepadChanged::pictures, Action::toggle_where);
+  if (pressed(&GamepadChanged::leave)) state_.todo.push_back(state_.help ? Action::escape : Action::leave_flight);
 }
 
 FlightWish Viewer::flight_wish() const {

@@ -6,7 +6,6 @@
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/fly_marks.h"
-#include "engine/ui/fly_marks.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/viewer.h"
 
@@ -44,6 +43,7 @@ glm::dvec3 Viewer::anchor_at(const ViewPane& pane, double x, double y) const {
 }
 
 void Viewer::react(const Event& event) {
+  if (std::holds_alternative<KeyChanged>(event) || std::holds_alternative<MouseButtonChanged>(event)) state_.pad_in_hand = false;
   if (const auto* move = std::get_if<MouseMoved>(&event)) on_move(*move);
   else if (const auto* button = std::get_if<MouseButtonChanged>(&event)) on_button(*button);
   else if (const auto* scroll = std::get_if<Scrolled>(&event)) on_scroll(*scroll);
@@ -89,6 +89,7 @@ void Viewer::on_move(const MouseMoved& move) {
 
 void Viewer::on_button(const MouseButtonChanged& button) {
   if (button.down) {
+    settle_looks();
     if (!drag_ && state_.shown && !job_) on_press(button);
     return;
   }

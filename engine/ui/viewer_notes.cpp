@@ -9,8 +9,26 @@
 
 #include "engine/ui/viewer.h"
 #include "recon/core/atomic_file.h"
+#include "recon/core/error.h"
 
 namespace odontoscope {
+
+namespace {
+
+/// Without looks of structures that this model does not have.
+Scene of_model(Scene scene, const Model& model) {
+  std::erase_if(scene.looks, [&](const Look& look) { return std::none_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& part) { return part.structure == look.structure; }); });
+  return scene;
+}
+
+}  // namespace
+
+void keep_draft(NotesState& notes) {
+  TourNote note = std::move(*std::exchange(notes.draft, std::nullopt));
+  if (note.title.empty()) note.title = fmt::format("Note {}", notes.tour.notes.size() + 1);
+  notes.tour.notes.push_back(std::move(note));
+  notes.unsaved = true;
+}
 
 /// What the panels asked for.
 void Viewer::tend_notes() {
@@ -18,10 +36,42 @@ void Viewer::tend_notes() {
   if (std::exchange(notes.write, false)) write_note();
   if (std::exchange(notes.save, false)) save_notes();
   if (const auto wanted = std::exchange(notes.go_to, {})) go_to_note(*wanted);
+  answer_about_notes();
+}
+
+bool Viewer::notes_at_risk() const {
+  const NotesState& notes = state_.notes;
+  return notes.unsaved || (notes.draft && !(notes.draft->title.empty() && notes.draft->text.empty()));
+}
+
+bool Viewer::may_close() {
+  if (!notes_at_risk()) return true;
+  if (!state_.notes.leaving) state_.notes.leaving = LeavingNotes{};
+  return false;
+}
+
+void Viewer::answer_about_notes() {
+  using Answer = LeavingNotes::Answer;
+  NotesState& notes = state_.notes;
+  if (!notes.leaving || notes.leaving->answer == Answer::none) return;
+  const LeavingNotes leaving = std::move(*std::exchange(notes.leaving, std::nullopt));
+  if (leaving.answer == Answer::save) save_notes();
+  if (leaving.answer == Answer::stay || (leaving.answer == Answer::save && notes_at_risk())) {   // or it could not be written
+    lesson_after_load_ = false;
+    return;
+  }
+  if (!leaving.to_open) {
+    state_.close = true;
+    return;
+  }
+  notes_may_go_ = true;
+  open(*leaving.to_open);
+  if (!job_) notes_may_go_ = false;
 }
 
 bool Viewer::perform_on_notes(Action action) {
   NotesState& notes = state_.notes;
+  settle_looks();
   if (action == Action::write_note) {
     if (!notes.draft) write_note();
     return true;
@@ -47,14 +97,16 @@ void Viewer::write_note() {
   }
   held_.clear();
   state_.fly.mouse_caught = false;
-  Camera camera = transition_ ? transition_->goal() : state_.scene.camera;
-  camera.near_mm = 0;   // follows from the flight, not from the note
-  notes.draft = TourNote{"", "", camera, state_.fly.on && state_.fly.cavity.has_value()};
+  settle_looks();
+  Scene seen = state_.scene;
+  if (transition_) seen.camera = transition_->goal();
+  notes.draft = note_of(seen, state_.fly.on && state_.fly.cavity.has_value());
   notes.shown.reset();
 }
 
 void Viewer::save_notes() {
   NotesState& notes = state_.notes;
+  if (notes.draft && notes_at_risk()) keep_draft(notes);
   if (notes.tour.notes.empty() || !state_.shown) return;
   try {
     if (notes.tour.title.empty()) notes.tour.title = state_.shown->title;
@@ -62,8 +114,11 @@ void Viewer::save_notes() {
     notes.tour.model.clear();
     std::error_code error;
     if (!file_shown_.empty()) notes.tour.model = std::filesystem::proximate(std::filesystem::absolute(file_shown_), std::filesystem::absolute(file).parent_path(), error).generic_string();
+    const std::string text = to_json(notes.tour);
+    if (text.size() > most_tour_bytes)
+      throw UsageError(fmt::format("The notes are {} bytes long; a lesson has at most {}", text.size(), most_tour_bytes), "Make two lessons of them.");
     AtomicFile written(file);
-    written.write(to_json(notes.tour));
+    written.write(text);
     written.commit();
     notes.unsaved = false;
     notice(fmt::format("Saved {}. Drop it on the window, or odontoscope view it.", file.string()));
@@ -109,14 +164,7 @@ void Viewer::go_to_note(std::size_t number) {
   notes.shown = number;
   const TourNote note = notes.tour.notes[number];
   if (!note.inside) {
-    if (!state_.fly.on) {
-      go_to(note.camera);
-      return;
-    }
-    darken_then([this, camera = note.camera] {
-      end_flight();
-      state_.scene.camera = camera;
-    });
+    show_note_outside(note);
     return;
   }
   const FlightSpaces* spaces = state_.shown->flight.get();
@@ -129,7 +177,39 @@ void Viewer::go_to_note(std::size_t number) {
   }
   if (!state_.fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
   const auto cavity = static_cast<std::size_t>(found - spaces->cavities.begin());
-  darken_then([this, cavity, camera = note.camera] { arrive(cavity, looking(camera.position, camera.target - camera.position, camera.up)); });
+  darken_then([this, cavity, note] {
+    const Camera& camera = note.camera;
+    arrive(cavity, looking(camera.position, camera.target - camera.position, camera.up));
+    state_.scene = of_model(note.scene_over(state_.scene, state_.scene), state_.shown->model);
+    see_from_flight();
+  });
+}
+
+/// The usual looks are the model's own, over the background that the person chose.
+void Viewer::show_note_outside(const TourNote& note) {
+  Scene usual = state_.shown->scene;
+  usual.background = background_of(state_.settings.backdrop);
+  const auto in_the_dark = [this, note, usual] {
+    end_flight();
+    leave_lab();
+    state_.scene = of_model(note.scene_over(state_.scene, usual), state_.shown->model);
+  };
+  if (state_.fly.on || state_.settings.comfort.reduced_motion) {
+    darken_then(in_the_dark);
+    return;
+  }
+  if (!note.scene.empty()) leave_lab();   // its looks are its own
+  const Scene goal = of_model(note.scene_over(state_.scene, usual), state_.shown->model);
+  go_to(note.camera, lesson_seconds);
+  look_transition_.emplace(state_.scene, goal);
+}
+
+void Viewer::settle_looks() {
+  if (!look_transition_) return;
+  const Camera camera = state_.scene.camera;
+  state_.scene = look_transition_->goal();
+  state_.scene.camera = camera;
+  look_transition_.reset();
 }
 
 }  // namespace odontoscope

@@ -82,7 +82,9 @@ struct ViewerState {
   LabState lab;
   FlyState fly;
   NotesState notes;
+  bool pad_in_hand = false;                // what was used last was the gamepad: hints speak of it
   bool headset_possible = false, headset_asked = false;   // asked: the window's loop ends, for whoever drives the headset
+  bool close = false;                      // nothing is left to ask: the window's loop ends
   std::string trouble;                     // an error to read and close; empty if none
   std::vector<Notice> notices;
   std::string drawn_with;                  // the context in words

@@ -11,7 +11,8 @@ void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop) 
   constexpr double longest_step = 0.1;   // after a rest nothing jumps
   Clock::time_point before = Clock::now();
   std::string title;
-  while (!window.closing() && !stop.stop_requested() && !viewer.state().headset_asked) {
+  while (!(window.closing() && viewer.may_close()) && !viewer.state().close && !stop.stop_requested() && !viewer.state().headset_asked) {
+    if (window.closing()) window.keep_open();   // something is asked first
     for (const Event& event : window.events(viewer.patience())) viewer.handle(event);
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - before).count();

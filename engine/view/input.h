@@ -35,6 +35,7 @@ struct GamepadChanged {
   bool present = false;
   double move_right = 0, move_ahead = 0, turn_right = 0, turn_up = 0, rise = 0;
   bool faster = false, pass = false, leave = false, play = false, next = false;
+  bool next_note = false, previous_note = false, labels = false, pictures = false, help = false, outdoors = false;
   friend bool operator==(const GamepadChanged&, const GamepadChanged&) = default;
 };
 /// The window lost the keyboard: nothing is held down any more as far as we know.

@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
+
+#include "engine/view/gamepad.h"
 
 namespace odontoscope {
 
@@ -64,30 +67,21 @@ int key_by_layout(int code, int scancode) {
 
 char place_of(int code) { return code >= GLFW_KEY_A && code <= GLFW_KEY_Z ? static_cast<char>('a' + (code - GLFW_KEY_A)) : '\0'; }
 
+static_assert(PadState::axes_in_all == GLFW_GAMEPAD_AXIS_LAST + 1 && PadState::buttons_in_all == GLFW_GAMEPAD_BUTTON_LAST + 1);
+static_assert(PadState::left_y == GLFW_GAMEPAD_AXIS_LEFT_Y && PadState::right_x == GLFW_GAMEPAD_AXIS_RIGHT_X && PadState::left_trigger == GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+static_assert(PadState::x == GLFW_GAMEPAD_BUTTON_X && PadState::back == GLFW_GAMEPAD_BUTTON_BACK && PadState::start == GLFW_GAMEPAD_BUTTON_START);
+static_assert(PadState::dpad_up == GLFW_GAMEPAD_BUTTON_DPAD_UP && PadState::dpad_left == GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
+
 /// The first gamepad that GLFW knows the layout of.
 GamepadChanged gamepad_now() {
-  GLFWgamepadstate state;
+  GLFWgamepadstate now;
   int joystick = GLFW_JOYSTICK_1;
-  while (joystick <= GLFW_JOYSTICK_LAST && !(glfwJoystickIsGamepad(joystick) && glfwGetGamepadState(joystick, &state))) ++joystick;
+  while (joystick <= GLFW_JOYSTICK_LAST && !(glfwJoystickIsGamepad(joystick) && glfwGetGamepadState(joystick, &now))) ++joystick;
   if (joystick > GLFW_JOYSTICK_LAST) return {};
-  const auto axis = [&](int which) {
-    constexpr double idle = 0.16;   // worn sticks do not rest at zero
-    const double value = std::clamp<double>(state.axes[which], -1, 1), size = std::max(0.0, (std::abs(value) - idle) / (1 - idle));
-    return std::copysign(size * size, value);
-  };
-  const auto held = [&](int which) { return state.buttons[which] == GLFW_PRESS; };
-  const double lift = 0.5 * (state.axes[GLFW_GAMEPAD_AXIS_RIGHT_TRIGGER] - state.axes[GLFW_GAMEPAD_AXIS_LEFT_TRIGGER]);
-  return {.present = true,
-          .move_right = axis(GLFW_GAMEPAD_AXIS_LEFT_X),
-          .move_ahead = -axis(GLFW_GAMEPAD_AXIS_LEFT_Y),
-          .turn_right = axis(GLFW_GAMEPAD_AXIS_RIGHT_X),
-          .turn_up = -axis(GLFW_GAMEPAD_AXIS_RIGHT_Y),
-          .rise = std::abs(lift) > 0.1 ? lift : 0,
-          .faster = held(GLFW_GAMEPAD_BUTTON_LEFT_BUMPER) || held(GLFW_GAMEPAD_BUTTON_RIGHT_BUMPER),
-          .pass = held(GLFW_GAMEPAD_BUTTON_X),
-          .leave = held(GLFW_GAMEPAD_BUTTON_B),
-          .play = held(GLFW_GAMEPAD_BUTTON_A),
-          .next = held(GLFW_GAMEPAD_BUTTON_Y)};
+  PadState state;
+  std::copy(std::begin(now.axes), std::end(now.axes), state.axes.begin());
+  std::transform(std::begin(now.buttons), std::end(now.buttons), state.held.begin(), [](unsigned char button) { return button == GLFW_PRESS; });
+  return gamepad_from(state);
 }
 
 std::optional<MouseButton> button_of(int code) {
@@ -167,13 +161,27 @@ float Window::scale() const {
 }
 
 std::vector<Event> Window::events(double patience_seconds) {
-  if (patience_seconds > 0) glfwWaitEventsTimeout(patience_seconds);
+  const auto ask_gamepad = [this] {
+    if (const GamepadChanged gamepad = gamepad_now(); gamepad != inbox_->gamepad) inbox_->events.push_back(inbox_->gamepad = gamepad);
+  };
+  constexpr double glance = 1.0 / 60;   // a stick wakes nobody: it is asked, and nothing is drawn meanwhile
+  ask_gamepad();
+  double left = inbox_->events.empty() ? patience_seconds : 0;
+  for (; left > 0 && inbox_->gamepad.present && inbox_->events.empty(); left -= glance) {
+    const double began = glfwGetTime(), most = std::min(left, glance);
+    glfwWaitEventsTimeout(most);
+    ask_gamepad();
+    if (glfwGetTime() - began < 0.5 * most) left = 0;   // woken by what is no event of ours: a new size
+  }
+  if (left > 0 && inbox_->events.empty()) glfwWaitEventsTimeout(left);
   else glfwPollEvents();
-  if (const GamepadChanged gamepad = gamepad_now(); !(gamepad == inbox_->gamepad)) inbox_->events.push_back(inbox_->gamepad = gamepad);
+  ask_gamepad();
   return std::exchange(inbox_->events, {});
 }
 
 bool Window::closing() const { return glfwWindowShouldClose(context_->handle()); }
+
+void Window::keep_open() { glfwSetWindowShouldClose(context_->handle(), GLFW_FALSE); }
 
 void Window::show() { glfwSwapBuffers(context_->handle()); }
 

@@ -29,6 +29,8 @@ class Window {
   std::vector<Event> events(double patience_seconds);
   /// The person asked to close it, by whatever means.
   bool closing() const;
+  /// Not yet, after all.
+  void keep_open();
 
   /// Shows what was drawn into framebuffer 0; waits for the screen's beat.
   void show();

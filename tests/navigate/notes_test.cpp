@@ -40,11 +40,77 @@ std::string changed(const std::string& from, const std::string& to) {
 
 TEST(TourNotes, AreReadAsTheyWereWritten) { EXPECT_EQ(parse_tour(to_json(some_tour()), "a"), some_tour()); }
 
+/// With the whole of what is seen.
+TourNotes tour_with_scenes() {
+  TourNotes tour = some_tour();
+  Scene scene;
+  scene.camera = tour.notes[1].camera;
+  scene.looks = {{"enamel", colour_of(0x112233), 0.3f, false, true}};
+  scene.section = Section{{1, 2, 3}, {0, 0.6, 0.8}};
+  scene.back_faces = BackFaces::tint;
+  tour.notes[1] = note_of(scene, false);
+  scene.headlight = Headlight{1.5};
+  scene.camera.near_mm = 0.01;
+  tour.notes[0] = note_of(scene, true);
+  return tour;
+}
+
+TEST(TourNotes, WithScenesAreReadAsTheyWereWritten) {
+  const TourNotes tour = tour_with_scenes();
+  const TourNotes read = parse_tour(to_json(tour), "a");
+  EXPECT_EQ(read, tour);
+  EXPECT_EQ(read.notes[0].camera.near_mm, 0) << "inside it follows from the flight";
+  Scene other;
+  other.looks = {{"enamel", colour_of(0xffffff)}, {"pulp", colour_of(0xff0000), 0.5f}};
+  other.section = Section{};
+  other.headlight = Headlight{};
+  const Scene shown = read.notes[1].scene_over(other, other);
+  EXPECT_EQ(shown.camera, tour.notes[1].camera);
+  EXPECT_FALSE(shown.look_of("enamel")->visible);
+  EXPECT_EQ(*shown.look_of("pulp"), other.looks[1]) << "not spoken of";
+  EXPECT_EQ(shown.section->point_mm, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(shown.back_faces, BackFaces::tint);
+  EXPECT_FALSE(shown.headlight);
+  EXPECT_EQ(some_tour().notes[0].scene_over(other, other).looks, other.looks) << "a note of a camera alone leaves looks as they are";
+}
+
+TEST(TourNotes, OfCamerasAloneAreStillVersionOne) {
+  const std::string text = to_json(some_tour());
+  EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
+  EXPECT_EQ(text.find("scene"), std::string::npos);
+}
+
+TEST(TourNotes, RefuseAScenesFaultsWithTheNotesNumber) {
+  const auto cause = [](const std::string& scene) {
+    TourNotes tour = some_tour();
+    tour.notes[1].scene = scene;
+    try {
+      parse_tour(to_json(tour), "a.tour.json");
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("a.tour.json, note 2"), std::string::npos) << error.what();
+      return std::string(error.cause());
+    }
+    return std::string("read");
+  };
+  const std::string head = R"({"format":"odontoscope.scene","version":1,)";
+  EXPECT_EQ(cause(head + R"("wire":true})"), "read");
+  EXPECT_EQ(cause(head + R"("camera":{"height_mm":-1}})"), "read") << "the note has its own";
+  EXPECT_EQ(cause("[]"), "wrong-type");
+  EXPECT_EQ(cause(R"({"version":1})"), "wrong-format");
+  EXPECT_EQ(cause(head + R"("wire":1})"), "wrong-type");
+  EXPECT_EQ(cause(head + R"("structures":[{"name":"enamel","opacity":2}]})"), "bad-value");
+  EXPECT_EQ(cause(head + R"("section":{"normal":[0,0,0]}})"), "bad-value");
+  EXPECT_EQ(cause(head + R"("headlight":{"reach_mm":-1}})"), "bad-value");
+  std::string many = R"({"name":"s0"})";
+  for (int i = 1; i <= 1000; ++i) many += R"(,{"name":"s)" + std::to_string(i) + R"("})";
+  EXPECT_EQ(cause(head + R"("structures":[)" + many + "]}"), "bad-value");
+}
+
 TEST(TourNotes, RefuseEachWithItsCause) {
   EXPECT_EQ(cause_of(""), "unparsable");
   EXPECT_EQ(cause_of("{"), "unparsable");
   EXPECT_EQ(cause_of(changed("odontoscope.tour", "odontoscope.lesson")), "wrong-format");
-  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 2")), "wrong-version");
+  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 3")), "wrong-version");
   EXPECT_EQ(cause_of(changed("\"title\": \"Three canals\",", "")), "missing-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"insid\": true")), "unknown-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": 1")), "wrong-type");
@@ -65,10 +131,10 @@ TEST(TourNotes, RefuseEachWithItsCause) {
 }
 
 TEST(TourNotes, NoChangeOfAByteDoesHarm) {
-  const std::string whole = to_json(some_tour());
+  const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes())};
   RandomNumbers random(3);
   for (int i = 0; i < 4000; ++i) {
-    std::string text = whole;
+    std::string text = wholes[i % 2];
     for (int k = random.whole(1, 4); k > 0; --k) {
       const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
       if (random.chance(0.5)) text[at] = static_cast<char>(random.below(256));

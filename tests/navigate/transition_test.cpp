@@ -56,5 +56,49 @@ TEST(Transition, ChangesTheProjectionWithoutAJump) {
   EXPECT_NEAR(half_height_at(first, 1), half_height_at(buccal, 40), 1e-9);
 }
 
+Model ten_mm_wide() {
+  Model model;
+  model.bounds_mm = {{-5, -5, -5}, {5, 5, 5}};
+  model.radius_mm = 5 * std::sqrt(3.0);
+  return model;
+}
+
+TEST(LookTransition, FadesStructuresAndMovesTheSection) {
+  Scene from, to;
+  from.looks = {{"enamel", colour_of(0x000000), 1}, {"pulp", colour_of(0xff0000), 1}, {"dentine", colour_of(0xffffff), 0.5f, false}};
+  to.looks = {{"enamel", colour_of(0xffffff), 0.2f}, {"pulp", colour_of(0xff0000), 1, false}, {"dentine", colour_of(0xffffff), 0.5f}};
+  to.section = Section{{0, 1, 0}, {0, 2, 0}};
+  const Model model = ten_mm_wide();
+  const Scene half = looks_between(from, to, 0.5, model);
+  EXPECT_FLOAT_EQ(half.look_of("enamel")->opacity, 0.6f);
+  EXPECT_FLOAT_EQ(half.look_of("enamel")->colour.red, 0.5f * to.looks[0].colour.red);
+  EXPECT_TRUE(half.look_of("pulp")->visible);
+  EXPECT_FLOAT_EQ(half.look_of("pulp")->opacity, 0.5f);
+  EXPECT_FLOAT_EQ(half.look_of("dentine")->opacity, 0.25f);
+  double before = 0.98 * model.radius_mm + 1e-9;
+  for (int i = 0; i < 50; ++i) {
+    const double offset = looks_between(from, to, i / 50.0, model).section->point_mm.y;
+    EXPECT_LE(offset, before);
+    EXPECT_LT(before - offset, 0.25);
+    before = offset;
+  }
+  EXPECT_EQ(looks_between(from, to, 1, model), to);
+  EXPECT_EQ(looks_between(to, from, 1, model), from) << "the section is gone";
+  Scene turned = to;
+  turned.section->normal = {0, -1, 0};
+  EXPECT_EQ(looks_between(to, turned, 0.5, model).section, turned.section) << "opposite planes: no way between is the right one";
+}
+
+TEST(LookTransition, EndsExactlyAtItsGoalUnderTheCameraOfTheMoment) {
+  Scene goal;
+  goal.wire = true;
+  LookTransition transition(Scene{}, goal);
+  Scene scene;
+  for (int i = 0; i < 100 && !transition.over(); ++i) scene = transition.advance(0.016, lingual, ten_mm_wide());
+  EXPECT_TRUE(transition.over());
+  goal.camera = lingual;
+  EXPECT_EQ(scene, goal);
+}
+
 }  // namespace
 }  // namespace odontoscope
