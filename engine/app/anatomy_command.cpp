@@ -45,14 +45,15 @@ void tell(const Anatomy& anatomy, Console& console) {
   for (const MeasuredCanal& canal : anatomy.canals)
     console.say(fmt::format("  {}: narrowest at {}{}", canal.name, place(canal.narrowest.at),
                             canal.thinnest_wall ? ", wall thinnest at " + place(canal.thinnest_wall->at) : ""));
-  if (anatomy.handles > 0) console.say(fmt::format("Canals join again ({}): which branching the roots have is not told.", counted(static_cast<std::size_t>(anatomy.handles), "handle")));
+  if (anatomy.handles > 0)
+    console.say(fmt::format("{}: canals join again, or something stands in the chamber.", counted(static_cast<std::size_t>(anatomy.handles), "handle")));
   for (const MeasuredRoot& root : anatomy.roots) {
     std::string names, sections;
     for (const std::size_t c : root.canals) names += (names.empty() ? "" : ", ") + anatomy.canals[c].name;
     for (const std::size_t n : root.sections) sections += (sections.empty() ? "" : "-") + std::to_string(n);
     console.say(fmt::format("Root with {}: {}, Vertucci {}", names, sections, root.vertucci));
   }
-  if (anatomy.roots.empty() && anatomy.handles == 0 && !anatomy.canals.empty()) console.say("The outside of the tooth is not there: no walls, no roots.");
+  if (anatomy.roots.empty() && !anatomy.canals.empty()) console.say("The outside of the tooth is not there: no walls, no roots.");
 }
 
 ExitCode run(const Options& options, Session& session) {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "recon/cavity/plane_loops.h"
 #include "recon/cavity/wall_tree.h"
@@ -229,7 +230,7 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.cavity_volume = cavity.volume;
   made.cavity_area = wall.shells.front().area;
   made.handles = wall.shells.front().genus;
-  const CentreLines lines = centre_lines(cavity, {}, progress);
+  CentreLines lines = centre_lines(cavity, {}, progress);
   progress.tell(stage, 0);
   made.chamber_width = 2 * lines.chamber_radius;
   made.horns = lines.horns.size();
@@ -239,8 +240,9 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   if (!outside.triangles.empty()) {
     measure_walls(cavity, lines, WallTree(outside), made.canals, progress);
     progress.tell(stage, 0.5);
-    if (made.handles == 0) made.roots = roots_of(cavity, lines, outside, made.canals);
+    made.roots = roots_of(cavity, lines, outside, made.canals);
   }
+  made.lines = std::move(lines);
   progress.tell(stage, 1);
   return made;
 }

@@ -53,9 +53,10 @@ struct Anatomy {
   double chamber_width = 0;            // twice the clearance in its centre
   std::vector<MeasuredCanal> canals;
   std::size_t horns = 0, other_branches = 0;
-  long handles = 0;                    // of the void: canals that join again, where not 0; then branching is not told
-  /// Canals that lie in the same outer contour half way along the shorter one's apical half share a root. Empty where the outside is not there, or with handles.
+  long handles = 0;                    // of the void: canals that join again, or what stands in the chamber, where not 0
+  /// Canals that lie in the same outer contour half way along the shorter one's apical half share a root. Empty where the outside is not there.
   std::vector<MeasuredRoot> roots;
+  CentreLines lines;                   // what all this was measured along; canals in the same order
 };
 
 /// Of the largest void of `model`. Not measured: open shells, and canals that open to the outside. Deterministic. Stages: those of centre_lines, "measure".

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "recon/cavity/branches.h"
@@ -48,7 +49,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   CentreLines lines;
   if (graph.nodes.empty()) return lines;  // a crack: no centre of a tetrahedron lies in it
   progress.tell(stage, 0.5);
-  const cavity::Branches found = cavity::find_branches(graph, tree, report.shells.front().genus, options.axis);
+  const cavity::Branches found = cavity::find_branches(graph, cavity.wall, report.shells.front().genus, options.axis);
   lines.chamber = graph.nodes[found.root].at;
   lines.chamber_radius = tree.clearance(lines.chamber);
   lines.has_chamber = found.has_chamber;
@@ -75,11 +76,15 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
       lines.canals.push_back(std::move(line));
     }
   }
+  std::vector<CentreLine> isthmuses;
+  for (const std::vector<Point3>& way : found.isthmuses) isthmuses.push_back(cavity::centred(way, tree, cavity::LineEnd::joined));
   for (const std::vector<Point3>& loop : found.loops) lines.loops.push_back(cavity::centred(loop, tree, cavity::LineEnd::closed));
   order(lines.canals, "canal");
   order(lines.horns, "horn");
   order(lines.others, "branch");
   order(lines.loops, "loop");
+  order(isthmuses, "isthmus");
+  std::move(isthmuses.begin(), isthmuses.end(), std::back_inserter(lines.others));
   name_as_sample(lines);
   progress.tell(stage, 1);
   return lines;

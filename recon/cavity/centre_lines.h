@@ -10,7 +10,7 @@
 // Deterministic: the same wall gives the same bytes, on any number of threads. Units: millimetres.
 //
 // Not supported: a void without any width to speak of between its ends (a crack) gets a line along its middle surface that is
-// not unique. Of several handles only the largest gets a line; a canal that joins another ends where they meet.
+// not unique.
 
 #include <cstddef>
 #include <optional>
@@ -45,11 +45,13 @@ struct CentreLines {
   double chamber_radius = 0;  // clearance there
   bool has_chamber = true;
   /// Longest first, ties by the end's coordinates; names are "canal 1", "canal 2", ... in that order. Each begins in the chamber's centre, or, without a
-  /// chamber, at the crown's end of the tube. Canals that fork have their first part in common.
+  /// chamber, at the crown's end of the tube. Canals that fork have their first part in common, canals that join their last. There are as few as lead
+  /// through everything: where canals join and part again, which of the upper goes on to which of the lower is a choice.
   std::vector<CentreLine> canals;
-  /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals ("branch 1", ...); ordered alike.
+  /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals ("branch 1", ...); ordered alike. Last, what joins two canals
+  /// that both go on ("isthmus 1", ...): from the chamber down the one and through, to where it meets the other.
   std::vector<CentreLine> horns, others;
-  /// Of a void with handles the line round the largest one that is half as wide as a canal: closed, the last point is the first ("loop 1").
+  /// Of a void with handles the lines round each that is half as wide as a canal: closed, the last point is the first ("loop 1", ...).
   std::vector<CentreLine> loops;
 };
 

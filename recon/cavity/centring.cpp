@@ -227,13 +227,13 @@ CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) 
     line.extend();
     line.turn();
   }
-  if (end != LineEnd::closed) {
+  if (end == LineEnd::blind || end == LineEnd::both_blind) {
     made.end = line.extend();
     line.cut_gap();
   }
   line.spread_evenly();
   made.points = line.points();
-  if (end == LineEnd::closed) made.end = made.points.back().at;
+  if (end == LineEnd::closed || end == LineEnd::joined) made.end = made.points.back().at;
   return made;
 }
 

@@ -11,6 +11,7 @@ namespace odontoscope::cavity {
 enum class LineEnd {
   blind,   // go on straight towards the wall, see limits::tip_clearance
   both_blind,  // the first point likewise
+  joined,  // it meets another line: stays where it is
   closed,  // the path's last point is its first: a loop
 };
 

@@ -21,6 +21,10 @@ inline constexpr double branch_share = 0.06;
 inline constexpr double branch_over_root = 1.2;
 /// Its mean radius is at least this share of the first one's: what is thinner lies in a crease of the wall.
 inline constexpr double branch_width = 0.1;
+/// Both sides of a handle that counts are everywhere at least this share as wide as what leads to the void's farthest place.
+inline constexpr double handle_width = 0.5;
+/// Canals that join at an acute angle share a wide place this many radii long.
+inline constexpr double join_reach = 5;
 /// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
 inline constexpr double canal_share = 0.25;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.

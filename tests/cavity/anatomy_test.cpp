@@ -89,7 +89,7 @@ TEST(Anatomy, OfACanalThatForksIsVertucciFive) {
   EXPECT_EQ(made.roots[0].vertucci, "V");
 }
 
-TEST(Anatomy, OfARingTellsItsHandleAndNoBranching) {
+TEST(Anatomy, OfARingTellsItsHandleAndNoCanals) {
   const Anatomy made = anatomy_in_block(test::ring(3, 0.6));
   EXPECT_EQ(made.handles, 1);
   EXPECT_TRUE(made.canals.empty() && made.roots.empty());

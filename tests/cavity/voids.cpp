@@ -89,4 +89,76 @@ Cavity three_canals(const ThreeCanals& shape) {
       {-4, -3, -10}, {3.5, 3, 2}, 0.06);
 }
 
+namespace {
+
+/// Without corners, but for those in the root's middle, where canals part and join.
+std::vector<Point3> rounded(const std::vector<Point3>& axis) {
+  constexpr int pieces = 12;
+  constexpr double share = 0.45;   // of the way to the next corner
+  const auto between = [](const Point3& a, const Point3& b, double t) { return Point3{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)}; };
+  std::vector<Point3> made{axis.front()};
+  for (std::size_t i = 1; i + 1 < axis.size(); ++i) {
+    const Point3 from = between(axis[i], axis[i - 1], share), to = between(axis[i], axis[i + 1], share);
+    for (int k = 0; axis[i].x != 0 && k <= pieces; ++k) {
+      const double t = static_cast<double>(k) / pieces;
+      made.push_back(between(between(from, axis[i], t), between(axis[i], to, t), t));
+    }
+    if (axis[i].x == 0) made.push_back(axis[i]);
+  }
+  made.push_back(axis.back());
+  return made;
+}
+
+RootShape angular_root(const std::string& type, double uneven) {
+  const Point3 top{0, 0, 0};
+  // The same height on either side of the root's middle plane.
+  const auto left = [](double x, double z) { return Point3{-x, 0, z}; };
+  const auto right = [&](double x, double z) { return Point3{uneven * x, 0, z}; };
+  const auto middle = [](double z) { return Point3{0, 0, z}; };
+  if (type == "I") return {type, {1}, {{top, middle(-9)}}};
+  if (type == "II") return {type, {2, 1}, {{top, left(1.1, -3), middle(-6), middle(-9)}, {top, right(1.1, -3), middle(-6), middle(-9)}}};
+  if (type == "III")
+    return {type, {1, 2, 1}, {{top, middle(-3), left(1, -5), middle(-7), middle(-10)}, {top, middle(-3), right(1, -5), middle(-7), middle(-10)}}};
+  if (type == "IV") return {type, {2}, {{top, left(1.2, -4), left(1.2, -9)}, {top, right(1.2, -4), right(1.2, -8.5)}}};
+  if (type == "V") return {type, {1, 2}, {{top, middle(-4.5), left(1.3, -9)}, {top, middle(-4.5), right(1.3, -8.7)}}};
+  if (type == "VI")
+    return {type, {2, 1, 2}, {{top, left(1.1, -3), middle(-5), middle(-7), left(1.1, -10)}, {top, right(1.1, -3), middle(-5), middle(-7), right(1.1, -9.8)}}};
+  if (type == "VII")
+    return {type,
+            {1, 2, 1, 2},
+            {{top, middle(-2.8), left(0.9, -4.4), middle(-6), middle(-7.6), left(1.1, -10.6)},
+             {top, middle(-2.8), right(0.9, -4.4), middle(-6), middle(-7.6), right(1.1, -10.4)}}};
+  return {type, {3}, {{top, {-1.5, 0, -4}, {-1.5, 0, -9}}, {top, {1.2, 1, -4}, {1.2, 1, -8.5}}, {top, {1.2, -1, -4}, {1.2, -1, -8}}}};
+}
+
+}  // namespace
+
+RootShape root_of_type(const std::string& type, double uneven) {
+  RootShape shape = angular_root(type, uneven);
+  constexpr double tall = 1.25;
+  for (std::vector<Point3>& axis : shape.canals) {
+    for (Point3& p : axis) p.z *= tall;
+    axis = rounded(axis);
+  }
+  return shape;
+}
+
+Cavity void_of_root(const RootShape& shape) {
+  const double room = 1.4 * shape.radius;
+  Point3 low{-shape.chamber, -shape.chamber, 0}, high{shape.chamber, shape.chamber, shape.chamber + room};
+  for (const std::vector<Point3>& axis : shape.canals) {
+    for (const Point3& p : axis) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+  }
+  return void_of(
+      [&](const Point3& p) {
+        double nearest = ball_distance(p, {}, shape.chamber);
+        for (const std::vector<Point3>& axis : shape.canals) nearest = std::min(nearest, tube_distance(p, axis, shape.radius));
+        return nearest;
+      },
+      {low.x - room, low.y - room, low.z - room}, {high.x + room, high.y + room, high.z}, shape.radius / 8);
+}
+
 }  // namespace odontoscope::test
