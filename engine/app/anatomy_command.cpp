@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -25,6 +26,12 @@ struct Options {
 
 std::string place(const Point3& p) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", p.x, p.y, p.z); }
 
+bool passes(const CanalGraph& graph, std::size_t canal, std::size_t node) {
+  return std::any_of(graph.parts.begin(), graph.parts.end(), [&](const CanalPart& part) {
+    return (part.from == node || part.to == node) && std::find(part.canals.begin(), part.canals.end(), canal) != part.canals.end();
+  });
+}
+
 void tell(const Anatomy& anatomy, Console& console) {
   console.say(fmt::format("{:<24} {:>14} {:>16}", "structure", "volume, mm^3", "outside, mm^2"));
   for (const MeasuredStructure& structure : anatomy.structures)
@@ -47,6 +54,14 @@ void tell(const Anatomy& anatomy, Console& console) {
                             canal.thinnest_wall ? ", wall thinnest at " + place(canal.thinnest_wall->at) : ""));
   if (anatomy.handles > 0)
     console.say(fmt::format("{}: canals join again, or something stands in the chamber.", counted(static_cast<std::size_t>(anatomy.handles), "handle")));
+  for (std::size_t node = 1; node < anatomy.graph.nodes.size(); ++node) {
+    const std::string kind = anatomy.graph.kind(node);
+    if (kind == "end") continue;
+    std::string names;
+    for (std::size_t c = 0; c < anatomy.canals.size(); ++c)
+      if (passes(anatomy.graph, c, node)) names += (names.empty() ? "" : ", ") + anatomy.canals[c].name;
+    console.say(fmt::format("  {}: {} at {}", names, kind == "fork" ? "part" : kind == "join" ? "join" : "join and part again", place(anatomy.graph.nodes[node])));
+  }
   for (const MeasuredRoot& root : anatomy.roots) {
     std::string names, sections;
     for (const std::size_t c : root.canals) names += (names.empty() ? "" : ", ") + anatomy.canals[c].name;

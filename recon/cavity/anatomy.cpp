@@ -107,6 +107,19 @@ MeasuredCanal measured(const CentreLine& line) {
   return canal;
 }
 
+MeasuredPart measured(const CentreLines& lines, const CanalGraph& graph, const CanalPart& part) {
+  const CentreLine& line = lines.canals[part.canals.front()];
+  MeasuredPart made;
+  made.length = line.points[part.last].along - line.points[part.first].along;
+  // Between its last point and the node: the wall, or a place on another canal's line.
+  made.length += length(graph.nodes[part.to] - line.points[part.last].at);
+  if (part.from > 0) made.length += length(graph.nodes[part.from] - line.points[part.first].at);
+  double sum = 0;
+  for (std::size_t i = part.first; i <= part.last; ++i) sum += line.points[i].radius;
+  made.mean_width = 2 * sum / static_cast<double>(part.last - part.first + 1);
+  return made;
+}
+
 /// From each point of the void's wall that is nearest to a canal's line, below its orifice, to the outside.
 void measure_walls(const Cavity& cavity, const CentreLines& lines, const WallTree& outside, std::vector<MeasuredCanal>& canals, const Progress& progress) {
   for (const Point3& p : cavity.wall.points) {
@@ -242,6 +255,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
     progress.tell(stage, 0.5);
     made.roots = roots_of(cavity, lines, outside, made.canals);
   }
+  made.graph = canal_graph(lines);
+  for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));
   made.lines = std::move(lines);
   progress.tell(stage, 1);
   return made;

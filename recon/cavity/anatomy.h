@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/cavity/canal_graph.h"
 #include "recon/cavity/cavity.h"
 #include "recon/cavity/centre_lines.h"
 
@@ -46,6 +47,12 @@ struct MeasuredRoot {
   std::string vertucci;                // "I" to "VIII", or "other"
 };
 
+/// One for each part of the canals' graph.
+struct MeasuredPart {
+  double length = 0;       // along the line; to the wall where it ends there
+  double mean_width = 0;   // twice the mean clearance
+};
+
 struct Anatomy {
   std::vector<MeasuredStructure> structures;
   std::string cavity_of;               // structure; empty: there is no void, and nothing below
@@ -56,6 +63,8 @@ struct Anatomy {
   long handles = 0;                    // of the void: canals that join again, or what stands in the chamber, where not 0
   /// Canals that lie in the same outer contour half way along the shorter one's apical half share a root. Empty where the outside is not there.
   std::vector<MeasuredRoot> roots;
+  CanalGraph graph;                    // what canals share
+  std::vector<MeasuredPart> parts;
   CentreLines lines;                   // what all this was measured along; canals in the same order
 };
 

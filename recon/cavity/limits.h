@@ -31,6 +31,8 @@ inline constexpr double canal_share = 0.25;
 inline constexpr double branch_cover = 1.6;
 /// A tip that reaches farther ahead than the ball before it by less than this share of that ball's radius adds nothing but a corner.
 inline constexpr double tip_reach = 0.2;
+/// Canals whose lines are nearer to each other than this share of the radius run together.
+inline constexpr double together = 0.5;
 /// A line goes on straight beyond its last such ball, towards the wall, as long as it keeps this share of that ball's radius.
 inline constexpr double tip_clearance = 0.35;
 /// It ends where the void has closed to a gap of this share of the widest ball within three median radii before.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "recon/output/json_values.h"
@@ -22,6 +23,23 @@ Json json_of(const MeasuredCanal& canal) {
           {"thinnest_wall", canal.thinnest_wall ? json_of(*canal.thinnest_wall) : Json()},
           {"orifice", json_of(canal.orifice)},
           {"end", json_of(canal.end)}};
+}
+
+Json json_of(const Anatomy& anatomy, std::size_t number) {
+  const CanalPart& part = anatomy.graph.parts[number];
+  Json names = Json::array();
+  for (const std::size_t c : part.canals) names.push_back(anatomy.canals[c].name);
+  return {{"from", part.from}, {"to", part.to}, {"canals", names}, {"length", anatomy.parts[number].length}, {"mean_width", anatomy.parts[number].mean_width}};
+}
+
+/// What other canals lead through, too.
+double shared_length(const Anatomy& anatomy, std::size_t canal) {
+  double sum = 0;
+  for (std::size_t p = 0; p < anatomy.parts.size(); ++p) {
+    const std::vector<std::size_t>& canals = anatomy.graph.parts[p].canals;
+    if (canals.size() > 1 && std::find(canals.begin(), canals.end(), canal) != canals.end()) sum += anatomy.parts[p].length;
+  }
+  return sum;
 }
 
 std::string quoted(const std::string& text) {
@@ -60,13 +78,17 @@ std::string anatomy_json(const Anatomy& anatomy, const std::string& source) {
     for (const std::size_t c : root.canals) names.push_back(anatomy.canals[c].name);
     json["roots"].push_back({{"canals", names}, {"sections", root.sections}, {"vertucci", root.vertucci}});
   }
+  json["nodes"] = Json::array();
+  for (std::size_t n = 0; n < anatomy.graph.nodes.size(); ++n) json["nodes"].push_back({{"kind", anatomy.graph.kind(n)}, {"at", json_of(anatomy.graph.nodes[n])}});
+  json["parts"] = Json::array();
+  for (std::size_t p = 0; p < anatomy.parts.size(); ++p) json["parts"].push_back(json_of(anatomy, p));
   return text_of(json);
 }
 
 std::string anatomy_csv(const Anatomy& anatomy) {
   std::string text =
       "canal,length_mm,schneider_deg,smallest_bend_radius_mm,mean_width_mm,narrowest_width_mm,narrowest_x,narrowest_y,narrowest_z,"
-      "thinnest_wall_mm,thinnest_x,thinnest_y,thinnest_z,root,vertucci\r\n";
+      "thinnest_wall_mm,thinnest_x,thinnest_y,thinnest_z,root,vertucci,shared_length_mm\r\n";
   for (std::size_t i = 0; i < anatomy.canals.size(); ++i) {
     const MeasuredCanal& canal = anatomy.canals[i];
     text += fmt::format("{},{:.4f},{:.2f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},", quoted(canal.name), canal.length, canal.schneider_deg,
@@ -75,7 +97,7 @@ std::string anatomy_csv(const Anatomy& anatomy) {
     text += canal.thinnest_wall ? fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},", canal.thinnest_wall->width, canal.thinnest_wall->at.x, canal.thinnest_wall->at.y,
                                               canal.thinnest_wall->at.z)
                                 : ",,,,";
-    text += root_of(anatomy, i) + "\r\n";
+    text += fmt::format("{},{:.4f}\r\n", root_of(anatomy, i), shared_length(anatomy, i));
   }
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -33,6 +34,33 @@ bool in_one_tube(const CentreLine& line, const CentrePoint& p, const test::RootS
   return !meets && length(p.at - Point3{}) > shape.chamber + width && length(line.end - p.at) > width;
 }
 
+/// Parts of each type, how many nodes of each kind, and that the parts of each canal make it up.
+void expect_graph(const Anatomy& made, const test::RootShape& shape) {
+  struct Known {
+    std::size_t parts, ends, forks, joins;
+  };
+  static const std::map<std::string, Known> types = {{"I", {1, 1, 0, 0}},  {"II", {3, 1, 0, 1}}, {"III", {4, 1, 1, 1}}, {"IV", {2, 2, 0, 0}},
+                                                     {"V", {3, 2, 1, 0}},  {"VI", {5, 2, 1, 1}}, {"VII", {6, 2, 2, 1}}, {"VIII", {3, 3, 0, 0}}};
+  const Known& known = types.at(shape.type);
+  EXPECT_EQ(made.graph.parts.size(), known.parts);
+  std::map<std::string, std::size_t> kinds;
+  for (std::size_t node = 0; node < made.graph.nodes.size(); ++node) ++kinds[made.graph.kind(node)];
+  EXPECT_EQ(kinds["chamber"], 1u);
+  EXPECT_EQ(kinds["end"], known.ends);
+  EXPECT_EQ(kinds["fork"], known.forks);
+  EXPECT_EQ(kinds["join"], known.joins);
+  EXPECT_EQ(kinds["crossing"], 0u);
+  ASSERT_EQ(made.parts.size(), made.graph.parts.size());
+  for (std::size_t c = 0; c < made.canals.size(); ++c) {
+    double sum = 0;
+    for (std::size_t p = 0; p < made.parts.size(); ++p) {
+      const std::vector<std::size_t>& canals = made.graph.parts[p].canals;
+      if (std::find(canals.begin(), canals.end(), c) != canals.end()) sum += made.parts[p].length;
+    }
+    EXPECT_NEAR(sum, made.canals[c].length, 2 * percent * made.canals[c].length) << made.canals[c].name;
+  }
+}
+
 class RootTypes : public ::testing::TestWithParam<std::pair<std::string, double>> {};
 
 TEST_P(RootTypes, AreToldWithTheirCanalsLengthsAndWidths) {
@@ -59,6 +87,7 @@ TEST_P(RootTypes, AreToldWithTheirCanalsLengthsAndWidths) {
       if (in_one_tube(line, line.points[i], shape)) {
         EXPECT_NEAR(line.points[i].radius, shape.radius, percent * shape.radius) << line.name << " at " << line.points[i].at.z;
       }
+  expect_graph(made, shape);
   std::sort(known.begin(), known.end());
   std::sort(found.begin(), found.end());
   for (std::size_t i = 0; i < known.size(); ++i) EXPECT_NEAR(found[i], known[i], percent * known[i]);
