@@ -39,7 +39,7 @@ struct Options {
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
   std::vector<std::string> outputs;
-  bool tours = false;
+  bool tours = false, compress = false;
   std::string report;
 };
 
@@ -86,8 +86,9 @@ void refuse_senseless(const Options& options) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
-  if (options.tours && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
-    throw UsageError("--tours: only .glb and .gltf hold cameras that move", "Write one of these too: -o model.glb");
+  if ((options.tours || options.compress) && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
+    throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
+                     "Write one of these too: -o model.glb");
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   refuse_volume_without_level(options.input, options.words);
@@ -121,7 +122,7 @@ template <class MadeModel>
 Made files_of(const MadeModel& model, const Options& options, Session& session) {
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
-  for (const std::string& output : options.outputs) made.files.push_back(model_file(model, output, {.paths = made.paths}));
+  for (const std::string& output : options.outputs) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
   return made;
 }
 
@@ -190,6 +191,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->required()
       ->type_name("FILE");
   parser.add_flag("--tours", options.tours, "Into .glb and .gltf: a moving camera for each canal, to be played");
+  parser.add_flag("--compress", options.compress, "Smaller .glb and .gltf, without loss, for readers that know meshopt");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},
                      "dt: Delaunay (default); db: distance field and marching cubes")

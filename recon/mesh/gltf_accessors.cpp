@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 #include "recon/core/limits.h"
+#include "recon/mesh/gltf_compression.h"
 #include "recon/mesh/parsing.h"
 
 namespace odontoscope::gltf {
@@ -58,12 +62,15 @@ struct View {
   std::uint64_t component_type = 0;
 };
 
-constexpr std::uint64_t unsigned_byte = 5121, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
+constexpr std::uint64_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
+constexpr std::string_view quantization_extension = "KHR_mesh_quantization";
 
 std::size_t component_size(std::uint64_t type) {
   switch (type) {
+    case signed_byte:
     case unsigned_byte:
       return 1;
+    case signed_short:
     case unsigned_short:
       return 2;
     case unsigned_int:
@@ -74,18 +81,17 @@ std::size_t component_size(std::uint64_t type) {
   }
 }
 
-/// The bytes of a buffer view; only the file's own buffer can be meant.
-std::string_view view_bytes(const Glb& glb, const json& view) {
-  if (index_into(glb, view, "buffer", "buffers") != 0) glb.refuse("unsupported", "a buffer lies outside the file");
-  const json& buffer = entry(glb, "buffers", 0);
-  if (buffer.contains("uri"))
-    glb.refuse("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
-  const std::uint64_t offset = whole(glb, view, "byteOffset", 0), length = whole(glb, view, "byteLength", 0);
-  if (offset > glb.buffer.size() || length > glb.buffer.size() - offset) {
-    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset,
-                                        glb.buffer.size()));
-  }
-  return glb.buffer.substr(offset, length);
+/// The bytes of a buffer view, unpacked if need be.
+std::string_view view_bytes(const Glb& glb, std::size_t index) {
+  const json& view = entry(glb, "bufferViews", index);
+  const auto extensions = view.find("extensions");
+  if (extensions == view.end() || !extensions->is_object() || !extensions->contains(meshopt_extension)) return buffer_bytes(glb, view);
+  const auto known = glb.unpacked.find(index);
+  if (known != glb.unpacked.end()) return known->second;
+  std::size_t bytes = 0;
+  for (const auto& [number, other] : glb.unpacked) bytes += other.size();
+  if (bytes > limits::file_bytes) glb.refuse("too-large", fmt::format("the compressed buffer views have more than {} bytes", limits::file_bytes));
+  return glb.unpacked.emplace(index, unpacked(glb, view)).first->second;
 }
 
 View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::size_t components) {
@@ -95,14 +101,15 @@ View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::si
     glb.refuse("unsupported", fmt::format("accessor {} is no {}", index, wanted_type));
   }
   if (accessor.contains("sparse")) glb.refuse("unsupported", fmt::format("accessor {} is sparse", index));
-  const json& view = entry(glb, "bufferViews", index_into(glb, accessor, "bufferView", "bufferViews"));
+  const std::size_t view_index = index_into(glb, accessor, "bufferView", "bufferViews");
+  const json& view = entry(glb, "bufferViews", view_index);
   View resolved;
   resolved.component_type = whole(glb, accessor, "componentType", 0);
   const std::size_t size = component_size(resolved.component_type) * components;
   if (size == 0) {
     glb.refuse("unsupported", fmt::format("accessor {} has component type {}", index, resolved.component_type));
   }
-  resolved.bytes = view_bytes(glb, view);
+  resolved.bytes = view_bytes(glb, view_index);
   resolved.stride = whole(glb, view, "byteStride", size);
   const std::uint64_t offset = whole(glb, accessor, "byteOffset", 0);
   resolved.count = whole(glb, accessor, "count", 0);
@@ -119,6 +126,30 @@ View resolve(const Glb& glb, std::size_t index, const char* wanted_type, std::si
   }
   resolved.bytes = resolved.count == 0 ? std::string_view() : resolved.bytes.substr(offset);
   return resolved;
+}
+
+template <typename Number>
+std::array<float, 3> three(const View& view, std::size_t element, bool normalized) {
+  std::array<float, 3> values{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto value = static_cast<float>(little_endian<Number>(view.bytes, element * view.stride + k * sizeof(Number)));
+    values[k] = normalized ? std::max(value / static_cast<float>(std::numeric_limits<Number>::max()), -1.0f) : value;
+  }
+  return values;
+}
+
+/// Whole numbers as KHR_mesh_quantization means them.
+std::array<float, 3> quantized(const View& view, std::size_t element, bool normalized) {
+  switch (view.component_type) {
+    case signed_byte:
+      return three<std::int8_t>(view, element, normalized);
+    case unsigned_byte:
+      return three<std::uint8_t>(view, element, normalized);
+    case signed_short:
+      return three<std::int16_t>(view, element, normalized);
+    default:
+      return three<std::uint16_t>(view, element, normalized);
+  }
 }
 
 }  // namespace
@@ -150,10 +181,11 @@ Glb parse_container(std::string_view bytes, const std::string& file) {
   if (glb.document.is_discarded() || !glb.document.is_object())
     glb.refuse("unparsable", "the JSON part is no JSON object");
   for (const json& extension : list(glb, "extensionsRequired")) {
+    if (extension == meshopt_extension || extension == quantization_extension) continue;
     glb.refuse("unsupported",
                fmt::format("the extension {} is required",
                            extension.is_string() ? parsing::tame(extension.get<std::string>()) : "?"),
-               "Export it without compression or extensions");
+               "Export it without extensions, or with EXT_meshopt_compression only");
   }
   return glb;
 }
@@ -202,11 +234,31 @@ const json& entry(const Glb& glb, const char* key, std::size_t index) {
   return all[index];
 }
 
+std::string_view buffer_bytes(const Glb& glb, const json& place) {
+  if (index_into(glb, place, "buffer", "buffers") != 0) glb.refuse("unsupported", "a buffer lies outside the file");
+  const json& buffer = entry(glb, "buffers", 0);
+  if (buffer.contains("uri"))
+    glb.refuse("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
+  const std::uint64_t offset = whole(glb, place, "byteOffset", 0), length = whole(glb, place, "byteLength", 0);
+  if (offset > glb.buffer.size() || length > glb.buffer.size() - offset) {
+    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset,
+                                        glb.buffer.size()));
+  }
+  return glb.buffer.substr(offset, length);
+}
+
 std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor) {
   const View view = resolve(glb, accessor, "VEC3", 3);
-  if (view.component_type != single) glb.refuse("unsupported", "positions are not single-precision numbers");
   std::vector<std::array<float, 3>> positions;
   positions.reserve(view.count);
+  if (view.component_type != single) {
+    const json& used = list(glb, "extensionsUsed");
+    if (view.component_type == unsigned_int || std::find(used.begin(), used.end(), quantization_extension) == used.end())
+      glb.refuse("unsupported", "positions are not single-precision numbers");
+    const bool normalized = entry(glb, "accessors", accessor).value("normalized", json(false)) == true;
+    for (std::size_t i = 0; i < view.count; ++i) positions.push_back(quantized(view, i, normalized));
+    return positions;
+  }
   for (std::size_t i = 0; i < view.count; ++i) {
     positions.push_back(little_endian<std::array<float, 3>>(view.bytes, i * view.stride));
   }
@@ -215,7 +267,8 @@ std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t acc
 
 std::vector<std::uint32_t> read_indices(const Glb& glb, std::size_t accessor) {
   const View view = resolve(glb, accessor, "SCALAR", 1);
-  if (view.component_type == single) glb.refuse("unsupported", "indices are not whole numbers");
+  if (view.component_type == single || view.component_type == signed_byte || view.component_type == signed_short)
+    glb.refuse("unsupported", "indices are not whole numbers from 0");
   std::vector<std::uint32_t> indices;
   indices.reserve(view.count);
   for (std::size_t i = 0; i < view.count; ++i) {

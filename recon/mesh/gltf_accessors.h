@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ struct Glb {
   std::string_view buffer;  // of the file's bytes; empty if there is none
   std::string file;
   std::size_t json_offset = 0, buffer_offset = 0;
+  /// Compressed buffer views that were asked for, by number: each is unpacked once.
+  mutable std::map<std::size_t, std::string> unpacked;
 
   /// InputError at the JSON part.
   [[noreturn]] void refuse(std::string_view cause, std::string_view wrong, std::string_view remedy = {}) const;
@@ -38,7 +41,10 @@ const nlohmann::json& list(const Glb& glb, const char* key);
 /// document[key][index], an object.
 const nlohmann::json& entry(const Glb& glb, const char* key, std::size_t index);
 
-/// A VEC3 of floats.
+/// The part of the file's own buffer that `place` names by buffer, byteOffset and byteLength. InputError: truncated; unsupported for any other buffer.
+std::string_view buffer_bytes(const Glb& glb, const nlohmann::json& place);
+
+/// A VEC3 of floats, or, where the file says that it uses KHR_mesh_quantization, of bytes or shorts.
 std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor);
 /// A SCALAR of unsigned bytes, shorts or ints.
 std::vector<std::uint32_t> read_indices(const Glb& glb, std::size_t accessor);

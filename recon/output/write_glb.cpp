@@ -13,6 +13,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/output/compress_glb.h"
 #include "recon/output/json_values.h"
 #include "recon/output/shell_groups.h"
 #include "recon/output/single_precision.h"
@@ -278,7 +279,9 @@ std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool 
   Builder builder(model);
   for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
   for (const CameraPath& path : options.paths) builder.add_path(path);
-  return builder.bytes(binary);
+  if (!options.compressed) return builder.bytes(binary);
+  const std::string plain = builder.bytes(true);
+  return binary ? compressed_glb(plain) : compressed_gltf(plain);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 // volume_mm3}. Triangles keep their winding, so that a cavity's wall faces into the cavity; materials are single-sided.
 // Vertices are doubled where the surface has a crease, since a vertex has one normal; points that are distinct in the
 // reconstruction stay distinct in single precision, so that joining vertices of equal position gives the surface back.
-// asset.extras is the certificate. No extension is used.
+// asset.extras is the certificate. No extension is used unless the file is to be compressed, see compress_glb.h.
 //
 // A camera path becomes a node with a perspective camera, and an animation of its place and turn (LINEAR), all of its name. Which of several
 // animations is played, and whether through its camera, is the viewer's choice.
@@ -25,6 +25,8 @@ struct GlbOptions {
   double crease_angle_deg = 60;
   /// Ways through the model that a viewer can play; without any the file has neither camera nor animation.
   std::vector<CameraPath> paths = {};
+  /// Without loss, but readable by those only who know the extension EXT_meshopt_compression.
+  bool compressed = false;
 };
 
 /// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too

@@ -95,11 +95,30 @@ async function seen(opacities) {
 test('three.js', {timeout: 240_000}, async () => {
   const script = `import {Box3, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
     import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+    import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
+    const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
+    // A mesh's triangles with places and normals, each from its least corner on, in no order: the same surface gives the same text.
+    globalThis.triangles = async url => {
+      const meshes = {};
+      (await loader.loadAsync(url)).scene.traverse(({isMesh, name, geometry}) => {
+        if (!isMesh) return;
+        const {position, normal} = geometry.attributes, corner = v => [position, normal].map(({array}) => array.slice(3 * v, 3 * v + 3).join()).join(' ');
+        meshes[name] = Array.from({length: geometry.index.count / 3}, (_, t) => {
+          const corners = [0, 1, 2].map(k => corner(geometry.index.getX(3 * t + k))), first = corners.indexOf([...corners].sort()[0]);
+          return [0, 1, 2].map(k => corners[(first + k) % 3]).join(';');
+        }).sort().join('|');
+      });
+      return meshes;
+    };
+    globalThis.alike = async (one, other) => {
+      const [a, b] = [await triangles(one), await triangles(other)];
+      return Object.keys(a).join() === Object.keys(b).join() && Object.keys(a).every(name => a[name].length > 1000 && a[name] === b[name]);
+    };
     const renderer = new WebGLRenderer({alpha: true, antialias: false, preserveDrawingBuffer: true});
     renderer.setSize(${size}, ${size});
     globalThis.load = async url => {
       globalThis.scene = new Scene();
-      scene.add((await new GLTFLoader().loadAsync(url)).scene);
+      scene.add((await loader.loadAsync(url)).scene);
       scene.traverse(node => { if (node.isMesh) node.material = node.material.clone(); });
       const box = new Box3().setFromObject(scene);
       globalThis.middle = box.getCenter(new Vector3());
@@ -116,7 +135,8 @@ test('three.js', {timeout: 240_000}, async () => {
     };`;
   writeFileSync(made('three.mjs'), script);
   await packageNamed('esbuild').build({entryPoints: [made('three.mjs')], bundle: true, format: 'iife', outfile: made('three.js'), nodePaths: [modules], logLevel: 'error'});
-  const given = {DT: models('dt'), DB: models('db'), mutant: {front: flipped(bytesOf('dt.glb'), 0.1), both: twoSided(bytesOf('dt.glb'))}};
+  odontoscope('reconstruct', 'molar.json', '--compress', '-o', 'compressed.glb');
+  const given = {DT: models('dt'), compressed: models('compressed'), DB: models('db'), mutant: {front: flipped(bytesOf('dt.glb'), 0.1), both: twoSided(bytesOf('dt.glb'))}};
   const {page, failures} = await pageWith(path => {
     const [name, which] = path.replace('.glb', '').split('/');
     return path === 'index.html' ? '<!DOCTYPE html><script src="three.js"></script>' : path === 'three.js' ? readFileSync(made('three.js')) : given[name]?.[which];
@@ -131,8 +151,11 @@ test('three.js', {timeout: 240_000}, async () => {
     }
     results[name] = await seen(async (direction, which) => drawn[which][directions.indexOf(direction)]);
   }
+  assert.ok(await page.evaluate(() => alike('DT/front.glb', 'compressed/front.glb')), 'compression changed places, normals or windings');
+  assert.ok(!await page.evaluate(() => alike('DT/front.glb', 'mutant/front.glb')), 'flipped triangles pass for the same');
   assert.deepEqual(failures, []);
   judge('three.js', results);
+  assert.equal(results.compressed.holes, 0, 'holes in the compressed DT');
   await page.close();
 });
 
@@ -141,10 +164,11 @@ test('three.js', {timeout: 240_000}, async () => {
 test('three.js plays the tours', {timeout: 240_000}, async () => {
   const script = `import {AnimationMixer, Color, LoopOnce, MeshBasicMaterial, Scene, Vector3, WebGLRenderer} from 'three';
     import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+    import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
     const renderer = new WebGLRenderer({antialias: false, preserveDrawingBuffer: true});
     renderer.setSize(${size}, ${size});
     globalThis.load = async url => {
-      globalThis.file = await new GLTFLoader().loadAsync(url);
+      globalThis.file = await new GLTFLoader().setMeshoptDecoder(MeshoptDecoder).loadAsync(url);
       globalThis.scene = new Scene();
       scene.background = new Color(0, 0, 1);
       scene.add(file.scene);
@@ -176,13 +200,14 @@ test('three.js plays the tours', {timeout: 240_000}, async () => {
   await packageNamed('esbuild').build({entryPoints: [made('tours.mjs')], bundle: true, format: 'iife', outfile: made('tours.js'), nodePaths: [modules], logLevel: 'error'});
   odontoscope('sample', 'molar', '-o', 'fine.json');
   odontoscope('reconstruct', 'fine.json', '--tours', '-o', 'tours.glb', '-o', 'tours.gltf');
+  odontoscope('reconstruct', 'fine.json', '--tours', '--compress', '-o', 'tours-compressed.glb');
   const facing = bytesOf('tours.glb'), strayed = glbParts(facing), view = new DataView((strayed.binary = strayed.binary.slice()).buffer);
   for (const {samplers, channels} of strayed.json.animations) {   // turned about: what the camera is led along is mirrored
     const {output} = samplers[channels.find(({target}) => target.path === 'translation').sampler], {bufferView, count} = strayed.json.accessors[output];
     const from = strayed.json.bufferViews[bufferView].byteOffset;
     for (let i = 0; i < 3 * count; i += 3) view.setFloat32(from + 4 * i, -view.getFloat32(from + 4 * i, true), true);
   }
-  const given = {'tours.glb': facing, 'tours.gltf': readFileSync(made('tours.gltf')), 'flipped.glb': flipped(facing, 0.1), 'strayed.glb': glbOf(strayed)};
+  const given = {'tours.glb': facing, 'tours.gltf': readFileSync(made('tours.gltf')), 'tours-compressed.glb': bytesOf('tours-compressed.glb'), 'flipped.glb': flipped(facing, 0.1), 'strayed.glb': glbOf(strayed)};
   const {page, failures} = await pageWith(path => path === 'index.html' ? '<!DOCTYPE html><script src="tours.js"></script>' : path === 'tours.js' ? readFileSync(made('tours.js')) : given[path]);
   await page.goto('http://judge.test/index.html');
   const seen = {};
@@ -206,6 +231,7 @@ test('three.js plays the tours', {timeout: 240_000}, async () => {
   assert.deepEqual(failures, []);
   assert.equal(seen['tours.glb'], 0);
   assert.equal(seen['tours.gltf'], 0);
+  assert.equal(seen['tours-compressed.glb'], 0);
   assert.ok(seen['flipped.glb'] > 100 && seen['strayed.glb'] > 100, 'mutants pass');
   await page.close();
 });

@@ -349,6 +349,34 @@ TEST(ReadGlb, MirroringTurnsTheTrianglesAround) {
   }
 }
 
+/// The tetrahedron's places as whole numbers, `one` for a metre, twelve bytes a vertex.
+template <typename Number>
+std::vector<NamedMesh> quantized(int type, Number one, bool normalized, const std::string& extensions) {
+  std::string buffer = tetrahedron_buffer();
+  for (std::size_t i = 0; i < 24; ++i) {
+    float metres = 0;
+    std::memcpy(&metres, buffer.data() + 4 * i, sizeof(metres));
+    const auto number = static_cast<Number>(metres * static_cast<float>(one));
+    std::memcpy(buffer.data() + 12 * (i / 3) + sizeof(Number) * (i % 3), &number, sizeof(number));
+  }
+  std::string json = replaced(tetrahedron_json, "5126", std::to_string(type) + (normalized ? ",\"normalized\":true" : ""));
+  json = replaced(json, "\"byteLength\":96", "\"byteLength\":96,\"byteStride\":12");
+  return parse_glb(glb(replaced(json, "\"scene\":0", "\"scene\":0" + extensions), buffer), "f");
+}
+
+TEST(ReadGlb, QuantizedPlacesAreThoseMeant) {
+  const std::string used = ",\"extensionsUsed\":[\"KHR_mesh_quantization\"],\"extensionsRequired\":[\"KHR_mesh_quantization\"]";
+  const std::vector<Point3> wanted = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "f").at(0).surface.points;
+  EXPECT_EQ(quantized<std::int8_t>(5120, 127, true, used).at(0).surface.points, wanted);
+  EXPECT_EQ(quantized<std::uint8_t>(5121, 255, true, used).at(0).surface.points, wanted);
+  EXPECT_EQ(quantized<std::int16_t>(5122, 32767, true, used).at(0).surface.points, wanted);
+  EXPECT_EQ(quantized<std::uint16_t>(5123, 65535, true, used).at(0).surface.points, wanted);
+  EXPECT_EQ(quantized<std::uint16_t>(5123, 1, false, used).at(0).surface.points, wanted);
+  EXPECT_EQ(quantized<std::int16_t>(5122, 3, false, used).at(0).surface.points.at(1), (Point3{3000, 0, 0}));
+  EXPECT_EQ(quantized<std::int8_t>(5120, -128, true, used).at(0).surface.points.at(1), (Point3{-1000, 0, 0})) << "the spec holds it to -1";
+  EXPECT_THROW(quantized<std::int16_t>(5122, 1, false, ""), InputError);
+}
+
 TEST(ReadGlb, EveryTruncationIsRefused) {
   const std::string whole = glb(tetrahedron_json, tetrahedron_buffer());
   for (std::size_t n = 0; n < whole.size(); ++n) EXPECT_NE(cause_of(parse_glb, whole.substr(0, n)), "accepted") << n;
@@ -380,6 +408,7 @@ TEST(ReadGlb, WrongFilesAreNamed) {
   EXPECT_EQ(cause("\"count\":12", "\"count\":11"), "not-triangles");
   EXPECT_EQ(cause("5126", "5123"), "unsupported");
   EXPECT_EQ(cause("5123", "5122"), "unsupported");
+  EXPECT_EQ(cause("5123", "5120"), "unsupported");
   EXPECT_EQ(cause("\"VEC3\"", "\"VEC4\""), "unsupported");
   EXPECT_EQ(cause("\"type\":\"VEC3\"", "\"type\":\"VEC3\",\"sparse\":{}"), "unsupported");
   EXPECT_EQ(cause("\"byteLength\":96", "\"byteLength\":96,\"byteStride\":8"), "unparsable");
