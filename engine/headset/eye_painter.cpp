@@ -18,7 +18,7 @@ void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Visit
   Scene scene = scene_of(visit, world);
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
-  show_marks(visit, input, world.model);
+  show_marks(visit, input, world);
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
   if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
@@ -27,10 +27,11 @@ void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Visit
   for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
 }
 
-void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const Model& model) {
+void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  const Model& model = world.model;
   LineSet lines{LineKind::measure, {}, {}};
   const auto in_model = [&](const glm::dvec3& place) { return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm)); };
-  for (const glm::dvec3& point : room_marks(visit, input)) lines.points.push_back(in_model(point));
+  for (const glm::dvec3& point : room_marks(visit, input, world)) lines.points.push_back(in_model(point));
   if (visit.told > 0)
     for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position)) lines.points.push_back(in_model(point));
   marks_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});

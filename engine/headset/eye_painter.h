@@ -32,7 +32,7 @@ class EyePainter {
 
  private:
   /// The hands' rays, and how large the tooth is.
-  void show_marks(const Visit& visit, const HeadsetInput& input, const Model& model);
+  void show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world);
   void ease(const Visit& visit, const FieldOfView& field, const Target& target) const;
 
   const Gl* gl_;

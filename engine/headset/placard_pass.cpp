@@ -40,7 +40,7 @@ void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pie
     gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   };
   sheet.bind_colour(0, 0);
-  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   program_.set("sheet_counts", 1.0f);
   for (const SheetPiece& piece : pieces) {

@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/measure/wall_thickness.h"
+#include "engine/navigate/labels.h"
 
 namespace odontoscope {
 
@@ -22,9 +23,29 @@ glm::dvec3 beside(const glm::dvec3& place, const Pose& head) {
   return head.position + nearer * way + glm::dvec3(0, std::tan(glm::radians(lift_deg)) * glm::length(way), 0);
 }
 
+/// Those of the canals that can be seen from here.
+std::vector<const FlightLabel*> seen_names(const Visit& visit, const std::vector<FlightLabel>& labels, const Walls& walls) {
+  constexpr double nearest = 0.25, slack = 0.3, least_apart_deg = 5;   // metres, metres: names may lie on walls
+  const double mm = mm_per_metre(visit.stage);
+  std::vector<std::pair<double, const FlightLabel*>> by_distance;
+  for (const FlightLabel& label : labels) by_distance.emplace_back(glm::length(label.at - visit.eye_mm), &label);
+  std::stable_sort(by_distance.begin(), by_distance.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const FlightLabel*> seen;
+  for (const auto& [distance, label] : by_distance) {
+    if (distance < nearest * mm) continue;   // one is there
+    const glm::dvec3 way = (label->at - visit.eye_mm) / distance;
+    if (walls.free_distance(visit.eye_mm, way, distance) < distance - slack * mm) continue;
+    const bool over = std::any_of(seen.begin(), seen.end(), [&](const FlightLabel* other) {
+      return glm::dot(glm::normalize(other->at - visit.eye_mm), way) > std::cos(glm::radians(least_apart_deg));
+    });
+    if (!over) seen.push_back(label);
+  }
+  return seen;
+}
+
 }  // namespace
 
-std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, const VisitWorld&) {
+std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   std::vector<Placard> all;
   const auto add = [&](const std::string& words, const glm::dvec3& place_mm) {
     const glm::dvec3 place = to_room(visit.stage, place_mm);
@@ -32,6 +53,11 @@ std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, con
   };
   if (visit.named) add(visit.named->structure, visit.named->point_mm);
   if (visit.ends.size() == 2) add(fmt::format("{:.2f} mm", distance_between_mm(visit.ends[0], visit.ends[1])), 0.5 * (visit.ends[0].point_mm + visit.ends[1].point_mm));
+  if (visit.cavity && visit.labels) {
+    const FlightSpace& cavity = world.cavities[*visit.cavity];
+    const std::vector<FlightLabel> labels = labels_inside(cavity);
+    for (const FlightLabel* label : seen_names(visit, labels, cavity.walls)) add(label->words, label->at);
+  }
   return all;
 }
 
@@ -43,7 +69,7 @@ PlacardShape shape_of(const Placard& placard, const Pose& head, double aspect) {
   return {{placard.at + turn * glm::dvec3(0, 0.5 * height, 0), turn}, {aspect * height, height}};
 }
 
-std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input) {
+std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   constexpr double ray = 1.5;   // metres
   std::vector<glm::dvec3> lines;
   const auto line = [&](const glm::dvec3& from, const glm::dvec3& to) { lines.insert(lines.end(), {from, to}); };
@@ -55,9 +81,9 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
     line(hand.aim.position, end);
     if (hit) line(end, end);
   }
+  for (const Placard& placard : placards(visit, input, world)) line(placard.of, placard.of);
   for (const Hit& hit : visit.ends) line(to_room(visit.stage, hit.point_mm), to_room(visit.stage, hit.point_mm));
   if (visit.ends.size() == 2) line(to_room(visit.stage, visit.ends[0].point_mm), to_room(visit.stage, visit.ends[1].point_mm));
-  if (visit.named) line(to_room(visit.stage, visit.named->point_mm), to_room(visit.stage, visit.named->point_mm));
   return lines;
 }
 

@@ -20,10 +20,13 @@ glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target
 
 /// In the dark.
 void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules) {
+  if (!visit.cavity) visit.stage_outside = visit.stage;
+  visit.tour.reset();
   if (way.into) {
-    visit.stage_outside = visit.stage;
-    visit.stage = inside(world.cavities[*way.into], input.head, world.model, rules);
-    visit.eye_mm = world.cavities[*way.into].middle;
+    const FlightSpace& cavity = world.cavities[*way.into];
+    visit.stage = inside(cavity, input.head, world.model, rules);
+    visit.eye_mm = cavity.middle;
+    if (way.along) begin_tour(visit, cavity, *way.along, input, world, rules);
   } else {
     visit.stage = visit.stage_outside;
   }
@@ -86,8 +89,11 @@ Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, c
     perform(visit, input, world);
     use_menu(visit, input, world, rules, seconds);
     point_at_panel(visit, input);
-    if (visit.cavity) step_inside(visit, input, world, rules, seconds);
-    else step_outside(visit, input, world, rules, seconds);
+    HeadsetInput rest = input;   // a stick over the panel moves what is written there
+    for (std::size_t i = 0; i < 2; ++i)
+      if (at_panel(visit, i)) rest.hands[i].stick = {0, 0};
+    if (visit.cavity) step_inside(visit, rest, world, rules, seconds);
+    else step_outside(visit, rest, world, rules, seconds);
   }
   constexpr double told_for = 3;
   if (!visit.cavity && visit.stage.magnification != magnified) visit.told = told_for;

@@ -4,7 +4,8 @@
 // Outside, the tooth stands in the room: one hand carries it, two scale and turn it, a stick turns it by steps and brings it nearer; a trigger on a
 // cavity that can be seen leads into it. Inside, a trigger glides where the hand points, sticks move and turn, and neither they nor the head get
 // through a wall. A panel stands beside the person: menu fetches it and puts it away, a hand's ray is its mouse, and what is chosen on it is asked for
-// by VisitAction. Menu held down leads out again; outside it changes between enlarged and true size. Nothing happens without the system's focus.
+// by VisitAction. Menu held down leads out again; outside it changes between enlarged and true size. A tour leads along a canal: the place moves, the view never
+// turns. Nothing happens without the system's focus.
 
 #include <array>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "engine/headset/stage.h"
 #include "engine/measure/pick.h"
 #include "engine/navigate/flight_spaces.h"
+#include "engine/navigate/ride.h"
 
 namespace odontoscope {
 
@@ -29,6 +31,8 @@ struct ComfortRules {
   double fade_seconds = 0.3;        // into the dark, and out of it again
   double vignette_seconds = 0.15;   // in which the edges of sight darken while one glides
   double menu_seconds = 0.7;        // that menu is held down to go out, or to change the size
+  double tour_room = 0.5;           // m to the wall in the middle of a canal that a tour leads along,
+  double tour_down_deg = 25;        // which leads ahead and so much down: the tooth is laid so while it is dark
 };
 
 struct VisitWorld {
@@ -42,12 +46,13 @@ struct VisitWorld {
 enum class HandTool { look, distance };
 
 /// What is asked for on the panel and done in the next step.
-enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, put_panel_away, leave_headset };
+enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, tour_play, tour_back, end_tour, put_panel_away, leave_headset };
 
 struct Visit {
   /// Where a fade leads.
   struct Way {
     std::optional<std::size_t> into;   // none: out
+    std::optional<std::size_t> along = {};   // of rideable(): a tour begins there
     friend bool operator==(const Way&, const Way&) = default;
   };
   enum class Held { nothing, model, panel };
@@ -74,7 +79,12 @@ struct Visit {
   HandTool tool = HandTool::look;
   std::optional<Hit> named;              // what a trigger met last
   std::vector<Hit> ends;                 // of a distance: one or two
+  std::optional<Ride> tour;              // inside, along a canal
+  glm::dvec3 off_tour_mm{0};             // where the head leans
+  double tour_haste = 0.5;               // the person's part of the usual pace
+  bool labels = true;                    // names of canals, inside
   std::vector<VisitAction> todo;
+  std::optional<std::size_t> tour_asked; // of rideable(), of the cavity one is in, else of the largest; begun in the next step
   bool leaving = false;                  // asked for on the panel: the headset itself
 };
 

@@ -25,20 +25,8 @@ glm::dvec3 wanted_way(const Visit& visit, const HeadsetInput& input) {
   return length > 1 ? way / length : way;
 }
 
-}  // namespace
-
-FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
-  const double mm = mm_per_metre(stage);
-  FlightRules flight;
-  flight.clearance = rules.clearance * mm;
-  flight.speed_per_distance = rules.speed_per_distance;
-  flight.least_speed = 0.1 * rules.most_speed * mm;
-  flight.most_speed = rules.most_speed * mm;
-  flight.upright = glm::dvec3(0);   // the head rights itself
-  return flight;
-}
-
-void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+/// By triggers and sticks, and as the head itself goes.
+void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   const FlightSpace& cavity = world.cavities[*visit.cavity];
   const FlightRules flight_limits = flight_rules(visit.stage, rules);
   // Where the head itself went. A wall that it would go through is pushed along instead.
@@ -53,6 +41,24 @@ void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& worl
   visit.eye_mm = flight.eye;
   visit.velocity = flight.velocity;
   visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));
+}
+
+}  // namespace
+
+FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
+  const double mm = mm_per_metre(stage);
+  FlightRules flight;
+  flight.clearance = rules.clearance * mm;
+  flight.speed_per_distance = rules.speed_per_distance;
+  flight.least_speed = 0.1 * rules.most_speed * mm;
+  flight.most_speed = rules.most_speed * mm;
+  flight.upright = glm::dvec3(0);   // the head rights itself
+  return flight;
+}
+
+void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+  if (visit.tour) step_tour(visit, input, rules, seconds);
+  else glide(visit, input, world, rules, seconds);
   if (const int snap = snap_of(visit.before[1], input.hands[1]); snap != 0)
     visit.stage = turned_about(visit.stage, input.head.position, snap * glm::radians(rules.snap_turn_deg));
   point_at_model(visit, input, world);

@@ -80,6 +80,7 @@ void point_at_panel(Visit& visit, const HeadsetInput& input) {
 }
 
 void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  if (const auto line = std::exchange(visit.tour_asked, {}); line && !world.cavities.empty()) visit.way = Visit::Way{visit.cavity.value_or(0), line};
   for (const VisitAction action : std::exchange(visit.todo, {})) {
     switch (action) {
       case VisitAction::enter:
@@ -99,6 +100,15 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
         visit.ends.clear();
         visit.named.reset();
         break;
+      case VisitAction::tour_play:
+        if (visit.tour) play(*visit.tour);
+        break;
+      case VisitAction::tour_back:
+        if (!visit.tour) break;
+        visit.tour->back = !visit.tour->back;
+        visit.tour->playing = true;
+        break;
+      case VisitAction::end_tour: visit.tour.reset(); break;
       case VisitAction::put_panel_away: visit.panel.reset(); break;
       case VisitAction::leave_headset: visit.leaving = true; break;
     }

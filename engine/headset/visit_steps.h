@@ -39,4 +39,12 @@ void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& wor
 FlightRules flight_rules(const Stage& stage, const ComfortRules& rules);
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 
+
+// visit_tour.cpp
+/// In the dark: at the line's start, in a room of the tour's own scale. Nothing is changed where the line is nowhere wide enough.
+void begin_tour(Visit& visit, const FlightSpace& cavity, std::size_t line, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules);
+void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rules, double seconds);
+/// Stops or goes on; at the line's end the way back.
+void play(Ride& tour);
+
 }  // namespace odontoscope::visit_steps

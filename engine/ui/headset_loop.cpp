@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
 #include <variant>
 
 #include "engine/ui/headset_sheet.h"
@@ -82,7 +83,7 @@ class HeadsetVisit {
 
   void draw(const HeadsetFrame& frame) {
     const VisitWorld world{loaded_->model, *loaded_->pickable, scene_, cavities_};
-    visit_ = stepped(visit_, frame.input, world, options_.comfort, frame.seconds);
+    visit_ = stepped(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
     sheet_.update(visit_, frame.input, world, {loaded_->title}, frame.seconds);
     if (frame.draw) {
       painter_.draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); });

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 
-#include <cmath>
+#include <algorithm>
 
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/ride.h"
@@ -21,6 +21,15 @@ void ask(Visit& visit, VisitAction action) { visit.todo.push_back(action); }
 
 void button(Visit& visit, const char* words, VisitAction action, bool strong = false) {
   if (widgets::wide_button(words, strong)) ask(visit, action);
+}
+
+void two_buttons(Visit& visit, const char* left, VisitAction on_left, const char* right, VisitAction on_right) {
+  if (!ImGui::BeginTable("two", 2)) return;
+  ImGui::TableNextColumn();
+  button(visit, left, on_left);
+  ImGui::TableNextColumn();
+  button(visit, right, on_right);
+  ImGui::EndTable();
 }
 
 /// Words in the panel's own size: what is small on a desk cannot be read here.
@@ -68,6 +77,32 @@ void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words
   ImGui::PopTextWrapPos();
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
+  widgets::toggle("Names", visit.labels);
+}
+
+/// The ride's controls, and every line that one can be led along.
+void canals(Visit& visit, const VisitWorld& world) {
+  if (world.cavities.empty()) {
+    say("This model has no cavity to be led through.");
+    return;
+  }
+  const FlightSpace& space = world.cavities[visit.cavity.value_or(0)];
+  const auto lines = rideable(space.lines);
+  if (visit.tour) {
+    const Ride& tour = *visit.tour;
+    ImGui::TextUnformatted(lines[tour.line]->name.c_str());
+    ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) / (tour.track.points.back().along - tour.track.points.front().along)), {-1, scaled(12)}, "");
+    button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
+    two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here", VisitAction::end_tour);
+    widgets::slider("Pace", visit.tour_haste, 0.1, 1, "%.1f");
+  } else {
+    say(lines.empty() ? "No centre line was found here." : "Choose one to be led along it.");
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const CentreLine& line = *lines[i];
+    const double length = line.points.back().along - line.points[std::min(line.orifice, line.points.size() - 1)].along;
+    if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(), visit.tour && visit.tour->line == i)) visit.tour_asked = i;
+  }
 }
 
 void measure(Visit& visit, const Interface& interface) {
@@ -87,7 +122,7 @@ void measure(Visit& visit, const Interface& interface) {
 
 void help(Visit& visit) {
   if (visit.cavity) {
-    say("Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
+    say(visit.tour ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again." : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
   } else {
     say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");
   }
@@ -105,13 +140,14 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
   ImGui::TextUnformatted(words.title.c_str());
   ImGui::PopFont();
   int chosen = static_cast<int>(page);
-  if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);
+  if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Canals", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);
   ImGui::Dummy({0, scaled(2)});
   switch (page) {
     case HeadsetPage::tooth:
       if (visit.cavity) where(visit, world, words);
       else outside(visit, world);
       break;
+    case HeadsetPage::canals: canals(visit, world); break;
     case HeadsetPage::measure: measure(visit, interface); break;
     case HeadsetPage::help: help(visit); break;
   }

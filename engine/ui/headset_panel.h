@@ -9,7 +9,7 @@
 
 namespace odontoscope {
 
-enum class HeadsetPage { tooth, measure, help };
+enum class HeadsetPage { tooth, canals, measure, help };
 
 /// What the panel says besides what the visit knows.
 struct HeadsetPanelWords {

@@ -60,8 +60,6 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
     constexpr GLfloat nothing[4] = {0, 0, 0, 0};
     gl_->ClearBufferfv(GL_COLOR, 0, nothing);
     interface_pass_.draw(interface_, drawn, {sheet_.id(), 0, 0, sheet_size});
-    sheet_.bind_colour(0, 0);
-    gl_->GenerateMipmap(GL_TEXTURE_2D);
     waited_ = 0;
     written_ = std::move(wanted);
   } else {

@@ -46,7 +46,7 @@ HeadsetInput handless() {
 }
 
 TEST_F(Eyes, SeeTheInsideOfThePulpAndNothingElse) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   Visit visit;
   visit.placed = true;
@@ -69,7 +69,7 @@ TEST_F(Eyes, SeeTheInsideOfThePulpAndNothingElse) {
 }
 
 TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
   Visit visit = stepped({}, input, balls.world(), {}, 0.01);
@@ -97,7 +97,7 @@ TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
 }
 
 TEST_F(Eyes, SeeTheHandsRayUpToWhatItHits) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   HeadsetInput input = handless();
   const Visit before = stepped({}, input, balls.world(), {}, 0.01);
@@ -121,7 +121,7 @@ TEST_F(Eyes, SeeTheHandsRayUpToWhatItHits) {
 }
 
 TEST_F(Eyes, SeeHowLargeTheToothIsForAWhile) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
   Visit visit = stepped({}, input, balls.world(), {}, 0.01);
@@ -133,7 +133,7 @@ TEST_F(Eyes, SeeHowLargeTheToothIsForAWhile) {
 }
 
 TEST_F(Eyes, TheMirrorShowsTheMiddleOfAnEye) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
   const Visit visit = stepped({}, input, balls.world(), {}, 0.01);

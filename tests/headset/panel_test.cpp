@@ -60,7 +60,7 @@ TEST(RoomPanel, ARayMeetsItWhereItsPlaceIs) {
 
 class PanelInVisit : public ::testing::Test {
  protected:
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   const ComfortRules rules;
   HeadsetInput input = person();
   Visit visit;
@@ -211,6 +211,14 @@ TEST_F(PanelInVisit, InsideItIsBeforeTheWallAndATriggerOnItDoesNotGlide) {
   seconds(1);
   EXPECT_TRUE(visit.pressing[1]);
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-6);
+}
+
+TEST_F(PanelInVisit, AStickOverItScrollsItAndLeavesTheToothAlone) {
+  point(1, {0.5, 0.5});
+  const Stage stage = visit.stage;
+  input.hands[1].stick = {1, 1};
+  step(20);
+  EXPECT_EQ(visit.stage, stage);
 }
 
 TEST_F(PanelInVisit, ActionsAreDoneOnce) {

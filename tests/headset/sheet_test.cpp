@@ -22,25 +22,12 @@ namespace {
 
 constexpr double tick = 1.0 / 90;
 
-/// Made once: finding its centre lines takes a second.
-struct Molar {
-  const Model& model = small_molar();
-  const Pickable pickable{model};
-  const Scene scene = usual_scene(model, 1);
-  const std::vector<FlightSpace> cavities = flight_spaces(small_molar_surfaces(), model).cavities;
-  VisitWorld world() const { return {model, pickable, scene, cavities}; }
-  static const Molar& once() {
-    static const Molar molar;
-    return molar;
-  }
-};
-
 class Sheet : public ::testing::Test {
  protected:
   static constexpr PixelSize size{800, 760};
   std::unique_ptr<GlContext> context;
   std::unique_ptr<HeadsetSheet> sheet;
-  const Molar& molar = Molar::once();
+  const MolarWorld& molar = MolarWorld::once();
   const Model& model = molar.model;
   const VisitWorld world = molar.world();
   const ComfortRules rules;
@@ -121,7 +108,11 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   EXPECT_EQ(visit.stage.magnification, 1);
   click("Enlarge it");
   EXPECT_EQ(visit.stage.magnification, usual_magnification);
+  const auto drawn = [&] { return read_pixels(context->gl(), sheet->pixels().id(), sheet->pixels().size()); };
+  const Image tooth_page = drawn();
+  both_eyes();   // being looked at does not stop it from being drawn
   click("Measure", {"page"});
+  EXPECT_NE(drawn(), tooth_page);
   click("Measures", {"tool"});
   EXPECT_EQ(visit.tool, HandTool::distance);
   click("Help", {"page"});
@@ -147,6 +138,22 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   click("Go inside");
   step(80);
   ASSERT_TRUE(visit.cavity);
+  click("Canals", {"page"});
+  const auto lines = rideable(world.cavities[0].lines);
+  ASSERT_FALSE(lines.empty());
+  const double length = lines[0]->points.back().along - lines[0]->points[std::min(lines[0]->orifice, lines[0]->points.size() - 1)].along;
+  char words[80];
+  std::snprintf(words, sizeof words, "%s   %.1f mm", lines[0]->name.c_str(), length);
+  click(words);
+  step(80);
+  ASSERT_TRUE(visit.tour);
+  EXPECT_TRUE(visit.tour->playing);
+  point(control("Stop here"));
+  keep("tour-left", both_eyes().first);
+  click("Stop here");
+  EXPECT_FALSE(visit.tour->playing);
+  click("Leave it here", {"two"});
+  EXPECT_FALSE(visit.tour);
   click("Out again");
   step(80);
   EXPECT_FALSE(visit.cavity);

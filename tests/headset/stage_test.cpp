@@ -40,7 +40,7 @@ TEST(Stage, GoesToTheRoomAndBack) {
 }
 
 TEST(Stage, StandsUprightAtArmsLengthWithItsBuccalSideToTheEyes) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   Pose head{{0.5, 1.7, -0.3}, glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::angleAxis(-0.4, glm::dvec3(1, 0, 0))};
   const Stage stage = before(head, balls.model);
   const glm::dvec3 centre = to_room(stage, balls.model.bounds_mm.centre());
@@ -57,7 +57,7 @@ TEST(Stage, StandsUprightAtArmsLengthWithItsBuccalSideToTheEyes) {
 }
 
 TEST(Stage, TurnsTheWantedSideToTheEyes) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   const Pose head{{0, 1.6, 0}, {1, 0, 0, 0}};
   for (const glm::dvec3& facing : {glm::dvec3(1, 0, 0), glm::dvec3(-3, 1, 2), glm::dvec3(0, -1, 0.5)}) {
     const Stage stage = before(head, balls.model, 25, facing);
@@ -69,7 +69,7 @@ TEST(Stage, TurnsTheWantedSideToTheEyes) {
 }
 
 TEST(ScaleMark, IsWrittenBelowTheToothForWhoeverLooksAtIt) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   const Pose head{{0.4, 1.6, -0.2}, glm::angleAxis(1.1, glm::dvec3(0, 1, 0))};
   const Stage stage = before(head, balls.model);
   EXPECT_EQ(strokes("8").size(), 14u);
@@ -138,7 +138,7 @@ TEST(Stage, TurnsAboutTheVertical) {
 
 // The view that an eye gets is the one that geometry demands: where a point of the model appears between the tangents of the eye's field.
 TEST(Stage, EyesSeeThePointsWhereTheyAre) {
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   std::mt19937 random(11);
   for (int i = 0; i < 100; ++i) {
     Stage stage = any_stage(random);

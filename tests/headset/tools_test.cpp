@@ -16,7 +16,7 @@ constexpr double tick = 1.0 / 90;
 
 class Tools : public ::testing::Test {
  protected:
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   const ComfortRules rules;
   HeadsetInput input = person();
   Visit visit;

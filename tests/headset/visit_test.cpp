@@ -16,7 +16,7 @@ constexpr double tick = 1.0 / 90;
 
 class VisitTest : public ::testing::Test {
  protected:
-  const BallWorld balls;
+  const BallWorld& balls = BallWorld::once();
   const ComfortRules rules;
   HeadsetInput input = person();
   Visit visit;
@@ -175,12 +175,9 @@ TEST_F(VisitTest, ATriggerOnThePulpLeadsInside) {
 
 // The sample molar's void belongs to the dentine, and a pulp fills it: what one points at is the pulp.
 TEST(Visit, TheSampleMolarsPulpLeadsIntoTheDentinesVoid) {
-  const Model& model = small_molar();
-  const Pickable pickable(model);
-  const Scene scene = usual_scene(model, 1);
-  const std::vector<FlightSpace> cavities = flight_spaces(small_molar_surfaces(), model).cavities;
+  const VisitWorld world = MolarWorld::once().world();
+  const auto& cavities = world.cavities;
   ASSERT_FALSE(cavities.empty());
-  const VisitWorld world{model, pickable, scene, cavities};
   HeadsetInput input = person();
   Visit visit = stepped({}, input, world, {}, tick);
   input.hands[1] = pointing_at(to_room(visit.stage, cavities[0].middle), input.hands[1].grip.position);

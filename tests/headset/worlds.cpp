@@ -14,6 +14,16 @@ std::vector<NamedSurface> balls() { return {{"dentine", ball({{1, 2, 30}, 5})}, 
 
 BallWorld::BallWorld() : model(make_model(balls())), pickable(model), scene(usual_scene(model, 1)), cavities(flight_spaces(balls(), model).cavities) {}
 
+const BallWorld& BallWorld::once() {
+  static const BallWorld balls;
+  return balls;
+}
+
+const MolarWorld& MolarWorld::once() {
+  static const MolarWorld molar{small_molar(), Pickable(small_molar()), usual_scene(small_molar(), 1), flight_spaces(small_molar_surfaces(), small_molar()).cavities};
+  return molar;
+}
+
 HeadsetInput person() {
   HeadsetInput input;
   input.head.position = {0.3, 1.6, 0.2};

@@ -8,7 +8,18 @@ namespace odontoscope::testing_support {
 /// A ball in a ball: a "pulp" of radius 2 in a translucent "dentine" of radius 5, both round (1, 2, 30), in mm.
 struct BallWorld {
   BallWorld();
+  static const BallWorld& once();
   Model model;
+  Pickable pickable;
+  Scene scene;
+  std::vector<FlightSpace> cavities;
+  VisitWorld world() const { return {model, pickable, scene, cavities}; }
+};
+
+/// A coarse molar with its canals. Made once: finding its centre lines takes a second.
+struct MolarWorld {
+  static const MolarWorld& once();
+  const Model& model;
   Pickable pickable;
   Scene scene;
   std::vector<FlightSpace> cavities;
