@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/headset/section_frame.h"
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/labels.h"
 
@@ -77,13 +78,18 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
     const HandInput& hand = input.hands[i];
     if (!hand.tracked || visit.on_panel[i]) continue;
     const std::optional<Hit>& hit = visit.pointed[i];
-    const glm::dvec3 end = hit ? to_room(visit.stage, hit->point_mm) : hand.aim.position + ray * hand.aim.ahead();
+    const bool meets = hit || visit.on_frame[i];
+    const glm::dvec3 end = visit.on_frame[i] ? *visit.on_frame[i] : hit ? to_room(visit.stage, hit->point_mm) : hand.aim.position + ray * hand.aim.ahead();
     line(hand.aim.position, end);
-    if (hit) line(end, end);
+    if (meets) line(end, end);
   }
   for (const Placard& placard : placards(visit, input, world)) line(placard.of, placard.of);
   for (const Hit& hit : visit.ends) line(to_room(visit.stage, hit.point_mm), to_room(visit.stage, hit.point_mm));
   if (visit.ends.size() == 2) line(to_room(visit.stage, visit.ends[0].point_mm), to_room(visit.stage, visit.ends[1].point_mm));
+  if (visit.scene.section && !visit.cavity) {
+    const SectionFrame frame = section_frame(*visit.scene.section, visit.stage, world.model);
+    for (std::size_t i = 0; i < frame.size(); ++i) line(frame[i], frame[(i + 1) % frame.size()]);
+  }
   return lines;
 }
 

@@ -34,6 +34,7 @@ void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const Vi
   visit.velocity = glm::dvec3(0);
   visit.held = {};
   visit.pointed = {};
+  visit.on_frame = {};
   visit.named.reset();
   visit.ends.clear();   // they are seen from one side of the wall only
 }
@@ -79,6 +80,7 @@ Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, c
     visit.before = {};
     visit.pointed = {};
     visit.on_panel = {};
+    visit.on_frame = {};
     visit.pressing = {};
     visit.menu_held = {-1, -1};
     visit.velocity = glm::dvec3(0);

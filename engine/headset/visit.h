@@ -2,7 +2,7 @@
 // What happens in the headset, as pure functions: hands, head and time in; where the model stands and what is seen out. Needs no runtime.
 //
 // Outside, the tooth stands in the room: one hand carries it, two scale and turn it, a stick turns it by steps and brings it nearer; a trigger on a
-// cavity that can be seen leads into it. Inside, a trigger glides where the hand points, sticks move and turn, and neither they nor the head get
+// cavity that can be seen leads into it; a section plane is held by its frame. Inside, a trigger glides where the hand points, sticks move and turn, and neither they nor the head get
 // through a wall. A panel stands beside the person: menu fetches it and puts it away, a hand's ray is its mouse, and what is chosen on it is asked for
 // by VisitAction. Menu held down leads out again; outside it changes between enlarged and true size. A tour leads along a canal: the place moves, the view never
 // turns. Nothing happens without the system's focus.
@@ -55,7 +55,7 @@ struct Visit {
     std::optional<std::size_t> along = {};   // of rideable(): a tour begins there
     friend bool operator==(const Way&, const Way&) = default;
   };
-  enum class Held { nothing, model, panel };
+  enum class Held { nothing, model, panel, section };
 
   Stage stage;
   bool placed = false;                   // before the person, once there is one
@@ -71,6 +71,8 @@ struct Visit {
   double dark = 0;                       // of the fade: 1 hides everything
   double vignette = 0;                   // 0 to 1
   double told = 0;                       // seconds for which the magnification is still to be seen
+
+  std::array<std::optional<glm::dvec3>, 2> on_frame;   // the place of the section's frame that a hand means, in the room
 
   std::optional<RoomPanel> panel;
   std::array<std::optional<PanelPlace>, 2> on_panel;   // of the hands that point at it, or hold a press that began on it

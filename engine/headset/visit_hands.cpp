@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "engine/headset/section_frame.h"
 #include "engine/headset/visit_steps.h"
 
 namespace odontoscope::visit_steps {
@@ -26,16 +27,31 @@ std::optional<std::size_t> cavity_of(const Hit& hit, const VisitWorld& world) {
 glm::dvec3 centre_of(const Visit& visit, const VisitWorld& world) { return to_room(visit.stage, world.model.bounds_mm.centre()); }
 
 /// Holds or lets go, by what the hand's buttons say now.
-Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandInput& hand, bool trigger_is_taken) {
+Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandInput& hand, bool trigger_is_taken, bool means_section) {
   if (held == Visit::Held::panel) return held;
   if (!hand.tracked) return Visit::Held::nothing;
   const double button = hand.can_grab ? hand.grab : hand.trigger, was = hand.can_grab ? before.grab : before.trigger;
   if (held != Visit::Held::nothing) return button < released_below ? Visit::Held::nothing : held;
   if (!hand.can_grab && trigger_is_taken) return Visit::Held::nothing;
-  return went_down(was, button) && before.tracked ? Visit::Held::model : Visit::Held::nothing;
+  if (!went_down(was, button) || !before.tracked) return Visit::Held::nothing;
+  return means_section ? Visit::Held::section : Visit::Held::model;
 }
 
-void carry(Visit& visit, const HeadsetInput& input) {
+/// The frame is meant before the tooth behind it; a hand that holds it means the place that it holds.
+void point_at_frame(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput& hand = input.hands[i];
+    visit.on_frame[i].reset();
+    if (visit.scene.section && hand.tracked && !at_panel(visit, i) && visit.held[i] != Visit::Held::model)
+      visit.on_frame[i] = meant(section_frame(*visit.scene.section, visit.stage, world.model), hand.grip, hand.aim);
+    if (visit.on_frame[i] || visit.held[i] == Visit::Held::section) visit.pointed[i].reset();
+    if (visit.held[i] == Visit::Held::section && !visit.scene.section) visit.held[i] = Visit::Held::nothing;
+  }
+}
+
+void carry(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (visit.held[i] == Visit::Held::section) visit.scene.section = carried(*visit.scene.section, visit.stage, visit.before[i].grip, input.hands[i].grip, world.model);
   const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model; };
   if (holds(0) && holds(1)) {
     visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position}, {input.hands[0].grip.position, input.hands[1].grip.position});
@@ -97,17 +113,18 @@ bool use_tool(Visit& visit, std::size_t hand) {
 
 void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   point_at_model(visit, input, world);
+  point_at_frame(visit, input, world);
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput &hand = input.hands[i], &before = visit.before[i];
     const bool looks = visit.tool == HandTool::look && visit.pointed[i];
     const std::optional<std::size_t> cavity = looks ? cavity_of(*visit.pointed[i], world) : std::nullopt;
     const bool taken = at_panel(visit, i) || cavity || (visit.tool == HandTool::distance && visit.pointed[i]);
-    visit.held[i] = held_outside(visit.held[i], before, hand, taken);
+    visit.held[i] = held_outside(visit.held[i], before, hand, taken, visit.on_frame[i].has_value());
     if (at_panel(visit, i) || !pulled(visit, input, i)) continue;
     if (cavity) visit.way = Visit::Way{cavity};
     else use_tool(visit, i);
   }
-  carry(visit, input);
+  carry(visit, input, world);
   turn_and_bring(visit, input, world, rules, seconds);
 }
 

@@ -22,8 +22,8 @@ constexpr float nowhere = -1e6f;
 
 }  // namespace
 
-HeadsetSheet::HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), interface_pass_(gl, shaders), placard_pass_(gl, shaders), sheet_(gl, {sheet_size, {GL_RGBA8}}) {}
+HeadsetSheet::HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page)
+    : gl_(&gl), interface_pass_(gl, shaders), placard_pass_(gl, shaders), sheet_(gl, {sheet_size, {GL_RGBA8}}), page_(page) {}
 
 glm::dvec2 HeadsetSheet::on_panel(double x, double y) { return {x / panel_width, y / panel_height}; }
 

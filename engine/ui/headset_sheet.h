@@ -15,7 +15,7 @@ namespace odontoscope {
 class HeadsetSheet {
  public:
   /// The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError.
-  HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders);
+  HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page = HeadsetPage::tooth);
 
   /// Takes what the hands do on the panel into `visit`, and draws the sheet if something on it may have changed.
   void update(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const HeadsetPanelWords& words, double seconds);
@@ -37,7 +37,7 @@ class HeadsetSheet {
   InterfacePass interface_pass_;
   PlacardPass placard_pass_;
   Framebuffer sheet_;
-  HeadsetPage page_ = HeadsetPage::tooth;
+  HeadsetPage page_;
   bool down_ = false;                       // the mouse's button, as it was fed
   double waited_ = 1e9;                     // seconds since the sheet was drawn
   std::vector<std::string> written_;        // on it: the labels

@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <imgui.h>
+#include <imgui_internal.h>
 #include <thread>
 
 #include "engine/picture/png.h"
 #include "engine/ui/headset_loop.h"
+#include "engine/ui/headset_sheet.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
 #include "tests/render/shapes.h"
@@ -243,6 +246,89 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
   std::printf("measured: glided %.2f m in the room, never nearer than %.3f m to a wall\n", moved, least_wall);
   expect_the_desktop_goes_on();
   EXPECT_EQ(viewer->state().trouble, "");
+}
+
+/// Where a control of the panel is, as PanelPlace counts: found on a sheet of the test's own, which looks the same.
+std::optional<glm::dvec2> control_on(const Gl& gl, Visit visit, const HeadsetPage page, const VisitWorld& world, const std::string& title, const std::vector<std::string>& ids) {
+  HeadsetSheet sheet(gl, ShaderLibrary{}, page);
+  for (int i = 0; i < 3; ++i) sheet.update(visit, {}, world, {title}, 1);
+  ImGuiID id = ImHashStr("room panel");
+  for (const std::string& part : ids) id = ImHashStr(part.c_str(), 0, id);
+  for (const Interface::Place& place : sheet.interface().places)
+    if (place.id == id) return HeadsetSheet::on_panel(0.5 * (place.left + place.right), 0.5 * (place.top + place.bottom));
+  return std::nullopt;
+}
+
+TEST_F(VisitTest, APanelInTheRoomIsOperatedByARayOutsideAndOnATour) {
+  RemoteBody body;
+  body.left.there = false;
+  body.head.turn = glm::angleAxis(-0.3, glm::dvec3(0, 1, 0));   // towards the panel, so that the picture has all of it
+  const std::string title = "Small molar";
+  std::vector<FlightSpace> cavities;
+  const Model& model = small_molar();
+  const Pickable pickable(model);
+  const Scene scene = usual_scene(model, 1);
+  struct Click {
+    HeadsetPage page;
+    std::vector<std::string> ids;
+    std::function<bool(const Visit&)> done;
+    std::string picture;
+  };
+  std::vector<Click> clicks;
+  std::size_t step = 0;
+  int frames_here = 0, waited = 0;
+  HeadsetVisitOptions options;
+  options.headset.layers = {validation_layer};
+  options.headset.resolution = 1.5;
+  report_validation_to("/tmp/panel.txt");
+  const bool well = visit(
+      [&] {
+        LoadedModel loaded = loaded_from(small_molar(), title);
+        loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(small_molar_surfaces(), loaded.model));
+        cavities = loaded.flight->cavities;
+        const CentreLine& line = *rideable(cavities[0].lines)[0];
+        char words[80];
+        std::snprintf(words, sizeof words, "%s   %.1f mm", line.name.c_str(), line.points.back().along - line.points[line.orifice].along);
+        clicks = {{HeadsetPage::tooth, {"Cut it open"}, [](const Visit& now) { return now.scene.section.has_value(); }, "panel-outside"},
+                  {HeadsetPage::tooth, {"page", "Canals"}, [](const Visit&) { return true; }, ""},
+                  {HeadsetPage::canals, {words}, [](const Visit& now) { return now.tour && now.dark == 0; }, "panel-on-tour"},
+                  {HeadsetPage::canals, {"Stop here"}, [](const Visit& now) { return now.tour && !now.tour->playing; }, ""},
+                  {HeadsetPage::canals, {"Out again"}, [](const Visit& now) { return !now.cavity && now.dark == 0; }, ""}};
+        return loaded;
+      },
+      [&](const HeadsetFrame& frame, const Visit& now) {
+        if (!frame.input.focused) return true;
+        monado->say(body);
+        if (step == clicks.size() || ++frames_here > 500) return false;
+        const Click& click = clicks[step];
+        const HandInput& hand = frame.input.hands[1];
+        if (!hand.tracked || !now.panel || frames_here < 30) return true;
+        if (body.right.trigger == 0 && waited == 0) {   // aim, until the ray is there
+          if (frames_here % 8 != 0) return true;
+          const auto wanted = control_on(gl(), now, click.page, {model, pickable, scene, cavities}, title, click.ids);
+          if (!wanted) return false;
+          if (now.on_panel[1] && glm::length(now.on_panel[1]->at - *wanted) < 0.012) body.right.trigger = 1;
+          else aim(body.right, hand, place_of(*now.panel, *wanted));
+          return true;
+        }
+        if (++waited == 12) body.right.trigger = 0;
+        const int rest = click.picture.empty() ? 40 : 150;
+        if (waited < rest || !click.done(now) || (!click.picture.empty() && !frame.draw)) return true;
+        if (!click.picture.empty()) {
+          const auto [left, right] = seen(frame);
+          keep_picture(click.picture, left, right);
+          EXPECT_NE(left, right);
+        }
+        ++step;
+        frames_here = waited = 0;
+        return true;
+      },
+      options);
+  EXPECT_TRUE(well) << viewer->state().trouble;
+  EXPECT_EQ(step, 5u);
+  expect_silent_validation("/tmp/panel.txt");
+  EXPECT_EQ(viewer->state().trouble, "");
+  expect_the_desktop_goes_on();
 }
 
 TEST_F(VisitTest, ServiceKilledIsToldAndTheDesktopGoesOn) {
