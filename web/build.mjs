@@ -23,7 +23,7 @@ async function bundledScript() {
     target: 'es2022',
     charset: 'ascii',
     legalComments: 'none',
-    loader: {'.glsl': 'text'},
+    loader: {'.glsl': 'text', '.frag': 'text'},
     nodePaths: [join(work, 'node_modules')],
     logLevel: 'warning',
   });

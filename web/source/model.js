@@ -1,41 +1,12 @@
 // The surfaces of one model in the scene: opaque ones, those that are seen through, and the caps where a section cuts them.
-import {
-  AlwaysStencilFunc, BackSide, BufferGeometry, DecrementWrapStencilOp, Float32BufferAttribute, FrontSide, Group, IncrementWrapStencilOp, KeepStencilOp, Matrix4, Mesh,
-  NotEqualStencilFunc, Vector3, Vector4, ZeroStencilOp,
-} from 'three';
+import {BufferGeometry, CustomBlending, Group, Mesh, NoBlending, Vector4} from 'three';
+import {capGeometry} from './cap.js';
 import {voidsOf} from './data.js';
 import {setFaces, surfaceMaterial} from './surface.js';
 
-const capOrder = 100, seeThroughOrder = 1000;
-
-/// A square of side 2 in the plane z = 0, facing +z.
-function square() {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new Float32BufferAttribute([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 3));
-  geometry.setAttribute('normal', new Float32BufferAttribute([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1], 3));
-  geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  return geometry;
-}
-
-/// Counts in the stencil how deep in a solid the section's plane lies behind each pixel.
-function countingMaterial(shared, side) {
-  const material = surfaceMaterial(shared, '#000000');
-  Object.assign(material, {
-    side, colorWrite: false, depthWrite: false, depthTest: false, stencilWrite: true, stencilFunc: AlwaysStencilFunc,
-    stencilFail: KeepStencilOp, stencilZFail: KeepStencilOp,
-    stencilZPass: side === BackSide ? IncrementWrapStencilOp : DecrementWrapStencilOp,
-  });
-  return material;
-}
-
-/// Fills where the count is not zero, and clears it for the next solid.
-function capMaterial(shared, hex) {
-  const material = surfaceMaterial({...shared, section: {value: new Vector4(0, 0, 0, 1)}}, hex);
-  Object.assign(material, {
-    stencilWrite: true, stencilRef: 0, stencilFunc: NotEqualStencilFunc, stencilFail: ZeroStencilOp, stencilZFail: ZeroStencilOp, stencilZPass: ZeroStencilOp,
-  });
-  return material;
-}
+const seeThroughOrder = 1000;
+const mostBehindCap = 6;     // walls of a material that its cap stands for
+const grainShare = 0.018;    // of the model's radius, as on the desktop
 
 export class ShownModel {
   /// `looks`: by name, {colour, opacity, visible, as_body, depth}; changed from outside, then `dress` is called.
@@ -45,35 +16,30 @@ export class ShownModel {
     this.bounds = bounds;
     this.voids = new Set(voidsOf(parts).map(part => part.geometry));
     this.parts = parts.map(part => this.partMeshes(part, shared));
-    const square_ = square();
-    this.caps = [...new Set(parts.map(part => part.structure))].map((structure, index) => this.capMeshes(structure, index, shared, square_));
+    this.caps = [...new Set(parts.map(part => part.structure))].map(structure => this.capMeshes(structure, shared));
+    this.cutBy = null;
   }
 
   partMeshes(part, shared) {
     const material = surfaceMaterial(shared, this.looks.get(part.key).colour);
-    const shown = new Mesh(part.geometry, material), first = new Mesh(part.geometry, material.clone());
-    Object.assign(first.material.uniforms, shared);   // clone() copies the values
-    first.material.colorWrite = false;
-    this.group.add(shown, first);
-    return {...part, shown, first};
+    return {...part, ...this.twice(part.geometry, material, shared)};
   }
 
-  capMeshes(structure, index, shared, square_) {
-    const of = this.parts.filter(part => part.structure === structure);
-    const order = capOrder + 3 * index, counting = [];
-    for (const side of [BackSide, FrontSide]) {
-      const material = countingMaterial(shared, side);
-      for (const part of of) {
-        const mesh = new Mesh(part.geometry, material);
-        mesh.renderOrder = order + (side === BackSide ? 0 : 1);
-        counting.push(mesh);
-      }
-    }
-    const cap = new Mesh(square_, capMaterial(shared, this.looks.get(of[0].key).colour));
-    cap.renderOrder = order + 2;
-    cap.matrixAutoUpdate = false;
-    this.group.add(...counting, cap);
-    return {structure, key: of[0].key, counting, cap};
+  capMeshes(structure, shared) {
+    const of = this.parts.filter(part => part.structure === structure), key = of[0].key;
+    const material = surfaceMaterial({...shared, section: {value: new Vector4(0, 0, 0, 1)}}, this.looks.get(key).colour);
+    material.uniforms.grain_size.value = grainShare * this.bounds.radius;
+    return {structure, key, geometries: of.map(part => part.geometry), ...this.twice(new BufferGeometry(), material, {})};
+  }
+
+  /// One mesh to be seen, and one that where layers are not told apart goes before it and leaves only its depth.
+  twice(geometry, material, shared) {
+    const shown = new Mesh(geometry, material), first = new Mesh(geometry, material.clone());
+    Object.assign(first.material.uniforms, {...material.uniforms, ...shared});   // clone() copies the values
+    first.material.colorWrite = false;
+    for (const mesh of [shown, first]) mesh.frustumCulled = false;   // a cap's geometry changes, and a model is mostly seen whole
+    this.group.add(shown, first);
+    return {shown, first, seen: false, clear: false};
   }
 
   /// Puts looks, faces and section on. `inside`: from within the void, where walls are opaque and what fills the void is left out.
@@ -81,25 +47,47 @@ export class ShownModel {
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
       const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && this.fills(part);
-      const visible = look.visible && opacity > 0 && !left_out, clear = opacity < 1;
       const body = inside ? wall && part.kind !== 'cavity' : look.as_body;
-      for (const mesh of [part.shown, part.first]) {
-        setFaces(mesh.material, faces, body);
-        mesh.material.uniforms.opacity.value = opacity;
-        mesh.material.transparent = clear;
-        // Deeper tissue first; of each only what is nearest to the eye.
-        mesh.renderOrder = clear ? seeThroughOrder - 2 * look.depth + (mesh === part.shown ? 1 : 0) : 0;
+      part.seen = look.visible && opacity > 0 && !left_out;
+      this.put(part, {opacity, faces, body, depth: look.depth});
+    }
+    const cut = section && !inside;
+    if (cut && !this.cutBy?.equals(section)) {
+      this.cutBy = section.clone();
+      for (const cap of this.caps) {
+        cap.shown.geometry.dispose();
+        cap.shown.geometry = cap.first.geometry = capGeometry(cap.geometries, section);
       }
-      part.shown.visible = visible;
-      part.first.visible = visible && clear;
     }
     for (const cap of this.caps) {
       const look = this.looks.get(cap.key);
-      const shown = Boolean(section) && look.visible && look.opacity > 0 && !inside;
-      for (const mesh of [...cap.counting, cap.cap]) mesh.visible = shown;
-      if (!shown) continue;
-      cap.cap.matrix.copy(capMatrix(section, this.bounds));
-      cap.cap.matrixWorldNeedsUpdate = true;
+      cap.seen = Boolean(cut) && look.visible && look.opacity > 0;
+      // All of the material lies behind it: it is denser than one wall.
+      this.put(cap, {opacity: 1 - (1 - look.opacity) ** mostBehindCap, faces: faces === 'tint' ? 'show' : faces, body: false, depth: look.depth});
+    }
+  }
+
+  put(drawn, {opacity, faces, body, depth}) {
+    drawn.clear = opacity < 1;
+    for (const mesh of [drawn.shown, drawn.first]) {
+      setFaces(mesh.material, faces, body);
+      mesh.material.uniforms.opacity.value = opacity;
+      mesh.material.transparent = drawn.clear;
+      // Deeper tissue first, for where layers are not told apart.
+      mesh.renderOrder = drawn.clear ? seeThroughOrder - 2 * depth + (mesh === drawn.shown ? 1 : 0) : 0;
+    }
+  }
+
+  get drawn() { return [...this.parts, ...this.caps]; }
+  get anyOpaque() { return this.drawn.some(({seen, clear}) => seen && !clear); }
+  get anyClear() { return this.drawn.some(({seen, clear}) => seen && clear); }
+
+  /// Makes ready for drawing only the 'opaque' surfaces, only the 'clear' ones, of which the nearest is kept, or 'all', blended.
+  prepare(pass) {
+    for (const {shown, first, seen, clear} of this.drawn) {
+      shown.visible = seen && (pass === 'all' || clear === (pass === 'clear'));
+      first.visible = seen && clear && pass === 'all';
+      shown.material.blending = pass === 'all' ? CustomBlending : NoBlending;
     }
   }
 
@@ -109,14 +97,4 @@ export class ShownModel {
     return part.kind !== 'cavity' && this.parts.some(other => other.kind === 'cavity' && other.structure !== part.structure &&
       other.geometry.boundingBox.clone().expandByScalar(spare).containsBox(box));
   }
-}
-
-/// The square in the section's plane, as large as the model.
-function capMatrix(section, bounds) {
-  const normal = new Vector3(section.x, section.y, section.z);
-  const side = Math.abs(normal.z) < 0.9 ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0);
-  const u = new Vector3().crossVectors(side, normal).normalize(), v = new Vector3().crossVectors(normal, u);
-  const centre = bounds.centre.clone().addScaledVector(normal, section.w - normal.dot(bounds.centre));
-  const size = 1.5 * bounds.radius;
-  return new Matrix4().makeBasis(u.multiplyScalar(size), v.multiplyScalar(size), normal.clone()).setPosition(centre);
 }

@@ -96,8 +96,16 @@ function insideSection(viewer) {
 
 function viewSection(viewer, help) {
   const labels = element('input', {type: 'checkbox', checked: true, onchange: e => { viewer.labels.on = e.target.checked; viewer.touch(); }});
+  const shade = element('input', {type: 'checkbox', onchange: e => viewer.setShade(e.target.checked)}), about = element('p', {class: 'quiet', role: 'status'});
+  const show = () => {
+    shade.checked = viewer.shade;
+    about.textContent = viewer.quality.reduced && viewer.picture.layers ? 'Drawing takes long here: while the picture moves it is simpler.' : '';
+  };
+  show();
+  viewer.addEventListener('change', show);
   const buttons = views.map(view => element('button', {type: 'button', title: `Key ${view.key}`, onclick: () => viewer.look(view.name)}, view.words));
   return element('section', {}, element('h2', {}, 'View'), element('div', {class: 'row'}, ...buttons), element('label', {class: 'switch'}, labels, 'Labels'),
+    element('label', {class: 'switch'}, shade, 'Shade in hollows'), about,
     element('button', {type: 'button', onclick: help}, 'Keys and gestures'));
 }
 

@@ -3,10 +3,14 @@ import {
   AddEquation, BackSide, Color, CustomBlending, DoubleSide, FrontSide, GLSL3, LessEqualDepth, Matrix3, OneFactor, OneMinusSrcAlphaFactor, ShaderMaterial,
   SRGBColorSpace, Vector4,
 } from 'three';
+import grain from '../../shaders/grain.glsl';
 import lighting from '../../shaders/lighting.glsl';
 import tone from '../../shaders/tone.glsl';
 
 const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
+
+/// What `peel` is while no layer of translucent surfaces is looked for.
+export const noPeel = -1;
 
 const vertexShader = `
 centroid out vec3 place;   // in the model's millimetres
@@ -23,6 +27,7 @@ void main() {
 const fragmentShader = `
 ${lighting}
 ${tone}
+${grain}
 centroid in vec3 place;
 in vec3 eye_place;
 in vec3 eye_normal;
@@ -32,12 +37,24 @@ uniform float opacity;
 uniform float least_back_opacity;
 uniform float normal_sign;     // -1: shown inside out
 uniform bool turned;           // the other winding is the front
+uniform float grain_size;      // of a cut material; 0: none
 uniform vec4 section;          // cut away where dot(section.xyz, place) > section.w
 uniform mat3 light_frame;      // from the eye to where the lights stand
 uniform bool encode;           // for a target that shows what it is given
-layout(location = 0) out vec4 out_colour;
+uniform int peel;              // how many layers of translucent surfaces lie in front of the one that is looked for; negative: none is
+uniform sampler2D layer_before, opaque_depth;
+layout(location = 0) out vec4 out_light;
+layout(location = 1) out vec4 out_ambient;
+
+const float same_depth = 1e-6;   // what rounding may make of one depth
+
 void main() {
   if (dot(section.xyz, place) > section.w) discard;
+  if (peel >= 0) {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    if (gl_FragCoord.z > texelFetch(opaque_depth, pixel, 0).r - same_depth) discard;
+    if (peel > 0 && gl_FragCoord.z < texelFetch(layer_before, pixel, 0).r + same_depth) discard;
+  }
   vec3 to_eye = normalize(-eye_place);
   bool front = gl_FrontFacing != turned;
   vec3 normal = normal_sign * normalize(eye_normal);
@@ -45,10 +62,17 @@ void main() {
   float slant = 1.0 - abs(dot(normal, to_eye));   // edge-on a wall is looked through lengthwise
   float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
   if (!front) alpha = max(alpha, least_back_opacity);
-  Reflected light = reflected(light_frame * eye_place, light_frame * normal, light_frame * to_eye, front ? colour : back_colour, 0.38);
-  vec3 body = light.diffuse + light.ambient, gloss = light.gloss;
-  out_colour = vec4(alpha * body + gloss, alpha);
-  if (encode) out_colour.rgb = alpha * encoded(clamp(shoulder(body + gloss / max(alpha, 0.05)), 0.0, 1.0));
+  vec3 base = front ? colour : back_colour;
+  if (grain_size > 0.0) base *= grain(place / grain_size);
+  Reflected light = reflected(light_frame * eye_place, light_frame * normal, light_frame * to_eye, base, 0.38);
+  if (encode) {
+    vec3 shown = light.diffuse + light.ambient + light.gloss / max(alpha, 0.05);
+    out_light = vec4(alpha * encoded(clamp(shoulder(shown), 0.0, 1.0)), alpha);
+    out_ambient = vec4(0.0);
+    return;
+  }
+  out_light = vec4(alpha * light.diffuse + light.gloss, alpha);
+  out_ambient = vec4(alpha * light.ambient, alpha);
 }`;
 
 /// Shared by all surfaces; the values are changed in place.
@@ -58,6 +82,9 @@ export function sharedUniforms() {
     light_frame: {value: new Matrix3()},
     lamp: {value: new Vector4(0, 0, 0, 0)},   // its place and reach in eye space; reach 0: none
     encode: {value: false},
+    peel: {value: noPeel},
+    layer_before: {value: null},
+    opaque_depth: {value: null},
   };
 }
 
@@ -71,7 +98,7 @@ export function surfaceMaterial(shared, hex) {
     fragmentShader,
     uniforms: {
       ...shared, colour: {value: colour}, back_colour: {value: colour.clone()}, opacity: {value: 1}, least_back_opacity: {value: 0}, normal_sign: {value: 1},
-      turned: {value: false},
+      turned: {value: false}, grain_size: {value: 0},
     },
     blending: CustomBlending,
     blendEquation: AddEquation,

@@ -8,10 +8,12 @@ import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
 import {ShownModel} from './model.js';
 import {Picture, setLightFrame} from './picture.js';
+import {Quality} from './quality.js';
 import {Section, sides} from './section.js';
 import {sharedUniforms} from './surface.js';
 
 const mostPixels = 2.2e6, sampledPoints = 1500;
+const shadeReach = 0.12;   // of the model's radius: about the width of a fissure, as on the desktop
 const facing = 0.35;   // of a section's normal towards the eye, below which the picture turns to show the cut
 
 function pointsOf(parts) {
@@ -21,6 +23,11 @@ function pointsOf(parts) {
     for (let i = 0; i < positions.count; i += step) points.push(new Vector3().fromBufferAttribute(positions, i));
   }
   return points;
+}
+
+function drawsInSoftware(gl) {
+  const masked = gl.getParameter(gl.RENDERER), told = /^webkit/i.test(masked) ? gl.getExtension('WEBGL_debug_renderer_info') : null;
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(told ? gl.getParameter(told.UNMASKED_RENDERER_WEBGL) : masked);
 }
 
 export class Viewer extends EventTarget {
@@ -34,10 +41,12 @@ export class Viewer extends EventTarget {
     super();
     this.description = description;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, stencil: true, preserveDrawingBuffer: false});
+    this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
     this.renderer.sortObjects = true;
     this.shared = sharedUniforms();
     this.picture = new Picture(this.renderer, this.shared);
+    this.quality = new Quality({saving: navigator.connection?.saveData || navigator.deviceMemory <= 2, software: drawsInSoftware(this.renderer.getContext())});
+    this.shade = true;   // in hollows
     this.scene = new Scene();
     this.world = new Group();   // the model's millimetres; only a headset moves and scales it
     this.scene.add(this.world);
@@ -58,7 +67,7 @@ export class Viewer extends EventTarget {
     this.labels = new Labels(models[0].parts, this.looks);
     this.prepareInside();
     this.headset = new Headset(this);
-    this.frames = 0;
+    this.frames = this.rested = 0;
     this.dress();
     this.resize();
     this.orbit.goTo(views[0], true);
@@ -101,6 +110,7 @@ export class Viewer extends EventTarget {
   }
 
   show(index) { this.chosen = index; this.dress(); }
+  setShade(shade) { this.shade = shade; this.dress(); }
   setFaces(faces) { this.faces = faces; this.dress(); }
   setLook(key, change) { Object.assign(this.looks.get(key), change); this.dress(); }
   cut(change) {
@@ -170,16 +180,32 @@ export class Viewer extends EventTarget {
       this.touch();
       this.dispatchEvent(new Event('travel'));
     }
-    if (!this.dirty) return;
-    this.dirty = false;
-    this.draw();
+    if (this.dirty) {
+      if (this.movedLast && this.quality.note(seconds)) this.dispatchEvent(new Event('change'));
+      this.dirty = false;
+      this.rested = 0;
+      this.movedLast = true;
+      this.draw({way: this.quality.moving});
+      return;
+    }
+    this.movedLast = false;
+    this.rested += seconds;
+    if (this.headset.present || !this.quality.mayRefine(this.rested)) return;
+    const way = this.wayOf(this.quality.still);
+    if (this.picture.finished(way)) return;
+    this.picture.refine(this.scene, this.camera, this.current, way);
+    if (this.picture.incomplete) this.touch();
   }
 
-  draw() {
+  wayOf({layers, shade}) { return {layers, shade: shade && this.shade, reach: shadeReach * this.bounds.radius, bounds: this.bounds}; }
+  get current() { return this.shown[this.chosen]; }
+
+  /// Draws what is to be seen now. `complete`: every layer, however many; else as many as there lately were.
+  draw({way = this.quality.still, complete = false} = {}) {
     setLightFrame(this.shared, this.headset.present ? this.renderer.xr.getCamera() : null);
     const sight = this.inside ? this.journey.lengths.sight * this.world.scale.x : 0;
     this.shared.lamp.value.set(0.1 * sight, 0.16 * sight, 0, sight);   // in the hand beside the eye, as on the desktop
-    this.picture.draw(this.scene, this.camera);
+    this.picture.draw(this.scene, this.camera, this.current, {...this.wayOf(way), complete});
     this.frames += 1;
     this.dispatchEvent(new Event('drawn'));
     if (this.headset.present) return;
