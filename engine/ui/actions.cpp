@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 33> keys = {{
+constexpr std::array<ActionKey, 34> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -23,6 +23,7 @@ constexpr std::array<ActionKey, 33> keys = {{
     {"R", Action::flip_section, "cut away the other side", U'r'},
     {"C", Action::enter_pulp, "into the pulp chamber, to fly", U'c'},
     {"A", Action::fly_outdoors, "fly around the outside", U'a'},
+    {"Enter", Action::enter_here, "ride the canal clicked; measure: the middle", 0, Key::enter},
     {"M", Action::measure_distance, "measure a distance", U'm'},
     {"T", Action::measure_thickness, "measure a wall's thickness", U't'},
     {"D", Action::toggle_lab, "DT beside DB, the other method", U'd'},
@@ -37,7 +38,7 @@ constexpr std::array<ActionKey, 33> keys = {{
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
     {"Ctrl O", Action::open_file, "open a file", 0, Key::o, true},
-    {"Tab", Action::toggle_panel, "panel on or off", 0, Key::tab},
+    {"F9", Action::toggle_panel, "panel on or off", 0, Key::f9},
     {"?", Action::toggle_help, "this list", U'?'},
     {"F1", Action::toggle_help, "this list", 0, Key::f1},
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
@@ -66,17 +67,18 @@ constexpr std::array<ActionKey, 23> in_flight = {{
     {"?", Action::toggle_help, "this list", U'?'},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},
     {"Ctrl S", Action::save_scene, "save camera and looks", 0, Key::s, true},
-    {"Tab", Action::toggle_panel, "panel on or off", 0, Key::tab},
+    {"F9", Action::toggle_panel, "panel on or off", 0, Key::f9},
 }};
 
-constexpr std::array<Gesture, 8> flying = {{
+constexpr std::array<Gesture, 9> flying = {{
     {"W S", "ahead, back (I K)"},
     {"A D", "to the left, right (J L)"},
     {"Q E", "down, up (U O)"},
     {"Arrow keys, drag", "look around"},
     {"Shift", "three times as fast"},
     {"Wheel", "slower, faster"},
-    {"Gamepad", "sticks fly and look, triggers lift"},
+    {"Tab, Shift Tab", "keyboard into the panel; Esc: back"},
+    {"Gamepad", "sticks fly and look; Start: all buttons"},
     {"Esc, Backspace", "back to outside"},
 }};
 
@@ -96,14 +98,16 @@ constexpr std::array<Gesture, 13> gamepad = {{
     {"Start", "this list"},
 }};
 
-constexpr std::array<Gesture, 7> mouse = {{
+constexpr std::array<Gesture, 9> mouse = {{
     {"Drag", "turn"},
     {"Right drag, Shift drag", "move"},
     {"Wheel", "nearer and farther, at the pointer"},
+    {"Click on a canal", "its name; twice: ride down it"},
     {"Double click", "turn round this point"},
     {"Arrow keys", "turn; with Shift: move"},
     {"+  \xE2\x88\x92", "nearer, farther"},
     {"Drop a file", "open it"},
+    {"Tab, Shift Tab", "into the panel: arrows change, Enter presses"},
 }};
 
 char32_t small(char32_t character) { return character >= U'A' && character <= U'Z' ? character - U'A' + U'a' : character; }

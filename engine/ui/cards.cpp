@@ -85,10 +85,14 @@ void question_card(ViewerState& state, const Interface& interface, const Area& v
   widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
   ImGui::TextUnformatted("Grey value");
   ImGui::SetNextItemWidth(-1);
+  widgets::text_field("##iso");
   ImGui::InputDouble("##iso", &state.question->iso, 0, 0, "%g");
+  widgets::noted("##iso");
   ImGui::TextUnformatted("Leave out contours smaller than, mm\xC2\xB2");
   ImGui::SetNextItemWidth(-1);
+  widgets::text_field("##area");
   ImGui::InputDouble("##area", &state.question->min_area_mm2, 0, 0, "%g");
+  widgets::noted("##area");
   state.question->min_area_mm2 = std::max(state.question->min_area_mm2, 0.0);
   if (widgets::wide_button("Make the model", true)) {
     state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_mm2, false};
@@ -104,7 +108,9 @@ void open_card(ViewerState& state, const Interface& interface, const Area& viewp
   widgets::remark(interface, "A contour stack, a GLB, STL or PLY mesh, or a volume. Dropping it on the window does the same. Nothing typed: the sample molar.");
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
+  widgets::text_field("##file");
   bool open = ImGui::InputText("##file", &*state.file_asked_for, ImGuiInputTextFlags_EnterReturnsTrue);
+  widgets::noted("##file");
   open = widgets::wide_button("Open", true) || open;
   if (open) {
     state.to_load = LoadRequest{*state.file_asked_for, {}, 0, false};

@@ -17,9 +17,9 @@ using widgets::scaled;
 
 void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::Button(left, {width, 0})) state.todo.push_back(on_left);
+  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
   ImGui::SameLine();
-  if (ImGui::Button(right, {width, 0})) state.todo.push_back(on_right);
+  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
 }
 
 void flight_section(ViewerState& state, const Interface& interface) {
@@ -31,18 +31,23 @@ void flight_section(ViewerState& state, const Interface& interface) {
   widgets::toggle("Mouse looks without a button (M)", fly.mouse_caught);
 }
 
+/// A button for each canal, horn and branch.
+void canal_buttons(FlyState& fly, const std::vector<const CentreLine*>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const bool here = fly.ride && fly.ride->line == i;
+    const double length = lines[i]->points.back().along - lines[i]->points[std::min(lines[i]->orifice, lines[i]->points.size() - 1)].along;
+    const std::string words = fly.on && i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1) : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
+    if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
+  }
+}
+
 /// The canals, and the ride's controls.
 void ride_section(ViewerState& state, const Interface& interface) {
   FlyState& fly = state.fly;
   if (!fly.cavity) return;
   const auto lines = rideable(state.shown->flight->cavities[*fly.cavity].lines);
   if (lines.empty() || !widgets::section(interface, "Canals")) return;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool here = fly.ride && fly.ride->line == i;
-    const double length = lines[i]->points.back().along - lines[i]->points[std::min(lines[i]->orifice, lines[i]->points.size() - 1)].along;
-    const std::string words = i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1) : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
-    if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
-  }
+  canal_buttons(fly, lines);
   if (!fly.ride) {
     widgets::remark(interface, "Choose one to be led along it; or click its name in the picture.");
     return;
@@ -79,10 +84,14 @@ void fly_entrance(ViewerState& state, const Interface& interface) {
   if (!state.shown || !state.shown->flight) return;
   if (state.shown->flight->cavities.empty()) {
     if (widgets::wide_button("Fly around (A)")) state.todo.push_back(Action::fly_outdoors);
-    widgets::remark(interface, "This model has no cavity to fly in.");
+    widgets::remark(interface, "This model has no cavity to fly in. C says what can be done.");
     return;
   }
   two_buttons(state, "Fly inside (C)", Action::enter_pulp, "Fly around (A)", Action::fly_outdoors);
+  const auto lines = rideable(state.shown->flight->cavities.front().lines);
+  if (lines.empty() || !widgets::section(interface, "Canals", false)) return;
+  canal_buttons(state.fly, lines);
+  widgets::remark(interface, "Choose one to be led along it; or double click it in the picture, where you see it through the tooth or in a section.");
 }
 
 void fly_sections(ViewerState& state, const Interface& interface) {

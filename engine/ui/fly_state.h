@@ -23,6 +23,7 @@ struct FlyState {
   glm::dvec3 sight_before{0};          // since the frame before
   std::vector<glm::dvec3> trail;       // where the eye was, one place every few clearances
   Scene scene_before;
+  bool lab_before = false;             // DB mode was on
 
   std::optional<Ride> ride;            // along a canal; any key that flies ends it
   std::optional<std::size_t> ride_asked;   // of rideable(), begun in the next frame

@@ -1,5 +1,6 @@
 #include "engine/ui/interface.h"
 
+#define IMGUI_DEFINE_MATH_OPERATORS
 #include <imgui.h>
 #include <imgui_internal.h>
 
@@ -15,7 +16,7 @@ namespace {
 
 /// ImGui counts keys by numbers of ours.
 constexpr std::pair<ImGuiKey_, Key> known_keys[] = {
-    {ImGuiKey_Tab, Key::tab},       {ImGuiKey_LeftArrow, Key::left}, {ImGuiKey_RightArrow, Key::right}, {ImGuiKey_UpArrow, Key::up},
+    {ImGuiKey_LeftArrow, Key::left}, {ImGuiKey_RightArrow, Key::right}, {ImGuiKey_UpArrow, Key::up},
     {ImGuiKey_DownArrow, Key::down}, {ImGuiKey_Home, Key::home},     {ImGuiKey_End, Key::end},          {ImGuiKey_PageUp, Key::page_up},
     {ImGuiKey_PageDown, Key::page_down}, {ImGuiKey_Enter, Key::enter}, {ImGuiKey_Escape, Key::escape},  {ImGuiKey_Backspace, Key::backspace},
     {ImGuiKey_Delete, Key::remove}, {ImGuiKey_Space, Key::space},    {ImGuiKey_A, Key::a},              {ImGuiKey_C, Key::c},
@@ -24,10 +25,14 @@ constexpr std::pair<ImGuiKey_, Key> known_keys[] = {
 /// Latin with accents, Greek mu and friends, dashes and quotes, arrows.
 constexpr ImWchar characters[] = {0x20, 0xff, 0x100, 0x17f, 0x3bc, 0x3bc, 0x2010, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
+constexpr auto keys_in_all = static_cast<std::size_t>(Key::shift) + 1;
+
+/// Of the panels only while a text is typed: elsewhere they lead through lessons and rides.
+bool moves_in_text(Key key) { return key == Key::home || key == Key::end || key == Key::page_up || key == Key::page_down; }
 
 }  // namespace
 
-Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)) {
+Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)), keys_down_(keys_in_all), keys_pressed_(keys_in_all) {
   ImGuiContext* before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
@@ -75,12 +80,17 @@ void Interface::feed(const Event& event) {
     io.MouseWheel += static_cast<float>(scroll->along);
     io.MouseWheelH += static_cast<float>(scroll->across);
   } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
-    io.KeysDown[static_cast<int>(key->key)] = key->down && key->key != Key::other;
     hold(key->with);
+    Key meant = key->key;
+    if (meant == Key::enter && by_keys_ && !io.WantTextInput) meant = Key::space;   // ImGui's key that presses
+    if (meant == Key::other || meant == Key::tab || (key->down && moves_in_text(meant) && !io.WantTextInput)) return;
+    const auto i = static_cast<std::size_t>(meant);
+    keys_down_[i] = key->down;
+    keys_pressed_[i] = keys_pressed_[i] || key->down;
   } else if (const auto* text = std::get_if<TextTyped>(&event)) {
     io.AddInputCharacter(text->character);
   } else if (std::get_if<FocusLost>(&event)) {
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
+    std::fill(keys_down_.begin(), keys_down_.end(), false);
     std::fill(std::begin(down_), std::end(down_), false);
     hold({});
   }
@@ -96,12 +106,21 @@ void Interface::begin(const FrameInput& input) {
     const bool pressed = std::exchange(pressed_[i], false);
     io.MouseDown[i] = down_[i] || pressed;
   }
+  for (std::size_t i = 0; i < keys_in_all; ++i) {
+    io.KeysDown[i] = keys_down_[i] || keys_pressed_[i];   // likewise
+    keys_pressed_[i] = false;
+  }
+  if (by_keys_) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   places.clear();
   ImGui::NewFrame();
 }
 
 ImDrawData* Interface::end() {
   ImGui::Render();
+  // What the keyboard was on is gone, with its card: back to the picture.
+  const auto here = [&](const Place& place) { return place.id == context_->NavId || place.id == context_->ActiveId || place.id == letters_to_; };
+  if (by_keys_ && !popup_open() && std::none_of(places.begin(), places.end(), here)) leave_keys();
   return ImGui::GetDrawData();
 }
 
@@ -141,6 +160,47 @@ bool Interface::covers(double x, double y) const {
   }
   return false;
 }
+
+void Interface::step(int by, bool panel) {
+  ImGui::SetCurrentContext(context_);
+  ImGuiContext& g = *context_;
+  std::vector<Place> order;
+  for (const Place& place : places)
+    if (panel || place.window != ImHashStr("panel")) order.push_back(place);
+  if (order.empty() || by == 0) return;
+  const unsigned now = letters_to_ != 0 ? letters_to_ : g.ActiveId != 0 ? g.ActiveId : g.NavId;
+  const auto found = std::find_if(order.begin(), order.end(), [now](const Place& place) { return place.id == now; });
+  const auto count = static_cast<int>(order.size());
+  const int from = !by_keys_ || found == order.end() ? (by > 0 ? -1 : count) : static_cast<int>(found - order.begin());
+  const Place& to = order[static_cast<std::size_t>(((from + by) % count + count) % count)];
+  ImGuiWindow* window = ImGui::FindWindowByID(to.window);
+  if (!window) return;
+  const ImRect place({to.left, to.top}, {to.right, to.bottom});
+  ImGui::ClearActiveID();
+  ImGui::FocusWindow(window);
+  ImGui::SetNavID(to.id, ImGuiNavLayer_Main, 0, ImRect(place.Min - window->Pos, place.Max - window->Pos));
+  g.NavDisableHighlight = false;
+  g.NavDisableMouseHover = true;
+  ImGui::ScrollToBringRectIntoView(window, place);
+  letters_to_ = to.text ? to.id : 0;
+  by_keys_ = true;
+}
+
+void Interface::leave_keys() {
+  by_keys_ = false;
+  letters_to_ = 0;
+  context_->NavDisableHighlight = true;
+}
+
+bool Interface::on_control(unsigned id) const { return by_keys_ && context_->NavId == id && !context_->NavDisableHighlight; }
+
+bool Interface::takes_letters(unsigned id) {
+  if (letters_to_ != id) return false;
+  letters_to_ = 0;
+  return true;
+}
+
+bool Interface::popup_open() const { return context_->OpenPopupStack.Size > 0; }
 
 bool Interface::wants_text() const { return context_->IO.WantTextInput; }
 

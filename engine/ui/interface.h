@@ -43,10 +43,24 @@ class Interface {
   bool wants_text() const;
   Pointer pointer() const;
 
-  /// Where the controls of the last frame were, by ImGui's id: for whoever drives the interface by script.
+  /// The keyboard is in the panels: arrows, space, enter and escape are theirs.
+  bool by_keys() const { return by_keys_; }
+  /// Puts the keyboard on the next control, or the one before (`by` is negative), or the first; `panel` may be left out, behind a dialog. Between frames.
+  void step(int by, bool panel);
+  void leave_keys();
+  /// Of a control that was made just now: is the keyboard on it?
+  bool on_control(unsigned id) const;
+  /// Once: a step led to this text field, which begins to take letters.
+  bool takes_letters(unsigned id);
+  /// A list or palette that came up over a panel.
+  bool popup_open() const;
+
+  /// Where the controls of the last frame were, by ImGui's id, in their order: for the keyboard, and for whoever drives the interface by script.
   struct Place {
     unsigned id = 0;
     float left = 0, top = 0, right = 0, bottom = 0;
+    unsigned window = 0;
+    bool text = false;
   };
   std::vector<Place> places;
 
@@ -64,6 +78,9 @@ class Interface {
   float scale_ = 0;
   int font_version_ = 0;
   bool down_[3] = {}, pressed_[3] = {};
+  std::vector<bool> keys_down_, keys_pressed_;   // by Key
+  bool by_keys_ = false;
+  unsigned letters_to_ = 0;
 };
 
 }  // namespace odontoscope

@@ -191,11 +191,11 @@ void wrapped(const std::string& words) {
 /// Back, next, close, side by side.
 void three_buttons(ViewerState& state, const char* back, Action on_back, const char* next, Action on_next, Action on_close) {
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (ImGui::Button(back, {width, 0})) state.todo.push_back(on_back);
+  if (widgets::button(back, {width, 0})) state.todo.push_back(on_back);
   ImGui::SameLine();
-  if (ImGui::Button(next, {width, 0})) state.todo.push_back(on_next);
+  if (widgets::button(next, {width, 0})) state.todo.push_back(on_next);
   ImGui::SameLine();
-  if (ImGui::Button("Close (Esc)", {width, 0})) state.todo.push_back(on_close);
+  if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(on_close);
 }
 
 void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {

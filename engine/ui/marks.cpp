@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/navigate/ride.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {
@@ -201,23 +202,64 @@ void draw_measured(const ViewPane& pane, const Measured& measured, const Interfa
   list.PopClipRect();
 }
 
+std::string name_of(const CanalPick& pick, const FlightSpaces& spaces) {
+  return pick.in_chamber ? "pulp chamber" : rideable(spaces.cavities[pick.cavity].lines)[pick.line]->name;
+}
+
+void draw_canal(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale) {
+  if (!state.canal) return;
+  const CanalPick& pick = *state.canal;
+  const FlightSpaces& spaces = *state.shown->flight;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(vec(pane.area.left, pane.area.top), vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));
+  if (!pick.in_chamber) {
+    std::vector<ImVec2> line;
+    for (const CentrePoint& point : rideable(spaces.cavities[pick.cavity].lines)[pick.line]->points)
+      if (const auto place = place_of(pane.camera, {point.at.x, point.at.y, point.at.z})) line.push_back(vec(pixel_of(pane.area, *place)));
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), theme::mark_outline, 0, 4.5f * scale);
+    list.AddPolyline(line.data(), static_cast<int>(line.size()), theme::mark, 0, 2.2f * scale);
+  }
+  if (const auto place = place_of(pane.camera, pick.at)) {
+    const ImVec2 at = vec(pixel_of(pane.area, *place));
+    draw_dot(list, at, scale);
+    const std::string name = name_of(pick, spaces);
+    const char* told = pick.in_chamber ? "Enter: fly there" : "double click or Enter: ride";
+    const ImFont *font = interface.bold, *small = interface.small;
+    const ImVec2 first = font->CalcTextSizeA(font->FontSize, 1e9f, 0, name.c_str()), second = small->CalcTextSizeA(small->FontSize, 1e9f, 0, told);
+    const float width = std::max(first.x, second.x), height = first.y + second.y;
+    const float most = static_cast<float>(pane.area.left + pane.area.width) - width - 14 * scale;
+    const ImVec2 corner(at.x + 22 * scale > most ? at.x - 22 * scale - width : at.x + 22 * scale, at.y - height / 2);
+    list.AddRectFilled({corner.x - 9 * scale, corner.y - 6 * scale}, {corner.x + width + 9 * scale, corner.y + height + 6 * scale}, theme::rgb(0x14181c, 225), 6 * scale);
+    list.AddText(font, font->FontSize, corner, theme::mark, name.c_str());
+    list.AddText(small, small->FontSize, {corner.x, corner.y + first.y}, theme::text, told);
+  }
+  list.PopClipRect();
+}
+
 void draw_readout(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale) {
   std::string words;
   if (const auto& hit = state.under_pointer) {
     const glm::dvec3& p = hit->point_mm;
     words = fmt::format("{}{}   {:.2f}  {:.2f}  {:.2f} mm", hit->structure, hit->triangle ? "" : ", cut", p.x, p.y, p.z);
   }
+  if (const auto& canal = state.canal_under_pointer) words = fmt::format("{}   {}", name_of(*canal, *state.shown->flight), words);
   ImFont* font = interface.small;
   const double right = pane.area.left + pane.area.width - 20 * scale, bottom = pane.area.top + pane.area.height - 34 * scale;
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
   outlined(*ImGui::GetBackgroundDrawList(), font, font->FontSize, vec(right - extent.x, bottom), theme::text, words.c_str());
   if (state.tool == Tool::look) return;
   const bool second = state.tool == Tool::distance && state.measured.ends.size() == 1;
-  const char* told = state.tool == Tool::thickness ? "Click a surface to measure the wall behind it" : second ? "Click the second point" : "Click the first point";
+  const char* told = state.tool == Tool::thickness ? "Click a surface to measure the wall behind it. Enter: at the cross"
+                     : second                      ? "Click the second point. Enter: at the cross"
+                                                   : "Click the first point. Enter: at the cross";
   font = interface.bold;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, told);
   const ImVec2 corner = vec(pane.area.left + (pane.area.width - size.x) / 2, pane.area.top + 22 * scale);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const ImVec2 middle = vec(pane.area.left + pane.area.width / 2, pane.area.top + pane.area.height / 2);
+  for (const float thick : {4.0f, 1.6f})
+    for (const ImVec2& arm : {ImVec2(9 * scale, 0), ImVec2(0, 9 * scale)})
+      list.AddLine({middle.x - arm.x, middle.y - arm.y}, {middle.x + arm.x, middle.y + arm.y}, thick > 2 ? theme::mark_outline : theme::mark, thick * scale);
   list.AddRectFilled({corner.x - 14 * scale, corner.y - 8 * scale}, {corner.x + size.x + 14 * scale, corner.y + size.y + 8 * scale}, theme::rgb(0x14181c, 225), 8 * scale);
   list.AddText(font, font->FontSize, corner, theme::mark, told);
 }

@@ -25,17 +25,21 @@ void draft_card(NotesState& notes, const Interface& interface, const Area& viewp
     ImGui::TextUnformatted("Title");
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
+    widgets::text_field("##title");
     const bool entered = ImGui::InputText("##title", &draft.title, ImGuiInputTextFlags_EnterReturnsTrue);
+    widgets::noted("##title");
     ImGui::TextUnformatted("What is there to see?");
+    widgets::text_field("##text");
     ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
+    widgets::noted("##text");
     if (draft.title.size() > most_title_bytes) draft.title.resize(most_title_bytes);
     if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Keep the note", {width, 0}) || entered) {
+    if (widgets::button("Keep the note", {width, 0}) || entered) {
       keep_draft(notes);
     }
     ImGui::SameLine();
-    if (ImGui::Button("Cancel (Esc)", {width, 0})) notes.draft.reset();
+    if (widgets::button("Cancel (Esc)", {width, 0})) notes.draft.reset();
   }
   ImGui::End();
 }
@@ -51,11 +55,11 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
     ImGui::TextUnformatted(note.text.c_str());
     ImGui::PopTextWrapPos();
     const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-    if (ImGui::Button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
+    if (widgets::button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
     ImGui::SameLine();
-    if (ImGui::Button("Next (Page down)", {width, 0})) state.todo.push_back(Action::next_step);
+    if (widgets::button("Next (Page down)", {width, 0})) state.todo.push_back(Action::next_step);
     ImGui::SameLine();
-    if (ImGui::Button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
+    if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
   }
   ImGui::End();
 }
@@ -78,7 +82,9 @@ void notes_section(ViewerState& state, const Interface& interface) {
   }
   ImGui::TextUnformatted("Title of the lesson");
   ImGui::SetNextItemWidth(-1);
+  widgets::text_field("##lesson");
   if (ImGui::InputText("##lesson", &notes.tour.title)) notes.unsaved = true;
+  widgets::noted("##lesson");
   if (notes.tour.title.size() > most_title_bytes) notes.tour.title.resize(most_title_bytes);
   if (widgets::wide_button(notes.unsaved ? "Save the notes" : "Save the notes again")) notes.save = true;
 }

@@ -27,7 +27,7 @@ void heading(ViewerState& state, const Interface& interface) {
   ImGui::PopFont();
   const float button = scaled(30);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-  if (ImGui::Button("?", {button, button})) state.todo.push_back(Action::toggle_help);
+  if (widgets::button("?", {button, button})) state.todo.push_back(Action::toggle_help);
   if (!state.shown) return;
   const std::size_t structures = state.shown->scene.looks.size();
   widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
@@ -36,9 +36,9 @@ void heading(ViewerState& state, const Interface& interface) {
 /// Two buttons side by side, each half as wide as the panel.
 void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (ImGui::Button(left, {width, 0})) state.todo.push_back(on_left);
+  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
   ImGui::SameLine();
-  if (ImGui::Button(right, {width, 0})) state.todo.push_back(on_right);
+  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
 }
 
 void structure_row(Look& look, const Interface&) {
@@ -211,13 +211,17 @@ void picture_section(ViewerState& state, const Interface& interface) {
   const float field = scaled(84);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * field - scaled(22));
   ImGui::SetNextItemWidth(field);
+  widgets::text_field("##width");
   ImGui::InputInt("##width", &picture.width, 0);
+  widgets::noted("##width");
   ImGui::SameLine(0, scaled(6));
   ImGui::TextUnformatted("\xC3\x97");
   ImGui::SameLine(0, scaled(6));
   ImGui::SetNextItemWidth(field);
   ImGui::BeginDisabled(picture.as_seen);
+  widgets::text_field("##height");
   ImGui::InputInt("##height", &picture.height, 0);
+  widgets::noted("##height");
   ImGui::EndDisabled();
   if (!ImGui::IsAnyItemActive()) {
     picture.width = std::clamp(picture.width, 16, 16384);

@@ -168,6 +168,8 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   state_.tool = Tool::look;
   state_.measured = {};
   state_.under_pointer.reset();
+  state_.canal.reset();
+  state_.canal_under_pointer.reset();
   transition_.reset();
   look_transition_.reset();
   drag_.reset();
@@ -199,6 +201,7 @@ void Viewer::perform(Action action) {
     case Action::escape: escape(); return;
     default: break;
   }
+  if (!state.shown && action == Action::enter_pulp) notice(job_ ? "The model is still being made." : "Open a model first.");
   if (!state.shown || perform_on_notes(action) || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
@@ -220,6 +223,7 @@ void Viewer::perform(Action action) {
       break;
     case Action::measure_distance: choose(Tool::distance); break;
     case Action::measure_thickness: choose(Tool::thickness); break;
+    case Action::enter_here: enter_here(); break;
     case Action::take_picture: take_picture(); break;
     case Action::save_scene: save_scene(); break;
     default: break;
@@ -261,14 +265,18 @@ void Viewer::escape() {
   else if (state_.notes.shown) state_.notes.shown.reset();
   else if (state_.fly.on) leave_flight();
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
+  else if (state_.canal) state_.canal.reset();
   else if (state_.lab.lesson) state_.lab.lesson.reset();
   else if (state_.lab.artefact) put_artefact_away();
   else state_.measured = {};
 }
 
-void Viewer::notice(std::string words, bool bad) {
+bool Viewer::dialog_open() const { return !state_.trouble.empty() || state_.notes.leaving || state_.question || state_.file_asked_for || state_.help; }
+
+void Viewer::notice(std::string words, bool bad, double seconds) {
   constexpr std::size_t most = 3;
-  state_.notices.push_back({std::move(words), bad});
+  std::erase_if(state_.notices, [&](const Notice& shown) { return shown.words == words; });   // said again, not twice
+  state_.notices.push_back({std::move(words), bad, seconds});
   if (state_.notices.size() > most) state_.notices.erase(state_.notices.begin());
 }
 
@@ -336,6 +344,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
     for (const ViewPane& pane : panes_) {
       const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
       if (first) draw_scale_bar(pane, interface_, scale_);
+      if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
       if (last) draw_compass(pane, interface_, scale_, hovered_compass_);
@@ -348,6 +357,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   if (state_.lab.on) draw_lab(state_, panes_, interface_, viewport, scale_);
   draw_cards(state_, job_.get(), interface_, viewport);
   const ImDrawData* drawn = interface_.end();
+  if (const int by = std::exchange(tabs_, 0)) interface_.step(by, !dialog_open());
   interface_pass_.draw(interface_, *drawn, target);
   state_.settings.back_faces = state_.shown ? state_.scene.back_faces : state_.settings.back_faces;
 }

@@ -83,7 +83,7 @@ class Viewer {
   void toggle_section();
   void escape();
   void go_to(const Camera& camera, double seconds = transition_seconds);
-  void notice(std::string words, bool bad = false);
+  void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
 
   // viewer_lab.cpp: DB mode
   bool perform_in_lab(Action action);
@@ -106,7 +106,8 @@ class Viewer {
   // viewer_fly.cpp: flying
   bool flight_possible() const;
   bool perform_in_flight(Action action);
-  void enter_cavity(std::size_t cavity);
+  /// And do `then` once there, if anything.
+  void enter_cavity(std::size_t cavity, std::function<void()> then = {});
   void enter_outdoors();
   void arrive(std::optional<std::size_t> cavity, const Flight& flight);
   void leave_flight();
@@ -126,9 +127,20 @@ class Viewer {
   // viewer_ride.cpp: along canals, and where one is
   bool perform_on_ride(Action action);
   void begin_ride(std::size_t line);
+  /// Where the ball fits through; empty, and told why, if there is nothing to ride.
+  Track rideable_track(std::size_t cavity, std::size_t line);
+  void start_ride(std::size_t line, Track track);
   void advance_ride(const FlightWish& wish, double seconds);
   void leave_ride();
   void draw_where_picture(const Target& target);
+
+  // viewer_canals.cpp: canals pointed at from outside
+  std::optional<CanalPick> canal_at(const ViewPane& pane, double x, double y) const;
+  /// In flight: on the small picture of the tooth.
+  std::optional<CanalPick> canal_in_small_picture(double x, double y) const;
+  /// Into its cavity if one is not there, and along it.
+  void ride_canal(std::size_t cavity, std::size_t line);
+  void enter_here();
 
   // viewer_notes.cpp: a teacher's notes
   void tend_notes();
@@ -151,6 +163,10 @@ class Viewer {
   void on_scroll(const Scrolled& scroll);
   void on_key(const KeyChanged& key);
   void on_text(const TextTyped& text);
+  bool on_panel_key(const KeyChanged& key);
+  bool answer_by_enter();
+  /// Something has to be read or answered first.
+  bool dialog_open() const;
   void on_drop(const FilesDropped& drop);
   void on_press(const MouseButtonChanged& button);
   void on_click(double x, double y);
@@ -244,6 +260,8 @@ class Viewer {
   Framebuffer where_picture_;          // the tooth from outside, drawn once
   std::shared_ptr<const LoadedModel> where_of_;
   NamedView where_from_ = NamedView::buccal;
+  int tabs_ = 0;                       // asked for: controls on, or back
+  char last_place_ = 0;                // of the key pressed last, for keyboards without Latin letters
   std::set<int> held_;                 // keys, while one flies; see viewer_fly.cpp
   GamepadChanged gamepad_;
   std::optional<Camera> camera_before_dive_;

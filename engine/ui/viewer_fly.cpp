@@ -1,5 +1,7 @@
 // Flying: into the pulp and out again, keys and sticks, and what each frame does with them.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -36,6 +38,18 @@ constexpr double trail_step = 3;   // clearances
 int held_as(const KeyChanged& key) { return key.place ? key.place : 256 + static_cast<int>(key.key); }
 int held_as(Key key) { return 256 + static_cast<int>(key); }
 
+constexpr double reading_seconds = 14;
+
+/// Why one cannot fly inside, and what to do.
+std::string words_without_cavity(const LoadedModel& shown) {
+  if (!shown.flight) return "One cannot fly in this model: nothing is known of its walls.";
+  if (shown.certificate.verdict == Certificate::Verdict::wanting)
+    return "There is no cavity in this model to fly in: its surface is not closed (see Report), so it has no inside. Open a sound model, or fly around this one (A).";
+  const char* volume = shown.values ? " A lower grey value keeps thin walls closed: open the volume again with one." : "";
+  return fmt::format("There is no cavity in this model to fly in: nothing in it is hollow all round. Where a root is open at its tip, fly around (A) and in through the opening.{}"
+                     " A structure with \"pulp\" in its name counts as a cavity, too.", volume);
+}
+
 }  // namespace
 
 bool Viewer::flight_possible() const { return state_.shown && state_.shown->flight; }
@@ -60,17 +74,18 @@ void Viewer::darken_then(std::function<void()> at_dark) {
   fade_ = Fade{0, false, std::move(at_dark)};
 }
 
-void Viewer::enter_cavity(std::size_t cavity) {
+void Viewer::enter_cavity(std::size_t cavity, std::function<void()> then) {
   if (!flight_possible() || cavity >= state_.shown->flight->cavities.size()) {
-    notice("There is no cavity in this model to fly in. A canal that is open at its end is no cavity.");
+    notice(words_without_cavity(*state_.shown), false, reading_seconds);
     return;
   }
   const FlightSpace& space = state_.shown->flight->cavities[cavity];
   if (!state_.fly.on && !state_.settings.comfort.reduced_motion) go_to(zoom(state_.scene.camera, dive_zoom, space.middle));
-  darken_then([this, cavity] {
+  darken_then([this, cavity, then = std::move(then)] {
     const FlightSpace& there = state_.shown->flight->cavities[cavity];
     const glm::dvec3 sight = longest_sight(there.walls, there.middle);
     arrive(cavity, looking(there.middle, sight));
+    if (then) then();
   });
 }
 
@@ -93,6 +108,7 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   FlyState& fly = state_.fly;
   if (!fly.on) {
     settle_looks();
+    fly.lab_before = state_.lab.on;
     leave_lab();
     fly.scene_before = state_.scene;
     if (camera_before_dive_) fly.scene_before.camera = *std::exchange(camera_before_dive_, std::nullopt);
@@ -102,6 +118,7 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   }
   transition_.reset();
   drag_.reset();
+  interface_.leave_keys();   // arrows look around now
   fly.on = true;
   fly.cavity = cavity;
   fly.flight = flight;
@@ -127,7 +144,12 @@ void Viewer::see_from_flight() {
 }
 
 void Viewer::leave_flight() {
-  if (state_.fly.on) darken_then([this] { end_flight(); });
+  if (!state_.fly.on) return;
+  darken_then([this] {
+    const bool lab = state_.fly.lab_before;
+    end_flight();
+    if (lab) enter_lab();   // what one came from
+  });
 }
 
 /// At once: the view from before.
@@ -158,12 +180,15 @@ bool Viewer::perform_in_flight(Action action) {
   FlyState& fly = state_.fly;
   switch (action) {
     case Action::enter_pulp:
+      if (fade_ && !fade_->done) return true;   // on the way already: a key that is held repeats
+      state_.help = false;
       if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
       if (!fly.on) enter_cavity(0);
       else if (fly.cavity) leave_flight();
       else enter_cavity(0);
       return true;
     case Action::fly_outdoors:
+      if (fade_ && !fade_->done) return true;
       if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
       enter_outdoors();
       return true;

@@ -90,6 +90,7 @@ void Viewer::on_move(const MouseMoved& move) {
 void Viewer::on_button(const MouseButtonChanged& button) {
   if (button.down) {
     settle_looks();
+    interface_.leave_keys();
     if (!drag_ && state_.shown && !job_) on_press(button);
     return;
   }
@@ -136,14 +137,17 @@ void Viewer::on_click(double x, double y) {
   if (!pane) return;
   const auto hit = hit_at(*pane, x, y);
   if (state_.fly.on) {
-    if (const auto line = label_hit(state_, *pane, interface_, scale_, x, y)) begin_ride(*line);
+    if (const auto small = canal_in_small_picture(x, y)) ride_canal(small->cavity, small->line);
+    else if (const auto line = label_hit(state_, *pane, interface_, scale_, x, y)) begin_ride(*line);
     return;
   }
   if (state_.tool != Tool::look) {
     if (hit) measure_at(pickable_of(*pane), *hit);
-  } else if (second && hit) {
-    go_to(centred_on(state_.scene.camera, hit->point_mm));
+    return;
   }
+  state_.canal = canal_at(*pane, x, y);
+  if (second && state_.canal && !state_.canal->in_chamber) enter_here();
+  else if (second && hit) go_to(centred_on(state_.scene.camera, hit->point_mm));
 }
 
 void Viewer::measure_at(const Pickable& pickable, const Hit& hit) {
@@ -170,7 +174,46 @@ void Viewer::on_scroll(const Scrolled& scroll) {
   set_camera(zoom(state_.scene.camera, std::pow(notch_factor, notches), anchor_at(*pane, mouse_x_, mouse_y_)));
 }
 
+bool Viewer::on_panel_key(const KeyChanged& key) {
+  if (!key.down) return false;   // what was held before it came here is let go
+  if (key.key == Key::tab) {
+    if (!dialog_open()) state_.settings.panel = true;
+    tabs_ += key.with.shift ? -1 : 1;
+    return true;
+  }
+  if (key.key == Key::enter && !interface_.by_keys() && answer_by_enter()) return true;
+  if (!interface_.by_keys()) return false;
+  switch (key.key) {
+    case Key::left:
+    case Key::right:
+    case Key::up:
+    case Key::down:
+    case Key::space:
+    case Key::enter: return true;
+    case Key::escape:
+      if (interface_.popup_open()) return true;   // ImGui closes it
+      interface_.leave_keys();
+      return !dialog_open();
+    default: return false;
+  }
+}
+
+/// What a dialog's first button says.
+bool Viewer::answer_by_enter() {
+  if (interface_.wants_text()) return false;
+  if (!state_.trouble.empty()) state_.trouble.clear();
+  else if (state_.notes.leaving) state_.notes.leaving->answer = LeavingNotes::Answer::save;
+  else if (state_.question) {
+    state_.to_load = LoadRequest{state_.question->file, state_.question->iso, state_.question->min_area_mm2, false};
+    state_.question.reset();
+  } else if (state_.help) state_.help = false;
+  else return false;
+  return true;
+}
+
 void Viewer::on_key(const KeyChanged& key) {
+  if (key.down && key.place) last_place_ = key.place;
+  if (on_panel_key(key)) return;
   if (state_.fly.on && !(key.down && interface_.wants_text())) on_flight_key(key);
   if (!key.down) return;
   if (interface_.wants_text() && key.key != Key::escape) return;
@@ -195,8 +238,12 @@ void Viewer::on_key(const KeyChanged& key) {
   else set_camera(orbit(camera, {key_turn_deg * direction.x, -key_turn_deg * direction.y, camera.target}));
 }
 
-void Viewer::on_text(const TextTyped& text) {
+void Viewer::on_text(const TextTyped& typed) {
   if (interface_.wants_text()) return;
+  // Greek or Cyrillic letters command as the American ones in their places do.
+  constexpr char32_t beyond_latin = 0x250;
+  const TextTyped text{typed.character >= beyond_latin && last_place_ ? static_cast<char32_t>(last_place_) : typed.character};
+  if (dialog_open() && text.character != U'?') return;
   if (state_.fly.on) {
     if (const auto action = action_for(text, flight_keys())) state_.todo.push_back(*action);
     else if (text.character >= U'1' && text.character <= U'9') begin_ride(text.character - U'1');
@@ -220,6 +267,7 @@ void Viewer::show_hovered() {
   hovered_compass_.reset();
   hovered_grip_.reset();
   state_.under_pointer.reset();
+  state_.canal_under_pointer.reset();
   pointer_ = interface_.pointer();
   if (!state_.shown || drag_) return;
   if (state_.fly.on && state_.fly.mouse_caught) {
@@ -234,7 +282,10 @@ void Viewer::show_hovered() {
     if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
   }
   if (!hovered_compass_ && !hovered_grip_) state_.under_pointer = hit_at(*pane, mouse_x_, mouse_y_);
-  if (hovered_compass_ || hovered_grip_ || on_split_line(mouse_x_, mouse_y_)) pointer_ = Pointer::hand;
+  const bool over_picture = !hovered_compass_ && !hovered_grip_ && state_.tool == Tool::look;
+  if (over_picture) state_.canal_under_pointer = state_.fly.on ? canal_in_small_picture(mouse_x_, mouse_y_) : canal_at(*pane, mouse_x_, mouse_y_);
+  const bool canal = state_.canal_under_pointer && (state_.fly.on || !state_.canal_under_pointer->in_chamber);
+  if (hovered_compass_ || hovered_grip_ || canal || on_split_line(mouse_x_, mouse_y_)) pointer_ = Pointer::hand;
   else if (state_.tool != Tool::look) pointer_ = Pointer::cross;
 }
 

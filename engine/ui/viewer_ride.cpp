@@ -18,31 +18,32 @@ constexpr int where_side = 2;          // samples a pixel along one axis: drawn 
 
 }  // namespace
 
-void Viewer::begin_ride(std::size_t line) {
-  if (!state_.fly.on || !state_.fly.cavity) {
-    notice("Canals begin in the pulp chamber: C leads there.");
-    return;
-  }
-  const FlightSpace& space = state_.shown->flight->cavities[*state_.fly.cavity];
-  const auto lines = rideable(space.lines);
+Track Viewer::rideable_track(std::size_t cavity, std::size_t line) {
+  const auto lines = rideable(state_.shown->flight->cavities[cavity].lines);
   if (line >= lines.size()) {
     notice(lines.empty() ? "No canals were found in this cavity." : "There are not so many canals here.");
-    return;
+    return {};
   }
   Track track = track_of(*lines[line], state_.shown->flight->rules.clearance);
-  if (track.points.empty()) {
-    notice("That canal is too narrow to fly in.");
+  if (track.points.empty()) notice("That canal is too narrow to fly in.");
+  return track;
+}
+
+void Viewer::start_ride(std::size_t line, Track track) {
+  Ride ride{.line = line, .track = std::move(track)};
+  ride.along = ride.track.points.front().along;
+  ride.playing = !state_.settings.comfort.reduced_motion;
+  state_.fly.ride = std::move(ride);
+  state_.fly.flight = flight_of(*state_.fly.ride, flight_rules());
+  state_.fly.trail = {state_.fly.flight.eye};
+}
+
+void Viewer::begin_ride(std::size_t line) {
+  if (!flight_possible() || state_.shown->flight->cavities.empty()) {
+    notice("There is no cavity in this model, so there are no canals to ride.");
     return;
   }
-  darken_then([this, line, track = std::move(track)]() mutable {
-    if (!state_.fly.on || !state_.fly.cavity) return;
-    Ride ride{.line = line, .track = std::move(track)};
-    ride.along = ride.track.points.front().along;
-    ride.playing = !state_.settings.comfort.reduced_motion;
-    state_.fly.ride = std::move(ride);
-    state_.fly.flight = flight_of(*state_.fly.ride, flight_rules());
-    state_.fly.trail = {state_.fly.flight.eye};
-  });
+  ride_canal(state_.fly.on && state_.fly.cavity ? *state_.fly.cavity : 0, line);
 }
 
 /// Free flight from where the ride is.
@@ -92,7 +93,10 @@ bool Viewer::perform_on_ride(Action action) {
       fly.where_from = fly.where_from == NamedView::buccal ? NamedView::mesial : fly.where_from == NamedView::mesial ? NamedView::occlusal : NamedView::buccal;
       return true;
     case Action::next_canal: {
-      if (!fly.cavity) return true;
+      if (!fly.cavity) {
+        begin_ride(0);
+        return true;
+      }
       const std::size_t count = rideable(state_.shown->flight->cavities[*fly.cavity].lines).size();
       begin_ride(fly.ride && count > 0 ? (fly.ride->line + 1) % count : 0);
       return true;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/measure/wall_thickness.h"
+#include "engine/navigate/canal_pick.h"
 #include "engine/scene/scene.h"
 #include "engine/ui/fly_state.h"
 #include "engine/ui/lab_state.h"
@@ -24,7 +25,7 @@ enum class Action {
   view_three_quarter, view_buccal, view_lingual, view_mesial, view_distal, view_occlusal, view_apical,
   fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
   measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape,
-  enter_pulp, fly_outdoors, leave_flight, pass_wall, catch_mouse, faster, slower,
+  enter_pulp, fly_outdoors, enter_here, leave_flight, pass_wall, catch_mouse, faster, slower,
   ride_play, ride_back, ride_farther, ride_nearer, ride_to_start, ride_to_end, next_canal, toggle_labels, toggle_where, turn_where, write_note,
   toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
 };
@@ -75,6 +76,8 @@ struct ViewerState {
   Tool tool = Tool::look;
   Measured measured;
   std::optional<Hit> under_pointer;
+  std::optional<CanalPick> canal;                 // that was clicked from outside,
+  std::optional<CanalPick> canal_under_pointer;   // and that could be
   std::optional<Section> section_put_away; // what switching the section off and on again brings back
   bool help = false;
   std::optional<std::string> file_asked_for;   // being typed

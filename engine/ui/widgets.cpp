@@ -4,24 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 
 #include "engine/ui/theme.h"
 
 namespace odontoscope::widgets {
 
+float scaled(float size) { return size * ImGui::GetFontSize() / theme::text_size; }
+
 namespace {
 
-/// An invisible button whose place can be asked for.
+Interface& interface_now() { return *static_cast<Interface*>(ImGui::GetIO().UserData); }
+
+void note_place(ImGuiID id, bool text) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  interface_now().places.push_back({id, low.x, low.y, high.x, high.y, ImGui::GetCurrentWindowRead()->ID, text});
+}
+
+bool keyboard_here() { return interface_now().on_control(ImGui::GetItemID()); }
+
+/// An invisible button whose place can be asked for, with a frame while the keyboard is on it.
 bool area(const char* id, const ImVec2& size) {
   const bool pressed = ImGui::InvisibleButton(id, size);
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  static_cast<Interface*>(ImGui::GetIO().UserData)->places.push_back({ImGui::GetItemID(), low.x, low.y, high.x, high.y});
+  note_place(ImGui::GetItemID(), false);
+  if (keyboard_here()) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const float out = scaled(2);
+    ImGui::GetWindowDrawList()->AddRect({low.x - out, low.y - out}, {high.x + out, high.y + out}, theme::accent, scaled(6), 0, scaled(2));
+  }
   return pressed;
 }
 
-}  // namespace
+/// Left and right by a hundredth, with Shift by a thousandth, but never by less than what is shown.
+double moved_by_keys(double value, double low, double high, const char* format) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto pressed = [&](ImGuiKey_ key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+  const int way = (pressed(ImGuiKey_RightArrow) ? 1 : 0) - (pressed(ImGuiKey_LeftArrow) ? 1 : 0);
+  if (way == 0) return value;
+  ImGui::NavMoveRequestCancel();   // not to the neighbour
+  const char* point = std::strchr(format, '.');
+  const bool fixed = point && std::strchr(point, 'f');
+  const double least = fixed ? std::pow(10.0, -std::atoi(point + 1)) : 0, step = std::max((io.KeyShift ? 0.001 : 0.01) * (high - low), least);
+  const double wanted = value + way * step;
+  return std::clamp(fixed ? least * std::round(wanted / least) : wanted, low, high);
+}
 
-float scaled(float size) { return size * ImGui::GetFontSize() / theme::text_size; }
+}  // namespace
 
 bool section(const Interface& interface, const char* title, bool open_at_first) {
   ImGuiStorage& storage = *ImGui::GetStateStorage();
@@ -103,13 +132,19 @@ bool slider(const char* words, double& value, double low, double high, const cha
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(18);
   area(words, {width, height});
-  const bool held = ImGui::IsItemActive(), near = ImGui::IsItemHovered() || held;
+  const bool held = ImGui::IsItemActive() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Mouse, keyed = keyboard_here();
+  const bool near = ImGui::IsItemHovered() || held || keyed;
   const float radius = scaled(7), left = corner.x + radius - scaled(2), right = corner.x + width - radius + scaled(2);
   bool changed = false;
   if (held) {
     const double share = std::clamp((ImGui::GetIO().MousePos.x - left) / (right - left), 0.0f, 1.0f);
     const double wanted = low + share * (high - low);
     changed = wanted != value;
+    value = wanted;
+  }
+  if (keyed) {
+    const double wanted = moved_by_keys(value, low, high, format);
+    changed = changed || wanted != value;
     value = wanted;
   }
   const float share = static_cast<float>(std::clamp((value - low) / (high - low), 0.0, 1.0));
@@ -167,6 +202,18 @@ bool swatch(const char* id, Colour& colour) {
   ImGui::PopID();
   return changed;
 }
+
+bool button(const char* words, const ImVec2& size) {
+  const bool pressed = ImGui::Button(words, size);
+  noted(words, false);
+  return pressed;
+}
+
+void text_field(const char* id) {
+  if (interface_now().takes_letters(ImGui::GetID(id))) ImGui::SetKeyboardFocusHere();
+}
+
+void noted(const char* id, bool text) { note_place(ImGui::GetID(id), text); }
 
 bool wide_button(const char* words, bool strong) {
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();

@@ -29,6 +29,11 @@ bool slider(const char* words, double& value, double low, double high, const cha
 /// An eye, open or shut.
 bool eye(const char* id, bool& open);
 
+/// ImGui's own button, and its own text fields between `text_field` and `noted`: the keyboard comes to these as to all others.
+bool button(const char* words, const ImVec2& size = {0, 0});
+void text_field(const char* id);
+void noted(const char* id, bool text = true);
+
 /// A square of the colour that opens a picker.
 bool swatch(const char* id, Colour& colour);
 

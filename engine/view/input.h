@@ -15,7 +15,7 @@ enum class MouseButton { left, right, middle };
 /// knows the keyboard's layout.
 enum class Key {
   other, left, right, up, down, home, end, page_up, page_down, tab, enter, escape, backspace, remove, space,
-  a, c, o, s, v, x, y, z, f1, f12, shift
+  a, c, o, s, v, x, y, z, f1, f9, f12, shift
 };
 
 struct Modifiers {

@@ -23,7 +23,7 @@ Modifiers modifiers_of(int bits) {
 }
 
 Key key_of(int code) {
-  constexpr std::array<std::pair<int, Key>, 29> keys = {{{GLFW_KEY_LEFT, Key::left},
+  constexpr std::array<std::pair<int, Key>, 30> keys = {{{GLFW_KEY_LEFT, Key::left},
                                                          {GLFW_KEY_RIGHT, Key::right},
                                                          {GLFW_KEY_UP, Key::up},
                                                          {GLFW_KEY_DOWN, Key::down},
@@ -47,6 +47,7 @@ Key key_of(int code) {
                                                          {GLFW_KEY_Y, Key::y},
                                                          {GLFW_KEY_Z, Key::z},
                                                          {GLFW_KEY_F1, Key::f1},
+                                                         {GLFW_KEY_F9, Key::f9},
                                                          {GLFW_KEY_F12, Key::f12},
                                                          {GLFW_KEY_LEFT_SHIFT, Key::shift},
                                                          {GLFW_KEY_RIGHT_SHIFT, Key::shift},

@@ -124,10 +124,14 @@ void ViewerTest::press_key(Key key, Modifiers with) {
   frames(2);
 }
 
-glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
+unsigned ViewerTest::control_id(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
   ImGuiID id = ImHashStr(window.c_str());
   for (const std::string& part : inside) id = ImHashStr(part.c_str(), 0, id);
-  id = ImHashStr(label.c_str(), 0, id);
+  return label.empty() ? id : ImHashStr(label.c_str(), 0, id);
+}
+
+glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
+  const ImGuiID id = control_id(label, inside, window);
   for (const Interface::Place& place : viewer_->interface().places)
     if (place.id == id) return {0.96 * place.right + 0.04 * place.left, 0.5 * (place.top + place.bottom)};
   ADD_FAILURE() << "there is no control " << label;

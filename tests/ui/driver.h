@@ -41,6 +41,8 @@ class ViewerTest : public ::testing::Test {
   void type(char32_t character);
   void press_key(Key key, Modifiers with = {});
 
+  /// As ImGui counts it, of a control with this label, inside the ids given.
+  static unsigned control_id(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
   /// Near the right end of the control with this label, inside the ids given.
   glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
   void click_control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");

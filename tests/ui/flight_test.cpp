@@ -175,19 +175,6 @@ TEST_F(FlightTest, OutdoorsOneCannotFlyIntoTheTooth) {
   EXPECT_FALSE(fly().on);
 }
 
-TEST_F(FlightTest, WithoutACavityItSaysSo) {
-  LoadedModel solid = toy_tooth();
-  auto none = std::make_shared<FlightSpaces>(*solid.flight);
-  none->cavities.clear();
-  solid.flight = none;
-  viewer_with(solid);
-  type(U'c');
-  fade();
-  EXPECT_FALSE(fly().on);
-  ASSERT_FALSE(viewer().state().notices.empty());
-  EXPECT_NE(viewer().state().notices.back().words.find("no cavity"), std::string::npos);
-}
-
 TEST_F(FlightTest, AnotherModelEndsTheFlight) {
   viewer_with_tooth();
   type(U'c');
