@@ -37,10 +37,13 @@ void tell(const Anatomy& anatomy, Console& console) {
   for (const MeasuredStructure& structure : anatomy.structures)
     console.say(fmt::format("{:<24} {:>14} {:>16}", structure.name, measured(structure.volume), measured(structure.area)));
   if (anatomy.cavity_of.empty()) {
-    console.say("No void inside: a pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
+    console.say(
+        "No void inside: a pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.");
     return;
   }
-  console.say(fmt::format("{:<24} {:>14} {:>16}", "void in " + anatomy.cavity_of, measured(anatomy.cavity_volume), measured(anatomy.cavity_area)));
+  console.say(fmt::format("{:<24} {:>14} {:>16}", (anatomy.mouths.empty() ? "void in " : "hollow of ") + anatomy.cavity_of, measured(anatomy.cavity_volume), measured(anatomy.cavity_area)));
+  for (const Cavity::Mouth& mouth : anatomy.mouths)
+    console.say(fmt::format("  opens to the outside at {}, {} mm^2: closed there by a flat cap", place(mouth.at), measured(mouth.area)));
   console.say(fmt::format("\nChamber {} mm wide; {}, {}, {}.", measured(anatomy.chamber_width), counted(anatomy.canals.size(), "canal"),
                           counted(anatomy.horns, "horn"), counted(anatomy.other_branches, "shorter branch", "shorter branches")));
   if (!anatomy.canals.empty())

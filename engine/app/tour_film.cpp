@@ -24,9 +24,10 @@ std::string typed(std::string name) {
 
 /// The model's part that walls the void in.
 VoidWall wall_of(const Cavity& cavity, const Model& model) {
+  const bool open = !cavity.mouths.empty();   // then the outer surface leads inside
   for (const ModelPart& part : model.parts)
-    if (part.cavity && part.solid == cavity.structure) return {part.structure, false};
-  return {cavity.structure, true};
+    if (part.cavity != open && part.solid == cavity.structure) return {part.structure, false};
+  return {cavity.structure, cavity.body};
 }
 
 struct NamedLine {
@@ -51,7 +52,7 @@ std::vector<NamedLine> named_lines(const CentreLines& lines) {
 Film film_of(const Shown& shown, const std::string& wanted, Session& session) {
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
   const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
-  if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
+  if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.");
   const CentreLines lines = centre_lines(cavities.front(), {}, session.progress());
   std::string names;
   for (const NamedLine& line : named_lines(lines)) {

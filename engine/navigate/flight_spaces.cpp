@@ -18,11 +18,6 @@ constexpr std::size_t most_cavities = 32;
 /// How far outside the wall one comes out, in clearances.
 constexpr double outdoors_ahead = 40;
 
-const NamedSurface* named(const std::vector<NamedSurface>& surfaces, const std::string& structure) {
-  const auto found = std::find_if(surfaces.begin(), surfaces.end(), [&](const NamedSurface& surface) { return surface.structure == structure; });
-  return found == surfaces.end() ? nullptr : &*found;
-}
-
 CentreLines lines_of(const Cavity& cavity, const Progress& progress) {
   try {
     return centre_lines(cavity, {}, progress);
@@ -61,8 +56,7 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
     if (!roomiest || roomiest->clearance < least_room * spaces.rules.clearance) continue;
     space.middle = roomiest->at;
     space.room_mm = roomiest->clearance;
-    const NamedSurface* wall = named(surfaces, cavity.structure);
-    space.body = wall && cavities_of(cavity.structure, wall->surface).empty();
+    space.body = cavity.body;
     space.lines = lines_of(cavity, progress);
     spaces.cavities.push_back(std::move(space));
   }

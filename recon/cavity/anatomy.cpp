@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <string_view>
 #include <utility>
 
+#include "recon/cavity/dents.h"
 #include "recon/cavity/plane_loops.h"
 #include "recon/cavity/wall_tree.h"
 
@@ -28,30 +30,41 @@ MeasuredStructure measured(const StructureSurface& part, const SurfaceReport& re
   return made;
 }
 
-/// The outer shells of the solid that the void lies in; nothing if it is not there. The void that a body of pulp fills lies in what is called
-/// dentine or tooth.
-SurfaceMesh outside_of(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports, const std::string& cavity_of) {
-  constexpr std::string_view cavity_suffix = " cavity";
-  std::string solid = cavity_of;
-  if (solid.ends_with(cavity_suffix)) solid.resize(solid.size() - cavity_suffix.size());
-  const auto shells = [&](auto wanted) {
-    SurfaceMesh outside;
-    for (std::size_t s = 0; s < model.size(); ++s) {
-      if (!wanted(model[s].structure)) continue;
-      const auto base = static_cast<PointIndex>(outside.points.size());
-      outside.points.insert(outside.points.end(), model[s].surface->points.begin(), model[s].surface->points.end());
-      for (std::size_t t = 0; t < model[s].surface->triangles.size(); ++t) {
-        if (reports[s].shells[reports[s].shell_of[t]].kind != Shell::Kind::external) continue;
-        const Triangle& triangle = model[s].surface->triangles[t];
-        outside.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
-      }
-    }
-    return outside;
+/// The outer shells of the solid that the void lies in, without the lining of what opens to the outside.
+struct Outside {
+  SurfaceMesh surface;                  // empty: the solid is not there
+  std::vector<Cavity::Mouth> mouths;    // where the lining ends
+};
+
+void add_outside(Outside& outside, const StructureSurface& part, const SurfaceReport& report, const std::vector<Cavity>& dents) {
+  const auto base = static_cast<PointIndex>(outside.surface.points.size());
+  outside.surface.points.insert(outside.surface.points.end(), part.surface->points.begin(), part.surface->points.end());
+  const auto lines_a_dent = [&](std::uint32_t t) {
+    return std::any_of(dents.begin(), dents.end(), [&](const Cavity& dent) { return std::binary_search(dent.cut_from.begin(), dent.cut_from.end(), t); });
   };
+  for (std::uint32_t t = 0; t < part.surface->triangles.size(); ++t) {
+    if (report.shells[report.shell_of[t]].kind != Shell::Kind::external || lines_a_dent(t)) continue;
+    const Triangle& triangle = part.surface->triangles[t];
+    outside.surface.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
+  }
+  for (const Cavity& dent : dents) outside.mouths.insert(outside.mouths.end(), dent.mouths.begin(), dent.mouths.end());
+}
+
+/// The void that a body of pulp fills lies in what is called dentine or tooth, where it may open to the outside.
+Outside outside_of(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports, const Cavity& cavity) {
+  constexpr std::string_view cavity_suffix = " cavity";
+  std::string solid = cavity.structure;
+  if (solid.ends_with(cavity_suffix)) solid.resize(solid.size() - cavity_suffix.size());
   const auto has_word = [](const std::string& name, std::string_view word) { return name.find(word) != std::string::npos; };
-  if (has_word(solid, "pulp") || has_word(solid, "Pulp"))
-    return shells([&](const std::string& name) { return has_word(name, "dentin") || has_word(name, "tooth"); });
-  return shells([&](const std::string& name) { return name == solid || name == solid + " external"; });
+  const bool pulp = has_word(solid, "pulp") || has_word(solid, "Pulp");
+  Outside outside;
+  for (std::size_t s = 0; s < model.size(); ++s) {
+    const std::string& name = model[s].structure;
+    if (pulp && (has_word(name, "dentin") || has_word(name, "tooth"))) add_outside(outside, model[s], reports[s], cavity::dents_of(model[s], reports[s], {}));
+    if (pulp || (name != solid && name != solid + " external")) continue;
+    add_outside(outside, model[s], reports[s], cavity.mouths.empty() ? std::vector<Cavity>{} : std::vector<Cavity>{cavity});
+  }
+  return outside;
 }
 
 double schneider(const CentreLine& line, double length_of_canal) {
@@ -121,7 +134,8 @@ MeasuredPart measured(const CentreLines& lines, const CanalGraph& graph, const C
 }
 
 /// From each point of the void's wall that is nearest to a canal's line, below its orifice, to the outside.
-void measure_walls(const Cavity& cavity, const CentreLines& lines, const WallTree& outside, std::vector<MeasuredCanal>& canals, const Progress& progress) {
+void measure_walls(const Cavity& cavity, const CentreLines& lines, const Outside& outer, std::vector<MeasuredCanal>& canals, const Progress& progress) {
+  const WallTree outside(outer.surface);
   for (const Point3& p : cavity.wall.points) {
     progress.check();
     double nearest = std::numeric_limits<double>::infinity();
@@ -138,6 +152,8 @@ void measure_walls(const Cavity& cavity, const CentreLines& lines, const WallTre
     for (std::size_t c = 0; c < lines.canals.size(); ++c) look(lines.canals[c], c);
     for (const CentreLine& line : lines.horns) look(line, canals.size());
     if (canal == canals.size()) continue;
+    const auto beside = [&](const Cavity::Mouth& mouth) { return length(p - mouth.at) < std::sqrt(mouth.area / std::numbers::pi) + canals[canal].mean_width; };
+    if (std::any_of(outer.mouths.begin(), outer.mouths.end(), beside)) continue;
     const double thick = outside.nearest(p).distance;
     std::optional<MeasuredPlace>& thinnest = canals[canal].thinnest_wall;
     if (!thinnest || thick < thinnest->width) thinnest = MeasuredPlace{thick, p};
@@ -241,6 +257,7 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   const SurfaceReport wall = inspect(cavity.wall);
   made.cavity_of = cavity.structure;
   made.cavity_volume = cavity.volume;
+  made.mouths = cavity.mouths;
   made.cavity_area = wall.shells.front().area;
   made.handles = wall.shells.front().genus;
   CentreLines lines = centre_lines(cavity, {}, progress);
@@ -249,11 +266,11 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.horns = lines.horns.size();
   made.other_branches = lines.others.size();
   for (const CentreLine& line : lines.canals) made.canals.push_back(measured(line));
-  const SurfaceMesh outside = outside_of(model, reports, cavity.structure);
-  if (!outside.triangles.empty()) {
-    measure_walls(cavity, lines, WallTree(outside), made.canals, progress);
+  const Outside outside = outside_of(model, reports, cavity);
+  if (!outside.surface.triangles.empty()) {
+    measure_walls(cavity, lines, outside, made.canals, progress);
     progress.tell(stage, 0.5);
-    made.roots = roots_of(cavity, lines, outside, made.canals);
+    made.roots = roots_of(cavity, lines, outside.surface, made.canals);
   }
   made.graph = canal_graph(lines);
   for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));

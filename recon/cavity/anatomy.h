@@ -34,7 +34,8 @@ struct MeasuredCanal {
   double smallest_bend = 0;     // smallest radius of curvature, over a window of the mean width to either side; infinite if straight
   MeasuredPlace narrowest;      // twice the least clearance, no nearer to a blind end than the mean width
   double mean_width = 0;        // twice the mean clearance over the length
-  /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there.
+  /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there. Not looked for nearer to a
+  /// mouth than the mean width.
   std::optional<MeasuredPlace> thinnest_wall;
 };
 
@@ -56,7 +57,8 @@ struct MeasuredPart {
 struct Anatomy {
   std::vector<MeasuredStructure> structures;
   std::string cavity_of;               // structure; empty: there is no void, and nothing below
-  double cavity_volume = 0, cavity_area = 0;
+  double cavity_volume = 0, cavity_area = 0;   // of one that is open, as closed by its caps
+  std::vector<Cavity::Mouth> mouths;   // where it opens to the outside, if it does
   double chamber_width = 0;            // twice the clearance in its centre
   std::vector<MeasuredCanal> canals;
   std::size_t horns = 0, other_branches = 0;
@@ -68,7 +70,7 @@ struct Anatomy {
   CentreLines lines;                   // what all this was measured along; canals in the same order
 };
 
-/// Of the largest void of `model`. Not measured: open shells, and canals that open to the outside. Deterministic. Stages: those of centre_lines, "measure".
+/// Of the largest void of `model`, or dent (see cavity.h). Not measured: open shells. Deterministic. Stages: those of centre_lines, "measure".
 Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress = {});
 
 }  // namespace odontoscope

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "recon/cavity/dents.h"
 #include "recon/cavity/limits.h"
 #include "recon/core/lower_case.h"
 
@@ -19,7 +20,9 @@ std::vector<Cavity> closed_shells(const std::string& structure, const SurfaceMes
   for (std::size_t s = 0; s < report.shells.size(); ++s) {
     if (report.shells[s].kind != Shell::Kind::cavity) continue;
     number[s] = found.size();
-    found.push_back({structure, {}, std::abs(report.shells[s].volume)});
+    Cavity& cavity = found.emplace_back();
+    cavity.structure = structure;
+    cavity.volume = std::abs(report.shells[s].volume);
   }
   if (found.empty()) return found;
   constexpr PointIndex unmoved = std::numeric_limits<PointIndex>::max();
@@ -75,13 +78,29 @@ std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh&
 std::vector<Cavity> voids_filled_by(const std::string& structure, const SurfaceMesh& body) {
   SurfaceMesh turned = body;
   for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);
-  return cavities_of(structure, turned);
+  std::vector<Cavity> filled = cavities_of(structure, turned);
+  for (Cavity& cavity : filled) cavity.body = true;
+  return filled;
 }
 
 std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model) {
   std::vector<Cavity> all;
   const auto add = [&](std::vector<Cavity> some) { std::move(some.begin(), some.end(), std::back_inserter(all)); };
-  for (const StructureSurface& part : model) add(cavities_of(part.structure, *part.surface));
+  std::vector<SurfaceReport> reports;
+  for (const StructureSurface& part : model) {
+    reports.push_back(inspect(*part.surface));
+    add(cavities_of(part.structure, *part.surface, reports.back()));
+  }
+  double largest = 0;
+  for (const Cavity& cavity : all) largest = std::max(largest, cavity.volume);
+  for (std::size_t s = 0; s < model.size(); ++s) {
+    std::vector<const SurfaceMesh*> others;
+    for (std::size_t o = 0; o < model.size(); ++o)
+      if (o != s) others.push_back(model[o].surface);
+    std::vector<Cavity> dents = cavity::dents_of(model[s], reports[s], others);
+    std::erase_if(dents, [&](const Cavity& dent) { return dent.volume <= largest; });
+    add(std::move(dents));
+  }
   if (all.empty()) {
     for (const StructureSurface& part : model)
       if (named_pulp(part.structure)) add(voids_filled_by(part.structure, *part.surface));

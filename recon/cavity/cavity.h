@@ -4,12 +4,15 @@
 // A void is known by its wall, a closed shell of negative volume: its triangles are counter-clockwise seen from within the void,
 // so that an eye inside sees their fronts. Units: millimetres.
 //
-// Not supported: a void that is open to the outside (a canal drilled through the apex). It is no void of the solid but a dent,
-// and has no wall of its own.
+// What is open to the outside (a canal whose root is cut off, a chamber with an access cavity) is no void but a dent. Where it is deep and narrow, and opens
+// along z, it is closed by flat caps (see dents.h): they are no material, but walls for everything here.
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "recon/core/geometry.h"
 #include "recon/mesh/meshes.h"
 #include "recon/mesh/surface_report.h"
 
@@ -19,6 +22,16 @@ struct Cavity {
   std::string structure;  // the solid that it lies in; of a body turned inside out, the body
   SurfaceMesh wall;       // closed and connected, on points of its own
   double volume = 0;      // of the void, mm^3: positive
+  bool body = false;      // the structure does not lie around the void, but fills it
+
+  /// Of a dent; empty for a void.
+  struct Mouth {
+    Point3 at;            // middle of the cap
+    double area = 0;      // mm^2
+  };
+  std::vector<Mouth> mouths;
+  std::size_t cap_triangles = 0;         // the wall's last ones
+  std::vector<std::uint32_t> cut_from;   // the structure's triangles that line the dent, in part at least, ascending
 };
 
 /// The shells of negative volume, largest first; ties by the wall's lowest point (x, then y, then z). Those smaller than limits::cavity_speck of
@@ -36,8 +49,8 @@ struct StructureSurface {
   const SurfaceMesh* surface = nullptr;
 };
 
-/// What can be flown through in a whole model: the cavities of all its structures. If it has none, the void that a body with
-/// "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
+/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the largest of them. If it has none, the
+/// void that a body with "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
 std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);
 
 }  // namespace odontoscope

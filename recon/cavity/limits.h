@@ -8,6 +8,12 @@ namespace odontoscope::limits {
 
 /// A cavity with less than this share of the largest one's volume is a speck: noise of a scan, a bubble between slices.
 inline constexpr double cavity_speck = 1e-3;
+/// An open canal is at least this many times as deep, along z, as its widest mouth is wide: the dip between a tooth's cusps is not.
+inline constexpr double dent_depth = 2;
+/// Planes of constant z in which open canals are looked for, but for the two ends.
+inline constexpr std::size_t dent_levels = 100;
+/// A cap at the very end of a surface lies this share of the surface's height inside, where it cuts walls and not the end itself.
+inline constexpr double cap_inset = 1e-3;
 /// The chamber is what balls of at least this share of the widest one's radius fill.
 inline constexpr double chamber_share = 0.5;
 /// A void with two ends whose widest place is no more than this many times as wide as its median has no chamber.

@@ -69,6 +69,8 @@ std::string anatomy_json(const Anatomy& anatomy, const std::string& source) {
     json["cavity"] = {{"structure", anatomy.cavity_of}, {"volume", anatomy.cavity_volume},   {"area", anatomy.cavity_area},
                       {"chamber_width", anatomy.chamber_width}, {"horns", anatomy.horns}, {"other_branches", anatomy.other_branches},
                       {"handles", anatomy.handles}};
+    json["cavity"]["mouths"] = Json::array();
+    for (const Cavity::Mouth& mouth : anatomy.mouths) json["cavity"]["mouths"].push_back({{"at", json_of(mouth.at)}, {"area", mouth.area}});
   }
   json["canals"] = Json::array();
   for (const MeasuredCanal& canal : anatomy.canals) json["canals"].push_back(json_of(canal));

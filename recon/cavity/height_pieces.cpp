@@ -1,0 +1,152 @@
+#include "recon/cavity/height_pieces.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "recon/cavity/plane_loops.h"
+
+namespace odontoscope::cavity {
+namespace {
+
+/// In the middle of the widest gap between vertices about each wanted level.
+std::vector<double> off_vertices(const SurfaceMesh& surface, const std::vector<double>& wanted) {
+  std::vector<double> heights;
+  for (const Point3& p : surface.points) heights.push_back(p.z);
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  std::vector<double> levels;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const double low = i > 0 ? (wanted[i - 1] + wanted[i]) / 2 : wanted[i], high = i + 1 < wanted.size() ? (wanted[i] + wanted[i + 1]) / 2 : wanted[i];
+    const auto is_free = [&](double z) { return !std::binary_search(heights.begin(), heights.end(), z); };
+    double best = wanted[i], widest = 0;
+    for (auto above = std::lower_bound(heights.begin(), heights.end(), low); !is_free(wanted[i]) && above != heights.end(); ++above) {
+      const double from = std::max(above == heights.begin() ? low : *(above - 1), low), to = std::min(*above, high);
+      if (to - from > widest) {
+        widest = to - from;
+        best = from + (to - from) / 2;
+      }
+      if (*above >= high) break;
+    }
+    if (is_free(best) && best > heights.front() && best < heights.back() && (levels.empty() || best > levels.back())) levels.push_back(best);
+  }
+  return levels;
+}
+
+class UnionFind {
+ public:
+  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+  std::size_t find(std::size_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+class Slicing {
+ public:
+  Slicing(const SurfaceMesh& surface, const EdgeMates& edges, HeightPieces& made) : surface_(surface), edges_(edges), made_(made) {
+    for (const Point3& p : surface.points)
+      slab_.push_back(static_cast<std::size_t>(std::upper_bound(made.levels.begin(), made.levels.end(), p.z) - made.levels.begin()));
+    made_.first_piece.push_back(0);
+    for (const Triangle& t : surface.triangles) {
+      const auto [low, high] = std::minmax({slab_[t[0]], slab_[t[1]], slab_[t[2]]});
+      made_.lowest_slab.push_back(low);
+      made_.first_piece.push_back(made_.first_piece.back() + high - low + 1);
+    }
+  }
+
+  void join_pieces() {
+    UnionFind pieces(made_.first_piece.back());
+    for (HalfEdge h = 0; h < 3 * surface_.triangles.size(); ++h) {
+      if (h > edges_.mate[h]) continue;
+      const auto [low, high] = std::minmax(slab_[start(surface_, h)], slab_[end(surface_, h)]);
+      for (std::size_t s = low; s <= high; ++s) pieces.join(part(h / 3, s), part(edges_.mate[h] / 3, s));
+    }
+    std::vector<std::size_t> number(made_.first_piece.back(), 0);
+    made_.piece_of.resize(number.size());
+    for (std::size_t i = 0; i < number.size(); ++i) {
+      if (pieces.find(i) == i) number[i] = made_.pieces++;   // the lowest is the first
+      made_.piece_of[i] = number[pieces.find(i)];
+    }
+  }
+
+  void find_sections() {
+    std::vector<std::vector<HalfEdge>> rising(made_.levels.size());
+    for (HalfEdge h = 0; h < 3 * surface_.triangles.size(); ++h)
+      for (std::size_t level = slab_[start(surface_, h)]; level < slab_[end(surface_, h)]; ++level) rising[level].push_back(h);
+    std::vector<std::size_t> seen(surface_.triangles.size(), made_.levels.size());
+    for (std::size_t level = 0; level < rising.size(); ++level) {
+      const std::size_t first = made_.sections.size();
+      for (const HalfEdge h : rising[level])
+        if (seen[h / 3] != level) add_section(level, h, seen);
+      tell_islands(first);
+    }
+  }
+
+ private:
+  std::size_t part(std::size_t triangle, std::size_t slab) const { return made_.first_piece[triangle] + slab - made_.lowest_slab[triangle]; }
+  bool rises_through(HalfEdge h, std::size_t level) const { return slab_[start(surface_, h)] <= level && slab_[end(surface_, h)] > level; }
+
+  /// Of a triangle that is cut one edge rises through the level and one falls: on through the falling one, whose mate rises.
+  void add_section(std::size_t level, HalfEdge rising, std::vector<std::size_t>& seen) {
+    Section section{level, {}, made_.piece_of[part(rising / 3, level)], made_.piece_of[part(rising / 3, level + 1)]};
+    Loop loop;
+    for (HalfEdge h = rising; seen[h / 3] != level;) {
+      seen[h / 3] = level;
+      HalfEdge falling = next(h);
+      if (!rises_through(edges_.mate[falling], level)) falling = previous(h);
+      section.edges.push_back(falling);
+      const Point3 at = crossing(surface_, falling, made_.levels[level]);
+      loop.push_back({at.x, at.y});
+      h = edges_.mate[falling];
+    }
+    double area = 0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()], &origin = loop[0];
+      area += (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
+    }
+    section.hole = area > 0;
+    made_.sections.push_back(std::move(section));
+    loops_.push_back(std::move(loop));
+  }
+
+  void tell_islands(std::size_t first) {
+    for (std::size_t i = first; i < made_.sections.size(); ++i)
+      for (std::size_t k = first; k < made_.sections.size() && !made_.sections[i].hole; ++k)
+        if (made_.sections[k].hole && is_inside(loops_[k], loops_[i].front())) made_.sections[i].island = true;
+  }
+
+  const SurfaceMesh& surface_;
+  const EdgeMates& edges_;
+  HeightPieces& made_;
+  std::vector<std::size_t> slab_;   // of each vertex: how many levels lie below it
+  std::vector<Loop> loops_;
+};
+
+}  // namespace
+
+Point3 crossing(const SurfaceMesh& surface, HalfEdge edge, double level) {
+  Point3 low = surface.points[start(surface, edge)], high = surface.points[end(surface, edge)];
+  if (low.z > high.z) std::swap(low, high);
+  const double share = (level - low.z) / (high.z - low.z);
+  return {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y), level};
+}
+
+HeightPieces height_pieces(const SurfaceMesh& surface, const EdgeMates& edges, const std::vector<double>& wanted) {
+  HeightPieces made;
+  made.levels = off_vertices(surface, wanted);
+  Slicing slicing(surface, edges, made);
+  slicing.join_pieces();
+  slicing.find_sections();
+  return made;
+}
+
+}  // namespace odontoscope::cavity
