@@ -13,6 +13,12 @@ EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& 
     : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
       ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
+void EyePainter::take(const Model& model) {
+  model_ = upload(*gl_, model);
+  low_ = model_.low;
+  high_ = model_.high;
+}
+
 void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
                       const Over& over) {
   Scene scene = scene_of(visit, world);

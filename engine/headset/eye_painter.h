@@ -22,6 +22,9 @@ class EyePainter {
   /// Uploads the model. The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError.
   EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality = {});
 
+  /// Another model from now on.
+  void take(const Model& model);
+
   /// Draws more over the picture of an eye, before it is darkened.
   using Over = std::function<void(const EyeView&, const Target&)>;
   /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once.

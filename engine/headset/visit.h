@@ -46,7 +46,7 @@ struct VisitWorld {
 enum class HandTool { look, distance };
 
 /// What is asked for on the panel and done in the next step.
-enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, tour_play, tour_back, end_tour, put_panel_away, leave_headset };
+enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, show_dt, show_db, tour_play, tour_back, end_tour, put_panel_away, leave_headset };
 
 struct Visit {
   /// Where a fade leads.
@@ -60,6 +60,7 @@ struct Visit {
   Stage stage;
   bool placed = false;                   // before the person, once there is one
   Scene scene;                           // as seen from outside: the world's, and what was changed on the panel
+  bool db = false;                       // the other method's model is wanted in place of the certified one
   std::optional<Section> section_put_away;   // what switching the section off and on again brings back
   std::optional<std::size_t> cavity;     // that one is in
   Stage stage_outside;                   // to come back to

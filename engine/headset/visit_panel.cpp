@@ -100,6 +100,12 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
         visit.ends.clear();
         visit.named.reset();
         break;
+      case VisitAction::show_dt: visit.db = false; break;
+      case VisitAction::show_db:
+        visit.db = true;   // what one method hides, the other must hide as well
+        for (Look& look : visit.scene.looks) look.opacity = 1;
+        visit.scene.back_faces = BackFaces::cull;
+        break;
       case VisitAction::tour_play:
         if (visit.tour) play(*visit.tour);
         break;

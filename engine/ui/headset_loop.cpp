@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "engine/ui/headset_lab.h"
 #include "engine/ui/headset_sheet.h"
 
 namespace odontoscope {
@@ -47,7 +48,7 @@ class HeadsetVisit {
  public:
   HeadsetVisit(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const HeadsetVisitOptions& options)
       : viewer_(viewer), window_(window), options_(options), loaded_(viewer.state().shown), scene_(viewer.state().scene),
-        gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality), sheet_(gl_, shaders) {
+        gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)), painter_(gl_, shaders, loaded_->model, options.quality), sheet_(gl_, shaders), lab_(loaded_, viewer.state().lab) {
     if (loaded_->flight) cavities_ = loaded_->flight->cavities;
     say(fmt::format("In the headset: {}.", headset_->in_words()));
     say(cavities_.empty() ? "This model has no cavity to enter." : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
@@ -82,9 +83,10 @@ class HeadsetVisit {
   }
 
   void draw(const HeadsetFrame& frame) {
-    const VisitWorld world{loaded_->model, *loaded_->pickable, scene_, cavities_};
+    choose_model();
+    const VisitWorld world{shows_db_ ? lab_.made()->model : loaded_->model, shows_db_ ? *lab_.made()->pickable : *loaded_->pickable, scene_, cavities_};
     visit_ = stepped(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
-    sheet_.update(visit_, frame.input, world, {loaded_->title}, frame.seconds);
+    sheet_.update(visit_, frame.input, world, {loaded_->title, lab_.possible(), lab_.in_words()}, frame.seconds);
     if (frame.draw) {
       painter_.draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); });
       const PixelSize size = window_.size();
@@ -92,6 +94,14 @@ class HeadsetVisit {
     }
     drawn_ = frame.draw;
     if (options_.watch) options_.watch(frame, visit_);
+  }
+
+  /// DB where it is wanted and made; from inside it is not seen.
+  void choose_model() {
+    lab_.tend(visit_.db);
+    const bool db = visit_.db && !visit_.cavity && lab_.made();
+    if (db != shows_db_) painter_.take(db ? lab_.made()->model : loaded_->model);
+    shows_db_ = db;
   }
 
   void show(HeadsetState state) {
@@ -109,6 +119,8 @@ class HeadsetVisit {
   std::unique_ptr<Headset> headset_;
   EyePainter painter_;
   HeadsetSheet sheet_;
+  HeadsetLab lab_;
+  bool shows_db_ = false;
   std::span<const FlightSpace> cavities_;
   Visit visit_;
   bool drawn_ = false;

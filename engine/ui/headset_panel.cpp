@@ -60,8 +60,11 @@ void section_rows(Visit& visit) {
   if (visit.scene.section) button(visit, "Cut away the other side", VisitAction::flip_section);
 }
 
-void outside(Visit& visit, const VisitWorld& world) {
+void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words) {
   structures(visit);
+  int method = visit.db ? 1 : 0;
+  if (words.db_possible && widgets::choice("method", method, {"DT", "DB"})) ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
+  if (words.db_possible && visit.db && !words.db.empty()) say(words.db);
   int faces = static_cast<int>(visit.scene.back_faces);
   if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"})) visit.scene.back_faces = static_cast<BackFaces>(faces);
   section_rows(visit);
@@ -145,7 +148,7 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
   switch (page) {
     case HeadsetPage::tooth:
       if (visit.cavity) where(visit, world, words);
-      else outside(visit, world);
+      else outside(visit, world, words);
       break;
     case HeadsetPage::canals: canals(visit, world); break;
     case HeadsetPage::measure: measure(visit, interface); break;

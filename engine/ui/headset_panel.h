@@ -14,6 +14,8 @@ enum class HeadsetPage { tooth, canals, measure, help };
 /// What the panel says besides what the visit knows.
 struct HeadsetPanelWords {
   std::string title;
+  bool db_possible = false;
+  std::string db;          // how far DB is, or what is wrong with it
 };
 
 /// In the upper left of the sheet, `width` by `height` pixels.

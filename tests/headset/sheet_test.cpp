@@ -31,6 +31,7 @@ class Sheet : public ::testing::Test {
   const Model& model = molar.model;
   const VisitWorld world = molar.world();
   const ComfortRules rules;
+  const HeadsetPanelWords words{"Small molar", true, "DB on a grid of 64: 1 234 edges of cracks, 56 misoriented."};
   HeadsetInput input = person();
   Visit visit;
 
@@ -52,12 +53,12 @@ class Sheet : public ::testing::Test {
   void step(int times = 1) {
     for (int i = 0; i < times; ++i) {
       visit = stepped(std::move(visit), input, world, rules, tick);
-      sheet->update(visit, input, world, {"Small molar"}, tick);
+      sheet->update(visit, input, world, words, tick);
     }
   }
   /// Near the end of the control with this label, inside the ids given, as PanelPlace counts.
   glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {}, double share = 0.9) {
-    sheet->update(visit, input, world, {"Small molar"}, 1);   // as after a while
+    sheet->update(visit, input, world, words, 1);   // as after a while
     ImGuiID id = ImHashStr("room panel");
     for (const std::string& part : inside) id = ImHashStr(part.c_str(), 0, id);
     id = ImHashStr(label.c_str(), 0, id);
@@ -104,6 +105,10 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   EXPECT_EQ(visit.scene.back_faces, BackFaces::tint);
   click("Cut it open");
   EXPECT_TRUE(visit.scene.section);
+  click("DB", {"method"});
+  EXPECT_TRUE(visit.db);
+  click("DT", {"method"});
+  EXPECT_FALSE(visit.db);
   click("True size");
   EXPECT_EQ(visit.stage.magnification, 1);
   click("Enlarge it");
@@ -142,9 +147,9 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   const auto lines = rideable(world.cavities[0].lines);
   ASSERT_FALSE(lines.empty());
   const double length = lines[0]->points.back().along - lines[0]->points[std::min(lines[0]->orifice, lines[0]->points.size() - 1)].along;
-  char words[80];
-  std::snprintf(words, sizeof words, "%s   %.1f mm", lines[0]->name.c_str(), length);
-  click(words);
+  char button[80];
+  std::snprintf(button, sizeof button, "%s   %.1f mm", lines[0]->name.c_str(), length);
+  click(button);
   step(80);
   ASSERT_TRUE(visit.tour);
   EXPECT_TRUE(visit.tour->playing);

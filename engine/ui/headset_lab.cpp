@@ -1,0 +1,40 @@
+#include "engine/ui/headset_lab.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "recon/core/grouped.h"
+
+namespace odontoscope {
+
+HeadsetLab::HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab) : loaded_(std::move(loaded)), options_(lab.made ? lab.made->options : lab.wanted), made_(lab.made) {}
+
+void HeadsetLab::tend(bool wanted) {
+  if (made_ || !possible() || !trouble_.empty()) return;
+  if (wanted && !worker_) {
+    worker_ = std::make_unique<DbWorker>(std::shared_ptr<const ContourStack>(loaded_, &loaded_->overlays.contours));
+    worker_->want(options_);
+  }
+  if (!worker_) return;
+  auto outcome = worker_->take();
+  if (!outcome) return;
+  made_ = std::move(outcome->result);
+  if (!outcome->trouble) return;
+  try {
+    std::rethrow_exception(outcome->trouble);
+  } catch (const std::exception& error) {
+    trouble_ = error.what();
+  }
+}
+
+std::string HeadsetLab::in_words() const {
+  if (!trouble_.empty()) return trouble_;
+  if (made_) return fmt::format("DB on a grid of {}: {} edges of cracks, {} misoriented.", made_->options.grid, grouped(made_->cracks()), grouped(made_->misoriented()));
+  if (!worker_) return {};
+  const DbWorker::Stage stage = worker_->stage();
+  return fmt::format("Making DB: {} {} %", stage.name, std::lround(100 * stage.fraction));
+}
+
+}  // namespace odontoscope

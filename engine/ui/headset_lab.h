@@ -1,0 +1,35 @@
+#pragma once
+// DT and DB in the headset: the second model is made when it is first asked for, off the frame's thread, or taken from the desktop's DB mode.
+
+#include <memory>
+#include <string>
+
+#include "engine/lab/db_worker.h"
+#include "engine/ui/lab_state.h"
+#include "engine/ui/loading.h"
+
+namespace odontoscope {
+
+class HeadsetLab {
+ public:
+  /// `lab`: of the desktop, whose result and options are taken.
+  HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab);
+
+  /// DB needs contours.
+  bool possible() const { return loaded_->overlays.contours.slices.size() >= 2; }
+  /// Once a frame. `wanted`: somebody wants to see DB; the first time that begins to make it.
+  void tend(bool wanted);
+  /// Null until it is made.
+  const std::shared_ptr<const LabResult>& made() const { return made_; }
+  /// How far it is, what is wrong with it, or why it cannot be made.
+  std::string in_words() const;
+
+ private:
+  std::shared_ptr<const LoadedModel> loaded_;
+  LabOptions options_;
+  std::shared_ptr<const LabResult> made_;
+  std::string trouble_;
+  std::unique_ptr<DbWorker> worker_;
+};
+
+}  // namespace odontoscope
