@@ -5,8 +5,8 @@
 
 namespace odontoscope {
 
-enum class HandAction { grip, aim, trigger, grab, stick, menu };
-inline constexpr int hand_actions = 6;
+enum class HandAction { grip, aim, trigger, grab, stick, menu, haptic };
+inline constexpr int hand_actions = 7;
 
 struct Binding {
   HandAction action = HandAction::grip;

@@ -28,9 +28,9 @@ void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Visit
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
   if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
+  for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
   if (over && visit.dark < 1)
     for (std::size_t i = 0; i < targets.size(); ++i) over(eyes[i], targets[i]);
-  for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
 }
 
 void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {

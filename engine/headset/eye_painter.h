@@ -25,7 +25,7 @@ class EyePainter {
   /// Another model from now on.
   void take(const Model& model);
 
-  /// Draws more over the picture of an eye, before it is darkened.
+  /// Draws more over the picture of an eye: after its edges were darkened, since what stands in the room holds the eyes. Not while all is dark.
   using Over = std::function<void(const EyeView&, const Target&)>;
   /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once.
   void draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets, const Over& over = {});

@@ -55,6 +55,9 @@ class Headset {
   /// Asks the runtime to end; `poll` will say `over` then.
   virtual void leave() = 0;
 
+  /// Lets a hand (0 left, 1 right) feel something of that strength, 0 to 1, if its controller can. Nothing without focus.
+  virtual void pulse(std::size_t hand, double strength, double seconds) = 0;
+
   /// "Monado 25.0.0, Remote HMD, 1024 x 1024 an eye, RGBA8 sRGB through Xlib".
   virtual const std::string& in_words() const = 0;
   /// What is in the hands, as far as the runtime says.

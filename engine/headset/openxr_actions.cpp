@@ -21,7 +21,8 @@ constexpr Described described[hand_actions] = {{HandAction::grip, "grip", "Where
                                                {HandAction::trigger, "trigger", "Choose, enter, glide", XR_ACTION_TYPE_FLOAT_INPUT},
                                                {HandAction::grab, "grab", "Hold the tooth", XR_ACTION_TYPE_FLOAT_INPUT},
                                                {HandAction::stick, "stick", "Turn and move", XR_ACTION_TYPE_VECTOR2F_INPUT},
-                                               {HandAction::menu, "menu", "Back, true size", XR_ACTION_TYPE_BOOLEAN_INPUT}};
+                                               {HandAction::menu, "menu", "Panel; held: back, true size", XR_ACTION_TYPE_BOOLEAN_INPUT},
+                                               {HandAction::haptic, "haptic", "What the hand feels", XR_ACTION_TYPE_VIBRATION_OUTPUT}};
 
 constexpr const char* hand_paths[2] = {"/user/hand/left", "/user/hand/right"};
 
@@ -140,6 +141,19 @@ std::array<HandInput, 2> HandActions::read(XrSpace room, XrTime time) const {
     hand.menu = menu.isActive && menu.currentState;
   }
   return hands;
+}
+
+void HandActions::pulse(std::size_t hand, double strength, double seconds) const {
+  XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO};
+  info.action = action(HandAction::haptic);
+  info.subactionPath = hands_[hand];
+  XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION};
+  constexpr double nanoseconds = 1e9;
+  vibration.duration = static_cast<XrDuration>(seconds * nanoseconds);
+  vibration.frequency = XR_FREQUENCY_UNSPECIFIED;
+  vibration.amplitude = static_cast<float>(strength);
+  const XrResult result = xrApplyHapticFeedback(session_, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
+  if (result != XR_SESSION_NOT_FOCUSED) check(result, "letting the hand feel something");
 }
 
 std::string HandActions::controllers() const {

@@ -23,6 +23,8 @@ class HandActions {
 
   /// Both hands as they will be at `time`. All at rest while the session has no focus.
   std::array<HandInput, 2> read(XrSpace room, XrTime time) const;
+  /// Lets a hand feel something, if its controller can.
+  void pulse(std::size_t hand, double strength, double seconds) const;
   /// In words, of the controllers that the runtime says are held.
   std::string controllers() const;
 

@@ -106,6 +106,8 @@ class OpenXrHeadset final : public Headset {
     else over_ = true;
   }
 
+  void pulse(std::size_t hand, double strength, double seconds) override { actions_->pulse(hand, strength, seconds); }
+
   const std::string& in_words() const override { return in_words_; }
   std::string controllers() const override { return actions_->controllers(); }
 

@@ -21,7 +21,8 @@ glm::mat4 to_clip(const EyeView& eye) {
 
 PlacardPass::PlacardPass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), program_(gl, shaders, {"placard.vert", "placard.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams, const EyeView& eye, const Target& target) const {
+void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams, const EyeView& eye, const Target& target,
+                       double light) const {
   if (pieces.empty() && beams.empty()) return;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
@@ -32,6 +33,7 @@ void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pie
   program_.use();
   program_.set("to_clip", to_clip(eye));
   program_.set("sheet", 0);
+  program_.set("light", static_cast<float>(light));
   gl_->BindVertexArray(no_vertices_.id());
   const auto rectangle = [&](const glm::dvec3& corner, const glm::dvec3& across, const glm::dvec3& down) {
     program_.set("corner", glm::vec3(corner - eye.pose.position));

@@ -28,8 +28,8 @@ struct Beam {
 class PlacardPass {
  public:
   PlacardPass(const Gl& gl, const ShaderLibrary& shaders);
-  /// Over what `target` shows. `sheet`: its first colours, premultiplied; they are filtered from now on.
-  void draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams, const EyeView& eye, const Target& target) const;
+  /// Over what `target` shows, with `light` of its brightness. `sheet`: its first colours, premultiplied; they are filtered from now on.
+  void draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams, const EyeView& eye, const Target& target, double light = 1) const;
 
  private:
   const Gl* gl_;

@@ -80,6 +80,13 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
     const std::optional<Hit>& hit = visit.pointed[i];
     const bool meets = hit || visit.on_frame[i];
     const glm::dvec3 end = visit.on_frame[i] ? *visit.on_frame[i] : hit ? to_room(visit.stage, hit->point_mm) : hand.aim.position + ray * hand.aim.ahead();
+    if (visit.leap_mm[i]) {   // a star where the trigger leads, when it is let go
+      constexpr double arm = 0.06;
+      const glm::dvec3 there = to_room(visit.stage, *visit.leap_mm[i]);
+      line(hand.aim.position, there);
+      for (const glm::dvec3& axis : {glm::dvec3(arm, 0, 0), glm::dvec3(0, arm, 0), glm::dvec3(0, 0, arm)}) line(there - axis, there + axis);
+      continue;
+    }
     line(hand.aim.position, end);
     if (meets) line(end, end);
   }

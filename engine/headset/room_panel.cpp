@@ -8,7 +8,7 @@
 namespace odontoscope {
 
 RoomPanel summoned(const Pose& head, double side, double distance) {
-  constexpr double aside_deg = 31, below_deg = 14;   // the tooth stays in sight beside it
+  constexpr double aside_deg = 35, below_deg = 14;   // the tooth stays in sight beside it
   const double far = std::clamp(distance, least_panel_distance, panel_distance);
   const double aside = glm::radians(aside_deg) * (side < 0 ? 1 : -1), below = glm::radians(-below_deg);
   const glm::dquat towards = glm::normalize(heading_of(head) * glm::angleAxis(aside, glm::dvec3(0, 1, 0)) * glm::angleAxis(below, glm::dvec3(1, 0, 0)));

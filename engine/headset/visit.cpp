@@ -20,6 +20,14 @@ glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target
 
 /// In the dark.
 void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules) {
+  visit.velocity = glm::dvec3(0);
+  visit.leap_mm = {};
+  visit.at_wall = false;
+  if (way.to_mm) {
+    visit.eye_mm = *way.to_mm;
+    visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));
+    return;
+  }
   if (!visit.cavity) visit.stage_outside = visit.stage;
   visit.tour.reset();
   if (way.into) {
@@ -31,7 +39,6 @@ void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const Vi
     visit.stage = visit.stage_outside;
   }
   visit.cavity = way.into;
-  visit.velocity = glm::dvec3(0);
   visit.held = {};
   visit.pointed = {};
   visit.on_frame = {};
@@ -72,6 +79,7 @@ Scene scene_of(const Visit& visit, const VisitWorld& world) {
 }
 
 Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+  visit.pulse = {};
   if (!input.head_tracked) return visit;
   const double magnified = visit.stage.magnification;
   place(visit, input, world);
@@ -81,6 +89,7 @@ Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, c
     visit.pointed = {};
     visit.on_panel = {};
     visit.on_frame = {};
+    visit.leap_mm = {};
     visit.pressing = {};
     visit.menu_held = {-1, -1};
     visit.velocity = glm::dvec3(0);

@@ -45,6 +45,9 @@ struct VisitWorld {
 /// What a trigger does on the model, where the panel is not. look: enters a cavity, names what else it meets. distance: marks its ends.
 enum class HandTool { look, distance };
 
+/// How a trigger moves the person inside. glide: it leads where the hand points. leap: it shows a place there, and letting it go leads to it in the dark.
+enum class Travel { glide, leap };
+
 /// What is asked for on the panel and done in the next step.
 enum class VisitAction { enter, leave, change_size, toggle_section, flip_section, forget_marks, show_dt, show_db, tour_play, tour_back, end_tour, put_panel_away, leave_headset };
 
@@ -53,6 +56,7 @@ struct Visit {
   struct Way {
     std::optional<std::size_t> into;   // none: out
     std::optional<std::size_t> along = {};   // of rideable(): a tour begins there
+    std::optional<glm::dvec3> to_mm = {};    // a leap within the cavity, nothing else
     friend bool operator==(const Way&, const Way&) = default;
   };
   enum class Held { nothing, model, panel, section };
@@ -80,6 +84,10 @@ struct Visit {
   std::array<bool, 2> pressing{};        // that press
   std::array<double, 2> menu_held{};     // seconds; below 0: it has done what it does when held
   HandTool tool = HandTool::look;
+  Travel travel = Travel::glide;
+  std::array<std::optional<glm::dvec3>, 2> leap_mm;   // where a hand's trigger would lead when it is let go
+  bool at_wall = false;                  // the head's ball touches it
+  std::array<double, 2> pulse{};         // what the hands shall feel of this step, 0 to 1
   std::optional<Hit> named;              // what a trigger met last
   std::vector<Hit> ends;                 // of a distance: one or two
   std::optional<Ride> tour;              // inside, along a canal

@@ -121,8 +121,9 @@ void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& wor
     const bool taken = at_panel(visit, i) || cavity || (visit.tool == HandTool::distance && visit.pointed[i]);
     visit.held[i] = held_outside(visit.held[i], before, hand, taken, visit.on_frame[i].has_value());
     if (at_panel(visit, i) || !pulled(visit, input, i)) continue;
+    const bool did = cavity || use_tool(visit, i);
     if (cavity) visit.way = Visit::Way{cavity};
-    else use_tool(visit, i);
+    if (did) feel(visit, i, tap);
   }
   carry(visit, input, world);
   turn_and_bring(visit, input, world, rules, seconds);

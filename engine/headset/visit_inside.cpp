@@ -1,5 +1,6 @@
 // Inside a cavity: gliding, and walls that neither hand nor head gets through.
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -16,6 +17,7 @@ glm::dvec3 wanted_way(const Visit& visit, const HeadsetInput& input) {
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
     if (!hand.tracked) continue;
+    if (visit.travel != Travel::glide) continue;
     const bool glides = visit.tool == HandTool::look && !at_panel(visit, i);
     way += (glides ? hand.trigger : 0) * hand.aim.ahead() + along(hand) * input.head.ahead();
     const bool strafes = i == 0 && std::abs(hand.stick.x) > stick_at_rest;   // the right stick turns
@@ -43,7 +45,57 @@ void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, con
   visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));
 }
 
+/// A wall is felt when it is met, and again only after it was left.
+void feel_wall(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, double clearance) {
+  constexpr double meets = 1.05, leaves = 1.3;   // clearances
+  const double near = cavity.walls.nearest(visit.eye_mm, leaves * clearance).distance;
+  if (!visit.at_wall && near < meets * clearance) {
+    visit.at_wall = true;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (input.hands[i].tracked) feel(visit, i, knock);
+  } else if (!(near < leaves * clearance)) {
+    visit.at_wall = false;
+  }
+}
+
+/// A held trigger shows where it would lead, along a way that is free and straight; letting it go leads there.
+void leap(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, double clearance) {
+  constexpr double share = 0.85, least = 0.5;   // of the way to the wall, so that it is not before one's nose; clearances that are worth it
+  for (std::size_t i = 0; i < 2; ++i) {
+    const HandInput& hand = input.hands[i];
+    const bool may = visit.travel == Travel::leap && visit.tool == HandTool::look && hand.tracked && !at_panel(visit, i);
+    const bool let_go = visit.leap_mm[i] && hand.trigger < released_below;
+    const bool is_away = visit.leap_mm[i] && glm::length(*visit.leap_mm[i] - visit.eye_mm) > 0.5 * least * clearance;
+    if (may && let_go && is_away && !visit.way) {
+      visit.way = Visit::Way{visit.cavity, {}, visit.leap_mm[i]};
+      feel(visit, i, tap);
+    }
+    const bool aims = may && (visit.leap_mm[i] ? !let_go : pulled(visit, input, i));
+    visit.leap_mm[i].reset();
+    if (!aims || !visit.pointed[i]) continue;
+    const glm::dvec3 way = visit.pointed[i]->point_mm - visit.eye_mm;
+    const double length = glm::length(way);
+    if (!(length > 0)) continue;
+    const double free = share * free_way(cavity.walls, visit.eye_mm, way / length, length, clearance);
+    visit.leap_mm[i] = visit.eye_mm + std::max(free, 0.0) * way / length;
+    if (free < least * clearance) visit.leap_mm[i] = visit.eye_mm;   // shown as nowhere to go, and it stays aimed
+  }
+}
+
 }  // namespace
+
+double free_way(const Walls& walls, const glm::dvec3& from, const glm::dvec3& direction, double most, double clearance) {
+  constexpr int most_steps = 200;
+  constexpr double skin = 1e-3;   // clearances
+  double went = 0;
+  // Every step ends inside a ball that holds no wall, with the eye's own ball in it.
+  for (int i = 0; i < most_steps && went < most; ++i) {
+    const double step = walls.nearest(from + went * direction).distance - clearance;
+    if (step < skin * clearance) break;
+    went = std::min(most, went + step);
+  }
+  return went;
+}
 
 FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
   const double mm = mm_per_metre(stage);
@@ -59,11 +111,18 @@ FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
   if (visit.tour) step_tour(visit, input, rules, seconds);
   else glide(visit, input, world, rules, seconds);
-  if (const int snap = snap_of(visit.before[1], input.hands[1]); snap != 0)
-    visit.stage = turned_about(visit.stage, input.head.position, snap * glm::radians(rules.snap_turn_deg));
+  const FlightSpace& cavity = world.cavities[*visit.cavity];
+  const double clearance = rules.clearance * mm_per_metre(visit.stage);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const bool turns = i == 1 || visit.tour || visit.travel == Travel::leap;   // else the left one goes sideways
+    if (const int snap = snap_of(visit.before[i], input.hands[i]); turns && snap != 0)
+      visit.stage = turned_about(visit.stage, input.head.position, snap * glm::radians(rules.snap_turn_deg));
+  }
+  feel_wall(visit, input, cavity, clearance);
   point_at_model(visit, input, world);
+  if (!visit.tour) leap(visit, input, cavity, clearance);
   for (std::size_t i = 0; i < 2; ++i)
-    if (visit.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i)) use_tool(visit, i);
+    if (visit.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i) && use_tool(visit, i)) feel(visit, i, tap);
 }
 
 }  // namespace odontoscope::visit_steps

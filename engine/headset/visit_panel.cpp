@@ -68,7 +68,10 @@ void point_at_panel(Visit& visit, const HeadsetInput& input) {
     const std::optional<PanelPlace> aimed = visit.panel && hand.tracked ? aimed_at(*visit.panel, hand.aim) : std::nullopt;
     if (!aimed || !(visit.pressing[i] ? hand.trigger >= released_below : true)) visit.pressing[i] = false;
     if (!aimed || visit.held[i] == Visit::Held::model) continue;
-    if (aimed->on_it() && pulled(visit, input, i)) visit.pressing[i] = true;
+    if (aimed->on_it() && pulled(visit, input, i)) {
+      visit.pressing[i] = true;
+      feel(visit, i, tap);
+    }
     if (aimed->on_it() || visit.pressing[i]) visit.on_panel[i] = aimed;
   }
   for (std::size_t i = 0; i < 2; ++i) {

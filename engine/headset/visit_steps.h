@@ -1,6 +1,8 @@
 #pragma once
 // The parts of a step of visit.h, one file each. Private to this room.
 
+#include <algorithm>
+
 #include "engine/headset/visit.h"
 #include "engine/navigate/flight.h"
 
@@ -16,6 +18,10 @@ inline bool pulled(const Visit& visit, const HeadsetInput& input, std::size_t ha
 }
 /// The hand's ray and trigger are the panel's.
 inline bool at_panel(const Visit& visit, std::size_t hand) { return visit.on_panel[hand].has_value(); }
+
+/// What a hand feels: that a trigger did something, that there is a wall.
+inline constexpr double tap = 0.4, knock = 0.7;
+inline void feel(Visit& visit, std::size_t hand, double strength) { visit.pulse[hand] = std::max(visit.pulse[hand], strength); }
 
 /// +1 or -1 in the moment in which the stick is pushed to a side.
 int snap_of(const HandInput& before, const HandInput& hand);
@@ -36,6 +42,8 @@ bool use_tool(Visit& visit, std::size_t hand);
 void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 
 // visit_inside.cpp
+/// How far the ball gets from `from` along `direction` (unit length) before it touches a wall, mm, at most `most`. Precondition: it touches none at `from`.
+double free_way(const Walls& walls, const glm::dvec3& from, const glm::dvec3& direction, double most, double clearance);
 FlightRules flight_rules(const Stage& stage, const ComfortRules& rules);
 void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds);
 

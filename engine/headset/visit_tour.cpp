@@ -83,10 +83,13 @@ void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rule
       tour.playing = true;
     }
   }
+  const bool played = tour.playing;
   const FlightRules limits = tour_rules(visit, rules);
   const glm::dvec3 before_mm = place_on(tour.track, tour.along).at;
   tour.pace = std::clamp(tour.pace, -limits.haste, limits.haste);   // where it widens the limit comes before gentleness
   advance(tour, limits, seconds);
+  if (played && !tour.playing)   // it has arrived
+    for (std::size_t i = 0; i < 2; ++i) feel(visit, i, tap);
   const Track::Point place = place_on(tour.track, tour.along);
   // The head leans within the ball about the line that holds no wall.
   glm::dvec3 off = visit.off_tour_mm + to_model(visit.stage, input.head.position) - visit.eye_mm;

@@ -86,6 +86,9 @@ class HeadsetVisit {
     choose_model();
     const VisitWorld world{shows_db_ ? lab_.made()->model : loaded_->model, shows_db_ ? *lab_.made()->pickable : *loaded_->pickable, scene_, cavities_};
     visit_ = stepped(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
+    constexpr double pulse_seconds = 0.04;
+    for (std::size_t i = 0; i < 2; ++i)
+      if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);
     sheet_.update(visit_, frame.input, world, {loaded_->title, lab_.possible(), lab_.in_words()}, frame.seconds);
     if (frame.draw) {
       painter_.draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); });

@@ -81,6 +81,9 @@ void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
   widgets::toggle("Names", visit.labels);
+  int travel = static_cast<int>(visit.travel);
+  say("The trigger");
+  if (widgets::choice("travel", travel, {"glides there", "leaps there"})) visit.travel = static_cast<Travel>(travel);
 }
 
 /// The ride's controls, and every line that one can be led along.
@@ -111,7 +114,7 @@ void canals(Visit& visit, const VisitWorld& world) {
 void measure(Visit& visit, const Interface& interface) {
   int tool = static_cast<int>(visit.tool);
   say("The trigger, on the tooth:");
-  if (widgets::choice("tool", tool, {visit.cavity ? "Glides" : "Enters, names", "Measures"})) visit.tool = static_cast<HandTool>(tool);
+  if (widgets::choice("tool", tool, {visit.cavity ? (visit.travel == Travel::leap ? "Leaps" : "Glides") : "Enters, names", "Measures"})) visit.tool = static_cast<HandTool>(tool);
   if (visit.tool == HandTool::distance) say("Pull it at one place and at another: the straight way between them.");
   if (visit.ends.size() == 2) {
     ImGui::PushFont(interface.large);
@@ -125,7 +128,7 @@ void measure(Visit& visit, const Interface& interface) {
 
 void help(Visit& visit) {
   if (visit.cavity) {
-    say(visit.tour ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again." : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
+    say(visit.tour ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again." : visit.travel == Travel::leap ? "Trigger: point at a place; let go: you are there.\nStick: turn.\nMenu: this panel. Menu, held: out again." : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
   } else {
     say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");
   }
@@ -144,6 +147,7 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
   ImGui::PopFont();
   int chosen = static_cast<int>(page);
   if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Canals", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);
+  if (visit.cavity) button(visit, "Out again", VisitAction::leave);   // above what may be longer than the panel
   ImGui::Dummy({0, scaled(2)});
   switch (page) {
     case HeadsetPage::tooth:
@@ -154,7 +158,6 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
     case HeadsetPage::measure: measure(visit, interface); break;
     case HeadsetPage::help: help(visit); break;
   }
-  if (visit.cavity) button(visit, "Out again", VisitAction::leave, true);
   ImGui::End();
 }
 

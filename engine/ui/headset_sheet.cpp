@@ -92,6 +92,7 @@ void HeadsetSheet::write(const std::vector<Placard>& placards, const Pose& head)
 }
 
 void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
+  light_ = 1 - visit.dark;
   // Far ones first: a near label hides a far one.
   pieces_ = labels_;
   const auto distance = [&](const SheetPiece& piece) { return glm::length(piece.pose.position - input.head.position); };
@@ -105,6 +106,6 @@ void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
   }
 }
 
-void HeadsetSheet::draw(const EyeView& eye, const Target& target) const { placard_pass_.draw(sheet_, pieces_, beams_, eye, target); }
+void HeadsetSheet::draw(const EyeView& eye, const Target& target) const { placard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_); }
 
 }  // namespace odontoscope

@@ -43,6 +43,7 @@ class HeadsetSheet {
   std::vector<std::string> written_;        // on it: the labels
   std::vector<SheetPiece> pieces_, labels_;
   std::vector<Beam> beams_;
+  double light_ = 1;                        // less during a fade
 };
 
 }  // namespace odontoscope

@@ -23,11 +23,11 @@ TEST(Bindings, EveryControllerHasWhatIsNeeded) {
         if (!path) continue;
         EXPECT_TRUE(actions->insert(binding.action).second) << bindings.profile << ": two for one action";
         EXPECT_TRUE(paths.insert(hand + std::string(path)).second) << bindings.profile << ": " << path << " does two things";
-        EXPECT_EQ(std::string(path).rfind("input/", 0), 0u) << path;
+        EXPECT_EQ(std::string(path).rfind(binding.action == HandAction::haptic ? "output/" : "input/", 0), 0u) << path;
       }
     }
     EXPECT_EQ(left, right) << bindings.profile;
-    for (const HandAction needed : {HandAction::grip, HandAction::aim, HandAction::trigger, HandAction::menu}) EXPECT_TRUE(left.contains(needed)) << bindings.profile;
+    for (const HandAction needed : {HandAction::grip, HandAction::aim, HandAction::trigger, HandAction::menu, HandAction::haptic}) EXPECT_TRUE(left.contains(needed)) << bindings.profile;
     // Without a button to grab with, the trigger does it.
     const bool one_button = std::string(bindings.profile) == "khr/simple_controller";
     EXPECT_EQ(left.contains(HandAction::grab), !one_button) << bindings.profile;

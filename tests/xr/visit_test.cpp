@@ -251,7 +251,7 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
 /// Where a control of the panel is, as PanelPlace counts: found on a sheet of the test's own, which looks the same.
 std::optional<glm::dvec2> control_on(const Gl& gl, Visit visit, const HeadsetPage page, const VisitWorld& world, const std::string& title, const std::vector<std::string>& ids) {
   HeadsetSheet sheet(gl, ShaderLibrary{}, page);
-  for (int i = 0; i < 3; ++i) sheet.update(visit, {}, world, {title}, 1);
+  for (int i = 0; i < 3; ++i) sheet.update(visit, {}, world, {title, false, ""}, 1);
   ImGuiID id = ImHashStr("room panel");
   for (const std::string& part : ids) id = ImHashStr(part.c_str(), 0, id);
   for (const Interface::Place& place : sheet.interface().places)
@@ -280,7 +280,7 @@ TEST_F(VisitTest, APanelInTheRoomIsOperatedByARayOutsideAndOnATour) {
   std::optional<glm::dvec2> wanted;
   HeadsetVisitOptions options;
   options.headset.layers = {validation_layer};
-  options.headset.resolution = 2.5;   // for letters
+  options.headset.resolution = 2.2;   // for letters
   report_validation_to("/tmp/panel.txt");
   const bool well = visit(
       [&] {
