@@ -21,7 +21,8 @@ layout(location = 2) out float out_depth;
 void main() {
   if (dot(section.xyz, world_position) > section.w + section_slack) discard;
 #ifdef HIDDEN
-  if (gl_FragCoord.z <= texelFetch(opaque_depth, ivec2(gl_FragCoord.xy), 0).r) discard;
+  float before = texelFetch(opaque_depth, ivec2(gl_FragCoord.xy), 0).r;   // 0: what lenses hide
+  if (gl_FragCoord.z <= before || before <= 0.0) discard;
 #endif
   vec2 along = second_pixel - first_pixel, here = gl_FragCoord.xy - first_pixel;
   float part = clamp(dot(here, along) / max(dot(along, along), 1e-8), 0.0, 1.0);

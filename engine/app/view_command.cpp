@@ -27,6 +27,8 @@ struct Options {
   std::string size;
   std::string screenshot;
   bool headset = false;
+  int headset_samples = 1;
+  double headset_resolution = 1;
 };
 
 /// About what the window will be, for the first camera.
@@ -106,10 +108,12 @@ ExitCode take_screenshot(const Options& options, Session& session) {
   return ExitCode::done;
 }
 
-void enter_headset(Viewer& viewer, Window& window, Session& session) {
+void enter_headset(const Options& options, Viewer& viewer, Window& window, Session& session) {
   // Where there is no runtime, OpenXR's loader writes pages to the terminal; our own message says it.
   setenv("XR_LOADER_DEBUG", "none", 0);
   HeadsetVisitOptions visit;
+  visit.headset.resolution = options.headset_resolution;
+  while (visit.quality.side * visit.quality.side < options.headset_samples) ++visit.quality.side;
   visit.say = [&session](const std::string& words) { session.console.say(words); };
   if (!visit_in_headset(viewer, window, shaders_from_environment(), session.interrupts.token(), visit)) session.console.complain(viewer.state().trouble);
 }
@@ -128,7 +132,7 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
   viewer.state().headset_possible = headsets_built_in();
   viewer.state().headset_asked = options.headset;
   do {
-    if (viewer.state().headset_asked) enter_headset(viewer, window, session);
+    if (viewer.state().headset_asked) enter_headset(options, viewer, window, session);
     viewer.state().headset_asked = false;
     run_in_window(viewer, window, session.interrupts.token());
   } while (viewer.state().headset_asked);
@@ -161,6 +165,14 @@ Command view_command(CLI::App& root) {
   parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
   parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
   parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot");
+  parser->add_option("--vr-samples", options->headset_samples, "In the headset, samples a pixel: 1, or 4 for calm edges where the graphics card has time for four times the work")
+      ->type_name("N")
+      ->check(CLI::IsMember({1, 4}).description(""))
+      ->capture_default_str();
+  parser->add_option("--vr-resolution", options->headset_resolution, "In the headset, pixels along each side, of what its runtime recommends: 0.25 to 2")
+      ->type_name("SHARE")
+      ->check(CLI::Range(0.25, 2.0).description(""))
+      ->capture_default_str();
   add_scene_options(*parser, options->scene);
   add_volume_options(*parser, options->volume);
   parser->footer(

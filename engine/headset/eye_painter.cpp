@@ -9,6 +9,16 @@
 
 namespace odontoscope {
 
+namespace {
+
+/// From the projection that glm::frustum made, which is in metres of the enlarged model.
+DepthRange range_of(const View& view, const Stage& stage) {
+  const double a = view.eye_to_clip[2][2], b = view.eye_to_clip[3][2];
+  return {stage.magnification * b / (a - 1), stage.magnification * b / (a + 1)};
+}
+
+}  // namespace
+
 EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
     : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
       ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
@@ -19,18 +29,32 @@ void EyePainter::take(const Model& model) {
   high_ = model_.high;
 }
 
-void EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
-                      const Over& over) {
+Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
+                        const Over& over, std::span<const HiddenCorners* const> hidden) {
   Scene scene = scene_of(visit, world);
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
   show_marks(visit, input, world);
   std::vector<Pane> panes;
-  for (std::size_t i = 0; i < targets.size(); ++i) panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i]});
-  if (visit.dark < 1) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
-  for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
-  if (over && visit.dark < 1)
+  Depths depths;
+  masks_.resize(std::max(masks_.size(), hidden.size()));
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i], i < hidden.size() ? masked(i, *hidden[i]) : nullptr});
+    depths.push_back(range_of(panes.back().view, visit.stage));
+  }
+  const bool dark = visit.dark >= 1;
+  if (!dark) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
+  if (over && !dark)
     for (std::size_t i = 0; i < targets.size(); ++i) over(eyes[i], targets[i]);
+  for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);
+  return dark ? Depths{} : depths;
+}
+
+const GpuHidden* EyePainter::masked(std::size_t eye, const HiddenCorners& corners) {
+  if (corners.empty()) return nullptr;
+  Mask& mask = masks_[eye];
+  if (mask.corners != corners) mask = {corners, upload_hidden(*gl_, corners)};
+  return &mask.gpu;
 }
 
 void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {

@@ -27,8 +27,10 @@ class EyePainter {
 
   /// Draws more over the picture of an eye: after its edges were darkened, since what stands in the room holds the eyes. Not while all is dark.
   using Over = std::function<void(const EyeView&, const Target&)>;
-  /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once.
-  void draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets, const Over& over = {});
+  /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once. `hidden`: what the lenses hide, one an eye or none at all.
+  /// Returns what the depths mean that are left in targets that keep them.
+  Depths draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
+              const Over& over = {}, std::span<const HiddenCorners* const> hidden = {});
 
   /// Fills the target with the middle of an eye's picture.
   static void mirror(const Gl& gl, const Target& eye, const Target& target);
@@ -36,6 +38,7 @@ class EyePainter {
  private:
   /// The hands' rays, and how large the tooth is.
   void show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world);
+  const GpuHidden* masked(std::size_t eye, const HiddenCorners& corners);
   void ease(const Visit& visit, const FieldOfView& field, const Target& target) const;
 
   const Gl* gl_;
@@ -44,6 +47,12 @@ class EyePainter {
   GpuModel model_;
   glm::vec3 low_, high_;      // the model's own box
   GpuOverlay marks_;
+  /// Of an eye, as last uploaded.
+  struct Mask {
+    HiddenCorners corners;
+    GpuHidden gpu;
+  };
+  std::vector<Mask> masks_;
   Program ease_;
   GlObject no_vertices_;
 };

@@ -33,11 +33,22 @@ struct HeadsetOptions {
 /// waiting: the runtime does not want pictures yet, or not now. over: it asked us to end.
 enum class HeadsetState { waiting, running, visible, focused, over };
 
+/// What depths 0 and 1 of an eye's picture mean: metres of the room ahead of the eye.
+struct DepthRange {
+  double nearest = 0, farthest = 0;
+};
+/// An eye each; empty: the depths are worth nothing.
+using Depths = std::vector<DepthRange>;
+
+/// What the lenses of an eye hide of its picture: triangles in tangents from the line of sight.
+using HiddenCorners = std::vector<glm::vec2>;
+
 struct HeadsetFrame {
   bool draw = false;              // false: nobody would see it, and there are no targets
   double seconds = 0;             // since the frame before, by the times at which they are shown
   std::vector<EyeView> eyes;      // left, right
-  std::vector<Target> targets;    // one an eye, with depth
+  std::vector<Target> targets;    // one an eye, with depth, which is kept
+  std::vector<const HiddenCorners*> hidden;   // one an eye, or none at all; valid during the frame
   HeadsetInput input;
 };
 
@@ -49,9 +60,10 @@ class Headset {
 
   /// Takes what the runtime reports. Throws HeadsetError "headset-lost" if there is no runtime any more.
   virtual HeadsetState poll() = 0;
-  /// Precondition: running, visible or focused. Waits for the runtime's beat and calls `draw`, which draws into the targets or throws; the frame is ended
-  /// either way. Throws as `poll` does.
-  virtual void frame(const std::function<void(const HeadsetFrame&)>& draw) = 0;
+  /// Precondition: running, visible or focused. Waits for the runtime's beat and calls `draw`, which draws into the targets and says what their depths mean,
+  /// or throws; the frame is ended either way. Throws as `poll` does.
+  using Draw = std::function<Depths(const HeadsetFrame&)>;
+  virtual void frame(const Draw& draw) = 0;
   /// Asks the runtime to end; `poll` will say `over` then.
   virtual void leave() = 0;
 

@@ -18,18 +18,28 @@ namespace {
 constexpr XrViewConfigurationType two_eyes = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
 constexpr const char* program = "Odontoscope";
 
-void create_instance(OwnedInstance& instance, const CurrentGraphics& graphics, const HeadsetOptions& options) {
+/// What is used where the runtime has it.
+struct Extras {
+  bool depth = false, mask = false;
+};
+
+Extras create_instance(OwnedInstance& instance, const CurrentGraphics& graphics, const HeadsetOptions& options) {
   std::uint32_t count = 0;
   check(xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr), "asking what the runtime can do");
   std::vector<XrExtensionProperties> known(count, {XR_TYPE_EXTENSION_PROPERTIES});
   check(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, known.data()), "asking what the runtime can do");
-  const std::vector<const char*> wanted = graphics.extensions();
+  const auto is_known = [&](const char* extension) {
+    return std::any_of(known.begin(), known.end(), [&](const XrExtensionProperties& one) { return std::strcmp(one.extensionName, extension) == 0; });
+  };
+  std::vector<const char*> wanted = graphics.extensions();
   for (const char* extension : wanted) {
-    const bool found = std::any_of(known.begin(), known.end(), [&](const XrExtensionProperties& one) { return std::strcmp(one.extensionName, extension) == 0; });
-    if (!found)
+    if (!is_known(extension))
       throw HeadsetError("headset-graphics", fmt::format("the OpenXR runtime takes no pictures from OpenGL through {} (it lacks {})", graphics.words(), extension),
                          "Use a runtime that does: SteamVR, Monado or WiVRn, with the viewer on an X display or XWayland.");
   }
+  const Extras extras{is_known(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME), is_known(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME)};
+  if (extras.depth) wanted.push_back(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+  if (extras.mask) wanted.push_back(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
   std::vector<const char*> layers;
   for (const std::string& layer : options.layers) layers.push_back(layer.c_str());
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
@@ -45,6 +55,30 @@ void create_instance(OwnedInstance& instance, const CurrentGraphics& graphics, c
     throw HeadsetError("openxr-service-absent", fmt::format("an OpenXR runtime is installed and does not answer: {}", words_of(result)),
                        "Start it (SteamVR, or monado-service) with the headset connected, then try again.");
   check(result, "starting");
+  return extras;
+}
+
+/// What the lenses of an eye hide; nothing if the runtime has nothing to say.
+HiddenCorners hidden_corners(XrInstance instance, XrSession session, std::uint32_t eye) {
+  PFN_xrVoidFunction function = nullptr;
+  check(xrGetInstanceProcAddr(instance, "xrGetVisibilityMaskKHR", &function), "asking what the lenses hide");
+  const auto get = reinterpret_cast<PFN_xrGetVisibilityMaskKHR>(function);
+  const char* what = "asking what the lenses hide";
+  XrVisibilityMaskKHR mask{XR_TYPE_VISIBILITY_MASK_KHR};
+  check(get(session, two_eyes, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask), what);
+  std::vector<XrVector2f> places(mask.vertexCountOutput);
+  std::vector<std::uint32_t> indices(mask.indexCountOutput);
+  if (places.empty() || indices.empty()) return {};
+  mask.vertexCapacityInput = mask.vertexCountOutput;
+  mask.indexCapacityInput = mask.indexCountOutput;
+  mask.vertices = places.data();
+  mask.indices = indices.data();
+  check(get(session, two_eyes, eye, XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask), what);
+  HiddenCorners corners;
+  for (const std::uint32_t index : indices)
+    if (index < places.size()) corners.emplace_back(places[index].x, places[index].y);
+  corners.resize(corners.size() / 3 * 3);
+  return corners;
 }
 
 /// One of `wanted` that the runtime has, the first of its own otherwise.
@@ -61,7 +95,7 @@ class OpenXrHeadset final : public Headset {
  public:
   OpenXrHeadset(const Gl& gl, const HeadsetOptions& options) {
     const CurrentGraphics graphics;
-    create_instance(instance_, graphics, options);
+    extras_ = create_instance(instance_, graphics, options);
     find_system(gl);
     XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, graphics.binding(), 0, system_};
     check(xrCreateSession(instance_.get(), &info, session_.fill()), "opening a session");
@@ -69,6 +103,7 @@ class OpenXrHeadset final : public Headset {
     create_space(XR_REFERENCE_SPACE_TYPE_VIEW, head_);
     actions_ = std::make_unique<HandActions>(instance_.get(), session_.get());
     const PixelSize size = create_pictures(gl, options.resolution);
+    ask_what_is_hidden();
     describe(graphics, size);
   }
 
@@ -83,13 +118,13 @@ class OpenXrHeadset final : public Headset {
     }
   }
 
-  void frame(const std::function<void(const HeadsetFrame&)>& draw) override {
+  void frame(const Draw& draw) override {
     XrFrameState beat{XR_TYPE_FRAME_STATE};
     check(xrWaitFrame(session_.get(), nullptr, &beat), "waiting for its beat");
     const XrResult begun = xrBeginFrame(session_.get(), nullptr);
     check(begun, "beginning a frame");
     if (begun == XR_FRAME_DISCARDED) throw InternalError("a frame of the headset was begun and never ended");
-    std::vector<XrCompositionLayerProjectionView> shown;
+    Shown shown;
     try {
       shown = drawn(beat, draw);
     } catch (...) {
@@ -135,16 +170,22 @@ class OpenXrHeadset final : public Headset {
     check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, 0, &count, nullptr), "asking for its eyes");
     std::vector<XrViewConfigurationView> eyes(count, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
     check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, count, &count, eyes.data()), "asking for its eyes");
-    const std::int64_t format = swapchain_format(session_.get());
+    const SwapchainFormats formats = swapchain_formats(session_.get(), extras_.depth);
     PixelSize size;
     for (const XrViewConfigurationView& eye : eyes) {
       const auto pixels = [&](std::uint32_t recommended, std::uint32_t most) {
         return std::clamp(static_cast<int>(std::lround(resolution * recommended)), 16, static_cast<int>(most));
       };
       size = {pixels(eye.recommendedImageRectWidth, eye.maxImageRectWidth), pixels(eye.recommendedImageRectHeight, eye.maxImageRectHeight)};
-      pictures_.emplace_back(gl, session_.get(), format, size);
+      pictures_.emplace_back(gl, session_.get(), formats, size);
     }
     return size;
+  }
+
+  void ask_what_is_hidden() {
+    if (!extras_.mask) return;
+    hidden_.resize(pictures_.size());
+    for (std::size_t eye = 0; eye < hidden_.size(); ++eye) hidden_[eye] = hidden_corners(instance_.get(), session_.get(), static_cast<std::uint32_t>(eye));
   }
 
   void describe(const CurrentGraphics& graphics, PixelSize size) {
@@ -172,6 +213,7 @@ class OpenXrHeadset final : public Headset {
         if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) recentred_at_ = change.changeTime;
         break;
       }
+      case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR: ask_what_is_hidden(); break;
       default: break;
     }
   }
@@ -193,8 +235,14 @@ class OpenXrHeadset final : public Headset {
     }
   }
 
+  /// An eye each; `depths` may be fewer.
+  struct Shown {
+    std::vector<XrCompositionLayerProjectionView> views;
+    std::vector<XrCompositionLayerDepthInfoKHR> depths;
+  };
+
   /// Draws, if it will be seen; what is to be shown of it, nothing otherwise.
-  std::vector<XrCompositionLayerProjectionView> drawn(const XrFrameState& beat, const std::function<void(const HeadsetFrame&)>& draw) {
+  Shown drawn(const XrFrameState& beat, const Draw& draw) {
     HeadsetFrame frame;
     const XrTime time = beat.predictedDisplayTime;
     constexpr double longest_step = 0.1, second = 1e9;   // after a rest nothing jumps
@@ -211,11 +259,15 @@ class OpenXrHeadset final : public Headset {
     frame.draw = beat.shouldRender && known;
     if (frame.draw)
       for (EyePictures& eye : pictures_) frame.targets.push_back(eye.acquire());
-    draw(frame);
-    std::vector<XrCompositionLayerProjectionView> shown;
+    for (std::size_t i = 0; frame.draw && i < hidden_.size(); ++i) frame.hidden.push_back(&hidden_[i]);
+    const Depths depths = draw(frame);
+    Shown shown;
     for (std::size_t i = 0; frame.draw && i < pictures_.size(); ++i) {
       pictures_[i].release();
-      shown.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, nullptr, views[i].pose, views[i].fov, pictures_[i].shown()});
+      shown.views.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, nullptr, views[i].pose, views[i].fov, pictures_[i].shown()});
+      if (pictures_[i].depths() && i < depths.size())
+        shown.depths.push_back({XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR, nullptr, pictures_[i].depths()->shown(), 0, 1, static_cast<float>(depths[i].nearest),
+                                static_cast<float>(depths[i].farthest)});
     }
     return shown;
   }
@@ -232,16 +284,17 @@ class OpenXrHeadset final : public Headset {
     return (state.viewStateFlags & both) == both;
   }
 
-  XrResult end_frame(XrTime time, const std::vector<XrCompositionLayerProjectionView>& shown) const {
+  XrResult end_frame(XrTime time, Shown shown) const {
+    for (std::size_t i = 0; i < shown.depths.size(); ++i) shown.views[i].next = &shown.depths[i];
     XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
     layer.space = room_.get();
-    layer.viewCount = static_cast<std::uint32_t>(shown.size());
-    layer.views = shown.data();
+    layer.viewCount = static_cast<std::uint32_t>(shown.views.size());
+    layer.views = shown.views.data();
     const auto* layers = reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer);
     XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO};
     end.displayTime = time;
     end.environmentBlendMode = blend_;
-    end.layerCount = shown.empty() ? 0 : 1;
+    end.layerCount = shown.views.empty() ? 0 : 1;
     end.layers = &layers;
     return xrEndFrame(session_.get(), &end);
   }
@@ -256,12 +309,14 @@ class OpenXrHeadset final : public Headset {
 
   // In the order in which they must be made, the reverse of that in which they go.
   OwnedInstance instance_;
+  Extras extras_;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;
   XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   OwnedSession session_;
   OwnedSpace room_, head_;
   std::unique_ptr<HandActions> actions_;
   std::vector<EyePictures> pictures_;
+  std::vector<HiddenCorners> hidden_;   // an eye each; none if the runtime cannot tell
   XrSessionState session_state_ = XR_SESSION_STATE_UNKNOWN;
   bool begun_ = false, over_ = false;
   XrTime last_time_ = 0, recentred_at_ = 0;

@@ -27,57 +27,106 @@ bool needs_no_layers(const FramePlan& plan) {
   return plan.side == 1 && !plan.occlusion.on && plan.translucent.empty() && plan.capped.empty() && !plan.cut() && plan.lines.empty() && !edges;
 }
 
+void limit_to_touched(const Gl& gl, const FramePlan& plan) {
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
+}
+
 }  // namespace
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders) {}
+    : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders),
+      depth_(gl, shaders), hidden_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
                     const GpuOverlay* overlay, const GpuValueGrid* values) {
+  std::vector<Work> layered;
+  std::size_t samples = 0;
   for (const Pane& pane : panes) {
     refuse_undrawable(*gl_, pane.target.size, options);
-    draw(plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay, values), scene.background, pane.target);
+    FramePlan plan = plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay, values);
+    if (needs_no_layers(plan)) {
+      draw_finished(plan, scene.background, pane);
+      continue;
+    }
+    samples += static_cast<std::size_t>(plan.size.width) * static_cast<std::size_t>(plan.size.height);
+    layered.push_back({std::move(plan), &pane});
   }
+  if (samples <= most_samples) return draw_in_step(layered, scene.background);
+  for (Work& work : layered) draw_in_step({&work, 1}, scene.background);
 }
 
-void Renderer::draw(const FramePlan& plan, const Background& background, const Target& target) {
-  if (needs_no_layers(plan)) return draw_finished(plan, background, target);
-  const Buffers& buffers = buffers_for(plan.size);
+void Renderer::begin(Work& work) const {
+  const FramePlan& plan = work.plan;
+  const Buffers& buffers = *work.buffers;
   constexpr GLfloat nothing[4] = {0, 0, 0, 0};
+  gl_->Disable(GL_SCISSOR_TEST);
   buffers.picture.bind();
   gl_->ClearBufferfv(GL_COLOR, 0, nothing);
-  gl_->Enable(GL_SCISSOR_TEST);
-  gl_->Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
+  limit_to_touched(*gl_, plan);
   buffers.opaque.begin();
+  if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, true);
   surfaces_.draw_opaque(plan);
   caps_.draw(plan);
   lines_.draw(plan);
-
   if (!plan.lines.empty()) {
     const Layer& hints = buffers.peeled[0];
     lines_.draw_hidden(plan, buffers.opaque, hints);
     compose_.draw(plan, hints, nullptr, buffers.picture);
   }
-  const Layer* before = nullptr;
-  for (int i = 0; i < most_layers && !plan.translucent.empty(); ++i) {
-    const Layer& layer = buffers.peeled[i % 2];
-    if (!surfaces_.peel(plan, buffers.opaque, before, layer)) break;
-    add_layer(plan, buffers, layer);
-    before = &layer;
-  }
-  add_layer(plan, buffers, buffers.opaque);
-  gl_->Disable(GL_SCISSOR_TEST);
-  resolve_.draw(plan, buffers.picture, background, target);
+  work.more = !plan.translucent.empty();
 }
 
-void Renderer::draw_finished(const FramePlan& plan, const Background& background, const Target& target) {
+void Renderer::draw_in_step(std::span<Work> works, const Background& background) {
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    works[i].buffers = &buffers_for(works[i].plan.size, i);
+    begin(works[i]);
+  }
+  for (int i = 0; i < most_layers; ++i) {
+    for (Work& work : works) {
+      if (!work.more) continue;
+      limit_to_touched(*gl_, work.plan);
+      surfaces_.peel(work.plan, work.buffers->opaque, work.before, work.buffers->peeled[i % 2], work.buffers->any_drawn);
+    }
+    bool any = false;
+    for (Work& work : works) {
+      if (!work.more) continue;
+      work.more = any_drawn(*gl_, work.buffers->any_drawn);
+      keep_depth(work, work.more ? &work.buffers->peeled[i % 2] : nullptr);
+      if (!work.more) continue;
+      any = true;
+      work.before = &work.buffers->peeled[i % 2];
+      limit_to_touched(*gl_, work.plan);
+      add_layer(work.plan, *work.buffers, *work.before);
+    }
+    if (!any) break;
+  }
+  for (Work& work : works) {
+    keep_depth(work, nullptr);
+    limit_to_touched(*gl_, work.plan);
+    add_layer(work.plan, *work.buffers, work.buffers->opaque);
+    gl_->Disable(GL_SCISSOR_TEST);
+    resolve_.draw(work.plan, work.buffers->picture, background, work.pane->target);
+  }
+}
+
+void Renderer::keep_depth(Work& work, const Layer* first) const {
+  if (work.pane->target.keep_depth && !work.depth_kept) depth_.draw(work.plan, work.buffers->opaque, first, work.pane->target);
+  work.depth_kept = true;
+}
+
+void Renderer::draw_finished(const FramePlan& plan, const Background& background, const Pane& pane) {
+  const Target& target = pane.target;
   if (target.with_depth) {
     background_.fill(background, target);
+    if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, false);
     surfaces_.draw_finished(plan);
+    if (pane.hidden && target.keep_depth) hidden_.uncover(plan.view, *pane.hidden);
     return;
   }
   if (finished_.size() != plan.size) finished_ = Framebuffer(*gl_, {plan.size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
   background_.fill(background, {finished_.id(), 0, 0, plan.size});
+  if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, false);
   surfaces_.draw_finished(plan);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
@@ -90,15 +139,18 @@ void Renderer::add_layer(const FramePlan& plan, const Buffers& buffers, const La
   compose_.draw(plan, layer, plan.occlusion.on ? &buffers.occlusion : nullptr, buffers.picture);
 }
 
-const Renderer::Buffers& Renderer::buffers_for(PixelSize size) {
-  if (buffers_ && buffers_->size == size) return *buffers_;
-  buffers_.reset();
-  buffers_ = std::make_unique<Buffers>(Buffers{Layer(*gl_, size),
-                                               {Layer(*gl_, size), Layer(*gl_, size)},
-                                               Framebuffer(*gl_, {size, {GL_RG32F}}),
-                                               Framebuffer(*gl_, {size, {GL_RGBA16F}}),
-                                               size});
-  return *buffers_;
+const Renderer::Buffers& Renderer::buffers_for(PixelSize size, std::size_t number) {
+  if (buffers_.size() <= number) buffers_.resize(number + 1);
+  std::unique_ptr<Buffers>& buffers = buffers_[number];
+  if (buffers && buffers->size == size) return *buffers;
+  buffers.reset();
+  buffers = std::make_unique<Buffers>(Buffers{Layer(*gl_, size),
+                                              {Layer(*gl_, size), Layer(*gl_, size)},
+                                              Framebuffer(*gl_, {size, {GL_RG32F}}),
+                                              Framebuffer(*gl_, {size, {GL_RGBA16F}}),
+                                              size,
+                                              make_query(*gl_)});
+  return *buffers;
 }
 
 }  // namespace odontoscope

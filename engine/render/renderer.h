@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "engine/gpu/shader_library.h"
 #include "engine/render/background_pass.h"
 #include "engine/render/cap_pass.h"
 #include "engine/render/compose_pass.h"
+#include "engine/render/depth_pass.h"
 #include "engine/render/gpu_model.h"
+#include "engine/render/hidden_pass.h"
 #include "engine/render/line_pass.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/resolve_pass.h"
@@ -22,6 +25,7 @@ namespace odontoscope {
 struct Pane {
   View view;
   Target target;
+  const GpuHidden* hidden = nullptr;   // of it; null: nothing. Background is shown there
 };
 
 struct RenderOptions {
@@ -50,16 +54,29 @@ class Renderer {
             const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr);
 
  private:
-  /// What the passes of one size draw into.
+  /// What the passes draw one pane into.
   struct Buffers {
     Layer opaque, peeled[2];
     Framebuffer occlusion, picture;
     PixelSize size;
+    GlObject any_drawn;
   };
-  const Buffers& buffers_for(PixelSize size);
-  void draw(const FramePlan& plan, const Background& background, const Target& target);
+  /// A pane that is being drawn.
+  struct Work {
+    FramePlan plan;
+    const Pane* pane = nullptr;
+    const Buffers* buffers = nullptr;
+    const Layer* before = nullptr;   // of the translucent layers, the last one
+    bool more = false;               // there may be another
+    bool depth_kept = false;
+  };
+  const Buffers& buffers_for(PixelSize size, std::size_t number);
+  /// Panes that are drawn in step: while the driver draws a layer of one, the next one's is prepared, and nobody waits for the answer whether there was any.
+  void draw_in_step(std::span<Work> works, const Background& background);
+  void begin(Work& work) const;
+  void keep_depth(Work& work, const Layer* first) const;
   /// The short way, for what needs no layers: opaque surfaces without ambient occlusion, one sample a pixel.
-  void draw_finished(const FramePlan& plan, const Background& background, const Target& target);
+  void draw_finished(const FramePlan& plan, const Background& background, const Pane& pane);
   void add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const;
 
   const Gl* gl_;
@@ -70,7 +87,9 @@ class Renderer {
   OcclusionPass occlusion_;
   ComposePass compose_;
   ResolvePass resolve_;
-  std::unique_ptr<Buffers> buffers_;
+  DepthPass depth_;
+  HiddenPass hidden_;
+  std::vector<std::unique_ptr<Buffers>> buffers_;
   Framebuffer finished_;
 };
 

@@ -13,6 +13,8 @@ struct Target {
   PixelSize size;
   /// The framebuffer has a depth buffer that may be used, and whose content is worth nothing before and after. Saves a copy of the picture.
   bool with_depth = false;
+  /// What is nearest at each pixel is to be left in that depth buffer, the background as far as can be.
+  bool keep_depth = false;
 };
 
 class ResolvePass {

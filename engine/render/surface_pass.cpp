@@ -11,13 +11,19 @@ constexpr Colour alarm = colour_of(0xff00bf);
 constexpr float alarm_opacity = 0.9f;
 constexpr float wire_pixels = 1.1f;
 
+}  // namespace
+
 GlObject make_query(const Gl& gl) {
   GLuint id = 0;
   gl.GenQueries(1, &id);
   return {gl, id, [](const Gl& table, GLuint dead) { table.DeleteQueries(1, &dead); }};
 }
 
-}  // namespace
+bool any_drawn(const Gl& gl, const GlObject& query) {
+  GLuint any = 0;
+  gl.GetQueryObjectuiv(query.id(), GL_QUERY_RESULT, &any);
+  return any != 0;
+}
 
 void set_culling(const Gl& gl, BackFaces back_faces) {
   gl.FrontFace(GL_CCW);
@@ -32,8 +38,7 @@ SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
       opaque_(gl, shaders, {"surface.vert", "surface.frag"}),
       opaque_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"WIRE"}}),
       peel_(gl, shaders, {"surface.vert", "surface.frag", {}, {"PEEL"}}),
-      peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}),
-      any_drawn_(make_query(gl)) {}
+      peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}) {}
 
 void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const {
   const auto belongs = [&](const DrawnPart& part) { return (plan.wire || part.wire) == wire; };
@@ -73,7 +78,7 @@ void SurfacePass::draw_finished(const FramePlan& plan) const {
   draw(plan, plan.opaque, finished_, false);
 }
 
-bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const {
+void SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer, const GlObject& any_drawn) const {
   layer.begin();
   const Program& program = plan.wire ? peel_wire_ : peel_;
   program.use();
@@ -82,12 +87,9 @@ bool SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* 
   program.set("layer_before", 1);
   opaque.bind_depth(0);
   (before ? *before : opaque).bind_depth(1);
-  gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, any_drawn_.id());
+  gl_->BeginQuery(GL_ANY_SAMPLES_PASSED, any_drawn.id());
   draw(plan, plan.translucent, program, plan.wire);
   gl_->EndQuery(GL_ANY_SAMPLES_PASSED);
-  GLuint any = 0;
-  gl_->GetQueryObjectuiv(any_drawn_.id(), GL_QUERY_RESULT, &any);
-  return any != 0;
 }
 
 }  // namespace odontoscope

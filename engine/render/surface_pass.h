@@ -20,8 +20,8 @@ class SurfacePass {
 
   /// Empties `layer` and draws the nearest translucent surface behind `before` (null: behind the eye) and in front of
   /// `opaque` (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001). Surfaces at exactly equal depth become one
-  /// layer, the first structure's. false: there was none left.
-  bool peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer) const;
+  /// layer, the first structure's. Whether there was any left `any_drawn` knows, a query of make_query: to ask it at once is to wait for the drawing.
+  void peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer, const GlObject& any_drawn) const;
 
  private:
   /// Those parts that are drawn with their edges, or those that are not.
@@ -29,8 +29,11 @@ class SurfacePass {
 
   const Gl* gl_;
   Program finished_, opaque_, opaque_wire_, peel_, peel_wire_;
-  GlObject any_drawn_;
 };
+
+GlObject make_query(const Gl& gl);
+/// Waits until it is known.
+bool any_drawn(const Gl& gl, const GlObject& query);
 
 /// The rasteriser's culling for a way to treat back faces.
 void set_culling(const Gl& gl, BackFaces back_faces);

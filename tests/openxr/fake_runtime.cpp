@@ -103,6 +103,8 @@ XrResult create_session(XrInstance, const XrSessionCreateInfo*, XrSession* sessi
   *session = handle<XrSession>(0);
   ++fake().sessions;
   fake().tell(XR_SESSION_STATE_IDLE);
+  if (fake().obliging)
+    for (const XrSessionState state : {XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}) fake().tell(state);
   return XR_SUCCESS;
 }
 
@@ -144,6 +146,8 @@ XrResult request_exit(XrSession) {
     return XR_ERROR_SESSION_NOT_RUNNING;
   }
   fake().exit_requested = true;
+  if (fake().obliging)
+    for (const XrSessionState state : {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}) fake().tell(state);
   return XR_SUCCESS;
 }
 

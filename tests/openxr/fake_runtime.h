@@ -41,6 +41,7 @@ struct FakeRuntime {
   bool should_render = true, eyes_known = true;
   bool hands_held = true;                      // controllers are there; false: put away
   float trigger = 0;                           // of both
+  bool obliging = false;                       // leads a session to the focus when it is opened, and to its end when asked to; otherwise the test tells states
   XrPosef head{{0, 0, 0, 1}, {0, 1.6f, 0}};
   std::vector<XrVector2f> hidden_corners;      // of the mask of what lenses hide, as triangles; tangents
   std::map<std::string, XrResult> answers;     // instead of doing anything, by the function's name

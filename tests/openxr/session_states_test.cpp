@@ -50,11 +50,11 @@ class OpenXr : public ::testing::Test {
     open();
     for (const XrSessionState state : {ready, synchronized, visible, focused}) told(state);
   }
-  HeadsetFrame frame(const std::function<void(const HeadsetFrame&)>& draw = {}) {
+  HeadsetFrame frame(const Headset::Draw& draw = {}) {
     HeadsetFrame seen;
     headset->frame([&](const HeadsetFrame& one) {
       seen = one;
-      if (draw) draw(one);
+      return draw ? draw(one) : Depths{};
     });
     return seen;
   }
@@ -198,7 +198,7 @@ TEST_F(OpenXr, WhatNobodyWouldSeeIsNotDrawnYetItsFrameIsEnded) {
 TEST_F(OpenXr, ADrawingThatThrowsEndsItsFrameAndTheNextOneIsWhole) {
   open_with_focus();
   for (int i = 0; i < 4; ++i) {
-    EXPECT_THROW(frame([](const HeadsetFrame&) { throw std::runtime_error("a bug"); }), std::runtime_error);
+    EXPECT_THROW(frame([](const HeadsetFrame&) -> Depths { throw std::runtime_error("a bug"); }), std::runtime_error);
     EXPECT_EQ(runtime.ended.back().views, 0) << "half a picture was shown";
     EXPECT_EQ(runtime.begun, static_cast<int>(runtime.ended.size()));
     for (const FakeSwapchain& swapchain : runtime.swapchains) EXPECT_FALSE(swapchain.acquired);

@@ -27,5 +27,39 @@ TEST_F(Frames, HoldNothingOfTheOneBefore) {
   }
 }
 
+// Panes are drawn in step, layer by layer; each must be what it is alone, whichever has the most layers.
+TEST_F(Frames, PanesTogetherAreWhatEachIsAlone) {
+  const Model model = make_model({{"core", ball({{}, 2})}, {"mantle", ball({{}, 5})}, {"far off", ball({{0, 14, 0}, 3})}});
+  Scene scene = usual_scene(model, 1);
+  for (Look& look : scene.looks) look.opacity = 0.4f;
+  context().make_current();
+  const GpuModel gpu_model = upload(gl(), model);
+  Renderer renderer(gl(), ShaderLibrary{});
+  const PixelSize sizes[] = {{160, 120}, {160, 120}, {90, 130}, {160, 120}};
+  std::vector<Framebuffer> pixels;
+  std::vector<Pane> panes;
+  Scene along = scene, aside = scene, past = scene;
+  along.camera.position = {0, 80, 0};                                  // through everything
+  aside.camera.position = {80, 6, 0};
+  past.camera.target += glm::dvec3(0, 0, 500);                         // at nothing
+  const Scene* seen[] = {&past, &aside, &along, &along};
+  for (std::size_t i = 0; i < 4; ++i) {
+    pixels.emplace_back(gl(), Framebuffer::Layout{sizes[i], {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
+    panes.push_back({view_of(seen[i]->camera, model, static_cast<double>(sizes[i].width) / sizes[i].height), {pixels[i].id(), 0, 0, sizes[i], true}});
+  }
+  for (const bool occluded : {false, true}) {
+    scene.occlusion.on = occluded;
+    std::vector<Image> alone;
+    for (std::size_t i = 0; i < 4; ++i) {
+      renderer.draw(gpu_model, scene, {&panes[i], 1}, {2});
+      alone.push_back(read_pixels(gl(), pixels[i].id(), sizes[i]));
+    }
+    EXPECT_TRUE(content_of(alone[1]).shows_something());
+    EXPECT_NE(alone[1], alone[3]);
+    renderer.draw(gpu_model, scene, panes, {2});
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(read_pixels(gl(), pixels[i].id(), sizes[i]), alone[i]) << i;
+  }
+}
+
 }  // namespace
 }  // namespace odontoscope::testing_support

@@ -3,6 +3,9 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
 #include <thread>
 
 #include "engine/gpu/window_context.h"
@@ -20,6 +23,8 @@ std::unique_ptr<GlContext> context_for(Through binding) {
   return open_window({.size = {640, 480}, .visible = false, .debug = true});
 }
 
+Depths look_only(const HeadsetFrame&) { return {}; }
+
 /// Frames until the session has the focus; false if that does not come.
 bool reach_focus(Headset& headset) {
   for (int i = 0; i < 600; ++i) {
@@ -27,7 +32,7 @@ bool reach_focus(Headset& headset) {
       case HeadsetState::focused: return true;
       case HeadsetState::over: return false;
       case HeadsetState::waiting: std::this_thread::sleep_for(std::chrono::milliseconds(5)); break;
-      default: headset.frame([](const HeadsetFrame&) {});
+      default: headset.frame(look_only);
     }
   }
   return false;
@@ -40,7 +45,7 @@ bool leave(Headset& headset) {
     const HeadsetState state = headset.poll();
     if (state == HeadsetState::over) return true;
     if (state == HeadsetState::waiting) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    else headset.frame([](const HeadsetFrame&) {});
+    else headset.frame(look_only);
   }
   return false;
 }
@@ -73,15 +78,16 @@ TEST_P(Session, ReachesFocusRunsAHundredFramesAndEnds) {
     ASSERT_EQ(headset->poll(), HeadsetState::focused);
     headset->frame([&](const HeadsetFrame& frame) {
       seconds += frame.seconds;
-      if (!frame.draw) return;
+      if (!frame.draw) return Depths{};
       ++drawn;
-      ASSERT_EQ(frame.eyes.size(), 2u);
-      ASSERT_EQ(frame.targets.size(), 2u);
+      EXPECT_EQ(frame.eyes.size(), 2u);
+      EXPECT_EQ(frame.targets.size(), 2u);
       for (const Target& target : frame.targets) {
         context->gl().BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
         constexpr GLfloat grey[4] = {0.5f, 0.5f, 0.5f, 1};
         context->gl().ClearBufferfv(GL_COLOR, 0, grey);
       }
+      return Depths{};
     });
   }
   EXPECT_GE(drawn, 90);
@@ -102,7 +108,7 @@ TEST(Validation, IsSilent) {
     ASSERT_TRUE(reach_focus(*headset));
     for (int i = 0; i < 20; ++i) {
       headset->poll();
-      headset->frame([](const HeadsetFrame&) {});
+      headset->frame(look_only);
     }
     EXPECT_TRUE(leave(*headset));
   }
@@ -115,15 +121,97 @@ TEST(Failure, AFrameThatThrowsIsEndedAllTheSame) {
   const auto headset = open_headset(context->gl(), {});
   ASSERT_TRUE(reach_focus(*headset));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_THROW(headset->frame([](const HeadsetFrame&) { throw std::runtime_error("a bug"); }), std::runtime_error);
+    EXPECT_THROW(headset->frame([](const HeadsetFrame&) -> Depths { throw std::runtime_error("a bug"); }), std::runtime_error);
     headset->poll();
   }
   bool drawn = false;
   for (int i = 0; i < 20; ++i) {
     ASSERT_EQ(headset->poll(), HeadsetState::focused);
-    headset->frame([&](const HeadsetFrame& frame) { drawn = drawn || frame.draw; });
+    headset->frame([&](const HeadsetFrame& frame) {
+      drawn = drawn || frame.draw;
+      return Depths{};
+    });
   }
   EXPECT_TRUE(drawn);
+  EXPECT_TRUE(leave(*headset));
+}
+
+/// Frames until `wanted` says enough; false if that does not come within half a minute.
+bool frames_until(Headset& headset, const std::function<bool(HeadsetState, const HeadsetFrame&)>& wanted) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  bool there = false;
+  while (!there && std::chrono::steady_clock::now() < end) {
+    const HeadsetState state = headset.poll();
+    if (state == HeadsetState::over) return false;
+    if (state == HeadsetState::waiting) {
+      there = wanted(state, {});
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      continue;
+    }
+    headset.frame([&](const HeadsetFrame& frame) {
+      there = wanted(state, frame);
+      return Depths{};
+    });
+  }
+  return there;
+}
+
+constexpr const char* enough = "/tmp/enough";   // the other program ends when there is such a file
+
+/// Not a test: another program that wants the headset, in a process of its own.
+TEST(OtherProgram, DISABLED_WantsTheHeadset) {
+  const auto context = context_for(Through::egl);
+  const auto headset = open_headset(context->gl(), {});
+  frames_until(*headset, [](HeadsetState, const HeadsetFrame&) { return std::filesystem::exists(enough); });
+  leave(*headset);
+}
+
+TEST(States, AnotherProgramTakesTheFocusAndGivesItBack) {
+  std::filesystem::remove(enough);
+  Monado monado;
+  const auto context = context_for(Through::egl);
+  const auto headset = open_headset(context->gl(), {});
+  ASSERT_TRUE(reach_focus(*headset));
+  const auto in_hand = [](const HeadsetFrame& frame) { return frame.input.hands[0].tracked && frame.input.hands[1].tracked; };
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) { return state == HeadsetState::focused && frame.draw && in_hand(frame); }));
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  std::thread other([program] {
+    EXPECT_EQ(std::system(("'" + program + "' --gtest_also_run_disabled_tests --gtest_filter=OtherProgram.DISABLED_WantsTheHeadset >/tmp/other.log 2>&1").c_str()), 0);
+  });
+  int unseen = 0;
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) {
+    if (state == HeadsetState::focused) return false;
+    EXPECT_FALSE(frame.input.focused);
+    EXPECT_FALSE(frame.input.hands[0].tracked || frame.input.hands[1].tracked) << "the other program's hands";
+    return ++unseen == 20;
+  })) << Monado::log();
+  std::ofstream(enough) << '\n';
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) { return state == HeadsetState::focused && frame.draw && in_hand(frame); })) << Monado::log();
+  other.join();
+  EXPECT_TRUE(leave(*headset));
+}
+
+TEST(States, RecentringIsTold) {
+  Monado monado;
+  RemoteBody body;
+  body.head.position = {0.4, 1.2, -0.3};
+  monado.say(body);
+  const auto context = context_for(Through::egl);
+  const auto headset = open_headset(context->gl(), {});
+  ASSERT_TRUE(reach_focus(*headset));
+  glm::dvec3 before(0);
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState, const HeadsetFrame& frame) {
+    before = frame.input.head.position;
+    EXPECT_FALSE(frame.input.recentred);
+    return frame.input.head_tracked && frame.draw;
+  }));
+  ASSERT_EQ(std::system("env -u LD_LIBRARY_PATH monado-ctl -c >/tmp/ctl.log 2>&1"), 0);
+  glm::dvec3 after(0);
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState, const HeadsetFrame& frame) {
+    after = frame.input.head.position;
+    return frame.input.recentred;
+  })) << Monado::log();
+  std::printf("measured: the head was %.2f %.2f %.2f from the middle and is %.2f %.2f %.2f\n", before.x, before.y, before.z, after.x, after.y, after.z);
   EXPECT_TRUE(leave(*headset));
 }
 
@@ -146,7 +234,7 @@ TEST(Failure, ServiceKilledWhileRunning) {
       try {
         for (int i = 0; i < 300; ++i) {
           headset->poll();
-          headset->frame([](const HeadsetFrame&) {});
+          headset->frame(look_only);
         }
       } catch (const HeadsetError& error) {
         std::printf("measured: \"%s\"\n", error.what());
