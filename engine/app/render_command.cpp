@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -13,14 +14,17 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/contact_sheet.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/tour_film.h"
+#include "engine/picture/film.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/view/offscreen.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope::app {
 namespace {
@@ -32,21 +36,37 @@ struct Options {
   VolumeWords volume;
   SceneWords scene;
   std::string output, save_scene;
-  std::string size = "1200x900";
+  std::string size;   // empty: as usual
   std::string backend = "auto";
   int samples = 4;
   int turntable = 0;
-  std::string tour;
+  TourWords tour;
   int frames = 0;   // of a tour; 0: as usual
+  std::string contact_sheet;
 };
 
 constexpr int usual_frames = 120;
+constexpr double film_rate = 30;   // pictures a second
+
+bool on_tour(const Options& options) { return !options.tour.line.empty(); }
+
+bool to_film(const Options& options) {
+  const std::string ending = lower_case(std::filesystem::path(options.output).extension().string());
+  return on_tour(options) && options.contact_sheet.empty() && std::find(film_endings().begin(), film_endings().end(), ending) != film_endings().end();
+}
+
+bool to_folder(const Options& options) { return on_tour(options) && options.contact_sheet.empty() && !to_film(options); }
+
+PixelSize size_of(const Options& options) {
+  if (!options.size.empty()) return size_from(options.size);
+  return options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240};
+}
 
 int frames_of(const Options& options) { return options.frames > 0 ? options.frames : usual_frames; }
 
-/// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ....
+/// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ..., or the film or contact sheet alone.
 std::vector<std::string> picture_files(const Options& options) {
-  if (!options.tour.empty()) {
+  if (to_folder(options)) {
     std::vector<std::string> frames;
     for (int i = 0; i < frames_of(options); ++i) frames.push_back((std::filesystem::path(options.output) / fmt::format("frame-{:04}.png", i)).string());
     return frames;
@@ -77,7 +97,7 @@ Camera turned(const Camera& camera, double degrees) {
 }
 
 PictureOptions picture_options(const Options& options) {
-  PictureOptions picture{.size = size_from(options.size), .render = {.side = 1}};
+  PictureOptions picture{.size = size_of(options), .render = {.side = 1}};
   while (picture.render.side * picture.render.side < options.samples) ++picture.render.side;
   return picture;
 }
@@ -86,9 +106,25 @@ PictureOptions picture_options(const Options& options) {
 void refuse_senseless_tour(const Options& options) {
   if (options.turntable > 0) throw UsageError("--tour and --turntable both lead the camera", "Choose one.");
   if (!options.scene.section.empty()) throw UsageError("--section: on a tour nothing is cut open", "Leave it out.");
+  if (!options.contact_sheet.empty()) {
+    refuse_too_large(sheet_from(options.contact_sheet), size_of(options).width, size_of(options).height);
+    known_ending(options.output, {".png"});
+    if (options.frames > 0) throw UsageError("--frames: a contact sheet has as many pictures as it has places", "Leave it out.");
+    return;
+  }
+  const PixelSize size = size_of(options);
+  if (to_film(options)) {
+    if (size.width % 2 != 0 || size.height % 2 != 0) throw UsageError(fmt::format("--size {}: a film's width and height are even", options.size), "Add a pixel: colour is stored for two by two.");
+    return need_ffmpeg(options.output);
+  }
   if (!std::filesystem::is_directory(options.output))
-    throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output),
-                     "Make it first. For a film join the frames: ffmpeg -framerate 30 -i FOLDER/frame-%04d.png film.mp4");
+    throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output), "Make it first, or name a film: -o tour.mp4 or -o tour.webm");
+}
+
+void refuse_tour_words_without_tour(const Options& options) {
+  if (options.frames > 0) throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
+  if (!options.contact_sheet.empty() || options.tour.reverse || options.tour.void_number > 1)
+    throw UsageError("--contact-sheet, --reverse and --void are about a tour", "Say which line: --tour canal-1.");
 }
 
 /// Makes the model on a thread of its own, so that the driver can start and compile meanwhile: each takes about half of the time to a first
@@ -111,27 +147,87 @@ class ModelOnTheWay {
   std::future<Shown> shown_;   // waits for the thread when it goes
 };
 
-std::vector<FileContent> draw(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, const std::optional<Film>& film,
-                              Session& session) {
-  const PictureOptions picture = picture_options(options);
-  const GpuModel gpu_model = upload(context.gl(), shown.model);
-  const GpuOverlay overlay = upload(context.gl(), make_overlay(shown.overlays, scene.overlays, shown.model));
-  const bool ct = scene.section && scene.cap.shows == CapLook::Shows::ct;
-  const GpuValueGrid values = ct ? upload(context.gl(), *shown.values, gpu_model) : GpuValueGrid{};
+/// Draws one scene after the other, all of one model.
+class Painter {
+ public:
+  Painter(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
+      : picture_(picture_options(options)), gl_(context.gl()), renderer_(renderer), shown_(shown), session_(session), gpu_model_(upload(gl_, shown.model)),
+        overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))), ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
+        values_(ct_ ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {}
+
+  /// The `number`th of `count`.
+  Image draw(const Scene& scene, std::size_t number, std::size_t count) {
+    session_.progress().check();
+    session_.progress().tell("draw", static_cast<double>(number) / static_cast<double>(count));
+    return picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr);
+  }
+
+ private:
+  PictureOptions picture_;
+  const Gl& gl_;
+  Renderer& renderer_;
+  const Shown& shown_;
+  Session& session_;
+  GpuModel gpu_model_;
+  GpuOverlay overlay_;
+  bool ct_;
+  GpuValueGrid values_;
+};
+
+/// When the `number`th of `count` pictures of a tour is taken: the first at its start, the last at its end.
+double moment(const Film& film, std::size_t number, std::size_t count) {
+  return film.tour.seconds() * static_cast<double>(number) / static_cast<double>(std::max<std::size_t>(count - 1, 1));
+}
+
+std::vector<FileContent> single_pictures(const Options& options, const Shown& shown, const Scene& scene, const std::optional<Film>& film, Painter& painter) {
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    session.progress().check();
-    session.progress().tell("draw", static_cast<double>(i) / static_cast<double>(names.size()));
-    Scene frame = scene;
-    if (film) {
-      const double last = static_cast<double>(std::max<std::size_t>(names.size() - 1, 1));
-      frame = frame_of(scene, shown, *film, film->tour.seconds() * static_cast<double>(i) / last);
-    }
+    Scene frame = film ? frame_of(scene, shown, *film, moment(*film, i, names.size())) : scene;
     if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
-    files.push_back({names[i], png_bytes(picture_of(context.gl(), renderer, gpu_model, shown.model, frame, picture, &overlay, ct ? &values : nullptr))});
+    files.push_back({names[i], png_bytes(painter.draw(frame, i, names.size()))});
   }
   return files;
+}
+
+std::size_t pictures_of_film(const Options& options, const Film& film) {
+  const auto as_it_is = static_cast<std::size_t>(std::lround(film_rate * film.tour.seconds())) + 1;
+  return options.frames > 0 ? static_cast<std::size_t>(options.frames) : std::min<std::size_t>(as_it_is, most_frames);
+}
+
+FileContent film_file(const Options& options, const Shown& shown, const Scene& scene, const Film& film, Painter& painter, Session& session) {
+  const PixelSize size = size_of(options);
+  const std::size_t count = pictures_of_film(options, film);
+  FilmMaker maker(options.output, {size.width, size.height, film_rate});
+  for (std::size_t i = 0; i < count; ++i) maker.add(painter.draw(frame_of(scene, shown, film, moment(film, i, count)), i, count), session.progress());
+  return {options.output, maker.finish(session.progress())};
+}
+
+FileContent sheet_file(const Options& options, const Shown& shown, const Scene& scene, const Film& film, Painter& painter) {
+  const SheetSize size = sheet_from(options.contact_sheet);
+  const auto count = static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows);
+  std::vector<SheetPicture> pictures;
+  for (const double seconds : telling_moments(film, count)) {
+    const std::size_t i = pictures.size();
+    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds), fmt::format("{:.0f} s", seconds)});
+  }
+  return {options.output, png_bytes(contact_sheet(pictures, size))};
+}
+
+std::vector<FileContent> draw(const Options& options, const Shown& shown, const Scene& scene, const std::optional<Film>& film, Painter& painter, Session& session) {
+  if (to_film(options)) return {film_file(options, shown, scene, *film, painter, session)};
+  if (!options.contact_sheet.empty()) return {sheet_file(options, shown, scene, *film, painter)};
+  return single_pictures(options, shown, scene, film, painter);
+}
+
+void tell_tour(const Options& options, const Film& film, Console& console) {
+  const double seconds = film.tour.seconds();
+  if (to_film(options)) {
+    const double lasts = static_cast<double>(pictures_of_film(options, film)) / film_rate;
+    return console.say(fmt::format("The tour takes {:.1f} s, the film {:.1f} s at {:g} pictures a second.", seconds, lasts, film_rate));
+  }
+  if (to_folder(options)) return console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", seconds, (frames_of(options) - 1) / seconds));
+  console.say(fmt::format("The tour takes {:.1f} s.", seconds));
 }
 
 /// Which greys mean what; refuses a cap where nothing is cut.
@@ -148,8 +244,8 @@ void tell_cap(const Options& options, const Shown& shown, const Scene& scene, Co
 }
 
 ExitCode render(const Options& options, Session& session) {
-  if (options.tour.empty()) {
-    if (options.frames > 0) throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
+  if (!on_tour(options)) {
+    refuse_tour_words_without_tour(options);
     known_ending(options.output, {".png"});
   } else {
     refuse_senseless_tour(options);
@@ -168,13 +264,14 @@ ExitCode render(const Options& options, Session& session) {
   const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
-  if (!options.tour.empty()) film = film_of(shown, options.tour, session);
-  std::vector<FileContent> files = draw(options, *context, renderer, shown, scene, film, session);
+  if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
+  Painter painter(options, *context, renderer, shown, scene, session);
+  std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
-  if (film) session.console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", film->tour.seconds(), (frames_of(options) - 1) / film->tour.seconds()));
+  if (film) tell_tour(options, *film, session.console);
   session.console.say(files.size() <= 2 ? fmt::format("Wrote {}", files[0].file.string())
                                         : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
   return ExitCode::done;
@@ -183,8 +280,8 @@ ExitCode render(const Options& options, Session& session) {
 void add_options(CLI::App& parser, Options& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
-  parser.add_option("-o,--output", options.output, "The picture to write, or the folder for a tour")->required()->type_name("FILE.png");
-  parser.add_option("--size", options.size, "Width and height in pixels")->type_name("WxH")->capture_default_str();
+  parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")->required()->type_name("FILE.png");
+  parser.add_option("--size", options.size, "Width and height in pixels (default: 1200x900; on a contact sheet 320x240)")->type_name("WxH");
   parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 9, 16}).description(""))
@@ -193,8 +290,11 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_frames));
-  parser.add_option("--tour", options.tour, "Film into the folder of -o along a line: canal-1, horn-2, ...")->type_name("LINE");
-  parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120)")->type_name("N")->check(whole_number_from_one_to(most_frames));
+  parser.add_option("--tour", options.tour.line, "Film into -o along a line: canal-1, horn-2, ...")->type_name("LINE");
+  parser.add_flag("--reverse", options.tour.reverse, "The tour from its end out");
+  parser.add_option("--void", options.tour.void_number, "Which void the tour is in, by size (default: 1, the largest)")->type_name("N")->check(whole_number_from_one_to(most_frames));
+  parser.add_option("--contact-sheet", options.contact_sheet, "The tour as one picture of so many columns and rows: 4x3")->type_name("CxR");
+  parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
   add_volume_options(parser, options.volume);
@@ -213,7 +313,10 @@ Command render_command(CLI::App& root) {
       "  odontoscope render tooth.nrrd -o ct.png --iso 120 --min-area 4 --section buccal --view buccal --cap ct\n"
       "  odontoscope render scan.stl -o holes.png --cull tint\n"
       "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n"
-      "  odontoscope render --tour canal-1 --frames 240 --size 1280x720 -o film\n");
+      "  odontoscope render --tour canal-1 --size 1280x720 -o canal.mp4\n"
+      "  odontoscope render --tour canal-1 --contact-sheet 4x3 -o canal.png\n"
+      "\n"
+      "Films (.mp4, .webm) are made by ffmpeg, which must be installed (Debian: ffmpeg).\n");
   return {parser, [options](Session& session) { return render(*options, session); }};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/app/whole_structures.h"
@@ -15,6 +16,8 @@ namespace {
 
 /// The lamp's reach, in local radii: the next bend is lit, what lies far behind it is dark.
 constexpr double lamp_reach = 5;
+/// From so many of its radii the orifice fills the picture.
+constexpr double mouth_ahead = 2;
 
 /// "mesiobuccal canal" as one types it.
 std::string typed(std::string name) {
@@ -49,17 +52,58 @@ std::vector<NamedLine> named_lines(const CentreLines& lines) {
 
 }  // namespace
 
-Film film_of(const Shown& shown, const std::string& wanted, Session& session) {
+Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
   const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
   if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.");
-  const CentreLines lines = centre_lines(cavities.front(), {}, session.progress());
+  const auto number = static_cast<std::size_t>(wanted.void_number);
+  if (number > cavities.size())
+    throw UsageError(fmt::format("--void {}: there {} {} inside", number, cavities.size() == 1 ? "is" : "are", cavities.size() == 1 ? "one void" : fmt::format("{} voids", cavities.size())),
+                     "The largest is 1.");
+  const Cavity& cavity = cavities[number - 1];
+  const CentreLines lines = centre_lines(cavity, {}, session.progress());
   std::string names;
   for (const NamedLine& line : named_lines(lines)) {
-    if (typed(wanted) == line.name || typed(wanted) == line.number) return {Tour(*line.line), wall_of(cavities.front(), shown.model)};
+    if (typed(wanted.line) == line.name || typed(wanted.line) == line.number) return {Tour(*line.line, {.back = wanted.reverse}), *line.line, wall_of(cavity, shown.model)};
     names += (names.empty() ? "" : ", ") + (line.name == line.number ? line.number : fmt::format("{} ({})", line.number, line.name));
   }
-  throw UsageError(fmt::format("--tour: there is no line \"{}\"", wanted), names.empty() ? "The void has no branches." : "There are " + names + ".");
+  throw UsageError(fmt::format("--tour: there is no line \"{}\"", wanted.line), names.empty() ? "The void has no branches." : "There are " + names + ".");
+}
+
+std::string station(const Film& film, double seconds) {
+  const TourInstant now = film.tour.at(seconds);
+  const CentrePoint& orifice = film.line.points[film.line.orifice];
+  if (film.line.orifice == 0) return fmt::format("{}, {:.1f} mm", film.line.name, now.along);
+  const double depth = now.along - orifice.along;
+  if (depth < -mouth_ahead * orifice.radius) return "chamber";
+  if (depth <= orifice.radius) return "orifice";
+  const bool lit = film.line.points.back().along - now.along <= lamp_reach * now.width;   // the end
+  return fmt::format("{}, {:.1f} mm deep", lit ? "apex" : "canal", depth);
+}
+
+std::vector<double> telling_moments(const Film& film, std::size_t count) {
+  constexpr double fills = 2.5;   // radii from the end
+  const double all = film.tour.seconds(), last = film.line.points.back().along;
+  const bool back = film.tour.at(0).along > film.tour.at(all).along;
+  // The first instant at which it is no longer before a place, by halves.
+  const auto when = [&](const auto& before) {
+    double low = 0, high = all;   // inwards from the line's start
+    for (int halving = 0; halving < 40; ++halving) (before(film.tour.at(back ? all - (low + high) / 2 : (low + high) / 2)) ? low : high) = (low + high) / 2;
+    return high;
+  };
+  const double end = when([&](const TourInstant& now) { return last - now.along > fills * now.width; });
+  std::vector<double> moments;
+  for (std::size_t i = 0; i < count; ++i) moments.push_back(count == 1 ? 0 : end * static_cast<double>(i) / static_cast<double>(count - 1));
+  const CentrePoint& orifice = film.line.points[film.line.orifice];
+  if (film.line.orifice > 0 && count > 2) {
+    const double at_mouth = when([&](const TourInstant& now) { return now.along < orifice.along - mouth_ahead * orifice.radius; });
+    const auto nearest = std::min_element(moments.begin() + 1, moments.end() - 1, [&](double a, double b) { return std::abs(a - at_mouth) < std::abs(b - at_mouth); });
+    *nearest = std::clamp(at_mouth, *(nearest - 1), *(nearest + 1));
+  }
+  if (!back) return moments;
+  for (double& moment : moments) moment = all - moment;
+  std::reverse(moments.begin(), moments.end());
+  return moments;
 }
 
 Scene frame_of(const Scene& scene, const Shown& shown, const Film& film, double seconds) {
