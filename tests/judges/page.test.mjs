@@ -3,35 +3,16 @@ import assert from 'node:assert/strict';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, test} from 'node:test';
-import {pathToFileURL} from 'node:url';
-import {browser, made, modules, needPackages, odontoscope, skip} from './support.mjs';
+import {browser, made, modules, needPackages, odontoscope, openedIn, pageOrSkip} from './support.mjs';
 
 needPackages();
 const chromium = await browser();
 after(() => chromium.close());
 
 const hostile = `</title><script>globalThis.bitten=1</script><img src=x onerror="globalThis.bitten=2">'"&`;
-try {
-  odontoscope('web', '--triangles', '12000', '--db', '--grid', '24', '--cases', 'classic-unoriented', '-o', 'page.html');
-} catch (error) {
-  if (String(error.stderr).includes('built without its web page')) skip('this odontoscope was built without its web page');
-  throw error;
-}
+pageOrSkip('--triangles', '12000', '--db', '--grid', '24', '--cases', 'classic-unoriented', '-o', 'page.html');
 
-/// The page, opened from disk, with the model there. `watched` fills with what went wrong and what was asked of the network.
-async function opened(file, {size = {width: 760, height: 500}, before = null, context = {}} = {}) {
-  const within = await chromium.newContext({viewport: size, deviceScaleFactor: 1, colorScheme: 'dark', ...context}), page = await within.newPage(), watched = [];
-  page.setDefaultTimeout(60_000);
-  page.on('pageerror', error => watched.push(`error ${error.message}`));
-  // The driver's words about speed are about software drawing, not about the page.
-  page.on('console', message => { if (!message.text().includes('GPU stall due to ReadPixels')) watched.push(`console ${message.type()}: ${message.text()}`); });
-  page.on('request', request => { if (request.url() !== pathToFileURL(file).href && !request.url().startsWith('blob:') && !request.url().startsWith('data:')) watched.push(`request ${request.url()}`); });
-  if (before) await page.addInitScript(before);
-  await page.goto(pathToFileURL(file).href);
-  // Software draws: as while things move, and nothing is made finer meanwhile.
-  await page.evaluate(async () => { globalThis.viewer = await odontoscope; viewer.picture.mostSamples = 0; });
-  return {page, watched, close: () => within.close()};
-}
+const opened = (file, options) => openedIn(chromium, file, options);
 
 /// How many of the picture's pixels, each 9th in x and y, differ between two looks, and how many are not of the plainest colour.
 const helpers = () => {

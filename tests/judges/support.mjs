@@ -62,3 +62,37 @@ export async function browser() {
     args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   });
 }
+
+/// Firefox on a display in memory, which this script must run in: without one it has no WebGL. Or a skip.
+export async function firefox() {
+  const path = process.env.ODONTOSCOPE_FIREFOX;
+  if (!path || !existsSync(path)) skip('Firefox was not found (Debian: firefox-esr)');
+  if (!process.env.DISPLAY) skip('xvfb-run was not found (Debian: xvfb, xauth)');
+  return packageNamed('playwright-core').firefox.launch({executablePath: path, channel: 'moz-firefox', headless: false});   // the channel: spoken to by WebDriver BiDi
+}
+
+/// `odontoscope web` with these words, or a skip where it was built without its page.
+export function pageOrSkip(...words) {
+  try {
+    odontoscope('web', ...words);
+  } catch (error) {
+    if (String(error.stderr).includes('built without its web page')) skip('this odontoscope was built without its web page');
+    throw error;
+  }
+}
+
+/// The page, opened from disk, with the model there. `watched` fills with what went wrong and what was asked of the network.
+export async function openedIn(driven, file, {size = {width: 760, height: 500}, before = null, context = {}} = {}) {
+  const within = await driven.newContext({viewport: size, deviceScaleFactor: 1, colorScheme: 'dark', ...context}), page = await within.newPage(), watched = [];
+  const itself = pathToFileURL(file).href;
+  page.setDefaultTimeout(60_000);
+  page.on('pageerror', error => watched.push(`error ${error.message}`));
+  // The driver's words about speed are about software drawing, not about the page.
+  page.on('console', message => { if (!message.text().includes('GPU stall due to ReadPixels')) watched.push(`console ${message.type()}: ${message.text()}`); });
+  page.on('request', request => { if (request.url() !== itself && !request.url().startsWith('blob:') && !request.url().startsWith('data:')) watched.push(`request ${request.url()}`); });
+  if (before) await page.addInitScript(before);
+  await page.goto(itself);
+  // Software draws: as while things move, and nothing is made finer meanwhile.
+  await page.evaluate(async () => { globalThis.viewer = await odontoscope; viewer.picture.mostSamples = 0; });
+  return {page, watched, close: () => within.close()};
+}

@@ -1,7 +1,9 @@
-// The page's walls: nothing passes through them, whatever is asked for. Needs Node.js alone.
+// The page's walls, which nothing passes through, whatever is asked for; its cuts and its pace. Needs Node.js alone.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 import {TriangleTree} from '../../web/source/bvh.js';
+import {Quality} from '../../web/source/quality.js';
+import {areaOf, loopsOf, regionsOf, weldedVertices} from '../../web/source/slice.js';
 import {glide} from '../../web/source/walls.js';
 
 /// Numbers from 0 to 1, the same each time.
@@ -113,4 +115,78 @@ test('one slides along a wall instead of sticking to it', () => {
 test('where the ball does not fit it stays', () => {
   const {positions, indices} = pipe(0.3), tree = new TriangleTree(positions, indices);
   assert.deepEqual(glide(tree, [3, 0.28, 2 * Math.sin(3)], [1, 0, 0], 0.1), [3, 0.28, 2 * Math.sin(3)]);
+});
+
+/// The box from `low` to `high`, with 24 vertices, as drawing wants it.
+function box(low, high) {
+  const positions = [], indices = [];
+  for (let axis = 0; axis < 3; ++axis)
+    for (const side of [0, 1]) {
+      const first = positions.length / 3, [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+      for (const [a, b] of [[0, 0], [1, 0], [1, 1], [0, 1]]) {
+        const corner = [];
+        corner[axis] = [low, high][side][axis];
+        corner[u] = [low, high][a][u];
+        corner[v] = [low, high][b][v];
+        positions.push(...corner);
+      }
+      indices.push(...(side ? [0, 1, 2, 0, 2, 3] : [0, 2, 1, 0, 3, 2]).map(i => first + i));
+    }
+  return {positions, indices};
+}
+const joined = (...surfaces) => surfaces.reduce((all, {positions, indices}) => ({
+  positions: [...all.positions, ...positions], indices: [...all.indices, ...indices.map(i => i + all.positions.length / 3)],
+}), {positions: [], indices: []});
+const cut = (surface, plane) => loopsOf({...surface, same: weldedVertices(surface.positions)}, plane);
+const flatten = loops => loops.map(loop => loop.map(([x, y]) => [x, y]));   // for planes across z
+const areaAt = (surface, z) => regionsOf(flatten(cut(surface, [0, 0, 1, z]).loops)).reduce((sum, region) => sum + areaOf(region), 0);
+
+test('a cut has the area that it must have, hole in solid in hole too', () => {
+  const nested = joined(box([0, 0, 0], [4, 4, 4]), box([1, 1, 1], [3, 3, 3]), box([1.5, 1.5, 1.5], [2.5, 2.5, 2.5]), box([6, 0, 0], [7, 2, 4]));
+  for (const [z, area] of [[-1, 0], [0.5, 16 + 2], [1.2, 12 + 2], [2, 13 + 2], [5, 0]]) assert.ok(Math.abs(areaAt(nested, z) - area) < 1e-12, `${areaAt(nested, z)} at ${z}`);
+  assert.equal(cut(nested, [0, 0, 1, 2]).joined, 0);
+});
+
+test('a plane through vertices, edges and faces is a cut like any other', () => {
+  for (const z of [0, 1, 4]) assert.ok([0, 12, 16].some(area => Math.abs(areaAt(joined(box([0, 0, 0], [4, 4, 4]), box([1, 1, 0], [3, 3, 1])), z) - area) < 1e-12), String(z));
+});
+
+test('a bent pipe is cut into rings', () => {
+  const surface = pipe(0.3), {loops, joined: gaps} = cut(surface, [0, 0, 1, 0]);   // its middle line crosses z = 0 at x = 0 and pi
+  assert.equal(gaps, 0);
+  assert.equal(loops.length, 2);
+});
+
+test('gaps and wrongly turned triangles leave no streaks: the cut is off by no more than the gaps', () => {
+  const surface = pipe(0.3), next = random(7), whole = areaAt(surface, 0.5);
+  const holed = {positions: surface.positions, indices: []};
+  for (let i = 0; i < surface.indices.length; i += 3) {
+    const [a, b, c] = surface.indices.slice(i, i + 3), lot = next();
+    if (lot > 0.06) holed.indices.push(...(lot > 0.5 ? [a, b, c] : [a, c, b]));
+  }
+  const {joined: gaps} = cut(holed, [0, 0, 1, 0.5]);
+  assert.ok(gaps > 2, `${gaps} gaps`);
+  assert.ok(Math.abs(areaAt(holed, 0.5) / whole - 1) < 0.05, `${areaAt(holed, 0.5)} of ${whole}`);
+});
+
+test('a slow machine draws more simply while things move, one step at a time, and does not try again for ever', () => {
+  const quality = new Quality(), frames = (count, seconds) => { for (let i = 0; i < count; ++i) quality.note(seconds); };
+  frames(4, 0.1);
+  frames(1, 0.02);
+  frames(4, 0.1);
+  assert.deepEqual(quality.moving, {layers: true, shade: true}, 'one quick frame forgives four slow ones');
+  frames(1, 0.1);
+  assert.deepEqual(quality.moving, {layers: true, shade: false});
+  frames(5, 0.1);
+  assert.deepEqual(quality.moving, {layers: false, shade: false});
+  frames(50, 0.1);
+  assert.deepEqual([quality.moving, quality.still, quality.reduced], [{layers: false, shade: false}, {layers: true, shade: true}, true]);
+  frames(1000, 0.033);
+  assert.equal(quality.level, 0, '30 frames a second are neither slow nor a reason for more');
+  for (let k = 0; k < 10; ++k) {
+    frames(120, 0.016);
+    if (quality.level === 1) frames(5, 0.1);
+  }
+  assert.equal(quality.level, 0);
+  assert.equal(new Quality({software: true}).level, 0);
 });
