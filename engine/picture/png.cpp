@@ -9,6 +9,7 @@
 
 #include "recon/core/atomic_file.h"
 #include "recon/core/error.h"
+#include "recon/core/limits.h"
 #include "recon/core/read_file.h"
 
 namespace {
@@ -84,6 +85,11 @@ Image read_png(const std::string& file) {
   if (width > most_picture_side || height > most_picture_side)
     throw InputError("picture-too-large", place, fmt::format("{} x {} pixels", width, height),
                      fmt::format("At most {} a side can be read.", most_picture_side));
+  // At least so many bits a pixel come out of the packed ones; room for a gigabyte of pixels is not asked for on a header's word alone.
+  constexpr std::size_t depth_at = 24;
+  const std::size_t least = std::size_t{data[depth_at]} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 8;
+  if (least / limits::compression_ratio > bytes.size())
+    throw InputError("not-a-png", place, fmt::format("{} x {} pixels cannot be in {} bytes", width, height, bytes.size()), "Give an intact PNG file.");
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw InputError("not-a-png", place, stbi_failure_reason(), "Give an intact PNG file.");

@@ -319,6 +319,12 @@ std::vector<std::vector<Prepared>> by_structure(const std::vector<NamedMesh>& su
   return groups;
 }
 
+/// The same section has the same points in the same order, whichever triangle was met first.
+void begin_at_least_point(std::vector<Point2>& points) {
+  const auto before = [](const Point2& a, const Point2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  std::rotate(points.begin(), std::min_element(points.begin(), points.end(), before), points.end());
+}
+
 /// A surface that is inside out as a whole would otherwise be wound around nowhere.
 void turn_outwards(ContourStack& stack) {
   for (const std::string& structure : structures_of(stack)) {
@@ -385,6 +391,7 @@ CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vect
       std::vector<Contour> contours = cutter.cut(heights[s], place);
       std::move(contours.begin(), contours.end(), std::back_inserter(slice.contours));
     }
+    for (Contour& contour : slice.contours) begin_at_least_point(contour.points);
     result.stack.slices.push_back(std::move(slice));
   }
   if (options.repair) {

@@ -22,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t header_size = 348;
+/// Largest number in an orientation: a metre in nanometres.
+constexpr double largest_form = 1e9;
 
 [[noreturn]] void refuse(std::string_view cause, const std::string& path, const std::string& wrong) {
   Place place;
@@ -54,11 +56,12 @@ class NiftiHeader {
     return value;
   }
 
-  void check_finite(std::size_t offset, std::size_t count, const char* name) const {
+  /// ITK never comes back from a form whose squares overflow.
+  void check_sensible(std::size_t offset, std::size_t count, const char* name) const {
     for (std::size_t n = 0; n < count; ++n) {
-      if (!std::isfinite(field<float>(offset + n * sizeof(float)))) {
-        refuse("unreadable-volume", path_, fmt::format("its header's {} is not finite", name));
-      }
+      const float value = field<float>(offset + n * sizeof(float));
+      if (std::isfinite(value) && std::abs(value) <= largest_form) continue;
+      refuse("unreadable-volume", path_, fmt::format("its header's {} holds {}, which is {}", name, value, std::isfinite(value) ? "too large" : "not finite"));
     }
   }
 
@@ -115,15 +118,15 @@ std::size_t voxels_of(const std::string& path, const NiftiHeader& header) {
 }
 
 void check_geometry(const std::string& path, const NiftiHeader& header) {
-  header.check_finite(76, 1, "qfac");
+  header.check_sensible(76, 1, "qfac");
   for (std::size_t n = 1; n <= 3; ++n) {
     const float spacing = header.field<float>(76 + 4 * n);
     if (!(spacing > 0) || !std::isfinite(spacing)) {
       refuse("bad-spacing", path, fmt::format("its header's pixdim[{}] is {}", n, spacing));
     }
   }
-  if (header.field<std::int16_t>(252) > 0) header.check_finite(256, 6, "qform");
-  if (header.field<std::int16_t>(254) > 0) header.check_finite(280, 12, "sform");
+  if (header.field<std::int16_t>(252) > 0) header.check_sensible(256, 6, "qform");
+  if (header.field<std::int16_t>(254) > 0) header.check_sensible(280, 12, "sform");
 }
 
 /// "x.hdr" to "x.img", "x.img.gz" to itself and so on.

@@ -5,6 +5,7 @@
 
 #include "recon/volume/read_volume.h"
 #include "tests/fuzz/fuzz_bytes.h"
+#include "tests/hostile/volume_name.h"
 
 using namespace odontoscope;
 
@@ -25,16 +26,22 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  std::string file() const { return (path_ / "volume").string(); }
+  /// The only file in it, from now on.
+  std::string file_of(const std::uint8_t* data, std::size_t size) {
+    std::filesystem::remove(file_);
+    file_ = path_ / hostile::volume_name(fuzz::text(data, size));
+    std::ofstream(file_, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+    return file_.string();
+  }
 
  private:
-  std::filesystem::path path_;
+  std::filesystem::path path_, file_;
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const Folder folder;
-  std::ofstream(folder.file(), std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-  return fuzz::refused_or_read([&] { validate_volume(read_volume(folder.file())); });
+  static Folder folder;
+  const std::string file = folder.file_of(data, size);
+  return fuzz::refused_or_read([&] { validate_volume(read_volume(file)); });
 }
