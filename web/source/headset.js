@@ -19,6 +19,12 @@ export async function watchForHeadset(found) {
   return ask();
 }
 
+/// three.js smooths the headset's edges if it finds that the canvas's are, which here they need not be.
+function smoothEdgesOf(gl) {
+  const attributes = gl.getContextAttributes();
+  gl.getContextAttributes = () => ({...attributes, antialias: true});
+}
+
 export class Headset {
   constructor(viewer) {
     this.viewer = viewer;
@@ -48,6 +54,7 @@ export class Headset {
     if (viewer.inside) viewer.leave();
     xr.enabled = true;
     xr.setReferenceSpaceType('local');
+    smoothEdgesOf(viewer.renderer.getContext());
     await xr.setSession(session);
     viewer.scene.add(...this.hands.map(hand => hand.grip));
     this.placed = false;

@@ -10,10 +10,11 @@ export class InsideBar {
     this.play = element('button', {type: 'button', class: 'main', onclick: () => this.togglePlay()});
     this.scrub = slider('Way along the canal, mm', {low: 0, high: 1, step: 'any', value: 0}, mm => { viewer.play(false); viewer.seek(mm); });
     this.told = element('output', {});
-    const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, 'Fly from here');
+    const fly = element('button', {type: 'button', title: 'From here', onclick: () => viewer.startFlight()}, 'Fly');
     this.fly = fly;
     this.bar.append(this.play, this.scrub, this.told, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, 'Leave'));
-    viewer.addEventListener('enter', () => this.drawMap());
+    this.mode = null;
+    viewer.addEventListener('enter', () => { this.cameFrom = document.activeElement; this.drawMap(); });
     viewer.addEventListener('change', () => this.show());
     viewer.addEventListener('travel', () => this.show());
     this.thumb();
@@ -31,7 +32,11 @@ export class InsideBar {
     this.bar.hidden = this.map.hidden = !viewer.inside || viewer.headset.present;
     document.getElementById('pad').hidden = journey.mode !== 'fly' || !touch;
     document.getElementById('scale').hidden = viewer.inside;
-    document.getElementById('notice').textContent = tour ? journey.tour.name : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
+    const told = tour ? journey.tour.name : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
+    // One flies where DT's walls are, whatever is shown: DB's have holes.
+    const whose = viewer.inside && viewer.chosen !== 0 ? `. Shown is ${viewer.model.name}; the walls that hold are ${viewer.models[0].name}\u2019s` : '';
+    document.getElementById('notice').textContent = told + whose;
+    this.moveFocus();
     if (!viewer.inside || viewer.headset.present) return;
     this.play.hidden = this.scrub.hidden = this.fly.hidden = !tour;
     this.play.textContent = journey.playing ? 'Pause' : 'Play';
@@ -43,6 +48,15 @@ export class InsideBar {
       this.scrub.setAttribute('aria-valuetext', this.told.textContent);
     } else this.told.textContent = width;
     this.markMap();
+  }
+
+  /// To what drives the tour or the flight, and afterwards back to where it was.
+  moveFocus() {
+    const {journey, canvas} = this.viewer;
+    if (journey.mode === this.mode) return;
+    this.mode = journey.mode;
+    this.play.hidden = this.mode !== 'tour';
+    ({tour: this.play, fly: canvas}[this.mode] ?? this.cameFrom)?.focus({preventScroll: true});
   }
 
   /// The tooth as it is seen from outside, once; then only a dot moves on it.

@@ -2,7 +2,8 @@
 import {CatmullRomCurve3, MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
 import {glide} from './walls.js';
 
-const fieldOfView = 72;
+const fieldOfView = 72;          // degrees, from top to bottom of the picture
+const leastAcross = 56;          // and at least from side to side, on a phone held upright
 const turnSpeed = 1.6;           // radians a second
 const bodyOfGap = 0.5;           // the body is at most this part of the room at its start
 
@@ -63,7 +64,11 @@ export class Journey {
     this.still = matchMedia('(prefers-reduced-motion: reduce)');
   }
 
-  resize(aspect) { this.camera.aspect = aspect; }
+  resize(aspect) {
+    const {radToDeg, degToRad} = MathUtils;
+    this.camera.aspect = aspect;
+    this.camera.fov = Math.max(fieldOfView, 2 * radToDeg(Math.atan(Math.tan(degToRad(leastAcross) / 2) / aspect)));
+  }
 
   startTour(tour) {
     this.mode = 'tour';
@@ -139,7 +144,7 @@ export class Journey {
 
   /// So near that the corners of the picture never lie behind a wall.
   setNear() {
-    const t = Math.tan(MathUtils.degToRad(fieldOfView) / 2), corner = Math.hypot(1, t, t * this.camera.aspect);
+    const t = Math.tan(MathUtils.degToRad(this.camera.fov) / 2), corner = Math.hypot(1, t, t * this.camera.aspect);
     this.camera.near = 0.9 * Math.max(Math.min(this.room(), this.lengths.farthestNear), 1e-3 * this.lengths.farthestNear) / corner;
     this.camera.far = 6 * this.bounds.radius;
     this.camera.updateProjectionMatrix();

@@ -42,7 +42,7 @@ class Counter {
     const {gl, asked} = this;
     if (!asked || !gl.getQueryParameter(asked.at(-1), gl.QUERY_RESULT_AVAILABLE)) return;
     const empty = asked.findIndex(query => !gl.getQueryParameter(query, gl.QUERY_RESULT));
-    this.tooFew = empty < 0 && asked.length < mostLayers;
+    this.tooFew = this.tooFew || (empty < 0 && asked.length < mostLayers);
     this.limit = Math.min(mostLayers, (empty < 0 ? asked.length : empty) + 2);
     for (const query of asked) gl.deleteQuery(query);
     this.asked = null;
@@ -76,7 +76,13 @@ export class Layers {
     this.counter = new Counter(renderer.getContext());
   }
 
-  get tooFew() { return this.counter.tooFew; }
+  /// Were layers missing in what was drawn? Told once, some time after it was.
+  hadTooFew() {
+    this.counter.take();
+    const {tooFew} = this.counter;
+    this.counter.tooFew = false;
+    return tooFew;
+  }
 
   /// The light of the scene, premultiplied, as a texture: the mean of this `sample` and those before it; 1 is the first.
   draw(scene, camera, model, {layers, shade, reach, bounds, complete = false, sample}) {

@@ -73,10 +73,13 @@ export class Picture {
     this.addSample(scene, camera, model, way);
   }
 
-  finished(way) { return !this.layers || this.mostSamples === 0 || (this.sameWay(way) && this.samples >= this.mostSamples); }
+  /// Nothing is left to be done for a picture that stays still.
+  finished(way) {
+    if (!this.layers || this.mostSamples === 0) return true;
+    if (this.layers.hadTooFew()) this.samples = 0;
+    return this.sameWay(way) && this.samples >= this.mostSamples;
+  }
   sameWay(way) { return way.layers === this.way?.layers && way.shade === this.way?.shade; }
-  /// Layers were missing in what is shown.
-  get incomplete() { return this.layers?.tooFew ?? false; }
 
   /// One sample more of what was drawn before; all anew if that was drawn in another way.
   refine(scene, camera, model, way) {

@@ -41,7 +41,7 @@ export class Viewer extends EventTarget {
     super();
     this.description = description;
     this.canvas = canvas;
-    this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+    this.renderer = new WebGLRenderer({canvas, antialias: false, preserveDrawingBuffer: false});   // `Picture` sees to edges itself
     this.renderer.sortObjects = true;
     this.shared = sharedUniforms();
     this.picture = new Picture(this.renderer, this.shared);
@@ -194,7 +194,6 @@ export class Viewer extends EventTarget {
     const way = this.wayOf(this.quality.still);
     if (this.picture.finished(way)) return;
     this.picture.refine(this.scene, this.camera, this.current, way);
-    if (this.picture.incomplete) this.touch();
   }
 
   wayOf({layers, shade}) { return {layers, shade: shade && this.shade, reach: shadeReach * this.bounds.radius, bounds: this.bounds}; }
