@@ -114,6 +114,21 @@ TEST_F(Leap, NeitherTriggerNorStickGlides) {
   EXPECT_NE(visit.stage.turn, turn);
 }
 
+TEST_F(Leap, WhereThereIsNoWayItDoesNotGrowDark) {
+  visit.travel = Travel::glide;
+  point({1, 0, 0});
+  input.hands[1].trigger = 1;
+  step(500);
+  input.hands[1].trigger = 0;
+  step(50);
+  visit.travel = Travel::leap;
+  input.hands[1].trigger = 1;
+  step(5);
+  input.hands[1].trigger = 0;
+  step(2);
+  EXPECT_FALSE(visit.way);
+}
+
 TEST_F(Leap, NoLeapEverGetsThroughAWall) {
   std::mt19937 random(2);
   std::normal_distribution<double> any;

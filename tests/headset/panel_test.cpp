@@ -132,11 +132,17 @@ TEST_F(PanelInVisit, HeldMenuDoesNotAlsoMoveThePanel) {
 
 TEST_F(PanelInVisit, ARayOnItIsItsMouseAndMeetsNothingElse) {
   // Before the tooth, so that the ray would go on to the pulp.
-  visit.panel->pose.position = input.head.position + glm::dvec3(0, -0.1, -0.4);
-  visit.panel->pose.turn = {1, 0, 0, 0};
-  point(1, {0.5, 0.4});
+  const glm::dvec3 centre = to_room(visit.stage, balls.model.bounds_mm.centre()), hand = input.head.position + glm::dvec3(0.2, -0.35, 0);
+  const RoomPanel panel{{0.5 * (hand + centre), {1, 0, 0, 0}}};
+  visit.panel.reset();
+  input.hands[1] = pointing_at(centre, hand);
+  step();
+  ASSERT_TRUE(visit.pointed[1]);
+  EXPECT_EQ(visit.pointed[1]->structure, "pulp");
+  visit.panel = panel;
+  point(1, {0.5, 0.5});
   ASSERT_TRUE(visit.on_panel[1]);
-  EXPECT_LT(glm::length(visit.on_panel[1]->at - glm::dvec2(0.5, 0.4)), 1e-9);
+  EXPECT_LT(glm::length(visit.on_panel[1]->at - glm::dvec2(0.5, 0.5)), 1e-9);
   EXPECT_FALSE(visit.pointed[1]);
   EXPECT_EQ(panel_hand(visit), 1u);
   input.hands[1].trigger = 1;

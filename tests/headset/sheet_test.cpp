@@ -154,7 +154,14 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   ASSERT_TRUE(visit.tour);
   EXPECT_TRUE(visit.tour->playing);
   point(control("Stop here"));
-  keep("tour-left", both_eyes().first);
+  const Ride& tour = *visit.tour;
+  visit.tour->along = 0.4 * tour.track.points.back().along;
+  input.head.turn = glm::angleAxis(-0.25, glm::dvec3(0, 1, 0));
+  step(3);
+  const auto [left, right] = both_eyes();
+  keep("tour-left", left);
+  keep("tour-right", right);
+  EXPECT_NE(left, right);
   click("Stop here");
   EXPECT_FALSE(visit.tour->playing);
   click("Leave it here", {"two"});

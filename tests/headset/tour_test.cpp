@@ -128,6 +128,7 @@ TEST_F(HeadsetTour, TheHeadLeansAsInAnyRoomAndNotThroughTheWall) {
   EXPECT_LT(glm::length(to_room(visit.stage, visit.eye_mm) - input.head.position), 1e-9);
   input.head.position += glm::dvec3(5, 0, 0);
   step();
+  EXPECT_EQ(cavity.walls.locate(visit.eye_mm), Walls::Side::inside);
   EXPECT_GE(wall_metres(), rules.clearance);
   pull();
   for (int i = 0; i < 600; ++i) {
