@@ -135,7 +135,7 @@ TEST_P(RoundTrip, GltfIsTheGlbAsText) {
 }
 
 ContourStack cut(const Reconstruction& model, const std::vector<double>& heights) {
-  std::vector<CutSurface> surfaces;
+  std::vector<NamedMesh> surfaces;
   for (const Solid& solid : model.solids) surfaces.push_back({solid.structure, solid.surface});
   return cut_surfaces(surfaces, heights, "model").stack;
 }
