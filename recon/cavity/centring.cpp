@@ -1,6 +1,7 @@
 #include "recon/cavity/centring.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "recon/cavity/limits.h"
@@ -160,14 +161,40 @@ class Centring {
     line_ = std::move(there);
   }
 
-  Point3 widest_near(const Point3& start, const Direction& along, double first, double finest) const {
+  /// Places of the wall that were nearest to places looked at before: none of what is about can be clearer than the nearest of them tells.
+  class Witnesses {
+   public:
+    void add(const Point3& at) {
+      places_[next_] = at;
+      next_ = (next_ + 1) % places_.size();
+      count_ = std::min(count_ + 1, places_.size());
+    }
+    /// Surely: rounding cannot make it otherwise.
+    bool nearer_than(double distance, const Point3& from) const {
+      constexpr double rounding = 1e-9;
+      const double square = (1 - rounding) * distance * distance;
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Direction way = from - places_[i];
+        if (dot(way, way) < square) return true;
+      }
+      return false;
+    }
+
+   private:
+    std::array<Point3, 32> places_;
+    std::size_t next_ = 0, count_ = 0;
+  };
+
+  Point3 widest_near(const Point3& start, const Direction& along, double first, double finest) {
     // Two directions across.
     const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z) ? Direction{1, 0, 0}
                             : std::abs(along.y) <= std::abs(along.z)                                        ? Direction{0, 1, 0}
                                                                                                             : Direction{0, 0, 1};
     const Direction side = cross(along, other);
     const Direction u = (1 / length(side)) * side, v = cross(along, u);
-    double best = tree_.clearance(start), x = 0, y = 0;
+    const WallTree::Nearest here = tree_.nearest(start);
+    witnesses_.add(here.at);
+    double best = here.front ? here.distance : -here.distance, x = 0, y = 0;
     const double radius = std::max(best, 0.06 * median_);
     constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
     constexpr double pull = 0.3;  // back: in a flat section points stay about where they are, and in a round one it is next to nothing
@@ -180,8 +207,11 @@ class Centring {
       for (const auto& [du, dv] : directions) {
         const double nx = x + size * du, ny = y + size * dv;
         const double loss = pull * (nx * nx + ny * ny) / radius, least = std::max(better + loss, 0.0);
-        if (least >= most) continue;
-        const double clear = tree_.clearance_above(moved(start, nx * u + ny * v), least, most) - loss;
+        const Point3 there = moved(start, nx * u + ny * v);
+        if (least >= most || witnesses_.nearer_than(least, there)) continue;
+        Point3 wall = here.at;
+        const double clear = tree_.clearance_above(there, least, most, wall) - loss;
+        witnesses_.add(wall);
         if (clear > better) {
           better = clear;
           bx = nx;
@@ -204,6 +234,7 @@ class Centring {
   const WallTree& tree_;
   bool closed_;
   double median_ = 0;  // radius
+  Witnesses witnesses_;
 };
 
 }  // namespace

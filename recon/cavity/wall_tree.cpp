@@ -112,8 +112,14 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough, double mo
 WallTree::Nearest WallTree::nearest(const Point3& from) const { return nearest(from, 0, std::numeric_limits<double>::infinity()); }
 
 double WallTree::clearance_above(const Point3& from, double least, double most) const {
+  Point3 shown_by;
+  return clearance_above(from, least, most, shown_by);
+}
+
+double WallTree::clearance_above(const Point3& from, double least, double most, Point3& shown_by) const {
   constexpr double rounding = 1e-6;
   const Nearest found = nearest(from, least, (1 + rounding) * most);
+  if (std::isfinite(found.distance)) shown_by = found.at;
   return found.distance > least && !found.front ? -found.distance : found.distance;
 }
 

@@ -35,6 +35,8 @@ class WallTree {
   /// The same where it is more than `least`; else something not more than that, sooner. `most`: what it is known not to exceed. Precondition:
   /// 0 <= least < most.
   double clearance_above(const Point3& from, double least, double most = std::numeric_limits<double>::infinity()) const;
+  /// And a place of the wall that shows it: no farther away than that.
+  double clearance_above(const Point3& from, double least, double most, Point3& shown_by) const;
 
  private:
   struct Face {
