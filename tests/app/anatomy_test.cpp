@@ -49,7 +49,8 @@ TEST_F(AnatomyCommand, RefusesWhatMakesNoSense) {
   EXPECT_EQ(odontoscope({"anatomy", "block.json", "-o", "a.txt"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"anatomy", "block.json", "-o", "block.json"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"anatomy", "missing.json"}).exit_code, 4);
-  EXPECT_EQ(odontoscope({"render", "block.json", "--tour", "canal-1", "-o", "film.mp4"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"render", "block.json", "--tour", "canal-1", "-o", "film.avi"}).exit_code, 2);
+  EXPECT_TRUE(odontoscope({"render", "block.json", "--tour", "canal-1", "-o", "film.avi"}).complains("tour.mp4"));
   EXPECT_EQ(odontoscope({"render", "block.json", "--tour", "canal-1", "--turntable", "3", "-o", "."}).exit_code, 2);
   EXPECT_EQ(odontoscope({"render", "block.json", "--frames", "3", "-o", "a.png"}).exit_code, 2);
   EXPECT_EQ(folder.names(), before);
