@@ -44,14 +44,14 @@ export class ShownModel {
 
   /// Puts looks, faces and section on. `inside`: from within the void, where walls are opaque and what fills the void is left out.
   dress({faces, section, inside}) {
+    const cut = section && !inside;
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
       const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && this.fills(part);
-      const body = inside ? wall && part.kind !== 'cavity' : look.as_body;
+      const body = inside ? wall && part.kind !== 'cavity' : look.as_body && !cut;   // cut open, a cavity shows its wall
       part.seen = look.visible && opacity > 0 && !left_out;
       this.put(part, {opacity, faces, body, depth: look.depth});
     }
-    const cut = section && !inside;
     if (cut && !this.cutBy?.equals(section)) {
       this.cutBy = section.clone();
       for (const cap of this.caps) {
