@@ -68,6 +68,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Opt
   const bool whole_scene = !words.scene_file.empty();
   loaded.camera_given = whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
   loaded.background_given = whole_scene || !words.background.empty();
+  loaded.looks_given = whole_scene || !words.opacity.empty() || !words.colour.empty();
   loaded.back_faces_given = whole_scene || !words.back_faces.empty();
   return loaded;
 }

@@ -21,11 +21,15 @@ constexpr std::string_view format_name = "odontoscope.tour";
 constexpr int format_version = 2, version_without_scenes = 1;
 constexpr double farthest_mm = 1e7;
 
-enum Node { document, format, version, title, model, notes, note, note_title, note_text, note_inside, note_scene, camera, position, target, up, coordinate, angle, height, near, parallel };
+enum Node {
+  document, format, version, title, model, notes, note, note_title, note_text, note_inside, note_scene,
+  camera, position, target, up, coordinate, angle, height, near, parallel
+};
 
 using Shape = JsonNode::Shape;
 constexpr JsonNode::Key document_keys[] = {{"format", format, true}, {"version", version, true}, {"title", title, true}, {"model", model, false}, {"notes", notes, true}};
-constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false}, {"camera", camera, true}, {"scene", note_scene, false}};
+constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false},
+                                       {"camera", camera, true},    {"scene", note_scene, false}};
 constexpr JsonNode::Key camera_keys[] = {{"position", position, true}, {"target", target, true},   {"up", up, true},
                                          {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false}, {"parallel", parallel, false}};
 constexpr JsonNode nodes[] = {
@@ -111,11 +115,13 @@ class TourReader final : public StrictJson {
       case note_title: tour_.notes.back().title = checked_title(value); return;
       default: break;
     }
-    if (value.size() > most_text_bytes || !plain(value, true)) refuse("bad-text", fmt::format("a text is longer than {} bytes or has control characters", most_text_bytes), "Shorten it, or make two notes of it.");
+    if (value.size() > most_text_bytes || !plain(value, true))
+      refuse("bad-text", fmt::format("a text is longer than {} bytes or has control characters", most_text_bytes), "Shorten it, or make two notes of it.");
     tour_.notes.back().text = value;
   }
   std::string checked_title(const std::string& value, std::size_t most = most_title_bytes) const {
-    if (value.size() > most || !plain(value, false)) refuse("bad-title", fmt::format("a title or name is longer than {} bytes or has control characters", most), "Shorten it.");
+    if (value.size() > most || !plain(value, false))
+      refuse("bad-title", fmt::format("a title or name is longer than {} bytes or has control characters", most), "Shorten it.");
     return value;
   }
   void add_place(Place&) const override {}
@@ -184,7 +190,8 @@ std::string to_json(const TourNotes& tour) {
   json["notes"] = Json::array();
   for (const TourNote& note : tour.notes) {
     const Camera& camera = note.camera;
-    Json eye{{"position", json_of(camera.position)}, {"target", json_of(camera.target)}, {"up", json_of(camera.up)}, {"field_of_view_deg", camera.field_of_view_deg}, {"height_mm", camera.height_mm}};
+    Json eye{{"position", json_of(camera.position)}, {"target", json_of(camera.target)}, {"up", json_of(camera.up)},
+             {"field_of_view_deg", camera.field_of_view_deg}, {"height_mm", camera.height_mm}};
     if (camera.projection == Camera::Projection::parallel) eye["parallel"] = true;
     if (camera.near_mm > 0) eye["near_mm"] = camera.near_mm;
     json["notes"].push_back({{"title", note.title}, {"text", note.text}, {"inside", note.inside}, {"camera", eye}});

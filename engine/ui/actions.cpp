@@ -107,7 +107,7 @@ constexpr std::array<Gesture, 9> mouse = {{
     {"Arrow keys", "turn; with Shift: move"},
     {"+  \xE2\x88\x92", "nearer, farther"},
     {"Drop a file", "open it"},
-    {"Tab, Shift Tab", "into the panel: arrows change, Enter presses"},
+    {"Tab, Shift Tab", "into the panel; arrows, Enter; Esc: back"},
 }};
 
 char32_t small(char32_t character) { return character >= U'A' && character <= U'Z' ? character - U'A' + U'a' : character; }

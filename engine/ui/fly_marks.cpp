@@ -53,22 +53,40 @@ struct DrawnLabel {
   double opacity;
 };
 
-/// Nearest first; one that would lie over another is left out.
+bool overlap(const Area& a, const Area& b) {
+  return a.left < b.left + b.width && b.left < a.left + a.width && a.top < b.top + b.height && b.top < a.top + a.height;
+}
+
+bool within(const Area& box, const Area& whole) {
+  return box.left >= whole.left && box.top >= whole.top && box.left + box.width <= whole.left + whole.width && box.top + box.height <= whole.top + whole.height;
+}
+
+/// Nearest first, beside their places at the right, or where there is no room at the left; one that would lie over another or over the small
+/// pictures is left out.
 std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
   const FlyState& fly = state.fly;
   const FlightSpaces& spaces = *state.shown->flight;
   const Walls& walls = fly.cavity ? spaces.cavities[*fly.cavity].walls : spaces.outside;
   const double slack = (fly.cavity ? 3 : 6) * spaces.rules.clearance, far = 1.2 * state.shown->model.radius_mm;
+  Area pictures = fly.show_where ? where_area(pane, scale) : Area{};
+  const double slice = pictures.width > 0 ? slice_height * scale + 8 * scale : 0;
+  pictures.top -= slice;
+  pictures.height += slice;
   std::vector<DrawnLabel> drawn;
   for (const SeenLabel& seen : seen_labels(fly.labels, pane.camera, pane.area.aspect(), walls, slack)) {
     const FlightLabel& label = fly.labels[seen.label];
     const glm::dvec2 at = pixel_of(pane.area, seen.place);
     const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, label.words.c_str());
-    const ImVec2 low = vec(at.x + 12 * scale, at.y - extent.y / 2 - 5 * scale), high{low.x + extent.x + 18 * scale, low.y + extent.y + 10 * scale};
-    if (high.x > pane.area.left + pane.area.width || low.y < pane.area.top || high.y > pane.area.top + pane.area.height) continue;
-    const bool over = std::any_of(drawn.begin(), drawn.end(), [&](const DrawnLabel& other) { return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y; });
-    if (over) continue;
-    drawn.push_back({&label, vec(at.x, at.y), low, high, std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
+    const float width = extent.x + 18 * scale, height = extent.y + 10 * scale;
+    const ImVec2 right = vec(at.x + 12 * scale, at.y - height / 2), left{right.x - 24 * scale - width, right.y};
+    const auto fits = [&](const ImVec2& low) {
+      const Area box{low.x, low.y, width, height};
+      const auto over = [&](const DrawnLabel& other) { return overlap(box, {other.low.x, other.low.y, other.high.x - other.low.x, other.high.y - other.low.y}); };
+      return within(box, pane.area) && !overlap(box, pictures) && std::none_of(drawn.begin(), drawn.end(), over);
+    };
+    if (!fits(right) && !fits(left)) continue;
+    const ImVec2 low = fits(right) ? right : left;
+    drawn.push_back({&label, vec(at.x, at.y), low, {low.x + width, low.y + height}, std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
   }
   return drawn;
 }
@@ -84,7 +102,8 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
   for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
     const bool rides = label->label->line.has_value();
     const ImU32 ground = theme::rgb(0x14181c, 205), ink = rides ? theme::mark : theme::text;
-    list.AddLine(label->dot, {label->low.x + 2 * scale, (label->low.y + label->high.y) / 2}, faded(ink, label->opacity), 1.4f * scale);
+    const float side = label->low.x > label->dot.x ? label->low.x + 2 * scale : label->high.x - 2 * scale;
+    list.AddLine(label->dot, {side, (label->low.y + label->high.y) / 2}, faded(ink, label->opacity), 1.4f * scale);
     list.AddCircleFilled(label->dot, 5.0f * scale, faded(theme::mark_outline, label->opacity), 20);
     list.AddCircleFilled(label->dot, 3.4f * scale, faded(ink, label->opacity), 20);
     list.AddRectFilled(label->low, label->high, faded(ground, label->opacity), 6 * scale);
@@ -113,7 +132,8 @@ void draw_words(const ViewerState& state, const ViewPane& pane, const Interface&
                     low.y + first.y + second.y + third.y + static_cast<float>(14 + (measured.empty() ? 0 : 4) + (pad.empty() ? 0 : 4)) * scale};
   list.AddRectFilled(low, high, theme::rgb(0x14181c, 190), 8 * scale);
   list.AddText(interface.bold, interface.bold->FontSize, {low.x + 12 * scale, low.y + 7 * scale}, theme::text, where.c_str(), nullptr, wrap);
-  if (!measured.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, low.y + first.y + 11 * scale}, theme::mark, measured.c_str(), nullptr, wrap);
+  const ImVec2 below{low.x + 12 * scale, low.y + first.y + 11 * scale};
+  if (!measured.empty()) list.AddText(interface.small, interface.small->FontSize, below, theme::mark, measured.c_str(), nullptr, wrap);
   if (!pad.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, high.y - third.y - 7 * scale}, theme::text, pad.c_str(), nullptr, wrap);
 }
 
@@ -176,7 +196,9 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
   const glm::dvec3 middle = bounds.centre(), extent = bounds.high - bounds.low;
   const double per_mm = 0.86 * std::min(area.width / extent.x, (area.height - 18 * scale) / extent.y);
   // As in the file: x to the right, y, towards buccal, up.
-  const auto pixel = [&](double x, double y) { return vec(area.left + area.width / 2 + per_mm * (x - middle.x), area.top + 9 * scale + area.height / 2 - per_mm * (y - middle.y)); };
+  const auto pixel = [&](double x, double y) {
+    return vec(area.left + area.width / 2 + per_mm * (x - middle.x), area.top + 9 * scale + area.height / 2 - per_mm * (y - middle.y));
+  };
   list.PushClipRect(low, high);
   for (const Contour& contour : slices[nearest].contours) {
     std::vector<ImVec2> points;
@@ -184,7 +206,8 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
     const Look* look = state.fly.scene_before.look_of(contour.structure);
     const Colour colour = look ? look->colour : usual_colour(contour.structure, 0);
     const auto byte = [](float value) { return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); };
-    list.AddPolyline(points.data(), static_cast<int>(points.size()), theme::rgb(byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue)), ImDrawFlags_Closed, 1.5f * scale);
+    const ImU32 ink = theme::rgb(byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue));
+    list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, ImDrawFlags_Closed, 1.5f * scale);
   }
   const ImVec2 at = pixel(eye.x, eye.y);
   const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.sight.x) * 18 * scale, at.y - static_cast<float>(state.fly.flight.sight.y) * 18 * scale};
@@ -201,7 +224,8 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
 Area where_area(const ViewPane& pane, float scale) {
   const double width = where_width * scale, height = where_height * scale;
   if (pane.area.width < 2.6 * width || pane.area.height < 1.6 * height) return {};
-  return {std::round(pane.area.left + pane.area.width - width - where_margin * scale), std::round(pane.area.top + pane.area.height - height - where_above * scale), std::round(width),
+  return {std::round(pane.area.left + pane.area.width - width - where_margin * scale),
+          std::round(pane.area.top + pane.area.height - height - where_above * scale), std::round(width),
           std::round(height)};
 }
 
@@ -253,7 +277,9 @@ std::string measured_in_words(const ViewerState& state) {
 std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y) {
   if (!state.fly.show_labels) return std::nullopt;
   for (const DrawnLabel& drawn : drawn_labels(state, pane, interface, scale))
-    if (drawn.label->line && x >= drawn.dot.x - 8 * scale && x <= drawn.high.x && y >= drawn.low.y && y <= drawn.high.y) return drawn.label->line;
+    if (drawn.label->line && x >= std::min(drawn.dot.x - 8 * scale, drawn.low.x) && x <= std::max(drawn.dot.x + 8 * scale, drawn.high.x) &&
+        y >= drawn.low.y && y <= drawn.high.y)
+      return drawn.label->line;
   return std::nullopt;
 }
 

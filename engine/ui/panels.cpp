@@ -41,21 +41,44 @@ void two_buttons(ViewerState& state, const char* left, Action on_left, const cha
   if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
 }
 
-void structure_row(Look& look, const Interface&) {
+/// true: colour or opacity were changed by hand.
+bool structure_row(Look& look) {
   ImGui::PushID(look.structure.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(2), scaled(2)});
   widgets::eye("eye", look.visible);
   ImGui::SameLine();
-  widgets::swatch("colour", look.colour);
+  bool changed = widgets::swatch("colour", look.colour);
   ImGui::SameLine(0, scaled(6));
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, look.visible ? theme::text : theme::quiet);
   double percent = 100.0 * look.opacity;
-  if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%")) look.opacity = static_cast<float>(percent / 100);
+  if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%")) {
+    look.opacity = static_cast<float>(percent / 100);
+    changed = true;
+  }
   ImGui::PopStyleColor();
   ImGui::EndGroup();
   ImGui::PopStyleVar();
   ImGui::PopID();
+  return changed;
+}
+
+/// Colours and opacities as for anybody who opens this model for the first time; nothing of them is remembered.
+void reset_looks(ViewerState& state) {
+  for (Look& look : state.scene.looks) {
+    forget(state.settings, look.structure);
+    if (const Look* usual = state.shown->scene.look_of(look.structure)) {
+      look.colour = usual->colour;
+      look.opacity = usual->opacity;
+    }
+  }
+}
+
+bool looks_are_usual(const ViewerState& state) {
+  return std::all_of(state.scene.looks.begin(), state.scene.looks.end(), [&](const Look& look) {
+    const Look* usual = state.shown->scene.look_of(look.structure);
+    return !usual || (look.colour == usual->colour && look.opacity == usual->opacity);
+  });
 }
 
 }  // namespace
@@ -89,7 +112,9 @@ void report_section(const ViewerState& state, const Interface& interface) {
 
 void structures_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Structures")) return;
-  for (Look& look : state.scene.looks) structure_row(look, interface);
+  for (Look& look : state.scene.looks)
+    if (structure_row(look) && !state.lab.on) remember(state.settings, look);
+  if (!state.lab.on && !looks_are_usual(state) && widgets::wide_button("Usual colours and opacities")) reset_looks(state);
 }
 
 void faces_section(ViewerState& state, const Interface& interface) {

@@ -52,6 +52,25 @@ class Reader {
         if (*found == word) return void(value = meaning);
     complain(key, "is none of the words that it may be");
   }
+  void read(const char* key, std::vector<RememberedLook>& looks) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return;
+    if (!found->is_object()) return void(complain(key, "is no object"));
+    for (const auto& [structure, json] : found->items()) {
+      if (looks.size() == most_remembered_looks) return void(complain(key, fmt::format("has more than {} structures", most_remembered_looks)));
+      if (structure.empty() || structure.size() > most_structure_bytes || !json.is_object()) return void(complain(key, "has a structure that is none"));
+      RememberedLook look{structure, {}, 1};
+      const auto colour = json.find("colour");
+      try {
+        if (colour == json.end() || !colour->is_string()) return void(complain(key, "has a structure without a colour"));
+        look.colour = colour_from_hex(colour->template get<std::string>());
+      } catch (const UsageError&) {
+        return void(complain(key, "has a colour that is none"));
+      }
+      if (!json.contains("opacity") || !Reader(json, complaint_).number("opacity", look.opacity)) return void(complain(key, "has an opacity that is none"));
+      looks.push_back(std::move(look));
+    }
+  }
   Reader inside(const char* key) const {
     static const Json empty = Json::object();
     const auto found = object_.find(key);
@@ -62,6 +81,12 @@ class Reader {
   }
 
  private:
+  bool number(const char* key, float& opacity) const {
+    double wide = 1;
+    if (!number(key, wide, 0, 1)) return false;
+    opacity = static_cast<float>(wide);
+    return true;
+  }
   bool number(const char* key, double& value, double low, double high) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return false;
@@ -117,8 +142,27 @@ Background background_of(Backdrop backdrop) {
   return {Background::Kind::gradient, colour_of(0x3d4854), colour_of(0x14181c)};
 }
 
+void remember(Settings& settings, const Look& look) {
+  if (look.structure.empty() || look.structure.size() > most_structure_bytes) return;
+  forget(settings, look.structure);
+  settings.looks.push_back({look.structure, look.colour, look.opacity});
+  if (settings.looks.size() > most_remembered_looks) settings.looks.erase(settings.looks.begin());
+}
+
+void forget(Settings& settings, const std::string& structure) {
+  std::erase_if(settings.looks, [&](const RememberedLook& known) { return known.structure == structure; });
+}
+
+void apply_remembered(const Settings& settings, Scene& scene) {
+  for (const RememberedLook& known : settings.looks)
+    if (Look* look = scene.look_of(known.structure)) {
+      look->colour = known.colour;
+      look->opacity = known.opacity;
+    }
+}
+
 std::string to_json(const Settings& settings) {
-  const Json json{{"format", format_name},
+  Json json{{"format", format_name},
                   {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
                   {"panel", settings.panel},
                   {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
@@ -136,7 +180,11 @@ std::string to_json(const Settings& settings) {
                     {"speed_limit", settings.comfort.speed_limit},
                     {"vignette", settings.comfort.vignette},
                     {"reduced_motion", settings.comfort.reduced_motion}}}};
-  return json.dump(2) + "\n";
+  Json looks = Json::object();
+  for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
+  json["looks"] = looks;
+  // Names come from files of all kinds: what is no text is replaced, and so forgotten.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 ReadSettings settings_from_json(const std::string& text) {
@@ -165,6 +213,7 @@ ReadSettings settings_from_json(const std::string& text) {
   flight.read("speed_limit", settings.comfort.speed_limit, 0.5, 24);
   flight.read("vignette", settings.comfort.vignette);
   flight.read("reduced_motion", settings.comfort.reduced_motion);
+  reader.read("looks", settings.looks);
   return read;
 }
 

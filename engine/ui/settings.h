@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/gpu/framebuffer.h"
 #include "engine/scene/scene.h"
@@ -31,6 +32,15 @@ struct Comfort {
   friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
+/// What a person gave a structure of that name, in whatever model.
+struct RememberedLook {
+  std::string structure;
+  Colour colour;
+  float opacity = 1;
+  friend bool operator==(const RememberedLook&, const RememberedLook&) = default;
+};
+inline constexpr std::size_t most_remembered_looks = 64, most_structure_bytes = 200;
+
 struct Settings {
   PixelSize window{1280, 800};
   bool panel = true;
@@ -40,10 +50,18 @@ struct Settings {
   Backdrop backdrop = Backdrop::dark;
   PictureSettings picture = {};
   Comfort comfort = {};
+  std::vector<RememberedLook> looks = {};   // the latest last; the oldest are forgotten
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
 Background background_of(Backdrop backdrop);
+
+/// Colour and opacity as they are now.
+void remember(Settings& settings, const Look& look);
+/// No longer for this structure.
+void forget(Settings& settings, const std::string& structure);
+/// Colours and opacities that are remembered for structures of `scene`.
+void apply_remembered(const Settings& settings, Scene& scene);
 
 struct ReadSettings {
   Settings settings;

@@ -160,6 +160,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   // The same plane, its handle where the model is.
   if (auto& section = state_.scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
   if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
+  if (!shown->looks_given) apply_remembered(state_.settings, state_.scene);
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
   if (!shown->camera_given)
     state_.scene.camera = fit(NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);

@@ -36,6 +36,29 @@ TEST_F(Panels, SlidersMakeStructuresClear) {
   EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, 0);
 }
 
+TEST_F(Panels, OpacitiesAreRememberedAndGivenBack) {
+  const Look usual = *viewer().state().shown->scene.look_of("enamel");
+  const glm::dvec2 slider = control("enamel", {"enamel"});
+  click(slider.x - 60, slider.y);
+  const float chosen = viewer().state().scene.look_of("enamel")->opacity;
+  ASSERT_NE(chosen, usual.opacity);
+  const Settings settings = settings_from_json(to_json(viewer().state().settings)).settings;   // as the next run finds them
+  viewer_with_tooth({.settings = settings});
+  EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, chosen);
+  EXPECT_EQ(viewer().state().shown->scene.look_of("enamel")->opacity, usual.opacity);
+  click_control("Usual colours and opacities");
+  EXPECT_EQ(*viewer().state().scene.look_of("enamel"), usual);
+  EXPECT_TRUE(viewer().state().settings.looks.empty());
+  frames(2);
+  for (const Interface::Place& place : viewer().interface().places) EXPECT_NE(place.id, control_id("Usual colours and opacities")) << "nothing to give back";
+
+  LoadedModel given = toy_tooth();   // by the command line
+  given.looks_given = true;
+  ViewerOptions options{.load = [given](const LoadRequest&, const Progress&) { return given; }, .settings = settings};
+  viewer_with_tooth(std::move(options));
+  EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, usual.opacity);
+}
+
 TEST_F(Panels, ColoursHaveAPicker) {
   click_control("swatch", {"pulp", "colour"});
   frames(3);

@@ -25,6 +25,7 @@ Settings unusual() {
   settings.backdrop = Backdrop::white;
   settings.picture = {640, 480, false, 4, true};
   settings.comfort = {90, 2.5, true, true};
+  settings.looks = {{"enamel", colour_of(0x123456), 0.25f}, {"Zahnbein \xC3\xA4", colour_of(0xffffff), 0}};
   return settings;
 }
 
@@ -52,7 +53,10 @@ TEST(Settings, WhatMakesNoSenseIsLeftAloneAndSaid) {
   for (const char* wrong : {R"("window":{"width":-4})", R"("window":{"width":1e300})", R"("window":7)", R"("panel":"yes")", R"("text_scale":1000)",
                             R"("back_faces":"everything")", R"("projection":3)", R"("backdrop":null)", R"("picture":{"samples_a_side":0})",
                             R"("picture":{"height":"tall"})", R"("picture":[])", R"("flight":{"field_of_view_deg":200})", R"("flight":{"vignette":1})",
-                            R"("flight":{"speed_limit":0})"}) {
+                            R"("flight":{"speed_limit":0})", R"("looks":[])", R"("looks":{"a":1})", R"("looks":{"":{"colour":"#112233","opacity":1}})",
+                            R"("looks":{"a":{"opacity":1}})", R"("looks":{"a":{"colour":"red","opacity":1}})", R"("looks":{"a":{"colour":7,"opacity":1}})",
+                            R"("looks":{"a":{"colour":"#112233"}})", R"("looks":{"a":{"colour":"#112233","opacity":-1}})",
+                            R"("looks":{"a":{"colour":"#112233","opacity":"1"}})"}) {
     const ReadSettings read = settings_from_json(head + wrong + "}");
     EXPECT_NE(read.complaint, "") << wrong;
     EXPECT_EQ(read.settings, Settings()) << wrong;
@@ -63,6 +67,22 @@ TEST(Settings, OneWrongMemberLeavesTheOthers) {
   const ReadSettings read = settings_from_json(R"({"format":"odontoscope.viewer-settings","panel":3,"backdrop":"light"})");
   EXPECT_NE(read.complaint.find("panel"), std::string::npos);
   EXPECT_EQ(read.settings.backdrop, Backdrop::light);
+}
+
+TEST(Settings, LooksAreRememberedByNameAndNotForEver) {
+  Settings settings;
+  for (std::size_t i = 0; i < most_remembered_looks + 3; ++i) remember(settings, Look{"structure " + std::to_string(i), {}, 0.5f});
+  remember(settings, Look{"structure 10", colour_of(0xff0000), 0.75f});
+  remember(settings, Look{std::string(most_structure_bytes + 1, 'x'), {}, 1});
+  remember(settings, Look{"no text \xff", {}, 1});
+  EXPECT_EQ(settings.looks.size(), most_remembered_looks);
+  Scene scene;
+  scene.looks = {{"structure 10", {}}, {"structure 0", {}}};
+  apply_remembered(settings, scene);
+  EXPECT_EQ(scene.looks[0].opacity, 0.75f);
+  EXPECT_EQ(scene.looks[0].colour, colour_of(0xff0000));
+  EXPECT_EQ(scene.looks[1].opacity, 1) << "forgotten";
+  EXPECT_EQ(settings_from_json(to_json(settings)).settings.looks.size(), most_remembered_looks) << "what is no text does not spoil the file";
 }
 
 TEST(Settings, NoTextCanBreakTheReader) {

@@ -1,10 +1,10 @@
 #include "tests/ui/teeth.h"
 
 #include <filesystem>
+#include <map>
 
 #include "engine/scene/shells.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/sample/sample_tooth.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/read_volume.h"
 
@@ -35,9 +35,11 @@ const std::filesystem::path& ct_file() {
 
 }  // namespace
 
-LoadedModel sample_tooth_loaded() {
-  static const LoadedModel model = loaded(sample_tooth(ToothKind::molar), "Sample molar");
-  return model;
+LoadedModel sample_tooth_loaded(ToothKind kind) {
+  static std::map<ToothKind, LoadedModel> made;
+  auto known = made.find(kind);
+  if (known == made.end()) known = made.emplace(kind, loaded(sample_tooth(kind), std::string("Sample ") + name(kind))).first;
+  return known->second;
 }
 
 bool ct_molar_there() { return !std::string(ODONTOSCOPE_DATA).empty() && std::filesystem::exists(ct_file()); }

@@ -4,10 +4,11 @@
 #include <memory>
 
 #include "engine/ui/loading.h"
+#include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::testing_support {
 
-LoadedModel sample_tooth_loaded();
+LoadedModel sample_tooth_loaded(ToothKind kind = ToothKind::molar);
 
 /// Precondition: ct_molar_there().
 LoadedModel ct_molar_loaded();
