@@ -56,6 +56,18 @@ void append(void* bytes, void* data, int size) {
   static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
 }
 
+/// stb takes memory for a chunk on its word alone.
+void check_chunks(std::string_view bytes, const Place& place) {
+  constexpr std::size_t head = 8, checksum = 4;
+  for (std::size_t at = png_signature.size(); bytes.size() >= head && at <= bytes.size() - head;) {
+    std::size_t length = 0;
+    for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
+    if (bytes.substr(at + 4, 4) == "IEND") return;
+    if (length > bytes.size() - at - head) throw InputError("not-a-png", place, "the PNG ends before what it announces", "Give an intact PNG file.");
+    at += head + length + checksum;
+  }
+}
+
 }  // namespace
 
 std::string png_bytes(const Image& image) {
@@ -77,6 +89,7 @@ Image read_png(const std::string& file) {
   place.file = file;
   if (!std::string_view(bytes).starts_with(png_signature))
     throw InputError("not-a-png", place, "this is no PNG", "Give a PNG file.");
+  check_chunks(bytes, place);
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());
   int width = 0, height = 0, channels = 0;
