@@ -37,8 +37,7 @@ void tell(const Anatomy& anatomy, Console& console) {
   for (const MeasuredStructure& structure : anatomy.structures)
     console.say(fmt::format("{:<24} {:>14} {:>16}", structure.name, measured(structure.volume), measured(structure.area)));
   if (anatomy.cavity_of.empty()) {
-    console.say(
-        "No void inside: a pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.");
+    console.say(std::string("No void inside. ") + what_a_void_takes);
     return;
   }
   console.say(fmt::format("{:<24} {:>14} {:>16}", (anatomy.mouths.empty() ? "void in " : "hollow of ") + anatomy.cavity_of, measured(anatomy.cavity_volume), measured(anatomy.cavity_area)));

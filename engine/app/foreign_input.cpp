@@ -12,6 +12,7 @@
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
+#include "engine/app/whole_structures.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/cut_surfaces.h"
@@ -21,14 +22,6 @@
 
 namespace odontoscope::app {
 namespace {
-
-/// Our own GLB and OBJ files give a structure's outside and its cavities a mesh each.
-std::string structure_of(const std::string& mesh) {
-  for (const std::string ending : {" external", " cavity", " open", "_external", "_cavity", "_open"}) {
-    if (mesh.size() > ending.size() && mesh.ends_with(ending)) return mesh.substr(0, mesh.size() - ending.size());
-  }
-  return mesh.empty() ? "tooth" : mesh;
-}
 
 void tell_changes(const std::vector<ContourChange>& changes, Console& console) {
   if (changes.empty()) {
@@ -43,7 +36,7 @@ void tell_changes(const std::vector<ContourChange>& changes, Console& console) {
 
 std::vector<NamedMesh> surfaces_of(std::vector<NamedMesh> meshes, const ForeignWords& words, const std::string& file) {
   std::vector<NamedMesh> surfaces;
-  for (NamedMesh& mesh : meshes) surfaces.push_back({structure_of(mesh.name), std::move(mesh.surface)});
+  for (NamedMesh& mesh : meshes) surfaces.push_back({mesh.name.empty() ? "tooth" : structure_of_mesh(mesh.name), std::move(mesh.surface)});
   if (words.structures.empty()) return surfaces;
   // As a stack of their names, so that unknown ones are said as everywhere.
   ContourStack names{{{0, {}}}, file};

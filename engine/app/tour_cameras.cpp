@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/app/whole_structures.h"
 #include "engine/navigate/camera_path.h"
 #include "recon/cavity/centre_lines.h"
 
@@ -23,12 +24,8 @@ double diagonal(const WrittenModel& model) {
 }  // namespace
 
 std::vector<CameraPath> tour_cameras(const WrittenModel& model, Session& session) {
-  std::vector<StructureSurface> closed;
-  for (const WrittenSurface& solid : model.solids)
-    if (solid.report.closed_oriented_manifold()) closed.push_back({solid.structure, &solid.surface});
-  const std::vector<Cavity> cavities = cavities_in(closed);
-  if (cavities.empty())
-    throw UsageError("--tours: there is no void inside", "Leave it out. A pulp must be closed off from the outside, or be a body with \"pulp\" in its name.");
+  const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
+  if (cavities.empty()) throw UsageError("--tours: there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
   std::vector<CameraPath> paths;
   for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals)
     paths.push_back(camera_path(Tour(canal), canal.name, diagonal(model)));

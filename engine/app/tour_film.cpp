@@ -55,7 +55,7 @@ std::vector<NamedLine> named_lines(const CentreLines& lines) {
 Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
   const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
-  if (cavities.empty()) throw UsageError("--tour: there is no void inside", "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.");
+  if (cavities.empty()) throw UsageError("--tour: there is no void inside", what_a_void_takes);
   const auto number = static_cast<std::size_t>(wanted.void_number);
   if (number > cavities.size())
     throw UsageError(fmt::format("--void {}: there {} {} inside", number, cavities.size() == 1 ? "is" : "are", cavities.size() == 1 ? "one void" : fmt::format("{} voids", cavities.size())),

@@ -11,6 +11,7 @@
 #include "engine/app/foreign_input.h"
 #include "engine/app/model.h"
 #include "engine/app/sniff.h"
+#include "engine/app/whole_structures.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
@@ -64,10 +65,7 @@ std::vector<WebLook> looks_of(const WrittenModel& written) {
 
 /// The centre lines of the largest void's canals, from the chamber to their ends; none where the void's wall is not sound enough for any.
 std::vector<WebTour> tours_through(const WrittenModel& written, Session& session) {
-  std::vector<StructureSurface> surfaces;
-  for (const WrittenSurface& one : written.solids)
-    if (one.report.closed_oriented_manifold()) surfaces.push_back({one.structure, &one.surface});
-  const std::vector<Cavity> cavities = cavities_in(surfaces);
+  const std::vector<Cavity> cavities = cavities_in(sound_structures(written));
   if (cavities.empty()) return {};
   std::vector<WebTour> tours;
   try {
@@ -119,14 +117,6 @@ WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& s
   return model;
 }
 
-/// "dentine" for the nodes "dentine external", "dentine cavity" and "dentine open" of our own GLB files, which are one surface.
-std::string structure_named(const NamedMesh& mesh, const std::string& file) {
-  std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
-  for (const std::string_view kind : {" external", " cavity", " open"})
-    if (name.ends_with(kind) && name.size() > kind.size()) return name.substr(0, name.size() - kind.size());
-  return name;
-}
-
 void append(const SurfaceMesh& more, SurfaceMesh& to) {
   const auto first = static_cast<PointIndex>(to.points.size());
   to.points.insert(to.points.end(), more.points.begin(), more.points.end());
@@ -136,7 +126,7 @@ void append(const SurfaceMesh& more, SurfaceMesh& to) {
 std::vector<Inspected> inspected(const std::vector<NamedMesh>& meshes, const std::string& file, Session& session) {
   std::vector<Inspected> solids;
   for (const NamedMesh& mesh : meshes) {
-    const std::string structure = structure_named(mesh, file);
+    const std::string structure = mesh.name.empty() ? std::filesystem::path(file).stem().string() : structure_of_mesh(mesh.name);
     auto known = std::find_if(solids.begin(), solids.end(), [&](const Inspected& solid) { return solid.structure == structure; });
     if (known == solids.end()) known = solids.insert(known, {structure, {}, {}});
     append(mesh.surface, known->surface);
@@ -181,20 +171,6 @@ ContourStack stack_of(const WebWords& words, Session& session) {
   return words.volume.simplify ? simplify_told(stack, {*words.volume.simplify}, session) : stack;
 }
 
-double squared_distance(const Point3& a, const Point3& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z); }
-
-/// The sample molar's canals have names by construction: each line gets that of the canal whose tip is nearest to its end.
-void name_after_sample(std::vector<WebTour>& tours) {
-  for (WebTour& tour : tours) {
-    const std::vector<CanalFact> canals = sample_facts(ToothKind::molar).canals;
-    const Point3& end = tour.points.back();
-    const auto nearest = std::min_element(canals.begin(), canals.end(), [&](const CanalFact& a, const CanalFact& b) {
-      return squared_distance(a.axis.front(), end) < squared_distance(b.axis.front(), end);
-    });
-    tour.name = nearest->name + " canal";
-  }
-}
-
 }  // namespace
 
 void refuse_senseless(const WebWords& words) {
@@ -215,7 +191,6 @@ WebPage web_page_of(const WebWords& words, Session& session) {
   WebPage page;
   page.models.push_back(model_by_dt(stack, words, page, session));
   if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
-  if (words.input.empty()) name_after_sample(page.tours);
   return page;
 }
 

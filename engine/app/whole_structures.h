@@ -1,12 +1,14 @@
 #pragma once
-// Outer surfaces and cavities of what is shown, put together again.
+// Structures as solids: outer surfaces and cavities put together again, and which of them voids can be looked for in.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/scene/model.h"
 #include "recon/cavity/cavity.h"
 #include "recon/mesh/named_mesh.h"
+#include "recon/output/shell_groups.h"
 
 namespace odontoscope::app {
 
@@ -32,6 +34,27 @@ inline std::vector<StructureSurface> looked_at(const std::vector<NamedMesh>& who
   std::vector<StructureSurface> views;
   for (const NamedMesh& solid : whole) views.push_back({solid.name, &solid.surface});
   return views;
+}
+
+/// Those that are closed oriented manifolds: only they have an inside.
+inline std::vector<StructureSurface> sound_structures(const WrittenModel& model) {
+  std::vector<StructureSurface> views;
+  for (const WrittenSurface& solid : model.solids)
+    if (solid.report.closed_oriented_manifold()) views.push_back({solid.structure, &solid.surface});
+  return views;
+}
+
+/// What to tell whose model has no void (see cavities_in).
+inline constexpr const char* what_a_void_takes =
+    "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.";
+
+/// "dentine" for the meshes "dentine external", "dentine cavity", "dentine open" and their like with underscores: our own GLB and OBJ files give
+/// a structure's outside and its cavities a mesh each.
+inline std::string structure_of_mesh(const std::string& mesh) {
+  for (const std::string_view kind : {"external", "cavity", "open"})
+    if (mesh.size() > kind.size() + 1 && mesh.ends_with(kind) && (mesh[mesh.size() - kind.size() - 1] == ' ' || mesh[mesh.size() - kind.size() - 1] == '_'))
+      return mesh.substr(0, mesh.size() - kind.size() - 1);
+  return mesh;
 }
 
 }  // namespace odontoscope::app

@@ -1,10 +1,10 @@
 #include "recon/cavity/height_pieces.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "recon/cavity/plane_loops.h"
+#include "recon/core/union_find.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -33,23 +33,6 @@ std::vector<double> off_vertices(const SurfaceMesh& surface, const std::vector<d
   return levels;
 }
 
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
-  std::size_t find(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
-};
-
 class Slicing {
  public:
   Slicing(const SurfaceMesh& surface, const EdgeMates& edges, HeightPieces& made) : surface_(surface), edges_(edges), made_(made) {
@@ -65,14 +48,15 @@ class Slicing {
 
   void join_pieces() {
     UnionFind pieces(made_.first_piece.back());
+    const auto numbered = [&](HalfEdge h, std::size_t slab) { return static_cast<std::uint32_t>(part(h / 3, slab)); };
     for (HalfEdge h = 0; h < 3 * surface_.triangles.size(); ++h) {
       if (h > edges_.mate[h]) continue;
       const auto [low, high] = std::minmax(slab_[start(surface_, h)], slab_[end(surface_, h)]);
-      for (std::size_t s = low; s <= high; ++s) pieces.join(part(h / 3, s), part(edges_.mate[h] / 3, s));
+      for (std::size_t s = low; s <= high; ++s) pieces.join(numbered(h, s), numbered(edges_.mate[h], s));
     }
     std::vector<std::size_t> number(made_.first_piece.back(), 0);
     made_.piece_of.resize(number.size());
-    for (std::size_t i = 0; i < number.size(); ++i) {
+    for (std::uint32_t i = 0; i < number.size(); ++i) {
       if (pieces.find(i) == i) number[i] = made_.pieces++;   // the lowest is the first
       made_.piece_of[i] = number[pieces.find(i)];
     }

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
+
+#include "recon/core/union_find.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -29,25 +30,6 @@ class Witnesses {
   Map::value_type* last_ = nullptr;   // witnesses of one pair come in long runs
 };
 
-/// Union-find over the regions of both slices, upper ones after the lower.
-class Families {
- public:
-  explicit Families(std::uint32_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t find(std::uint32_t r) {
-    while (parent_[r] != r) r = parent_[r] = parent_[parent_[r]];
-    return r;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 }  // namespace
 
 std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower,
@@ -68,9 +50,9 @@ std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetr
 
 Correspondences correspond(const std::vector<RegionLink>& witnessed, const Choices& choices, std::uint32_t lower_regions,
                            std::uint32_t upper_regions, const Place& place) {
-  Families families(lower_regions + upper_regions);
+  UnionFind families(lower_regions + upper_regions);   // upper regions after the lower
   for (const auto& [a, b] : choices.joined) families.join(a, lower_regions + b);
-  const auto broken = [&](Families& now) {
+  const auto broken = [&](UnionFind& now) {
     return std::any_of(choices.apart.begin(), choices.apart.end(), [&](const auto& pair) {
       return now.find(pair.first) == now.find(lower_regions + pair.second);
     });
@@ -85,7 +67,7 @@ Correspondences correspond(const std::vector<RegionLink>& witnessed, const Choic
     if (choices.apart.empty()) {
       families.join(link.lower, lower_regions + link.upper);
     } else {
-      Families then = families;
+      UnionFind then = families;
       then.join(link.lower, lower_regions + link.upper);
       if (broken(then)) continue;
       families = std::move(then);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/core/union_find.h"
 #include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/half_edges.h"
 #include "recon/mesh/spread.h"
@@ -18,19 +19,14 @@ namespace {
 
 constexpr std::uint32_t no_shell = std::numeric_limits<std::uint32_t>::max();
 
-std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Numbers the components in order of their first triangle. Edges with more than two triangles connect, too.
 std::uint32_t number_shells(const SurfaceMesh& mesh, const EdgeMates& edges, std::vector<std::uint32_t>& shell_of) {
   shell_of.assign(mesh.triangles.size(), no_shell);
-  std::vector<std::uint32_t> parent, stack;
+  std::vector<std::uint32_t> stack;
+  std::uint32_t shells = 0;
   for (std::uint32_t seed = 0; seed < shell_of.size(); ++seed) {
     if (shell_of[seed] != no_shell) continue;
-    const auto shell = static_cast<std::uint32_t>(parent.size());
-    parent.push_back(shell);
+    const std::uint32_t shell = shells++;
     shell_of[seed] = shell;
     stack.assign(1, seed);
     while (!stack.empty()) {
@@ -43,21 +39,19 @@ std::uint32_t number_shells(const SurfaceMesh& mesh, const EdgeMates& edges, std
       }
     }
   }
-  if (edges.crowded.empty()) return static_cast<std::uint32_t>(parent.size());
+  if (edges.crowded.empty()) return shells;
 
   const auto same_edge = [&](HalfEdge a, HalfEdge b) {
     return std::minmax(start(mesh, a), end(mesh, a)) == std::minmax(start(mesh, b), end(mesh, b));
   };
+  UnionFind joined(shells);
   for (std::size_t i = 1; i < edges.crowded.size(); ++i) {
-    if (!same_edge(edges.crowded[i - 1], edges.crowded[i])) continue;
-    const std::uint32_t a = root(parent, shell_of[edges.crowded[i - 1] / 3]);
-    const std::uint32_t b = root(parent, shell_of[edges.crowded[i] / 3]);
-    parent[std::max(a, b)] = std::min(a, b);
+    if (same_edge(edges.crowded[i - 1], edges.crowded[i])) joined.join(shell_of[edges.crowded[i - 1] / 3], shell_of[edges.crowded[i] / 3]);
   }
-  std::vector<std::uint32_t> number(parent.size(), no_shell);
+  std::vector<std::uint32_t> number(shells, no_shell);
   std::uint32_t count = 0;
   for (std::uint32_t& shell : shell_of) {
-    std::uint32_t& renumbered = number[root(parent, shell)];
+    std::uint32_t& renumbered = number[joined.find(shell)];
     if (renumbered == no_shell) renumbered = count++;
     shell = renumbered;
   }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <numeric>
 
+#include "recon/core/union_find.h"
 #include "recon/mesh/half_edges.h"
 
 namespace odontoscope {
@@ -33,33 +33,23 @@ double angle_at(const SurfaceMesh& surface, HalfEdge corner) {
   return std::atan2(length(cross(u, v)), dot(u, v));
 }
 
-HalfEdge root(std::vector<HalfEdge>& parent, HalfEdge i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 /// Corners of a vertex that can be reached from each other without crossing a crease have one root, the first of them.
 std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vector<Direction>& normals,
                                      double crease_angle_deg) {
   const EdgeMates edges = edge_mates(surface);
   const double least_cosine = std::cos(crease_angle_deg * std::numbers::pi / 180);
-  std::vector<HalfEdge> parent(edges.mate.size());
-  std::iota(parent.begin(), parent.end(), HalfEdge{0});
-  const auto join = [&](HalfEdge a, HalfEdge b) {
-    a = root(parent, a);
-    b = root(parent, b);
-    parent[std::max(a, b)] = std::min(a, b);
-  };
+  UnionFind corners(edges.mate.size());
   for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
     const HalfEdge m = edges.mate[h];
     if (m >= EdgeMates::no_edge || m < h) continue;
     if (start(surface, m) == start(surface, h)) continue;  // misoriented: the normals contradict each other
     if (dot(normals[h / 3], normals[m / 3]) < least_cosine) continue;
-    join(h, next(m));
-    join(next(h), m);
+    corners.join(h, next(m));
+    corners.join(next(h), m);
   }
-  for (HalfEdge h = 0; h < parent.size(); ++h) parent[h] = root(parent, h);
-  return parent;
+  std::vector<HalfEdge> first(edges.mate.size());
+  for (HalfEdge h = 0; h < first.size(); ++h) first[h] = corners.find(h);
+  return first;
 }
 
 }  // namespace

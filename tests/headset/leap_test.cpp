@@ -6,12 +6,10 @@
 #include <random>
 
 #include "engine/headset/visit_steps.h"
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 
 namespace odontoscope::testing_support {
 namespace {
-
-constexpr double tick = 1.0 / 90;
 
 TEST(FreeWay, EndsWhereTheBallTouchesTheWallAndNoSooner) {
   const FlightSpace& ball = BallWorld::once().cavities[0];
@@ -38,14 +36,8 @@ TEST(FreeWay, EndsWhereTheBallTouchesTheWallAndNoSooner) {
   }
 }
 
-class Leap : public ::testing::Test {
+class Leap : public VisitingMolar {
  protected:
-  const VisitWorld world = MolarWorld::once().world();
-  const FlightSpace& cavity = world.cavities[0];
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override {
     step();
     visit.todo = {VisitAction::enter};
@@ -54,10 +46,6 @@ class Leap : public ::testing::Test {
     visit.panel.reset();
     visit.travel = Travel::leap;
   }
-  void step(int times = 1) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, world, rules, tick);
-  }
-  double wall_metres() const { return cavity.walls.nearest(visit.eye_mm).distance / mm_per_metre(visit.stage); }
   void point(const glm::dvec3& direction) {
     const double trigger = input.hands[1].trigger;
     input.hands[1] = pointing_at(input.head.position + 3.0 * direction, input.head.position + glm::dvec3(0.1, -0.2, -0.1));

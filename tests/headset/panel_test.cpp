@@ -5,12 +5,10 @@
 #include <glm/trigonometric.hpp>
 #include <random>
 
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 
 namespace odontoscope::testing_support {
 namespace {
-
-constexpr double tick = 1.0 / 90;
 
 TEST(RoomPanel, StandsBesideThePersonTiltedToTheEyes) {
   const Pose head{{0.5, 1.2, -2}, glm::angleAxis(1.1, glm::dvec3(0, 1, 0)) * glm::angleAxis(-0.3, glm::dvec3(1, 0, 0))};
@@ -58,18 +56,9 @@ TEST(RoomPanel, ARayMeetsItWhereItsPlaceIs) {
   EXPECT_GT(corner.y, 0);
 }
 
-class PanelInVisit : public ::testing::Test {
+class PanelInVisit : public VisitingBalls {
  protected:
-  const BallWorld& balls = BallWorld::once();
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override { step(); }
-  void step(int times = 1) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, balls.world(), rules, tick);
-  }
-  void seconds(double time) { step(static_cast<int>(std::ceil(time / tick))); }
   void press_menu(std::size_t hand) {
     input.hands[hand].menu = true;
     step(5);

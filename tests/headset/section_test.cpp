@@ -7,12 +7,10 @@
 #include <random>
 
 #include "engine/navigate/section_handle.h"
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 
 namespace odontoscope::testing_support {
 namespace {
-
-constexpr double tick = 1.0 / 90;
 
 TEST(SectionFrame, LiesInThePlaneAndRoundTheModel) {
   const BallWorld& balls = BallWorld::once();
@@ -34,22 +32,14 @@ TEST(SectionFrame, LiesInThePlaneAndRoundTheModel) {
   }
 }
 
-class SectionInHand : public ::testing::Test {
+class SectionInHand : public VisitingBalls {
  protected:
-  const BallWorld& balls = BallWorld::once();
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override {
     step();
     visit.panel.reset();
     visit.todo = {VisitAction::toggle_section};
     step();
     ASSERT_TRUE(visit.scene.section);
-  }
-  void step(int times = 1) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, balls.world(), rules, tick);
   }
   SectionFrame frame() const { return section_frame(*visit.scene.section, visit.stage, balls.model); }
   void point(const glm::dvec3& place) {

@@ -7,28 +7,17 @@
 
 #include "engine/headset/placards.h"
 #include "engine/measure/wall_thickness.h"
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
-constexpr double tick = 1.0 / 90;
-
-class Tools : public ::testing::Test {
+class Tools : public VisitingBalls {
  protected:
-  const BallWorld& balls = BallWorld::once();
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override {
     step();
     visit.panel.reset();
   }
-  void step(int times = 1) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, balls.world(), rules, tick);
-  }
-  glm::dvec3 centre() const { return to_room(visit.stage, balls.model.bounds_mm.centre()); }
   void pull_at(const glm::dvec3& place, std::size_t hand = 1) {
     input.hands[hand] = pointing_at(place, input.head.position + glm::dvec3(0, -0.1, -0.05));
     step();

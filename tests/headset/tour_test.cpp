@@ -8,28 +8,17 @@
 
 #include "engine/headset/placards.h"
 #include "engine/navigate/labels.h"
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
-constexpr double tick = 1.0 / 90;
-
-class HeadsetTour : public ::testing::Test {
+class HeadsetTour : public VisitingMolar {
  protected:
-  const VisitWorld world = MolarWorld::once().world();
-  const FlightSpace& cavity = world.cavities[0];
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override {
     ASSERT_GE(cavity.lines.canals.size(), 2u);
     input.hands = {};   // nothing to point with: picking takes longer than all the rest
     step();
-  }
-  void step(int times = 1, double seconds = tick) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, world, rules, seconds);
   }
   void begin(std::size_t line) {
     visit.tour_asked = line;
@@ -46,7 +35,6 @@ class HeadsetTour : public ::testing::Test {
     input.hands[hand] = {};
     step();
   }
-  double wall_metres() const { return cavity.walls.nearest(visit.eye_mm).distance / mm_per_metre(visit.stage); }
   double pace() const { return glm::length(visit.velocity) / mm_per_metre(visit.stage); }
 };
 

@@ -6,27 +6,15 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "tests/headset/worlds.h"
+#include "tests/headset/visiting.h"
 #include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
-constexpr double tick = 1.0 / 90;
-
-class VisitTest : public ::testing::Test {
+class VisitTest : public VisitingBalls {
  protected:
-  const BallWorld& balls = BallWorld::once();
-  const ComfortRules rules;
-  HeadsetInput input = person();
-  Visit visit;
-
   void SetUp() override { step(); }
-  void step(int times = 1) {
-    for (int i = 0; i < times; ++i) visit = stepped(visit, input, balls.world(), rules, tick);
-  }
-  void seconds(double time) { step(static_cast<int>(std::ceil(time / tick))); }
-  glm::dvec3 centre() const { return to_room(visit.stage, balls.model.bounds_mm.centre()); }
   double wall_metres() const { return balls.cavities[0].walls.nearest(visit.eye_mm).distance / mm_per_metre(visit.stage); }
   /// As a person does it: point at the pulp, pull the trigger, let go.
   void enter(bool one_button = false) {
