@@ -104,7 +104,7 @@ ExitCode check(const Options& options, Session& session) {
     refuse_report(options);
     return check_stack(read_contour_file(*kind, bytes, options.file).stack, options, session);
   }
-  const FileKind kind = kind_of(bytes);
+  const FileKind kind = kind_of(bytes, options.file);
   if (const auto meshes = meshes_in(kind, bytes, options.file)) return check_meshes(*meshes, options, session);
   if (kind != FileKind::contour_stack) refuse(kind, options.file);
   refuse_report(options);

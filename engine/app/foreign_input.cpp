@@ -93,7 +93,10 @@ void refuse_planes(const std::string& file, const ForeignWords& words) {
 
 /// What validate found can be mended here: says so.
 [[noreturn]] void offer_repair(const InputError& error) {
-  throw InputError(error.cause(), {}, std::string(error.what()).substr(0, std::string(error.what()).rfind(" [")),
+  std::string told = error.what();
+  told.resize(told.rfind(" ["));
+  if (told.ends_with('.')) told.pop_back();
+  throw InputError(error.cause(), {}, told,
                    "Or give --repair, which tells what it changes");
 }
 
@@ -149,10 +152,10 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
   const std::string head = head_of(file);
   if (words.any() || head.empty()) return words.any();
   if (contour_file_kind(head)) return true;
-  const FileKind kind = kind_of(head);
+  const FileKind kind = kind_of(head, file);
   if (kind == FileKind::contour_stack || kind == FileKind::volume) return false;
   // Binary STL is told by its whole size.
-  return kind != FileKind::unknown || kind_of(read_file(file)) == FileKind::stl;
+  return kind != FileKind::unknown || kind_of(read_file(file), file) == FileKind::stl;
 }
 
 ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
@@ -165,7 +168,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
     for (const std::string& remark : read.remarks) session.console.say("  " + remark);
     return checked(std::move(read.stack), words, session);
   }
-  const FileKind kind = kind_of(bytes);
+  const FileKind kind = kind_of(bytes, file);
   if (auto meshes = meshes_in(kind, bytes, file)) return cut_told(std::move(*meshes), file, words, session);
   if (kind == FileKind::volume) {
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),

@@ -71,15 +71,15 @@ Found found_in_volume(const std::string& file, const VolumeContourOptions& optio
   return found;
 }
 
-/// A mesh without a name is called after its file. Our own GLB files name a solid's outside "S external" and its cavities
-/// "S cavity".
+/// A mesh without a name is called after its file. Our own files name a solid's outside "S external" and its cavities "S cavity", OBJ with an
+/// underscore.
 NamedSurface surface_of(NamedMesh mesh, const std::string& file) {
   std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
-  if (name.ends_with(cavity_suffix)) {
+  if (name.size() > cavity_suffix.size() && (name.ends_with(cavity_suffix) || name.ends_with("_cavity"))) {
     const std::string solid = name.substr(0, name.size() - cavity_suffix.size());
-    return {name, std::move(mesh.surface), solid, true};
+    return {solid + std::string(cavity_suffix), std::move(mesh.surface), solid, true};
   }
-  if (name.ends_with(external_suffix)) name.resize(name.size() - external_suffix.size());
+  if (name.size() > external_suffix.size() && (name.ends_with(external_suffix) || name.ends_with("_external"))) name.resize(name.size() - external_suffix.size());
   return {name, std::move(mesh.surface), name};
 }
 
@@ -95,7 +95,7 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
                      "Give --iso T for an image, --label N for a label map");
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL, PLY or OBJ mesh",
+  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no GLB, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
@@ -105,7 +105,7 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file);
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), session);
-  const FileKind kind = kind_of(bytes);
+  const FileKind kind = kind_of(bytes, file);
   if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
   if (auto meshes = meshes_in(kind, bytes, file)) return found_in(std::move(*meshes), file);
   refuse(kind, file);

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include "recon/core/error.h"
+#include "recon/core/lower_case.h"
+
 namespace odontoscope::app {
 namespace {
 
@@ -45,9 +48,7 @@ bool is_obj(std::string_view bytes) {
   return false;
 }
 
-}  // namespace
-
-FileKind kind_of(std::string_view bytes) {
+FileKind kind_by_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return FileKind::glb;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return FileKind::ply;
   if (is_binary_stl(bytes)) return FileKind::stl;   // before the text one: some binary files begin with "solid" as well
@@ -61,12 +62,27 @@ FileKind kind_of(std::string_view bytes) {
   return is_obj(bytes) ? FileKind::obj : FileKind::unknown;
 }
 
+}  // namespace
+
+FileKind kind_of(std::string_view bytes, const std::string& file) {
+  const FileKind kind = kind_by_content(bytes);
+  const std::string name = lower_case(file);
+  if (kind == FileKind::unknown && name.ends_with(".stl") && !bytes.empty()) return FileKind::stl;
+  if (kind == FileKind::contour_stack && name.ends_with(".gltf")) return FileKind::gltf;
+  return kind;
+}
+
 std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view bytes, const std::string& file) {
   switch (kind) {
     case FileKind::glb: return parse_glb(bytes, file);
     case FileKind::ply: return parse_ply(bytes, file);
     case FileKind::stl: return parse_stl(bytes, file);
     case FileKind::obj: return parse_obj(bytes, file);
+    case FileKind::gltf: {
+      Place place;
+      place.file = file;
+      throw InputError("unknown-format", std::move(place), "glTF with its data beside it is written here, but not read", "Give the .glb of the same model");
+    }
     default: return std::nullopt;
   }
 }

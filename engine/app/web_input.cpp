@@ -160,7 +160,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
 std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words) {
   if (words.input.empty() || words.volume.any_level()) return {};
   const std::string bytes = read_file(words.input);
-  return meshes_in(kind_of(bytes), bytes, words.input);
+  return meshes_in(kind_of(bytes, words.input), bytes, words.input);
 }
 
 /// Of ours, of another program's contour file, or of a volume.

@@ -122,7 +122,7 @@ class Reader {
     Place place;
     place.file = file_;
     throw InputError(cause, place, fmt::format("\"{}\" {}", path_.empty() ? key : fmt::format("{}.{}", path_, key), wrong),
-                     "See engine/scene/scene_json.h for the form of a scene.");
+                     "A scene that the viewer saves (Ctrl S) shows the form");
   }
 
  private:

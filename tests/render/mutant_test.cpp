@@ -74,7 +74,7 @@ std::vector<NamedMutation> mutations() {
       {"WiresForgotten", of_scene([](Scene& scene) { scene.wire = false; })},
       {"OverlaysForgotten", of_scene([](Scene& scene) { scene.overlays = {}; })},
       {"LinesSunkIntoTheSurface", of_shader("line.vert", "(1.0 - min(lift", "(1.0 + min(lift")},
-      {"HiddenLinesForgotten", of_shader("line.frag", "gl_FragCoord.z <= texelFetch", "gl_FragCoord.z >= texelFetch")},
+      {"HiddenLinesForgotten", of_shader("line.frag", "gl_FragCoord.z <= before ||", "gl_FragCoord.z >= before ||")},
       {"TetrahedraNotShrunk", of_scene([](Scene& scene) { scene.overlays.shrink = 1; })},
       {"BackgroundUpsideDown", of_scene([](Scene& scene) { std::swap(scene.background.top, scene.background.bottom); })},
   };
