@@ -185,20 +185,26 @@ std::string vertucci_type(const std::vector<std::size_t>& sections) {
   return found == types.end() ? "other" : names[static_cast<std::size_t>(found - types.begin())];
 }
 
+/// 1 where canals run down from their orifices, -1 where they run up: heights times this fall towards the apex.
+double falling(double towards_end) { return towards_end > 0 ? -1 : 1; }
+
 /// Counts from the lower orifice to the first blind end, in runs.
 std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLines& lines, const MeasuredRoot& root, const std::vector<MeasuredCanal>& canals) {
+  double towards_end = 0;
+  for (const std::size_t c : root.canals) towards_end += canals[c].end.z - canals[c].orifice.z;
+  const double sign = falling(towards_end);
   double top = std::numeric_limits<double>::infinity(), bottom = -top, width = 0;
   for (const std::size_t c : root.canals) {
-    const double high = std::max(canals[c].orifice.z, canals[c].end.z), low = std::min(canals[c].orifice.z, canals[c].end.z);
-    top = std::min(top, high);
-    bottom = std::max(bottom, low);
+    const double orifice = sign * canals[c].orifice.z, end = sign * canals[c].end.z;
+    top = std::min(top, std::max(orifice, end));
+    bottom = std::max(bottom, std::min(orifice, end));
     width = std::max(width, canals[c].mean_width);
   }
   top -= 0.5 * width;
   bottom += 0.5 * width;
   std::vector<std::pair<std::size_t, std::size_t>> runs;   // count, heights
   for (std::size_t i = 0; i < root_sections && top > bottom; ++i) {
-    const double z = top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom);
+    const double z = sign * (top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom));
     const std::vector<cavity::Loop> loops = cavity::loops_at(cavity.wall, z);
     std::vector<std::size_t> seen;
     for (const std::size_t c : root.canals) seen.push_back(loop_round(loops, passes(lines.canals[c], z)));
@@ -222,8 +228,9 @@ std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& line
   for (std::size_t a = 0; a < canals.size(); ++a) {
     for (std::size_t b = a + 1; b < canals.size(); ++b) {
       // Canals of one root end at about the same height; the middle of the apical half that both have.
-      const double end = std::max(canals[a].end.z, canals[b].end.z), orifice = std::min(canals[a].orifice.z, canals[b].orifice.z);
-      const double z = end + 0.25 * (orifice - end);
+      const double sign = falling(canals[a].end.z - canals[a].orifice.z + canals[b].end.z - canals[b].orifice.z);
+      const double end = std::max(sign * canals[a].end.z, sign * canals[b].end.z), orifice = std::min(sign * canals[a].orifice.z, sign * canals[b].orifice.z);
+      const double z = sign * (end + 0.25 * (orifice - end));
       const std::vector<cavity::Loop> loops = cavity::loops_at(outside, z);
       const std::size_t one = loop_round(loops, passes(lines.canals[a], z)), other = loop_round(loops, passes(lines.canals[b], z));
       if (one == other && one < loops.size()) std::replace(root_of.begin(), root_of.end(), root_of[b], root_of[a]);

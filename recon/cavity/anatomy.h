@@ -44,7 +44,7 @@ struct MeasuredCanal {
 /// than the mean width are left out.
 struct MeasuredRoot {
   std::vector<std::size_t> canals;     // of Anatomy::canals
-  std::vector<std::size_t> sections;   // counts, from the orifice down
+  std::vector<std::size_t> sections;   // counts, from the orifice to the apex, whichever of them is up
   std::string vertucci;                // "I" to "VIII", or "other"
 };
 

@@ -93,6 +93,20 @@ TEST_P(RootTypes, AreToldWithTheirCanalsLengthsAndWidths) {
   for (std::size_t i = 0; i < known.size(); ++i) EXPECT_NEAR(found[i], known[i], percent * known[i]);
 }
 
+TEST_P(RootTypes, AreTheSameWithTheApexUp) {
+  const auto& [type, uneven] = GetParam();
+  const test::RootShape shape = test::root_of_type(type, uneven);
+  SurfaceMesh wall = test::void_of_root(shape).wall;
+  for (Point3& p : wall.points) p.z = -p.z;
+  for (Triangle& t : wall.triangles) std::swap(t[1], t[2]);
+  const SurfaceMesh block = shapes::together(shapes::cube(-10, -10, -4, 20), wall);
+  const Anatomy made = measure_anatomy({{"block", &block}});
+  ASSERT_EQ(made.roots.size(), 1u);
+  EXPECT_EQ(made.roots[0].canals.size(), shape.canals.size());
+  EXPECT_EQ(made.roots[0].sections, shape.sections);
+  EXPECT_EQ(made.roots[0].vertucci, type);
+}
+
 // Where both ways round are of one length, which is the second is chance.
 INSTANTIATE_TEST_SUITE_P(Vertucci, RootTypes,
                          ::testing::Values(std::pair{"I", 1.15}, std::pair{"II", 1.15}, std::pair{"III", 1.15}, std::pair{"IV", 1.15}, std::pair{"V", 1.15},
