@@ -65,6 +65,16 @@ std::vector<Cavity> largest_first(std::vector<Cavity> cavities) {
 
 bool named_pulp(const std::string& name) { return lower_case(name).find("pulp") != std::string::npos; }
 
+double largest_pulp_body(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports) {
+  double largest = 0;
+  for (std::size_t s = 0; s < model.size(); ++s) {
+    if (!named_pulp(model[s].structure)) continue;
+    for (const Shell& shell : reports[s].shells)
+      if (shell.kind == Shell::Kind::external) largest = std::max(largest, shell.volume);
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report) {
@@ -101,7 +111,10 @@ std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model) {
     std::erase_if(dents, [&](const Cavity& dent) { return dent.volume <= largest; });
     add(std::move(dents));
   }
-  if (all.empty()) {
+  // Beside a body of pulp a bubble in the material round it is no pulp.
+  for (const Cavity& cavity : all) largest = std::max(largest, cavity.volume);
+  if (all.empty() || largest < limits::cavity_speck * largest_pulp_body(model, reports)) {
+    all.clear();
     for (const StructureSurface& part : model)
       if (named_pulp(part.structure)) add(voids_filled_by(part.structure, *part.surface));
   }

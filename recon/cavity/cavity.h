@@ -49,8 +49,8 @@ struct StructureSurface {
   const SurfaceMesh* surface = nullptr;
 };
 
-/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the largest of them. If it has none, the
-/// void that a body with "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
+/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the largest of them. If it has none, or only
+/// specks beside it, the void that a body with "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
 std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);
 
 }  // namespace odontoscope

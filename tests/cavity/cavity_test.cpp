@@ -58,6 +58,22 @@ TEST(Cavities, OfAWholeModelComeBeforeABodyOfPulp) {
   EXPECT_TRUE(cavities_in({{"dentine", &block}}).empty());
 }
 
+TEST(Cavities, ThatAreSpecksBesideABodyOfPulpAreNone) {
+  const auto block_with_bubble = [](double size) {
+    SurfaceMesh bubble = cube(8, 8, 8, size);
+    for (Triangle& t : bubble.triangles) std::swap(t[1], t[2]);
+    return together(cube(0, 0, 0, 20), bubble);
+  };
+  const SurfaceMesh pulp = cube(1, 1, 1, 5);   // 125 mm^3
+  const SurfaceMesh speck = block_with_bubble(0.49), bubble = block_with_bubble(0.51);   // a thousandth has edges of 0.5 mm
+  const std::vector<Cavity> from_body = cavities_in({{"dentine", &speck}, {"pulp", &pulp}});
+  ASSERT_EQ(from_body.size(), 1u);
+  EXPECT_EQ(from_body[0].structure, "pulp");
+  EXPECT_TRUE(from_body[0].body);
+  EXPECT_EQ(cavities_in({{"dentine", &bubble}, {"pulp", &pulp}}).front().structure, "dentine");
+  EXPECT_EQ(cavities_in({{"dentine", &speck}}).front().structure, "dentine");
+}
+
 TEST(WallTree, KnowsTheDistanceThatAllTrianglesTellAndTheSide) {
   const SurfaceMesh wall = inside_out(sphere(2, 3));
   const WallTree tree(wall);
