@@ -6,6 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 
+#include "engine/scene/turned_out.h"
+
 namespace odontoscope {
 
 namespace {
@@ -26,12 +28,19 @@ struct Shown {
   bool hit = false, inside_out = false;
 };
 
-std::vector<Shown> shown_parts(const Pickable& pickable, const Scene& scene, const PickOptions& options) {
+/// As caps are drawn: seen from the side that was cut away.
+bool caps_face(const TreeRay& ray, const Plane& plane, const Scene& scene) {
+  if (scene.camera.projection == Camera::Projection::parallel) return glm::dot(plane.normal, ray.direction) < 0;
+  return glm::dot(plane.normal, ray.origin) > plane.offset;
+}
+
+std::vector<Shown> shown_parts(const Pickable& pickable, const Scene& scene, bool capped, const PickOptions& options) {
   std::vector<Shown> shown;
   for (const Pickable::Part& part : pickable.parts) {
     const Look* look = scene.look_of(part.structure);
     if (!look) shown.push_back({true, false});
-    else shown.push_back({look->visible && look->opacity > 0 && look->opacity >= options.least_opacity, look->as_body});
+    else shown.push_back({look->visible && look->opacity > 0 && look->opacity >= options.least_opacity,
+                          turned_out(scene, *look, part.structure != part.solid, capped)});
   }
   return shown;
 }
@@ -95,7 +104,7 @@ std::optional<Hit> pick(const Pickable& pickable, const Scene& scene, const Ray&
   // A parallel camera sees what lies behind its own place, too.
   if (scene.camera.projection == Camera::Projection::parallel) along.from = -std::numeric_limits<double>::infinity();
   const std::optional<Plane> plane = plane_of(scene, pickable.origin_mm);
-  const std::vector<Shown> shown = shown_parts(pickable, scene, options);
+  const std::vector<Shown> shown = shown_parts(pickable, scene, plane && caps_face(along, *plane, scene), options);
   const auto is_front = [&](const Crossing& crossing) { return crossing.front != shown[crossing.part].inside_out; };
   const auto counts = [&](const Crossing& crossing) {
     if (!shown[crossing.part].hit) return false;

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "engine/scene/turned_out.h"
+
 namespace odontoscope {
 
 namespace {
@@ -96,7 +98,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
     const Look* found = scene.look_of(part.structure);
     const Look look = found ? *found : Look{part.structure, usual_colour(part.structure, i)};
     if (!look.visible) continue;
-    const DrawnPart drawn{&part, linear(look.colour), look.opacity, look.as_body};
+    const DrawnPart drawn{&part, linear(look.colour), look.opacity, turned_out(scene, look, part.structure != part.solid, capped)};
     if (look.opacity >= 1) plan.opaque.push_back(drawn);
     else if (look.opacity > 0) plan.translucent.push_back(drawn);
     if (capped && part.structure == part.solid) plan.capped.push_back({surfaces_of(part.solid, model), drawn.colour, part.box_volume});

@@ -100,6 +100,23 @@ TEST_F(Pick, TheSectionsCapIsHitAndTheHollowIsNot) {
   EXPECT_FALSE(rim);
 }
 
+TEST_F(Pick, CutOpenACavityIsItsWallWhateverItsLook) {
+  scene.section = Section{{0, 1, 0}, {0, 3, 0}};
+  Look& cavity = *scene.look_of("shell cavity");
+  cavity.as_body = true;
+  for (const auto projection : {Camera::Projection::parallel, Camera::Projection::perspective}) {
+    scene.camera.projection = projection;
+    const auto hit = at(100, 50);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->structure, "shell cavity");
+    EXPECT_TRUE(hit->front);
+    EXPECT_NEAR(hit->point_mm.y, -2, 0.03);
+  }
+  scene.look_of("shell")->visible = false;   // from the side that is left it is a body still
+  scene.section = Section{{0, -1, 0}, {0, -3, 0}};
+  EXPECT_NEAR(at(100, 50)->point_mm.y, 2, 0.03);
+}
+
 TEST_F(Pick, FromTheSideThatIsLeftThereIsNoCap) {
   scene.section = Section{{0, 1, 0}, {0, -1, 0}};
   const auto hit = at(100, 50);

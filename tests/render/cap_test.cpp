@@ -43,6 +43,29 @@ TEST_F(Caps, OfAHollowBallIsAnAnnulus) {
   EXPECT_NEAR(cap_area(hollow_ball_model(), {{0, 0, 0}, {0, 3, 0}}), disc(5) - disc(2), 0.01 * disc(5));
 }
 
+TEST_F(Caps, LeaveNoHoleThroughASolidWhoseCavityIsEmpty) {
+  const Model model = hollow_ball_model();
+  Scene scene = plain_scene(model, height_mm);
+  scene.camera.field_of_view_deg = 2 * std::atan(height_mm / 2 / 60) * 180 / std::numbers::pi;   // as high, in the section's plane
+  for (const auto projection : {Camera::Projection::parallel, Camera::Projection::perspective}) {
+    scene.camera.projection = projection;
+    scene.section = Section{{0, 0, 0}, {0, 1, 0}};
+    for (const bool as_body : {true, false}) {
+      scene.look_of("shell cavity")->as_body = as_body;
+      const Image cut = draw(model, scene, size);
+      std::size_t within = 0, holes = 0;
+      for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+          if (std::hypot(x - 180, y - 180) * height_mm / size.height > 4.5) continue;
+          ++within;
+          holes += cut.pixel(x, y)[3] < 255;
+        }
+      EXPECT_GT(within, 50000u);
+      EXPECT_EQ(holes, 0u) << (as_body ? "as a body" : "as wound");
+    }
+  }
+}
+
 TEST_F(Caps, OfARingAreTwoDiscs) {
   const double tube = 12 * 1.5 * 1.5 * std::sin(2 * std::numbers::pi / 24);
   EXPECT_NEAR(cap_area(make_model({{"ring", ring({})}}), {{0, 0, 0}, {0, 1, 0}}), 2 * tube, 0.02 * tube);
