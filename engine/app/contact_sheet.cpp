@@ -32,6 +32,26 @@ void copy(const Image& from, Image& to, int left, int top) {
   }
 }
 
+/// The words, or as many of their letters as have room.
+std::string shortened(const std::string& words, const Lettering& lettering, double room) {
+  if (lettering.width(words) <= room) return words;
+  const auto within_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; };   // UTF-8
+  for (std::size_t length = words.size(); length-- > 1;) {
+    if (within_letter(words[length]) || words[length - 1] == ' ' || words[length - 1] == ',') continue;
+    std::string some = words.substr(0, length) + "\u2026";
+    if (lettering.width(some) <= room) return some;
+  }
+  return {};
+}
+
+/// What is seen at the left, when at the right; where there is no room for both, the time is left out.
+void letter(Image& sheet, const Lettering& lettering, const SheetPicture& picture, double left, double below) {
+  const double room = picture.image.width, time = std::ceil(lettering.width(picture.time)), space = 0.5 * lettering.height();
+  const bool both = lettering.width(picture.words) + space + time <= room;
+  lettering.draw(sheet, shortened(picture.words, lettering, room), left, below, bright);
+  if (both) lettering.draw(sheet, picture.time, left + room - time, below, dim);
+}
+
 }  // namespace
 
 SheetSize sheet_from(const std::string& text) {
@@ -61,9 +81,7 @@ Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetSize& 
     const int column = static_cast<int>(i) % size.columns, row = static_cast<int>(i) / size.columns;
     const int left = layout.gap + column * (width + layout.gap), top = layout.gap + row * (height + layout.line);
     copy(pictures[i].image, sheet, left, top);
-    const double below = top + height + 0.2 * layout.gap;
-    lettering.draw(sheet, pictures[i].words, left, below, bright);
-    lettering.draw(sheet, pictures[i].time, left + width - std::ceil(lettering.width(pictures[i].time)), below, dim);
+    letter(sheet, lettering, pictures[i], left, top + height + 0.2 * layout.gap);
   }
   return sheet;
 }

@@ -206,10 +206,13 @@ FileContent film_file(const Options& options, const Shown& shown, const Scene& s
 FileContent sheet_file(const Options& options, const Shown& shown, const Scene& scene, const Film& film, Painter& painter) {
   const SheetSize size = sheet_from(options.contact_sheet);
   const auto count = static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows);
+  const std::vector<double> moments = telling_moments(film, count);
+  // A short tour's whole seconds would say the same of many.
+  const int decimals = moments.back() - moments.front() < static_cast<double>(2 * count) ? 1 : 0;
   std::vector<SheetPicture> pictures;
-  for (const double seconds : telling_moments(film, count)) {
+  for (const double seconds : moments) {
     const std::size_t i = pictures.size();
-    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds), fmt::format("{:.0f} s", seconds)});
+    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds), fmt::format("{:.{}f} s", seconds, decimals)});
   }
   return {options.output, png_bytes(contact_sheet(pictures, size))};
 }

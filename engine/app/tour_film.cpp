@@ -64,7 +64,10 @@ Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
   const CentreLines lines = centre_lines(cavity, {}, session.progress());
   std::string names;
   for (const NamedLine& line : named_lines(lines)) {
-    if (typed(wanted.line) == line.name || typed(wanted.line) == line.number) return {Tour(*line.line, {.back = wanted.reverse}), *line.line, wall_of(cavity, shown.model)};
+    if (typed(wanted.line) == line.name || typed(wanted.line) == line.number) {
+      const bool from_chamber = lines.has_chamber && line.number.rfind("loop", 0) != 0;
+      return {Tour(*line.line, {.back = wanted.reverse}), *line.line, wall_of(cavity, shown.model), from_chamber};
+    }
     names += (names.empty() ? "" : ", ") + (line.name == line.number ? line.number : fmt::format("{} ({})", line.number, line.name));
   }
   throw UsageError(fmt::format("--tour: there is no line \"{}\"", wanted.line), names.empty() ? "The void has no branches." : "There are " + names + ".");
@@ -73,9 +76,13 @@ Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
 std::string station(const Film& film, double seconds) {
   const TourInstant now = film.tour.at(seconds);
   const CentrePoint& orifice = film.line.points[film.line.orifice];
-  if (film.line.orifice == 0) return fmt::format("{}, {:.1f} mm", film.line.name, now.along);
+  if (film.line.orifice == 0) {
+    if (film.from_chamber && now.along < 0.5 * film.line.points.front().radius) return "chamber";
+    return fmt::format("{}, {:.1f} mm", film.line.name, now.along);
+  }
   const double depth = now.along - orifice.along;
-  if (depth < -mouth_ahead * orifice.radius) return "chamber";
+  // In a small chamber all of it is near the orifice.
+  if (depth < -std::min(mouth_ahead * orifice.radius, 0.5 * orifice.along)) return "chamber";
   if (depth <= orifice.radius) return "orifice";
   const bool lit = film.line.points.back().along - now.along <= lamp_reach * now.width;   // the end
   return fmt::format("{}, {:.1f} mm deep", lit ? "apex" : "canal", depth);
@@ -91,14 +98,17 @@ std::vector<double> telling_moments(const Film& film, std::size_t count) {
     for (int halving = 0; halving < 40; ++halving) (before(film.tour.at(back ? all - (low + high) / 2 : (low + high) / 2)) ? low : high) = (low + high) / 2;
     return high;
   };
-  const double end = when([&](const TourInstant& now) { return last - now.along > fills * now.width; });
+  const double near_end = when([&](const TourInstant& now) { return last - now.along > fills * now.width; });
+  // Of a line that is short for its width the end fills the picture from the start.
+  const double end = near_end < all / 2 ? all : near_end;
   std::vector<double> moments;
   for (std::size_t i = 0; i < count; ++i) moments.push_back(count == 1 ? 0 : end * static_cast<double>(i) / static_cast<double>(count - 1));
   const CentrePoint& orifice = film.line.points[film.line.orifice];
   if (film.line.orifice > 0 && count > 2) {
     const double at_mouth = when([&](const TourInstant& now) { return now.along < orifice.along - mouth_ahead * orifice.radius; });
     const auto nearest = std::min_element(moments.begin() + 1, moments.end() - 1, [&](double a, double b) { return std::abs(a - at_mouth) < std::abs(b - at_mouth); });
-    *nearest = std::clamp(at_mouth, *(nearest - 1), *(nearest + 1));
+    const double apart = 0.25 * end / static_cast<double>(count - 1);   // else the first or the last picture shows it
+    if (at_mouth > *(nearest - 1) + apart && at_mouth < *(nearest + 1) - apart) *nearest = at_mouth;
   }
   if (!back) return moments;
   for (double& moment : moments) moment = all - moment;

@@ -18,6 +18,7 @@ struct Film {
   Tour tour;
   CentreLine line;
   VoidWall wall;
+  bool from_chamber = false;   // the line begins in the chamber's centre
 };
 
 struct TourWords {
@@ -29,11 +30,13 @@ struct TourWords {
 /// The tour through a void of what is shown. UsageError with the list of names if there is none such.
 Film film_of(const Shown& shown, const TourWords& wanted, Session& session);
 
-/// Where the eye is at `seconds`, in an anatomist's words: "chamber", "orifice", "canal, 3.2 mm deep", "apex, 9.8 mm deep"; along other lines "horn 1, 2 mm".
+/// Where the eye is at `seconds`, in an anatomist's words: "chamber", "orifice", "canal, 3.2 mm deep", "apex, 9.8 mm deep"; along other lines "horn 1, 2.0 mm". What begins in a
+/// chamber is in the "chamber" there.
 std::string station(const Film& film, double seconds);
 
-/// `count` moments that show a whole tour: evenly from its start to where the line's end fills the picture (nearer, a wall is all that is seen), but that the one
-/// nearest to the orifice is moved before it. Ascending; a tour in reverse has them the other way round.
+/// `count` moments that show a whole tour: evenly from its start to where the line's end fills the picture (nearer, a wall is all that is seen; if that is less
+/// than half of it, to its end), but that the one nearest to the orifice is moved before it, unless the first picture shows it. Strictly ascending; a tour in reverse
+/// has them the other way round.
 std::vector<double> telling_moments(const Film& film, std::size_t count);
 
 /// How `scene` looks at `seconds` of the tour: a lamp carried along, only the wall, seen from within, and back faces culled.

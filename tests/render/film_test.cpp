@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <stop_token>
 #include <thread>
 
@@ -28,15 +29,20 @@ std::string ring(double radius) {
   return R"({"structure":"tooth","points":[)" + points + "]}";
 }
 
-/// A chamber with one canal below it, closed all round.
-std::string tooth_with_a_canal() {
+/// A tooth of 12 mm that is hollow, so wide at each height.
+std::string hollow_tooth(const std::function<double(double)>& radius) {
   std::string text = R"({"format":"odontoscope.contours","version":1,"unit":"mm","slices":[)";
   for (int slice = 0; slice <= 24; ++slice) {
     const double z = 0.5 * slice;
-    const double hollow = z < 1 || z > 11 ? 0 : z < 8 ? 0.4 : 2;
+    const double hollow = radius(z);
     text += std::string(slice == 0 ? "{" : ",{") + "\"z\":" + std::to_string(z) + ",\"contours\":[" + ring(4) + (hollow > 0 ? "," + ring(hollow) : "") + "]}";
   }
   return text + "]}";
+}
+
+/// A chamber with one canal below it, closed all round.
+std::string tooth_with_a_canal() {
+  return hollow_tooth([](double z) { return z < 1 || z > 11 ? 0 : z < 8 ? 0.4 : 2; });
 }
 
 class Film : public ProgramTest {
@@ -180,31 +186,71 @@ TEST_F(Film, SenselessWordsAreAnswered) {
   }
 }
 
+/// What is on a sheet of pictures of 64 x 48, row by row.
+struct Sheet {
+  std::vector<Image> pictures, words;
+  int beyond = 0;   // pixels of words beside the pictures that they belong to
+};
+
+Sheet read_sheet(const std::string& file, int columns, int rows) {
+  const Image whole = read_png(file);
+  EXPECT_EQ(whole.width, columns * (64 + 4) + 4);
+  EXPECT_EQ(whole.height, rows * (48 + 14) + 4);
+  const auto part = [&](int left, int top, int width, int height) {
+    Image cut(width, height);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) cut.set_pixel(x, y, whole.pixel(left + x, top + y));
+    return cut;
+  };
+  const auto bright = [](const Image& image) {
+    int count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += image.rgba[i] > 60;
+    return count;
+  };
+  Sheet sheet;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int left = 4 + column * 68, top = 4 + row * 62;
+      sheet.pictures.push_back(part(left, top, 64, 48));
+      sheet.words.push_back(part(left, top + 48, 64, 12));
+      sheet.beyond += bright(part(left + 64, top + 48, 4, 12));
+      EXPECT_GT(bright(sheet.words.back()), 20) << column << " " << row;
+    }
+  }
+  return sheet;
+}
+
+void expect_no_two_alike(const std::vector<Image>& pictures) {
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    for (std::size_t before = 0; before < i; ++before) EXPECT_FALSE(pictures[before] == pictures[i]) << before << " and " << i;
+}
+
 TEST_F(Film, AContactSheetHasAllPicturesAndWords) {
   const Ending ending = render({"--contact-sheet", "3x2", "-o", "sheet.png"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
-  const Image sheet = read_png((folder / "sheet.png").string());
-  EXPECT_EQ(sheet.width, 3 * (64 + 4) + 4);
-  EXPECT_EQ(sheet.height, 2 * (48 + 14) + 4);
-  // Row by row each picture is another; words below each, in light letters on the dark paper.
-  const auto part = [&](int column, int row, int from, int height) {
-    Image cut(64, height);
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < 64; ++x) cut.set_pixel(x, y, sheet.pixel(4 + column * 68 + x, 4 + row * 62 + from + y));
-    return cut;
-  };
-  std::vector<Image> pictures, words;
-  for (int row = 0; row < 2; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      pictures.push_back(part(column, row, 0, 48));
-      words.push_back(part(column, row, 48, 12));
-      int bright = 0;
-      for (std::size_t i = 0; i < words.back().rgba.size(); i += 4) bright += words.back().rgba[i] > 120;
-      EXPECT_GT(bright, 20) << column << " " << row;
-      for (std::size_t before = 0; before + 1 < pictures.size(); ++before) EXPECT_NE(pictures[before], pictures.back());
+  const Sheet sheet = read_sheet((folder / "sheet.png").string(), 3, 2);
+  expect_no_two_alike(sheet.pictures);
+  EXPECT_NE(sheet.words.front(), sheet.words.back());
+  EXPECT_EQ(sheet.beyond, 0) << "words run into the next picture's";
+}
+
+TEST_F(Film, AContactSheetOfAShortTourHasNoPictureTwice) {
+  const std::pair<const char*, std::string> voids[] = {
+      {"a chamber alone", hollow_tooth([](double z) { return z < 4 || z > 6 ? 0 : 2; })},
+      {"a chamber no wider than its canal's mouth", hollow_tooth([](double z) { return z < 1 || z > 10 ? 0 : 0.3 + 0.12 * z; })}};
+  for (const auto& [name, tooth] : voids) {
+    SCOPED_TRACE(name);
+    given("tooth.json", tooth);
+    for (const bool back : {false, true}) {
+      std::vector<std::string> words = {"--contact-sheet", "4x2", "-o", "sheet.png"};
+      if (back) words.emplace_back("--reverse");
+      const Ending ending = render(words);
+      ASSERT_EQ(ending.exit_code, 0) << ending.err;
+      const Sheet sheet = read_sheet((folder / "sheet.png").string(), 4, 2);
+      expect_no_two_alike(sheet.pictures);
+      EXPECT_NE(sheet.words.front(), sheet.words.back());
     }
   }
-  EXPECT_NE(words.front(), words.back());
 }
 
 }  // namespace
