@@ -19,11 +19,23 @@ function fail(words) {
 }
 
 /// A bar of a round length in millimetres, where the model is.
+/// 1, 2 or 5 times a power of ten: the shortest that is at least `least`.
+function roundLength(least) {
+  const unit = 10 ** Math.floor(Math.log10(least));
+  return ([1, 2, 5].find(step => step * unit >= least) ?? 10) * unit;
+}
+
+/// Below 0.1 mm in µm.
+function lengthWords(mm) {
+  const rounded = value => Number(value.toPrecision(1));
+  return mm < 0.099 ? `${rounded(1000 * mm)} µm` : `${rounded(mm)} mm`;
+}
+
 function drawScale(viewer) {
   const {orbit, bounds, canvas} = viewer, distance = orbit.camera.position.distanceTo(bounds.centre);
   const perPixel = 2 * distance * Math.tan(MathUtils.degToRad(orbit.camera.fov) / 2) / canvas.clientHeight;
-  const length = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500].find(mm => mm / perPixel > 60) ?? 1000;
-  document.getElementById('scale-words').textContent = `${length} mm`;
+  const length = roundLength(60 * perPixel);
+  document.getElementById('scale-words').textContent = lengthWords(length);
   document.getElementById('scale-line').style.width = `${length / perPixel}px`;
 }
 
