@@ -49,10 +49,10 @@ void tell(const Anatomy& anatomy, Console& console) {
     console.say(fmt::format("\n{:<20} {:>8} {:>10} {:>8} {:>8} {:>10} {:>10}", "canal, mm", "length", "Schneider", "bend", "mean", "narrowest", "thinnest"));
   for (const MeasuredCanal& canal : anatomy.canals)
     console.say(fmt::format("{:<20} {:>8} {:>9.1f}\u00b0 {:>8} {:>8} {:>10} {:>10}", canal.name, measured(canal.length), canal.schneider_deg,
-                            std::isfinite(canal.smallest_bend) ? measured(canal.smallest_bend) : "-", measured(canal.mean_width), measured(canal.narrowest.width),
-                            canal.thinnest_wall ? measured(canal.thinnest_wall->width) : "-"));
+                            std::isfinite(canal.smallest_bend) ? measured(canal.smallest_bend) : "-", measured(canal.mean_width),
+                            canal.narrowest ? measured(canal.narrowest->width) : "-", canal.thinnest_wall ? measured(canal.thinnest_wall->width) : "-"));
   for (const MeasuredCanal& canal : anatomy.canals)
-    console.say(fmt::format("  {}: narrowest at {}{}", canal.name, place(canal.narrowest.at),
+    console.say(fmt::format("  {}: {}{}", canal.name, canal.narrowest ? "narrowest at " + place(canal.narrowest->at) : "too short for a narrowest place",
                             canal.thinnest_wall ? ", wall thinnest at " + place(canal.thinnest_wall->at) : ""));
   if (anatomy.handles > 0)
     console.say(fmt::format("{}: canals join again, or something stands in the chamber.", counted(static_cast<std::size_t>(anatomy.handles), "handle")));
@@ -68,7 +68,7 @@ void tell(const Anatomy& anatomy, Console& console) {
     std::string names, sections;
     for (const std::size_t c : root.canals) names += (names.empty() ? "" : ", ") + anatomy.canals[c].name;
     for (const std::size_t n : root.sections) sections += (sections.empty() ? "" : "-") + std::to_string(n);
-    console.say(fmt::format("Root with {}: {}, Vertucci {}", names, sections, root.vertucci));
+    console.say(fmt::format("Root with {}: {}, Vertucci {}", names, sections.empty() ? "too short to count sections" : sections, root.vertucci));
   }
   if (anatomy.roots.empty() && !anatomy.canals.empty()) console.say("The outside of the tooth is not there: no walls, no roots.");
 }

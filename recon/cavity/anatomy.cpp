@@ -107,14 +107,12 @@ MeasuredCanal measured(const CentreLine& line) {
   double sum = 0;
   for (std::size_t i = line.orifice; i < line.points.size(); ++i) sum += line.points[i].radius;
   canal.mean_width = 2 * sum / static_cast<double>(line.points.size() - line.orifice);
-  canal.narrowest = {std::numeric_limits<double>::infinity(), canal.orifice};
   for (std::size_t i = line.orifice; i < line.points.size(); ++i) {
     const CentrePoint& p = line.points[i];
     // Blind ends are narrow, and a tube without a chamber has two.
     const bool near_end = length(line.end - p.at) < canal.mean_width || (line.orifice == 0 && length(line.points.front().at - p.at) < canal.mean_width);
-    if (!near_end && 2 * p.radius < canal.narrowest.width) canal.narrowest = {2 * p.radius, p.at};
+    if (!near_end && (!canal.narrowest || 2 * p.radius < canal.narrowest->width)) canal.narrowest = MeasuredPlace{2 * p.radius, p.at};
   }
-  if (!std::isfinite(canal.narrowest.width)) canal.narrowest.width = 2 * line.points[line.orifice].radius;   // all of it is end
   canal.schneider_deg = schneider(line, canal.length);
   canal.smallest_bend = smallest_bend(line, canal.mean_width);
   return canal;

@@ -32,7 +32,8 @@ struct MeasuredCanal {
   /// local radius to the end. 0 if it never does.
   double schneider_deg = 0;
   double smallest_bend = 0;     // smallest radius of curvature, over a window of the mean width to either side; infinite if straight
-  MeasuredPlace narrowest;      // twice the least clearance, no nearer to a blind end than the mean width
+  /// Twice the least clearance, no nearer to a blind end than the mean width; nothing where all of the canal is as near.
+  std::optional<MeasuredPlace> narrowest;
   double mean_width = 0;        // twice the mean clearance over the length
   /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there. Not looked for nearer to a
   /// mouth than the mean width.
@@ -41,7 +42,7 @@ struct MeasuredCanal {
 
 /// Vertucci's types (F. J. Vertucci, "Root canal anatomy of the human permanent teeth", 1984) by the number of separate sections of the root's canals, from
 /// just below the lower orifice to just above the first blind end: 1 is I, 2-1 II, 1-2-1 III, 2 IV, 1-2 V, 2-1-2 VI, 1-2-1-2 VII, 3 VIII. Runs shorter
-/// than the mean width are left out.
+/// than the mean width are left out. No height between the two ends: no sections, "other".
 struct MeasuredRoot {
   std::vector<std::size_t> canals;     // of Anatomy::canals
   std::vector<std::size_t> sections;   // counts, from the orifice to the apex, whichever of them is up

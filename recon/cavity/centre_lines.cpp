@@ -29,6 +29,15 @@ std::optional<Direction> towards_crown(const std::optional<Direction>& axis, con
   return dot(unit, longest->path.back() - chamber) > 0 ? -1.0 * unit : unit;
 }
 
+/// From its orifice to the wall at its end, against its mean width there.
+bool shorter_than_wide(const CentreLine& line) {
+  double sum = 0;
+  for (std::size_t i = line.orifice; i < line.points.size(); ++i) sum += line.points[i].radius;
+  const double mean_width = 2 * sum / static_cast<double>(line.points.size() - line.orifice);
+  const CentrePoint& last = line.points.back();
+  return last.along - line.points[line.orifice].along + length(line.end - last.at) < mean_width;
+}
+
 void order(std::vector<CentreLine>& lines, const char* kind) {
   std::sort(lines.begin(), lines.end(), [](const CentreLine& a, const CentreLine& b) {
     const auto key = [](const CentreLine& line) { return std::tuple{-line.points.back().along, line.end.x, line.end.y, line.end.z}; };
@@ -73,7 +82,12 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
       lines.others.push_back(std::move(line));
     } else {
       if (found.has_chamber) line.orifice = cavity::orifice_of(line, lines.chamber_radius, tree);
-      lines.canals.push_back(std::move(line));
+      if (shorter_than_wide(line)) {
+        line.orifice = 0;
+        lines.others.push_back(std::move(line));
+      } else {
+        lines.canals.push_back(std::move(line));
+      }
     }
   }
   std::vector<CentreLine> isthmuses;

@@ -48,7 +48,8 @@ struct CentreLines {
   /// chamber, at the crown's end of the tube. Canals that fork have their first part in common, canals that join their last. There are as few as lead
   /// through everything: where canals join and part again, which of the upper goes on to which of the lower is a choice.
   std::vector<CentreLine> canals;
-  /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals ("branch 1", ...); ordered alike. Last, what joins two canals
+  /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals, against the longest or their own
+  /// width ("branch 1", ...); ordered alike. Last, what joins two canals
   /// that both go on ("isthmus 1", ...): from the chamber down the one and through, to where it meets the other.
   std::vector<CentreLine> horns, others;
   /// Of a void with handles the lines round each that is half as wide as a canal: closed, the last point is the first ("loop 1", ...).

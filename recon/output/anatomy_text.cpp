@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "recon/output/json_values.h"
 
@@ -19,7 +20,7 @@ Json json_of(const MeasuredCanal& canal) {
           {"schneider_deg", canal.schneider_deg},
           {"smallest_bend_radius", std::isfinite(canal.smallest_bend) ? Json(canal.smallest_bend) : Json()},
           {"mean_width", canal.mean_width},
-          {"narrowest", json_of(canal.narrowest)},
+          {"narrowest", canal.narrowest ? json_of(*canal.narrowest) : Json()},
           {"thinnest_wall", canal.thinnest_wall ? json_of(*canal.thinnest_wall) : Json()},
           {"orifice", json_of(canal.orifice)},
           {"end", json_of(canal.end)}};
@@ -47,6 +48,10 @@ std::string quoted(const std::string& text) {
   std::string made = "\"";
   for (const char c : text) made += c == '"' ? "\"\"" : std::string(1, c);
   return made + '"';
+}
+
+std::string csv_of(const std::optional<MeasuredPlace>& place) {
+  return place ? fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},", place->width, place->at.x, place->at.y, place->at.z) : ",,,,";
 }
 
 std::string root_of(const Anatomy& anatomy, std::size_t canal) {
@@ -93,12 +98,9 @@ std::string anatomy_csv(const Anatomy& anatomy) {
       "thinnest_wall_mm,thinnest_x,thinnest_y,thinnest_z,root,vertucci,shared_length_mm\r\n";
   for (std::size_t i = 0; i < anatomy.canals.size(); ++i) {
     const MeasuredCanal& canal = anatomy.canals[i];
-    text += fmt::format("{},{:.4f},{:.2f},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},", quoted(canal.name), canal.length, canal.schneider_deg,
-                        std::isfinite(canal.smallest_bend) ? fmt::format("{:.4f}", canal.smallest_bend) : "", canal.mean_width, canal.narrowest.width,
-                        canal.narrowest.at.x, canal.narrowest.at.y, canal.narrowest.at.z);
-    text += canal.thinnest_wall ? fmt::format("{:.4f},{:.4f},{:.4f},{:.4f},", canal.thinnest_wall->width, canal.thinnest_wall->at.x, canal.thinnest_wall->at.y,
-                                              canal.thinnest_wall->at.z)
-                                : ",,,,";
+    text += fmt::format("{},{:.4f},{:.2f},{},{:.4f},", quoted(canal.name), canal.length, canal.schneider_deg,
+                        std::isfinite(canal.smallest_bend) ? fmt::format("{:.4f}", canal.smallest_bend) : "", canal.mean_width);
+    text += csv_of(canal.narrowest) + csv_of(canal.thinnest_wall);
     text += fmt::format("{},{:.4f}\r\n", root_of(anatomy, i), shared_length(anatomy, i));
   }
   return text;

@@ -40,7 +40,8 @@ TEST(Anatomy, OfAStraightTubeInABlock) {
   ASSERT_EQ(made.canals.size(), 1u);
   const MeasuredCanal& canal = made.canals[0];
   EXPECT_NEAR(canal.length, tube + 2 * radius, 0.4);   // without what lies behind its first point, 0.35 radii from the wall
-  EXPECT_NEAR(canal.narrowest.width, 2 * radius, percent * 2 * radius);
+  ASSERT_TRUE(canal.narrowest);
+  EXPECT_NEAR(canal.narrowest->width, 2 * radius, percent * 2 * radius);
   EXPECT_EQ(canal.schneider_deg, 0);
   EXPECT_GT(canal.smallest_bend, 100 * radius);
   ASSERT_TRUE(canal.thinnest_wall);
@@ -87,6 +88,14 @@ TEST(Anatomy, OfACanalThatForksIsVertucciFive) {
   ASSERT_EQ(made.roots.size(), 1u);
   EXPECT_EQ(made.roots[0].sections, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(made.roots[0].vertucci, "V");
+}
+
+TEST(Anatomy, OfACanalThatIsAllEndTellsNoNarrowestPlace) {
+  const auto ellipse = [](const Point3& p) { return std::max(1.5 * (std::hypot(p.x / 2.2, p.y / 1.5) - 1), std::abs(p.z) - 1.2); };
+  const Anatomy made = anatomy_in_block(test::void_of(ellipse, {-3, -2, -2}, {3, 2, 2}, 0.1));
+  ASSERT_EQ(made.canals.size(), 1u);
+  EXPECT_LT(made.canals[0].length, 2 * made.canals[0].mean_width);
+  EXPECT_FALSE(made.canals[0].narrowest);
 }
 
 TEST(Anatomy, OfARingTellsItsHandleAndNoCanals) {

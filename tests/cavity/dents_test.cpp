@@ -82,7 +82,8 @@ TEST(OpenCanals, OfACutOffRootEndInTheLastSlicesPlane) {
   EXPECT_EQ(anatomy.mouths.size(), 1u);
   EXPECT_NEAR(anatomy.canals[0].end.z, 0, 0.02);
   EXPECT_NEAR(anatomy.canals[0].length, 8, 0.5);   // the floor lies between two slices
-  EXPECT_NEAR(anatomy.canals[0].narrowest.width, 1.2, 0.012);
+  ASSERT_TRUE(anatomy.canals[0].narrowest);
+  EXPECT_NEAR(anatomy.canals[0].narrowest->width, 1.2, 0.012);
   ASSERT_TRUE(anatomy.canals[0].thinnest_wall);
   EXPECT_NEAR(anatomy.canals[0].thinnest_wall->width, 2, 0.02);   // beside the chamber's floor
   ASSERT_EQ(anatomy.roots.size(), 1u);

@@ -80,7 +80,8 @@ TEST_P(RootTypes, AreToldWithTheirCanalsLengthsAndWidths) {
     found.push_back(length(canal.orifice - Point3{}) + canal.length);
     EXPECT_NEAR(length(canal.orifice - Point3{}), shape.chamber, shape.radius) << canal.name;
     // Where canals meet at an angle a smooth line cuts the corner.
-    EXPECT_NEAR(canal.narrowest.width, 2 * shape.radius, 3 * percent * 2 * shape.radius) << canal.name;
+    ASSERT_TRUE(canal.narrowest);
+    EXPECT_NEAR(canal.narrowest->width, 2 * shape.radius, 3 * percent * 2 * shape.radius) << canal.name;
   }
   for (const CentreLine& line : made.lines.canals)
     for (std::size_t i = line.orifice; i < line.points.size(); ++i)
