@@ -13,6 +13,7 @@
 #include "engine/app/whole_structures.h"
 #include "engine/app/words.h"
 #include "recon/cavity/anatomy.h"
+#include "recon/mesh/surface_report.h"
 #include "recon/output/anatomy_text.h"
 
 namespace odontoscope::app {
@@ -32,12 +33,25 @@ bool passes(const CanalGraph& graph, std::size_t canal, std::size_t node) {
   });
 }
 
-void tell(const Anatomy& anatomy, Console& console) {
+/// An open surface has no inside, so that no void can be found in it.
+void tell_open(const std::vector<NamedMesh>& whole, Console& console) {
+  bool open = false;
+  for (const NamedMesh& solid : whole) {
+    const std::size_t edges = inspect(solid.surface).boundary_edges;
+    if (edges == 0) continue;
+    open = true;
+    console.say(fmt::format("\"{}\" is open: {}.", solid.name, counted(edges, "border edge")));
+  }
+  if (open) console.say("What is open has no inside. \"odontoscope check\" tells where, \"odontoscope contours --repair\" closes gaps.");
+}
+
+void tell(const Anatomy& anatomy, const std::vector<NamedMesh>& whole, Console& console) {
   console.say(fmt::format("{:<24} {:>14} {:>16}", "structure", "volume, mm^3", "outside, mm^2"));
   for (const MeasuredStructure& structure : anatomy.structures)
     console.say(fmt::format("{:<24} {:>14} {:>16}", structure.name, measured(structure.volume), measured(structure.area)));
   if (anatomy.cavity_of.empty()) {
     console.say(std::string("No void inside. ") + what_a_void_takes);
+    tell_open(whole, console);
     return;
   }
   console.say(fmt::format("{:<24} {:>14} {:>16}", (anatomy.mouths.empty() ? "void in " : "hollow of ") + anatomy.cavity_of, measured(anatomy.cavity_volume), measured(anatomy.cavity_area)));
@@ -87,7 +101,7 @@ ExitCode run(const Options& options, Session& session) {
     contents.push_back({file, known_ending(file, {".json", ".csv"}) == ".csv" ? anatomy_csv(anatomy) : anatomy_json(anatomy, options.input.empty() ? "sample molar" : options.input)});
   session.progress().check();
   write_all(contents, session.interrupts);
-  tell(anatomy, session.console);
+  tell(anatomy, whole, session.console);
   for (const FileContent& file : contents) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return anatomy.cavity_of.empty() ? ExitCode::found_wanting : ExitCode::done;
 }
