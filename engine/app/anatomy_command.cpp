@@ -83,6 +83,8 @@ void tell(const Anatomy& anatomy, const std::vector<NamedMesh>& whole, Console& 
     for (const std::size_t c : root.canals) names += (names.empty() ? "" : ", ") + anatomy.canals[c].name;
     for (const std::size_t n : root.sections) sections += (sections.empty() ? "" : "-") + std::to_string(n);
     console.say(fmt::format("Root with {}: {}, Vertucci {}", names, sections.empty() ? "too short to count sections" : sections, root.vertucci));
+    if (root.uncounted > 0)
+      console.say(fmt::format("  {} of this root {} not counted in its type", counted(root.uncounted, "shorter branch", "shorter branches"), root.uncounted == 1 ? "is" : "are"));
   }
   if (anatomy.roots.empty() && !anatomy.canals.empty()) console.say("The outside of the tooth is not there: no walls, no roots.");
 }

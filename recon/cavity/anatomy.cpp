@@ -220,6 +220,19 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
   return sections;
 }
 
+/// Shorter branches that end, below an orifice, in the same outer contour as one of the root's canals.
+std::size_t branches_beside(const CentreLines& lines, const SurfaceMesh& outside, const MeasuredRoot& root) {
+  const auto beside = [&](const CentreLine& branch) {
+    // A width before its end, for the canal beside it may end at about the same height.
+    const auto before = std::find_if(branch.points.rbegin(), branch.points.rend(), [&](const CentrePoint& p) { return length(branch.end - p.at) > 2 * p.radius; });
+    const Point3& at = before == branch.points.rend() ? branch.end : before->at;
+    const std::vector<cavity::Loop> loops = cavity::loops_at(outside, at.z);
+    const std::size_t own = loop_round(loops, Point2{at.x, at.y});
+    return own < loops.size() && std::any_of(root.canals.begin(), root.canals.end(), [&](std::size_t c) { return loop_round(loops, passes(lines.canals[c], at.z)) == own; });
+  };
+  return static_cast<std::size_t>(std::count_if(lines.others.begin(), lines.others.end(), beside));
+}
+
 std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals) {
   std::vector<std::size_t> root_of(canals.size());
   std::iota(root_of.begin(), root_of.end(), std::size_t{0});
@@ -242,6 +255,7 @@ std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& line
     if (root.canals.empty()) continue;
     root.sections = counted_sections(cavity, lines, root, canals);
     root.vertucci = vertucci_type(root.sections);
+    root.uncounted = branches_beside(lines, outside, root);
     roots.push_back(std::move(root));
   }
   return roots;

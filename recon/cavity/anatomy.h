@@ -47,6 +47,8 @@ struct MeasuredRoot {
   std::vector<std::size_t> canals;     // of Anatomy::canals
   std::vector<std::size_t> sections;   // counts, from the orifice to the apex, whichever of them is up
   std::string vertucci;                // "I" to "VIII", or "other"
+  /// Of CentreLines::others, those that end beside its canals: the ends of a short fork, or the tips of a fin. Sections do not count them.
+  std::size_t uncounted = 0;
 };
 
 /// One for each part of the canals' graph.

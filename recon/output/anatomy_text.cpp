@@ -83,7 +83,7 @@ std::string anatomy_json(const Anatomy& anatomy, const std::string& source) {
   for (const MeasuredRoot& root : anatomy.roots) {
     Json names = Json::array();
     for (const std::size_t c : root.canals) names.push_back(anatomy.canals[c].name);
-    json["roots"].push_back({{"canals", names}, {"sections", root.sections}, {"vertucci", root.vertucci}});
+    json["roots"].push_back({{"canals", names}, {"sections", root.sections}, {"vertucci", root.vertucci}, {"uncounted_branches", root.uncounted}});
   }
   json["nodes"] = Json::array();
   for (std::size_t n = 0; n < anatomy.graph.nodes.size(); ++n) json["nodes"].push_back({{"kind", anatomy.graph.kind(n)}, {"at", json_of(anatomy.graph.nodes[n])}});

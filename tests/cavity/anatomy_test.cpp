@@ -88,6 +88,17 @@ TEST(Anatomy, OfACanalThatForksIsVertucciFive) {
   ASSERT_EQ(made.roots.size(), 1u);
   EXPECT_EQ(made.roots[0].sections, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(made.roots[0].vertucci, "V");
+  EXPECT_EQ(made.roots[0].uncounted, 0u);
+}
+
+TEST(Anatomy, TellsThatALateForkIsNotCounted) {
+  const auto late = [](const Point3& p) {
+    return std::min({test::ball_distance(p, {}, 1.4), test::tube_distance(p, {{0, 0, 0}, {0, 0, -9}, {-0.8, 0, -11}}, 0.25), test::tube_distance(p, {{0, 0, -9}, {0.8, 0, -10.8}}, 0.25)});
+  };
+  const Anatomy made = anatomy_in_block(test::void_of(late, {-2, -2, -12}, {2, 2, 2}, 0.08));
+  ASSERT_EQ(made.roots.size(), 1u);
+  EXPECT_EQ(made.canals.size(), 1u);
+  EXPECT_EQ(made.roots[0].uncounted, 1u);
 }
 
 TEST(Anatomy, OfACanalThatIsAllEndTellsNoNarrowestPlace) {
