@@ -44,7 +44,7 @@ struct CentreLines {
   Point3 chamber;  // its centre; where there is no chamber (a tube), the middle of its wide part
   double chamber_radius = 0;  // clearance there
   bool has_chamber = true;
-  /// Longest first, ties by the end's coordinates; names are "canal 1", "canal 2", ... in that order. Each begins in the chamber's centre, or, without a
+  /// Longest line first, from where it begins (not from the orifice, as a canal's length is told), ties by the end's coordinates; names are "canal 1", "canal 2", ... in that order. Each begins in the chamber's centre, or, without a
   /// chamber, at the crown's end of the tube. Canals that fork have their first part in common, canals that join their last. There are as few as lead
   /// through everything: where canals join and part again, which of the upper goes on to which of the lower is a choice.
   std::vector<CentreLine> canals;
