@@ -235,14 +235,14 @@ TEST_F(Film, AContactSheetHasAllPicturesAndWords) {
 }
 
 TEST_F(Film, AContactSheetOfAShortTourHasNoPictureTwice) {
-  const std::pair<const char*, std::string> voids[] = {
-      {"a chamber alone", hollow_tooth([](double z) { return z < 4 || z > 6 ? 0 : 2; })},
-      {"a chamber no wider than its canal's mouth", hollow_tooth([](double z) { return z < 1 || z > 10 ? 0 : 0.3 + 0.12 * z; })}};
-  for (const auto& [name, tooth] : voids) {
+  const std::tuple<const char*, const char*, std::string> voids[] = {
+      {"a chamber alone", "horn-1", hollow_tooth([](double z) { return z < 4 || z > 6 ? 0 : 2; })},
+      {"a chamber no wider than its canal's mouth", "canal-1", hollow_tooth([](double z) { return z < 1 || z > 10 ? 0 : 0.3 + 0.12 * z; })}};
+  for (const auto& [name, line, tooth] : voids) {
     SCOPED_TRACE(name);
     given("tooth.json", tooth);
     for (const bool back : {false, true}) {
-      std::vector<std::string> words = {"--contact-sheet", "4x2", "-o", "sheet.png"};
+      std::vector<std::string> words = {"--tour", line, "--contact-sheet", "4x2", "-o", "sheet.png"};
       if (back) words.emplace_back("--reverse");
       const Ending ending = render(words);
       ASSERT_EQ(ending.exit_code, 0) << ending.err;
