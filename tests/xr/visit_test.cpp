@@ -89,16 +89,19 @@ class VisitTest : public ::testing::Test {
   }
 };
 
-/// The middle of the pixels that `scene`'s ball covers, against the background; x from the left, y from the bottom.
-glm::dvec2 middle_of_covered(const Image& image) {
+/// The middle of the pixels near `foretold` that the ball covers, against the background; x from the left, y from the bottom. Farther off the panel stands.
+glm::dvec2 middle_of_covered(const Image& image, const glm::dvec2& foretold) {
+  constexpr double near = 18;   // pixels; the ball has half of that
   glm::dvec2 sum(0);
   double count = 0;
   const auto background = image.pixel(0, 0);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
       const auto pixel = image.pixel(x, y);
+      const glm::dvec2 place(x + 0.5, image.height - y - 0.5);
+      if (glm::length(place - foretold) > near) continue;
       if (std::abs(pixel[0] - background[0]) + std::abs(pixel[1] - background[1]) + std::abs(pixel[2] - background[2]) < 12) continue;
-      sum += glm::dvec2(x + 0.5, image.height - y - 0.5);
+      sum += place;
       count += 1;
     }
   return count > 0 ? sum / count : glm::dvec2(-1e9);
@@ -137,8 +140,8 @@ TEST_F(VisitTest, BothEyesDifferByWhatPoseAndDepthPredictAndFollowTheHead) {
     keep_picture("ball-" + std::to_string(head), left, right);
     const glm::dvec3 centre = to_room(now.stage, {1, 2, 3});
     const PixelSize size = frame.targets[0].size;
-    const glm::dvec2 in_left = middle_of_covered(left), in_right = middle_of_covered(right);
     const glm::dvec2 left_foretold = foretold(frame.eyes[0], centre, size), right_foretold = foretold(frame.eyes[1], centre, size);
+    const glm::dvec2 in_left = middle_of_covered(left, left_foretold), in_right = middle_of_covered(right, right_foretold);
     const double disparity = in_left.x - in_right.x, predicted = left_foretold.x - right_foretold.x;
     worst = std::max({worst, std::abs(disparity - predicted), std::abs((in_left.y - in_right.y) - (left_foretold.y - right_foretold.y))});
     widest = std::max(widest, std::abs(disparity));
