@@ -93,21 +93,32 @@ class OnADisplay : public ::testing::Test {
   }
 };
 
+/// Of the middle column of an eye's picture, where the tooth stands: from top to bottom.
+int height_of_what_is_seen(const Gl& gl, const Target& target) {
+  const Image image = read_pixels(gl, target.framebuffer, target.size);
+  int seen = 0;
+  for (int y = 0; y < image.height; ++y)
+    if (image.pixel(image.width / 2, y) != image.pixel(0, 0)) ++seen;
+  return seen;
+}
+
 TEST_F(OnADisplay, DISABLED_Dropped) {
-  double place_before = 0, place_after = 0;
-  const bool well = visit([&](const HeadsetFrame&, const Visit& now) {
-    if (frames == 20) {
-      place_before = now.stage.place.y;
+  runtime.side = 256;
+  int height_before = 0, height_after = 0;
+  const bool well = visit([&](const HeadsetFrame& frame, const Visit& now) {
+    const bool drawn = now.placed && now.told == 0 && frame.draw;   // nothing is written below the ball
+    if (drawn && height_before == 0) {
+      height_before = height_of_what_is_seen(window->context().gl(), frame.targets[0]);
       drop("second.json");
     }
-    if (viewer->state().shown->title != "second.json" || frames < 30) return;
-    place_after = now.stage.place.y;
-    if (now.placed) stop.request_stop();
+    if (viewer->state().shown->title != "second.json" || !drawn) return;
+    height_after = height_of_what_is_seen(window->context().gl(), frame.targets[0]);
+    stop.request_stop();
   });
   EXPECT_TRUE(well) << viewer->state().trouble;
   EXPECT_EQ(viewer->state().shown->title, "second.json");
-  EXPECT_NE(place_before, 0);
-  EXPECT_NE(place_after, 0);
+  EXPECT_GT(height_after, 10);
+  EXPECT_NEAR(height_after, 0.6 * height_before, 0.15 * height_before) << "not the new ball, which is 3 mm instead of 5";
   EXPECT_EQ(runtime.ended.back().views, 2);
   expect_the_desktop_goes_on();
 }
