@@ -17,6 +17,7 @@
 #include "recon/cavity/centre_lines.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
+#include "recon/mesh/append.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/output/write_glb.h"
 #include "recon/sample/sample_tooth.h"
@@ -115,12 +116,6 @@ WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& s
   model.words = fmt::format("Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned triangles are the method's own.",
                             made.grid.columns, made.grid.rows, made.grid.layers.size(), name(words.cases.value_or(DbOptions{}.cases)));
   return model;
-}
-
-void append(const SurfaceMesh& more, SurfaceMesh& to) {
-  const auto first = static_cast<PointIndex>(to.points.size());
-  to.points.insert(to.points.end(), more.points.begin(), more.points.end());
-  for (const Triangle& t : more.triangles) to.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
 }
 
 std::vector<Inspected> inspected(const std::vector<NamedMesh>& meshes, const std::string& file, Session& session) {

@@ -7,6 +7,7 @@
 
 #include "engine/scene/model.h"
 #include "recon/cavity/cavity.h"
+#include "recon/mesh/append.h"
 #include "recon/mesh/named_mesh.h"
 #include "recon/output/shell_groups.h"
 
@@ -21,10 +22,7 @@ inline std::vector<NamedMesh> whole_structures(const std::vector<NamedSurface>& 
     for (NamedMesh& known : whole)
       if (known.name == name) solid = &known;
     if (solid == nullptr) solid = &whole.emplace_back(NamedMesh{name, {}});
-    SurfaceMesh& mesh = solid->surface;
-    const auto base = static_cast<PointIndex>(mesh.points.size());
-    mesh.points.insert(mesh.points.end(), part.surface.points.begin(), part.surface.points.end());
-    for (const auto& [a, b, c] : part.surface.triangles) mesh.triangles.push_back({base + a, base + b, base + c});
+    append(part.surface, solid->surface);
   }
   return whole;
 }

@@ -11,6 +11,7 @@
 
 #include "recon/compare/peak_memory.h"
 #include "recon/input/validate.h"
+#include "recon/mesh/append.h"
 
 namespace odontoscope {
 namespace {
@@ -65,11 +66,7 @@ ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::
 
 SurfaceMesh as_one(const std::vector<ComparedSurface>& surfaces) {
   SurfaceMesh whole;
-  for (const ComparedSurface& one : surfaces) {
-    const auto first = static_cast<PointIndex>(whole.points.size());
-    whole.points.insert(whole.points.end(), one.surface.points.begin(), one.surface.points.end());
-    for (const auto& [a, b, c] : one.surface.triangles) whole.triangles.push_back({first + a, first + b, first + c});
-  }
+  for (const ComparedSurface& one : surfaces) append(one.surface, whole);
   return whole;
 }
 

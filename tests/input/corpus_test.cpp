@@ -7,6 +7,7 @@
 #include "recon/input/links_json.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
+#include "tests/input/same_stack.h"
 
 namespace odontoscope {
 namespace {
@@ -46,15 +47,7 @@ TEST(Corpus, GoodStacksPassAndSurviveWriting) {
     const std::string text = to_json(stack);
     const ContourStack again = parse_stack(text, "again");
     EXPECT_EQ(to_json(again), text);
-    ASSERT_EQ(again.slices.size(), stack.slices.size());
-    for (std::size_t s = 0; s < stack.slices.size(); ++s) {
-      EXPECT_EQ(again.slices[s].z, stack.slices[s].z);
-      ASSERT_EQ(again.slices[s].contours.size(), stack.slices[s].contours.size());
-      for (std::size_t c = 0; c < stack.slices[s].contours.size(); ++c) {
-        EXPECT_EQ(again.slices[s].contours[c].structure, stack.slices[s].contours[c].structure);
-        EXPECT_EQ(again.slices[s].contours[c].points, stack.slices[s].contours[c].points);
-      }
-    }
+    ASSERT_NO_FATAL_FAILURE(test::expect_same_slices(again, stack));
     const OrderedStack sorted = ordered(stack);
     EXPECT_NO_THROW(validate(sorted.stack));
   }

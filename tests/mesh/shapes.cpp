@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "recon/mesh/append.h"
+
 namespace odontoscope::shapes {
 namespace {
 
@@ -127,9 +129,7 @@ SurfaceMesh inside_out(SurfaceMesh mesh) {
 
 SurfaceMesh together(const SurfaceMesh& a, const SurfaceMesh& b) {
   SurfaceMesh both = a;
-  const PointIndex offset = index(a.points.size());
-  both.points.insert(both.points.end(), b.points.begin(), b.points.end());
-  for (const Triangle& t : b.triangles) both.triangles.push_back({t[0] + offset, t[1] + offset, t[2] + offset});
+  append(b, both);
   return both;
 }
 

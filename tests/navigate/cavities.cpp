@@ -4,6 +4,7 @@
 #include <map>
 
 #include "recon/delaunay/reconstruct.h"
+#include "recon/mesh/append.h"
 #include "recon/sample/sample_tooth.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/read_volume.h"
@@ -33,10 +34,7 @@ SurfaceMesh outside_of(const Reconstruction& made) {
   for (const Solid& solid : made.solids) {
     std::vector<bool> kept;
     for (const std::uint32_t shell : solid.report.shell_of) kept.push_back(solid.report.shells[shell].kind == Shell::Kind::external);
-    const SurfaceMesh part = part_of(solid.surface, kept);
-    const auto offset = static_cast<PointIndex>(all.points.size());
-    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
-    for (const auto& [a, b, c] : part.triangles) all.triangles.push_back({a + offset, b + offset, c + offset});
+    append(part_of(solid.surface, kept), all);
   }
   return all;
 }

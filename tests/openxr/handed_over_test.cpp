@@ -11,7 +11,7 @@
 #include "engine/picture/image.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/worlds.h"
-#include "tests/openxr/fake_runtime.h"
+#include "tests/openxr/with_fake_runtime.h"
 
 namespace odontoscope::testing_support {
 namespace {
@@ -21,30 +21,16 @@ constexpr const char* mask_extension = "XR_KHR_visibility_mask";
 constexpr int side = 128;
 
 /// A head that looks at a ball in a ball, with a runtime that takes all that is offered.
-class HandedOver : public ::testing::Test {
+class HandedOver : public WithFakeRuntime {
  protected:
-  FakeRuntime& runtime = use_fake_runtime();
   BallWorld balls;
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Headset> headset;
   Visit visit;
 
   void SetUp() override {
-    try {
-      context = make_egl_context({.debug = true});
-    } catch (const GraphicsError& error) {
-      GTEST_SKIP() << error.what();
-    }
-    runtime.gl = &context->gl();
+    WithFakeRuntime::SetUp();
+    if (!context) return;
     runtime.side = side;
     runtime.extensions.insert(runtime.extensions.end(), {depth_extension, mask_extension});
-  }
-  void TearDown() override {
-    if (!context) return;
-    headset.reset();
-    for (const std::string& misuse : runtime.misuse) ADD_FAILURE() << misuse;
-    for (const std::string& message : context->debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
-    EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
 
   void open() {

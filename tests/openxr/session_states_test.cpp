@@ -7,7 +7,7 @@
 
 #include "engine/gpu/context.h"
 #include "engine/headset/headset.h"
-#include "tests/openxr/fake_runtime.h"
+#include "tests/openxr/with_fake_runtime.h"
 
 namespace odontoscope::testing_support {
 namespace {
@@ -15,20 +15,8 @@ namespace {
 constexpr XrSessionState idle = XR_SESSION_STATE_IDLE, ready = XR_SESSION_STATE_READY, synchronized = XR_SESSION_STATE_SYNCHRONIZED, visible = XR_SESSION_STATE_VISIBLE,
                          focused = XR_SESSION_STATE_FOCUSED, stopping = XR_SESSION_STATE_STOPPING, exiting = XR_SESSION_STATE_EXITING, loss_pending = XR_SESSION_STATE_LOSS_PENDING;
 
-class OpenXr : public ::testing::Test {
+class OpenXr : public WithFakeRuntime {
  protected:
-  FakeRuntime& runtime = use_fake_runtime();
-  std::unique_ptr<GlContext> context;
-  std::unique_ptr<Headset> headset;
-
-  void SetUp() override {
-    try {
-      context = make_egl_context({.debug = true});
-    } catch (const GraphicsError& error) {
-      GTEST_SKIP() << error.what();
-    }
-    runtime.gl = &context->gl();
-  }
   void TearDown() override {
     if (!context) return;
     headset.reset();
@@ -36,9 +24,7 @@ class OpenXr : public ::testing::Test {
     EXPECT_EQ(runtime.instances, 0);
     for (const FakeSwapchain& swapchain : runtime.swapchains) EXPECT_TRUE(swapchain.destroyed);
     EXPECT_EQ(runtime.begun, static_cast<int>(runtime.ended.size())) << "a frame was begun and not ended";
-    for (const std::string& misuse : runtime.misuse) ADD_FAILURE() << misuse;
-    for (const std::string& message : context->debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
-    EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    WithFakeRuntime::TearDown();
   }
 
   void open() { headset = open_headset(context->gl(), {}); }

@@ -17,6 +17,7 @@
 #include "recon/mesh/read_mesh.h"
 #include "recon/output/model_file.h"
 #include "recon/output/single_precision.h"
+#include "tests/input/same_stack.h"
 #include "tests/support/shapes.h"
 
 namespace odontoscope {
@@ -75,15 +76,7 @@ TEST_P(RoundTrip, StackKeepsEveryBit) {
   const std::string text = to_json(stack);
   const ContourStack again = parse_stack(text, "again");
   EXPECT_EQ(to_json(again), text);
-  ASSERT_EQ(again.slices.size(), stack.slices.size());
-  for (std::size_t s = 0; s < stack.slices.size(); ++s) {
-    EXPECT_EQ(again.slices[s].z, stack.slices[s].z);
-    ASSERT_EQ(again.slices[s].contours.size(), stack.slices[s].contours.size());
-    for (std::size_t c = 0; c < stack.slices[s].contours.size(); ++c) {
-      EXPECT_EQ(again.slices[s].contours[c].structure, stack.slices[s].contours[c].structure);
-      EXPECT_EQ(again.slices[s].contours[c].points, stack.slices[s].contours[c].points);
-    }
-  }
+  ASSERT_NO_FATAL_FAILURE(test::expect_same_slices(again, stack));
 }
 
 TEST_P(RoundTrip, LinksAreTheSame) {
