@@ -136,3 +136,33 @@ inline constexpr double sample_grain = 1e-5;
 inline constexpr double sample_least_slice_spacing = 0.05, sample_most_slice_spacing = 0.35;
 inline constexpr double sample_least_point_spacing = 0.05, sample_most_point_spacing = 1.0;
 }  // namespace odontoscope::limits
+
+// --- between two slices ------------------------------------------------------------------------------------------
+namespace odontoscope::limits {
+/// Grid points across the narrowest contour or wall, and along the slab's larger side at least: the traced line is then off by
+/// less than a hundredth of a canal's radius and a thousandth of the slice.
+inline constexpr double blend_points_across = 5, blend_columns = 120;
+/// Grid points along the larger side of a shape that is moved, in its own frame: it is sampled once more on the way to the slice.
+inline constexpr double blend_columns_of_moved = 48;
+/// Grid points that a shape's window keeps free around it.
+inline constexpr double blend_margin_steps = 4;
+/// Part of the smaller shape's area that must lie in the other for two linked shapes to be blended in place; and the part
+/// below which they are fully moved onto each other. A circle that shifts by 0.4 radii loses a quarter.
+inline constexpr double blend_good_overlap = 0.75, blend_poor_overlap = 0.45;
+/// How much more of it must overlap for a motion, or a change of size, to be believed.
+inline constexpr double blend_better_overlap = 0.1;
+/// Grid points along the larger side of two shapes whose overlap is counted, at most.
+inline constexpr double overlap_columns = 200;
+/// A contour continues in one of a slice beyond the slab if it is at most this many times as large or small, and at most this
+/// many times the root of its area away.
+inline constexpr double partner_area_ratio = 4, partner_distance = 2.5;
+/// A neighbouring slab that is thinner than this part of the slab counts as this thick when slopes are weighed.
+inline constexpr double blend_least_neighbour = 0.5;
+/// Binary digits of coordinates below the size of the slab (2^-30 mm for a tooth of 10 mm), and below their distance from the
+/// origin, so that sums of a few are still exact.
+inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
+/// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
+inline constexpr double blend_grains_in_step = 1024;
+/// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
+inline constexpr int blend_thinning_rounds = 3;
+}  // namespace odontoscope::limits

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/volume/trace.h"
 
 namespace odontoscope {
 namespace {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "recon/contours/simplify_contours.h"
 #include "recon/core/progress.h"
 #include "recon/volume/contour_levels.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/label_contours.h"
-#include "recon/volume/simplify_contours.h"
 #include "recon/volume/volume.h"
 
 namespace odontoscope {

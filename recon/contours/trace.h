@@ -1,5 +1,5 @@
 #pragma once
-// Marching squares as a walk along each contour, for one slice. Inner part of iso_contours.h and label_contours.h.
+// Marching squares as a walk along each contour, for one slice. Used by volume/ and between/.
 //
 // The grid is the slice's pixel centres with a ring of virtual pixels around them that are always outside. A contour
 // crosses every grid edge between an inside and an outside pixel exactly once, strictly between the two, and runs

@@ -40,4 +40,13 @@ struct SimplifiedContours {
 SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options,
                                      const Progress& progress = {});
 
+struct SimplifiedSlice {
+  Slice slice;
+  /// As in SimplifiedContours.
+  double largest_deviation = 0;
+};
+
+/// The same for one slice, on the calling thread. Precondition: the tolerance is finite and not negative.
+SimplifiedSlice simplify_slice(const Slice& slice, double tolerance);
+
 }  // namespace odontoscope

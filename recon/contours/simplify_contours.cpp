@@ -1,4 +1,4 @@
-#include "recon/volume/simplify_contours.h"
+#include "recon/contours/simplify_contours.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "recon/core/error.h"
-#include "recon/volume/point_tree.h"
+#include "recon/contours/point_tree.h"
 
 namespace odontoscope {
 namespace {
@@ -198,21 +198,6 @@ class SliceGraph {
   std::vector<VertexId> blocked_;
 };
 
-struct SimplifiedSlice {
-  Slice slice;
-  double squared_deviation = 0;
-};
-
-SimplifiedSlice simplified(const Slice& slice, double tolerance) {
-  SliceGraph graph(slice, tolerance);
-  graph.simplify();
-  SimplifiedSlice result{{slice.z, {}}, graph.largest_squared_deviation()};
-  for (std::size_t c = 0; c < slice.contours.size(); ++c) {
-    result.slice.contours.push_back({slice.contours[c].structure, graph.contour(c)});
-  }
-  return result;
-}
-
 std::size_t count_points(const ContourStack& stack) {
   std::size_t count = 0;
   for (const Slice& slice : stack.slices) {
@@ -222,6 +207,16 @@ std::size_t count_points(const ContourStack& stack) {
 }
 
 }  // namespace
+
+SimplifiedSlice simplify_slice(const Slice& slice, double tolerance) {
+  SliceGraph graph(slice, tolerance);
+  graph.simplify();
+  SimplifiedSlice result{{slice.z, {}}, std::sqrt(graph.largest_squared_deviation())};
+  for (std::size_t c = 0; c < slice.contours.size(); ++c) {
+    result.slice.contours.push_back({slice.contours[c].structure, graph.contour(c)});
+  }
+  return result;
+}
 
 SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyContoursOptions& options,
                                      const Progress& progress) {
@@ -234,20 +229,18 @@ SimplifiedContours simplify_contours(const ContourStack& stack, const SimplifyCo
   std::size_t done = 0;
   tbb::parallel_for(std::size_t{0}, slices.size(), [&](std::size_t s) {
     progress.check();
-    slices[s] = simplified(stack.slices[s], options.tolerance);
+    slices[s] = simplify_slice(stack.slices[s], options.tolerance);
     const std::scoped_lock lock(telling);
     progress.tell("simplify", static_cast<double>(++done) / static_cast<double>(slices.size()));
   });
   SimplifiedContours result;
   result.stack.source = stack.source;
   result.points_before = count_points(stack);
-  double squared = 0;
   for (SimplifiedSlice& slice : slices) {
-    squared = std::max(squared, slice.squared_deviation);
+    result.largest_deviation = std::max(result.largest_deviation, slice.largest_deviation);
     result.stack.slices.push_back(std::move(slice.slice));
   }
   result.points_after = count_points(result.stack);
-  result.largest_deviation = std::sqrt(squared);
   return result;
 }
 

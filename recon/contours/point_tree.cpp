@@ -1,4 +1,4 @@
-#include "recon/volume/point_tree.h"
+#include "recon/contours/point_tree.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
