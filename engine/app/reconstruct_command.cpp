@@ -35,6 +35,7 @@ struct Options {
   ForeignWords foreign;
   DbWords db;
   std::optional<Correspondence> correspondence;
+  std::optional<Between> between;
   std::string links;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
@@ -61,8 +62,8 @@ void refuse_other_methods_options(const Options& options) {
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
   if (options.triangles) throw UsageError("--triangles is about the DT method", "Use --decimate with --method db");
-  if (!options.correspondence && options.links.empty()) return;
-  throw UsageError("--correspondence and --links are about the DT method; DB connects whatever overlaps",
+  if (!options.correspondence && !options.between && options.links.empty()) return;
+  throw UsageError("--correspondence, --between and --links are about the DT method; DB connects whatever overlaps",
                    "Leave them out, or part slices with --split");
 }
 
@@ -135,6 +136,7 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
 Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::medial);
+  engine.between = options.between.value_or(Between::blended);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}});
@@ -201,6 +203,10 @@ void add_options(CLI::App& parser, Options& options) {
                               {"medial", Correspondence::medial},
                               {"overlap", Correspondence::overlap}},
                              "When regions connect: reverse, medial (default) or overlap")
+      ->type_name("NAME");
+  add_choice<std::optional<Between>>(parser, "--between", options.between,
+                                     {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
+                                     "Between slices: blended (default), or the paper's plain delaunay")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))

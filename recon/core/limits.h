@@ -63,12 +63,17 @@ inline constexpr double lift_height = 0.5;
 inline constexpr double lift_margin = 0.618;
 /// Times that the step of a lifted point is halved before the next direction is tried.
 inline constexpr int lift_halvings = 40;
+/// How far the surface may travel sideways between two slices, over their distance, before slices are interpolated.
+inline constexpr double steep = 0.5;
+/// Height of the upright prisms of a raised slab, over the slab's height: half of what is raised stays between the two layers.
+inline constexpr double raise_height = 0.25;
 /// How far a lifted point may go sideways, over the length of the edge that it splits.
 inline constexpr double lift_sideways = 0.5;
 /// How far a tetrahedron may lean out over nothing, over half the width of the region that it hangs from: two widths.
 inline constexpr double overhang = 4;
-/// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others.
-inline constexpr double plate_height = 0.25;
+/// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others. Less than
+/// raise_height, so that there is room beside raised pieces.
+inline constexpr double plate_height = 0.2;
 inline constexpr int plate_halvings = 60;
 // --- reports ----------------------------------------------------------------------------------------------------
 /// Bins of a quality histogram.
