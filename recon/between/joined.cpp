@@ -190,18 +190,24 @@ std::vector<LayerLinks> links_between(const LayerStack& stack, const std::vector
 struct Sampled {
   Grid grid;
   LayerStack stack;
+  bool resolved = false;
 };
 
-/// The coarsest grid, from the usual one on, that shows every region of both slices as one piece.
+/// On the coarsest grid, from the usual one on, that shows every region of both slices as one piece, or else the finest.
 std::optional<Sampled> sampled(const SliceSet& slices, const BlendPlan& plan, std::span<const double> shares,
                                const JoinOptions& options) {
   std::optional<Grid> grid = grid_for(slices, options.blend.most_grid_points);
-  while (grid) {
-    const Composition composition(slices, plan, *grid);
-    if (auto stack = sampled_layers(slices, composition, *grid, shares)) return Sampled{*grid, std::move(*stack)};
-    grid = finer(*grid, slices, options.most_grid_points);
+  if (!grid) return std::nullopt;
+  bool resolved = resolves(slices, *grid);
+  while (!resolved) {
+    const std::optional<Grid> next = finer(*grid, slices, options.most_grid_points);
+    if (!next) break;
+    grid = next;
+    resolved = resolves(slices, *grid);
   }
-  return std::nullopt;
+  auto stack = sampled_layers(slices, Composition(slices, plan, *grid), *grid, shares);
+  if (!stack) return std::nullopt;
+  return Sampled{*grid, std::move(*stack), resolved};
 }
 
 }  // namespace
@@ -221,7 +227,7 @@ JoinedBlend blend_joined(const Surroundings& surroundings, std::span<const doubl
   }
   LayerStack& stack = made->stack;
   grow(stack, graph, made->grid.step);
-  result.resolved = true;
+  result.resolved = made->resolved;
   result.found = topology_of(stack);
   result.corrections = corrections_of(stack, slices, made->grid, shares);
   std::size_t count = 0;

@@ -49,8 +49,8 @@ struct JoinedBlend {
   std::vector<LayerLinks> links;
   std::vector<Correction> corrections;
   LayerTopology implied, found;
-  /// false: contours or walls are too thin for the largest grid that is allowed; the outlines are those of `blend`,
-  /// nothing was cancelled, and `found` and `links` are those of the raster as far as it goes.
+  /// false: contours or walls are too thin for the finest grid that is allowed. Then tips that do not hold together on it
+  /// are left out of account; if that is not enough, the outlines are those of `blend`, without links and corrections.
   bool resolved = false;
 
   bool as_implied() const { return resolved && implied == found; }

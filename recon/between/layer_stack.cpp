@@ -5,10 +5,13 @@
 #include <limits>
 #include <numeric>
 
+#include "recon/core/limits.h"
 #include "recon/core/union_find.h"
 
 namespace odontoscope::between {
 namespace {
+
+constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
 
 /// Regions of one given slice on the raster, contour by contour from outside in.
 std::vector<RegionId> painted(const SliceSet& slices, std::size_t slice, const Lattice& lattice, RegionId first,
@@ -50,25 +53,77 @@ void join_within_layers(const LayerStack& stack, UnionFind& sets) {
   }
 }
 
-/// Is every region of the two given slices one piece, and every piece one region?
-bool one_piece_each(const LayerStack& stack, std::size_t regions, RegionId outside_region) {
-  std::size_t count = 0;
-  const std::vector<std::uint32_t> pieces = pieces_of_layers(stack, count);
-  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> piece_of(regions + 1, none), upper_outside(1, none);
-  std::vector<RegionId> region_of(count, none);
+/// For each piece of a layer its region and size.
+struct Piece {
+  RegionId region = 0;
+  std::ptrdiff_t layer = 0;
+  std::size_t size = 0;
+};
+
+/// By piece, of both given layers; pieces of others have no size. Each piece lies in one region, as long as contours
+/// part the grid's points as they part the plane; where two regions fall together, the piece is given the first one.
+std::vector<Piece> given_pieces(const LayerStack& stack, const std::vector<std::uint32_t>& pieces, std::size_t count) {
+  std::vector<Piece> result(count);
   for (const std::ptrdiff_t k : {std::ptrdiff_t{0}, stack.layers - 1}) {
     for (std::size_t p = 0; p < stack.layer_size(); ++p) {
       const std::size_t voxel = static_cast<std::size_t>(k) * stack.layer_size() + p;
-      const RegionId region = stack.region[voxel];
-      std::uint32_t& piece = region == outside_region && k > 0 ? upper_outside[0] : piece_of[region];
-      if (piece == none) piece = pieces[voxel];
-      RegionId& known = region_of[pieces[voxel]];
-      if (known == none) known = region;
-      if (piece != pieces[voxel] || known != region) return false;
+      Piece& piece = result[pieces[voxel]];
+      if (piece.size++ == 0) piece = {stack.region[voxel], k, 1};
     }
   }
-  return std::count(piece_of.begin(), piece_of.end(), none) == 0;
+  return result;
+}
+
+/// The largest piece of each region, the outside's in the lower and, last, in the upper layer; none where there is none.
+std::vector<std::uint32_t> largest_pieces(const std::vector<Piece>& pieces, std::size_t regions) {
+  std::vector<std::uint32_t> largest(regions + 1, no_piece);
+  for (std::uint32_t n = 0; n < pieces.size(); ++n) {
+    if (pieces[n].size == 0) continue;
+    const bool upper_outside = pieces[n].region + 1 == regions && pieces[n].layer > 0;
+    std::uint32_t& best = largest[upper_outside ? regions : pieces[n].region];
+    if (best == no_piece || pieces[n].size > pieces[best].size) best = n;
+  }
+  return largest;
+}
+
+/// Do regions that fall together on the grid, for want of points between them, make one piece?
+bool falls_together(const LayerStack& stack, const std::vector<std::uint32_t>& pieces, const std::vector<Piece>& given) {
+  for (const std::ptrdiff_t k : {std::ptrdiff_t{0}, stack.layers - 1}) {
+    for (std::size_t p = 0; p < stack.layer_size(); ++p) {
+      const std::size_t voxel = static_cast<std::size_t>(k) * stack.layer_size() + p;
+      if (given[pieces[voxel]].region != stack.region[voxel]) return true;
+    }
+  }
+  return false;
+}
+
+/// Turns all pieces but the largest of each region into what is around them. false: a region has none, or two are one.
+bool drop_strays(LayerStack& stack, std::size_t regions) {
+  for (int round = 0; round < limits::join_stray_rounds; ++round) {
+    std::size_t count = 0;
+    const std::vector<std::uint32_t> pieces = pieces_of_layers(stack, count);
+    const std::vector<Piece> given = given_pieces(stack, pieces, count);
+    const std::vector<std::uint32_t> largest = largest_pieces(given, regions);
+    if (falls_together(stack, pieces, given) || std::count(largest.begin(), largest.end(), no_piece) > 0) return false;
+    bool any = false;
+    for (const std::ptrdiff_t k : {std::ptrdiff_t{0}, stack.layers - 1}) {
+      RegionId around = stack.region[stack.at(0, 0, k)];
+      for (std::size_t p = 0; p < stack.layer_size(); ++p) {
+        const std::size_t voxel = static_cast<std::size_t>(k) * stack.layer_size() + p;
+        const Piece& piece = given[pieces[voxel]];
+        const bool upper_outside = piece.region + 1 == regions && k > 0;
+        if (largest[upper_outside ? regions : piece.region] == pieces[voxel]) {
+          around = stack.region[voxel];
+          continue;
+        }
+        any = true;
+        stack.material[voxel] ^= 1;
+        stack.region[voxel] = around;  // the last one to the left that stays
+      }
+    }
+    if (!any) return true;
+  }
+  return false;
 }
 
 LayerStack framed(const SliceSet& slices, const std::vector<Window>& windows, const Grid& grid) {
@@ -158,10 +213,10 @@ Neighbourhood LayerStack::around(std::size_t voxel) const {
   return bits;
 }
 
-std::optional<LayerStack> sampled_layers(const SliceSet& slices, const Composition& composition, const Grid& grid,
-                                         std::span<const double> shares) {
-  std::vector<Window> windows;
-  for (const double share : shares) windows.push_back(composition.at(share));
+namespace {
+
+/// Layers over all windows with both given slices in them.
+LayerStack with_given_slices(const SliceSet& slices, const std::vector<Window>& windows, const Grid& grid) {
   LayerStack stack = framed(slices, windows, grid);
   const std::size_t size = stack.layer_size() * static_cast<std::size_t>(stack.layers);
   const std::size_t lower = slices.facts[at_lower].size(), upper = slices.facts[at_upper].size();
@@ -174,26 +229,46 @@ std::optional<LayerStack> sampled_layers(const SliceSet& slices, const Compositi
                         grid.step, stack.columns, stack.rows};
   for (const std::size_t slice : {at_lower, at_upper}) {
     const std::size_t offset = slice == at_lower ? 0 : size - stack.layer_size();
-    const std::vector<RegionId> region =
-        painted(slices, slice, lattice, static_cast<RegionId>(slice == at_lower ? 0 : lower), outside_region);
-    const std::vector<double> field = signed_distances(lattice, *slices.outlines[slice]);
+    const RegionId first = slice == at_lower ? 0 : static_cast<RegionId>(lower);
+    const std::vector<RegionId> region = painted(slices, slice, lattice, first, outside_region);
     for (std::size_t p = 0; p < region.size(); ++p) {
-      const RegionId r = region[p];
-      const bool solid = r != outside_region && (r < lower ? slices.facts[at_lower][r] : slices.facts[at_upper][r - lower]).outer();
-      stack.region[offset + p] = r;
-      stack.material[offset + p] = solid;
-      stack.field[offset + p] = field[p];
+      stack.region[offset + p] = region[p];
+      stack.material[offset + p] = region[p] != outside_region && slices.facts[slice][region[p] - first].outer();
     }
+    const std::vector<double> field = signed_distances(lattice, *slices.outlines[slice]);
+    std::copy(field.begin(), field.end(), stack.field.begin() + static_cast<std::ptrdiff_t>(offset));
   }
+  return stack;
+}
+
+}  // namespace
+
+bool resolves(const SliceSet& slices, const Grid& grid) {
+  const LayerStack stack = with_given_slices(slices, {}, grid);
+  const std::size_t regions = slices.facts[at_lower].size() + slices.facts[at_upper].size() + 1;
+  std::size_t count = 0;
+  const std::vector<std::uint32_t> pieces = pieces_of_layers(stack, count);
+  return count == regions + 1 && !falls_together(stack, pieces, given_pieces(stack, pieces, count));
+}
+
+std::optional<LayerStack> sampled_layers(const SliceSet& slices, const Composition& composition, const Grid& grid,
+                                         std::span<const double> shares) {
+  std::vector<Window> windows;
+  for (const double share : shares) windows.push_back(composition.at(share));
+  LayerStack stack = with_given_slices(slices, windows, grid);
+  const std::size_t regions = slices.facts[at_lower].size() + slices.facts[at_upper].size() + 1;
+  if (!drop_strays(stack, regions)) return std::nullopt;
   for (std::size_t n = 0; n < windows.size(); ++n) {
     const Window& window = windows[n];
-    for (std::ptrdiff_t j = std::max(window.first_j, stack.first_j); j < std::min(window.first_j + window.rows, stack.first_j + stack.rows); ++j) {
-      for (std::ptrdiff_t i = std::max(window.first_i, stack.first_i); i < std::min(window.first_i + window.columns, stack.first_i + stack.columns); ++i) {
-        stack.field[stack.at(i - stack.first_i, j - stack.first_j, static_cast<std::ptrdiff_t>(n) + 1)] = window.values[window.at(i, j)];
+    const std::ptrdiff_t end_j = std::min(window.first_j + window.rows, stack.first_j + stack.rows);
+    const std::ptrdiff_t end_i = std::min(window.first_i + window.columns, stack.first_i + stack.columns);
+    for (std::ptrdiff_t j = std::max(window.first_j, stack.first_j); j < end_j; ++j) {
+      for (std::ptrdiff_t i = std::max(window.first_i, stack.first_i); i < end_i; ++i) {
+        const std::size_t voxel = stack.at(i - stack.first_i, j - stack.first_j, static_cast<std::ptrdiff_t>(n) + 1);
+        stack.field[voxel] = window.values[window.at(i, j)];
       }
     }
   }
-  if (!one_piece_each(stack, lower + upper, outside_region)) return std::nullopt;
   return stack;
 }
 

@@ -50,8 +50,11 @@ struct LayerStack {
   std::size_t neighbour(std::size_t voxel, int bit) const;
 };
 
-/// The given slices sampled, all between them void, the blended fields ready. Empty if a region of the given slices is
-/// not just one piece on this grid (material by faces, void by corners too).
+/// Is every region of both given slices just one piece on this grid (material by faces, void by corners too)?
+bool resolves(const SliceSet& slices, const Grid& grid);
+
+/// The given slices sampled, all between them void, the blended fields ready. Of a region in several pieces only the
+/// largest stays; the others become what is around them. Empty if a region is not seen on the grid at all.
 std::optional<LayerStack> sampled_layers(const SliceSet& slices, const Composition& composition, const Grid& grid,
                                          std::span<const double> shares);
 

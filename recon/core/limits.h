@@ -167,6 +167,8 @@ inline constexpr double blend_grains_in_step = 1024;
 inline constexpr int blend_thinning_rounds = 3;
 /// Voxels that the searches for a seal may look at in all, over the number of voxels.
 inline constexpr std::size_t join_search_steps = 40;
+/// Times that stray pieces of a region on the grid are turned into what is around them: that may leave others.
+inline constexpr int join_stray_rounds = 8;
 /// Times that what is not needed is given back and what that allows is taken.
 inline constexpr int join_settling_rounds = 2;
 /// How far over the field's zero material is let grow, in steps of the grid, to see whether filling costs less than cutting.
