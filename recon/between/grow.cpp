@@ -1,0 +1,205 @@
+#include "recon/between/grow.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "recon/core/limits.h"
+
+namespace odontoscope::between {
+namespace {
+
+constexpr int neighbours = 27;
+constexpr int own_bit = 13;
+constexpr std::array face_bits{4, 10, 12, 14, 16, 22};
+
+}  // namespace
+
+Grower::Grower(LayerStack& stack, const RegionGraph& graph)
+    : stack_(stack),
+      graph_(graph),
+      unjoined_(graph.links),
+      seals_left_(graph.implied.voids - 1),
+      pieces_(graph.hollow.size()),
+      queued_(stack.material.size(), 0),
+      seen_(stack.material.size(), 0),
+      steps_left_(limits::join_search_steps * stack.material.size()) {}
+
+void Grower::offer(std::size_t voxel) {
+  if (stack_.material[voxel] || queued_[voxel] || !(stack_.field[voxel] < level_) || !stack_.free(voxel)) return;
+  queued_[voxel] = 1;
+  queue_.push({stack_.field[voxel], voxel});
+}
+
+void Grower::offer_all(double level) {
+  level_ = level;
+  for (std::size_t voxel = 0; voxel < stack_.material.size(); ++voxel) {
+    if (stack_.material[voxel] || !stack_.free(voxel)) continue;
+    const bool touches = std::any_of(face_bits.begin(), face_bits.end(),
+                                     [&](int bit) { return stack_.material[stack_.neighbour(voxel, bit)] != 0; });
+    if (touches) offer(voxel);
+  }
+}
+
+void Grower::grow(double level) {
+  offer_all(level);
+  run(false);
+}
+
+void Grower::grow_until_joined() {
+  if (joined()) return;
+  offer_all(std::numeric_limits<double>::infinity());
+  run(true);
+  while (!queue_.empty()) {
+    queued_[queue_.top().voxel] = 0;
+    queue_.pop();
+  }
+}
+
+void Grower::run(bool until_joined) {
+  while (!queue_.empty()) {
+    if (until_joined && joined()) return;
+    const std::size_t voxel = queue_.top().voxel;
+    queue_.pop();
+    queued_[voxel] = 0;
+    if (!may_take(voxel)) continue;
+    take(voxel);
+    for (int bit = 0; bit < neighbours; ++bit) {
+      if (bit != own_bit) offer(stack_.neighbour(voxel, bit));
+    }
+  }
+}
+
+bool Grower::may_take(std::size_t voxel) {
+  const Neighbourhood around = stack_.around(voxel);
+  const LocalPieces pieces = local_pieces(around);
+  if (pieces.material == 0 || pieces.voids == 0) return false;
+  if (corner_contact(around | 1u << own_bit)) return false;
+  if (pieces.simple()) return true;
+  if (pieces.material == 2 && pieces.voids == 1) return may_join(voxel, pieces);
+  if (pieces.material == 1 && pieces.voids == 2) return may_seal(voxel, pieces);
+  return false;
+}
+
+/// Two pieces of material meet here: for the first time of a linked pair of regions?
+bool Grower::may_join(std::size_t voxel, const LocalPieces& pieces) {
+  const auto regions_of = [&](Neighbourhood bits) {
+    std::set<RegionId> regions;
+    for (; bits != 0; bits &= bits - 1) regions.insert(stack_.region[stack_.neighbour(voxel, __builtin_ctz(bits))]);
+    return regions;
+  };
+  for (const RegionId a : regions_of(pieces.material_bits[0])) {
+    for (const RegionId b : regions_of(pieces.material_bits[1])) {
+      const auto pair = unjoined_.find(std::minmax(a, b));
+      if (pair == unjoined_.end()) continue;
+      unjoined_.erase(pair);
+      pieces_.join(a, b);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Two pieces of void would lose each other here: may they, all ways round considered? Both are searched in turns until
+/// they meet, or one is known as a whole; then each void group must lie in one of them, and none may be without any.
+bool Grower::may_seal(std::size_t voxel, const LocalPieces& pieces) {
+  if (seals_left_ == 0) return false;
+  struct Search {
+    std::vector<std::size_t> found;
+    std::size_t next = 0;
+    std::set<RegionId> regions;
+    std::uint32_t number = 0;
+  };
+  std::array<Search, 2> searches;
+  const auto reach = [&](Search& search, std::size_t at) {
+    seen_[at] = search.number;
+    search.found.push_back(at);
+    const std::ptrdiff_t k = stack_.layer_of(at);
+    if (k == 0 || k == stack_.layers - 1) search.regions.insert(stack_.region[at]);
+  };
+  seen_[voxel] = 0;
+  for (std::size_t n = 0; n < 2; ++n) {
+    searches[n].number = ++searches_;
+    for (Neighbourhood bits = pieces.void_bits[n]; bits != 0; bits &= bits - 1)
+      reach(searches[n], stack_.neighbour(voxel, __builtin_ctz(bits)));
+  }
+  const auto advance = [&](Search& search, const Search& other) {  // false: they have met
+    const std::size_t at = search.found[search.next++];
+    const auto index = static_cast<std::ptrdiff_t>(at);
+    const std::ptrdiff_t i = index % stack_.columns, j = index / stack_.columns % stack_.rows, k = stack_.layer_of(at);
+    for (std::ptrdiff_t dk = -1; dk <= 1; ++dk) {
+      for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
+        for (std::ptrdiff_t di = -1; di <= 1; ++di) {
+          const bool within = i + di >= 0 && i + di < stack_.columns && j + dj >= 0 && j + dj < stack_.rows && k + dk >= 0 && k + dk < stack_.layers;
+          if (!within) continue;
+          const std::size_t there = stack_.at(i + di, j + dj, k + dk);
+          if (there == voxel || stack_.material[there] || seen_[there] == search.number) continue;
+          if (seen_[there] == other.number) return false;
+          reach(search, there);
+        }
+      }
+    }
+    return true;
+  };
+  std::size_t turn = 0;
+  while (searches[turn].next < searches[turn].found.size()) {
+    if (steps_left_ == 0 || !advance(searches[turn], searches[1 - turn])) return false;
+    --steps_left_;
+    turn = 1 - turn;
+  }
+  Search &whole = searches[turn], &rest = searches[1 - turn];
+  if (whole.regions.empty()) return false;
+  std::vector<std::size_t> found(graph_.hollow.size(), 0);
+  for (const RegionId region : whole.regions) ++found[graph_.void_group[region]];
+  for (const RegionId region : whole.regions) {
+    if (found[graph_.void_group[region]] != graph_.void_group_size[graph_.void_group[region]]) return false;
+  }
+  while (rest.regions.empty() && rest.next < rest.found.size()) {
+    if (steps_left_ == 0 || !advance(rest, whole)) return false;
+    --steps_left_;
+  }
+  if (rest.regions.empty()) return false;
+  --seals_left_;
+  return true;
+}
+
+void Grower::take(std::size_t voxel) {
+  stack_.material[voxel] = 1;
+  for (const int bit : face_bits) {
+    const std::size_t there = stack_.neighbour(voxel, bit);
+    if (!stack_.material[there]) continue;
+    stack_.region[voxel] = stack_.region[there];
+    return;
+  }
+}
+
+void Grower::give_back() {
+  std::priority_queue<Candidate> queue;  // with fields negated: the largest first
+  const auto offer_back = [&](std::size_t voxel) {
+    if (!stack_.material[voxel] || queued_[voxel] || stack_.field[voxel] < 0 || !stack_.free(voxel)) return;
+    queued_[voxel] = 1;
+    queue.push({-stack_.field[voxel], voxel});
+  };
+  for (std::size_t voxel = 0; voxel < stack_.material.size(); ++voxel) offer_back(voxel);
+  while (!queue.empty()) {
+    const std::size_t voxel = queue.top().voxel;
+    queue.pop();
+    queued_[voxel] = 0;
+    const Neighbourhood around = stack_.around(voxel);
+    if (!local_pieces(around).simple() || corner_contact(around & ~(1u << own_bit))) continue;
+    stack_.material[voxel] = 0;
+    for (int bit = 0; bit < neighbours; ++bit) {
+      if (bit != own_bit) offer_back(stack_.neighbour(voxel, bit));
+    }
+  }
+}
+
+void Grower::restore(const LayerStack& stack, const Grower& state) {
+  stack_ = stack;
+  unjoined_ = state.unjoined_;
+  seals_left_ = state.seals_left_;
+  pieces_ = state.pieces_;
+  steps_left_ = state.steps_left_;
+}
+
+}  // namespace odontoscope::between
