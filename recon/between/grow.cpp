@@ -15,13 +15,14 @@ constexpr std::array face_bits{4, 10, 12, 14, 16, 22};
 
 }  // namespace
 
-Grower::Grower(LayerStack& stack, const RegionGraph& graph)
+Grower::Grower(LayerStack& stack, const RegionGraph& graph, double step)
     : stack_(stack),
       graph_(graph),
       unjoined_(graph.links),
       seals_left_(graph.implied.voids - 1),
       pieces_(graph.hollow.size()),
       queued_(stack.material.size(), 0),
+      room_(limits::join_room * step),
       seen_(stack.material.size(), 0),
       steps_left_(limits::join_search_steps * stack.material.size()) {}
 
@@ -74,10 +75,44 @@ bool Grower::may_take(std::size_t voxel) {
   const Neighbourhood around = stack_.around(voxel);
   const LocalPieces pieces = local_pieces(around);
   if (pieces.material == 0 || pieces.voids == 0) return false;
-  if (corner_contact(around | 1u << own_bit)) return false;
+  if (corner_contact(around | 1u << own_bit) || crowds(voxel)) return false;
   if (pieces.simple()) return true;
   if (pieces.material == 2 && pieces.voids == 1) return may_join(voxel, pieces);
   if (pieces.material == 1 && pieces.voids == 2) return may_seal(voxel, pieces);
+  return false;
+}
+
+/// Is the voxel outside the given contours of the layer below or above it, with hardly room between?
+bool Grower::tight(std::size_t voxel, std::ptrdiff_t up) const {
+  const std::ptrdiff_t k = stack_.layer_of(voxel) + up;
+  if (k != 0 && k != stack_.layers - 1) return false;
+  const std::size_t given = stack_.neighbour(voxel, own_bit + 9 * static_cast<int>(up));
+  return !stack_.material[given] && stack_.field[given] < room_;
+}
+
+/// Would material here pass a given contour that it must not overlap, with hardly room for its own contour? So it would
+/// where there is given material beside it with void above. A traced contour could not keep clear of it.
+bool Grower::crowds(std::size_t voxel) const {
+  for (const int up : {-1, 1}) {
+    if (!tight(voxel, up)) continue;
+    for (int bit = 9; bit < 18; ++bit) {
+      const std::size_t beside = stack_.neighbour(voxel, bit);
+      if (bit != own_bit && !stack_.material[beside] && stack_.material[stack_.neighbour(beside, own_bit + 9 * up)]) return true;
+    }
+  }
+  return false;
+}
+
+/// Would material beside crowd a given contour without this voxel?
+bool Grower::uncovers(std::size_t voxel) const {
+  for (const int up : {-1, 1}) {
+    const std::ptrdiff_t k = stack_.layer_of(voxel) + up;
+    if ((k != 0 && k != stack_.layers - 1) || !stack_.material[stack_.neighbour(voxel, own_bit + 9 * up)]) continue;
+    for (int bit = 9; bit < 18; ++bit) {
+      const std::size_t beside = stack_.neighbour(voxel, bit);
+      if (bit != own_bit && stack_.material[beside] && tight(beside, up)) return true;
+    }
+  }
   return false;
 }
 
@@ -186,7 +221,7 @@ void Grower::give_back() {
     queue.pop();
     queued_[voxel] = 0;
     const Neighbourhood around = stack_.around(voxel);
-    if (!local_pieces(around).simple() || corner_contact(around & ~(1u << own_bit))) continue;
+    if (!local_pieces(around).simple() || corner_contact(around & ~(1u << own_bit)) || uncovers(voxel)) continue;
     stack_.material[voxel] = 0;
     for (int bit = 0; bit < neighbours; ++bit) {
       if (bit != own_bit) offer_back(stack_.neighbour(voxel, bit));

@@ -11,8 +11,8 @@ namespace odontoscope::between {
 
 class Grower {
  public:
-  /// The stack must outlive the grower.
-  Grower(LayerStack& stack, const RegionGraph& graph);
+  /// The stack must outlive the grower; `step` is that of the grid.
+  Grower(LayerStack& stack, const RegionGraph& graph, double step);
 
   /// Grows over all voxels whose field is below the level, the least first.
   void grow(double level);
@@ -39,6 +39,9 @@ class Grower {
   void offer_all(double level);
   void run(bool until_joined);
   bool may_take(std::size_t voxel);
+  bool tight(std::size_t voxel, std::ptrdiff_t up) const;
+  bool crowds(std::size_t voxel) const;
+  bool uncovers(std::size_t voxel) const;
   bool may_join(std::size_t voxel, const LocalPieces& pieces);
   bool may_seal(std::size_t voxel, const LocalPieces& pieces);
   void take(std::size_t voxel);
@@ -51,6 +54,7 @@ class Grower {
   std::priority_queue<Candidate> queue_;
   std::vector<std::uint8_t> queued_;
   double level_ = 0;
+  double room_;  // distance from a given contour below which it is tight, mm
   std::vector<std::uint32_t> seen_;  // by searches, with their number
   std::uint32_t searches_ = 0;
   std::size_t steps_left_;  // of all searches

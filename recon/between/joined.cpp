@@ -33,11 +33,11 @@ void settle(Grower& grower) {
 /// Grown with as few voxels against the fields as was found: where a join would be cut although the gap beside it could
 /// be filled at less cost, growing over the field's zero and giving back does that.
 void grow(LayerStack& stack, const RegionGraph& graph, double step) {
-  Grower grower(stack, graph);
+  Grower grower(stack, graph, step);
   grower.grow(0);
   grower.grow_until_joined();
   LayerStack flooded = stack;
-  Grower flood(flooded, graph);
+  Grower flood(flooded, graph, step);
   flood.restore(stack, grower);
   settle(grower);
   std::size_t least = mismatches(stack);
@@ -45,7 +45,7 @@ void grow(LayerStack& stack, const RegionGraph& graph, double step) {
     if (least == 0) return;
     flood.grow(steps * step);
     LayerStack tried = flooded;
-    Grower settling(tried, graph);
+    Grower settling(tried, graph, step);
     settling.restore(flooded, flood);
     settle(settling);
     const std::size_t count = mismatches(tried);

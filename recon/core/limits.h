@@ -180,6 +180,8 @@ inline constexpr int join_settling_rounds = 2;
 inline constexpr double join_flood_steps[] = {2, 6};
 /// Where contours of neighbouring layers pass each other within a step of the grid, each keeps to this part of it.
 inline constexpr double join_crosswise = 0.35;
+/// How far, in steps of the grid, material of the next layer keeps off a given contour that it passes and must not overlap.
+inline constexpr double join_room = 0.3;
 /// How far thinning may move a contour whose topology was settled on the grid, in steps of it: less than what crosswise
 /// contours leave between them.
 inline constexpr double join_thinning_steps = 0.1;
