@@ -14,16 +14,19 @@ namespace odontoscope::between {
 void require_blendable(const Surroundings& s, std::span<const double> shares) {
   const bool given = s.lower && s.upper;
   const bool finite = std::isfinite(s.z_lower) && std::isfinite(s.z_upper);
-  const bool ascending = s.z_lower < s.z_upper && (!s.before || s.z_before < s.z_lower) && (!s.after || s.z_upper < s.z_after);
+  const bool ascending =
+      s.z_lower < s.z_upper && (!s.before || s.z_before < s.z_lower) && (!s.after || s.z_upper < s.z_after);
   const bool beyond = (!s.before || std::isfinite(s.z_before)) && (!s.after || std::isfinite(s.z_after));
-  if (!given || !finite || !ascending || !beyond) throw InternalError("a slab to be blended has no two slices in order");
+  if (!given || !finite || !ascending || !beyond)
+    throw InternalError("a slab to be blended has no two slices in order");
   for (std::size_t n = 0; n < shares.size(); ++n) {
     const bool between = shares[n] > 0 && shares[n] < 1 && (n == 0 || shares[n] > shares[n - 1]);
     if (!between) throw InternalError("shares of a slab must lie between 0 and 1 and ascend");
   }
 }
 
-std::vector<Outline> blend(const Surroundings& surroundings, std::span<const double> shares, const BlendOptions& options) {
+std::vector<Outline> blend(const Surroundings& surroundings, std::span<const double> shares,
+                           const BlendOptions& options) {
   require_blendable(surroundings, shares);
   std::vector<Outline> result;
   if (surroundings.lower->empty() && surroundings.upper->empty()) {

@@ -64,7 +64,7 @@ class UnitField {
 
   Grid grid_;
   Motion motion_;
-  Lattice lattice_;  // in the unit's frame
+  Lattice lattice_;                           // in the unit's frame
   std::ptrdiff_t first_i_ = 0, first_j_ = 0;  // of the lattice on the grid, unless it moves
   Heights heights_;
   std::array<std::vector<double>, slices_used> distances_;

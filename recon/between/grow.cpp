@@ -97,7 +97,8 @@ bool Grower::crowds(std::size_t voxel) const {
     if (!tight(voxel, up)) continue;
     for (int bit = 9; bit < 18; ++bit) {
       const std::size_t beside = stack_.neighbour(voxel, bit);
-      if (bit != own_bit && !stack_.material[beside] && stack_.material[stack_.neighbour(beside, own_bit + 9 * up)]) return true;
+      if (bit != own_bit && !stack_.material[beside] && stack_.material[stack_.neighbour(beside, own_bit + 9 * up)])
+        return true;
     }
   }
   return false;
@@ -135,65 +136,57 @@ bool Grower::may_join(std::size_t voxel, const LocalPieces& pieces) {
   return false;
 }
 
+void Grower::reach(Search& search, std::size_t at) {
+  seen_[at] = search.number;
+  search.found.push_back(at);
+  const std::ptrdiff_t k = stack_.layer_of(at);
+  if (k == 0 || k == stack_.layers - 1) search.regions.insert(stack_.region[at]);
+}
+
+/// Takes one more voxel's neighbours into a search. false: it has met the other one, or searching took too long.
+bool Grower::advance(Search& search, const Search& other, std::size_t sealed) {
+  if (steps_left_ == 0) return false;
+  --steps_left_;
+  const std::size_t at = search.found[search.next++];
+  const auto index = static_cast<std::ptrdiff_t>(at);
+  const std::ptrdiff_t i = index % stack_.columns, j = index / stack_.columns % stack_.rows, k = stack_.layer_of(at);
+  for (int bit = 0; bit < neighbours; ++bit) {
+    const std::ptrdiff_t x = i + bit % 3 - 1, y = j + bit / 3 % 3 - 1, z = k + bit / 9 - 1;
+    if (x < 0 || y < 0 || z < 0 || x >= stack_.columns || y >= stack_.rows || z >= stack_.layers) continue;
+    const std::size_t there = stack_.at(x, y, z);
+    if (there == sealed || stack_.material[there] || seen_[there] == search.number) continue;
+    if (seen_[there] == other.number) return false;
+    reach(search, there);
+  }
+  return true;
+}
+
 /// Two pieces of void would lose each other here: may they, all ways round considered? Both are searched in turns until
 /// they meet, or one is known as a whole; then each void group must lie in one of them, and none may be without any.
 bool Grower::may_seal(std::size_t voxel, const LocalPieces& pieces) {
   if (seals_left_ == 0) return false;
-  struct Search {
-    std::vector<std::size_t> found;
-    std::size_t next = 0;
-    std::set<RegionId> regions;
-    std::uint32_t number = 0;
-  };
   std::array<Search, 2> searches;
-  const auto reach = [&](Search& search, std::size_t at) {
-    seen_[at] = search.number;
-    search.found.push_back(at);
-    const std::ptrdiff_t k = stack_.layer_of(at);
-    if (k == 0 || k == stack_.layers - 1) search.regions.insert(stack_.region[at]);
-  };
-  seen_[voxel] = 0;
   for (std::size_t n = 0; n < 2; ++n) {
     searches[n].number = ++searches_;
     for (Neighbourhood bits = pieces.void_bits[n]; bits != 0; bits &= bits - 1)
       reach(searches[n], stack_.neighbour(voxel, __builtin_ctz(bits)));
   }
-  const auto advance = [&](Search& search, const Search& other) {  // false: they have met
-    const std::size_t at = search.found[search.next++];
-    const auto index = static_cast<std::ptrdiff_t>(at);
-    const std::ptrdiff_t i = index % stack_.columns, j = index / stack_.columns % stack_.rows, k = stack_.layer_of(at);
-    for (std::ptrdiff_t dk = -1; dk <= 1; ++dk) {
-      for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
-        for (std::ptrdiff_t di = -1; di <= 1; ++di) {
-          const bool within = i + di >= 0 && i + di < stack_.columns && j + dj >= 0 && j + dj < stack_.rows && k + dk >= 0 && k + dk < stack_.layers;
-          if (!within) continue;
-          const std::size_t there = stack_.at(i + di, j + dj, k + dk);
-          if (there == voxel || stack_.material[there] || seen_[there] == search.number) continue;
-          if (seen_[there] == other.number) return false;
-          reach(search, there);
-        }
-      }
-    }
-    return true;
-  };
   std::size_t turn = 0;
   while (searches[turn].next < searches[turn].found.size()) {
-    if (steps_left_ == 0 || !advance(searches[turn], searches[1 - turn])) return false;
-    --steps_left_;
+    if (!advance(searches[turn], searches[1 - turn], voxel)) return false;
     turn = 1 - turn;
   }
   Search &whole = searches[turn], &rest = searches[1 - turn];
-  if (whole.regions.empty()) return false;
   std::vector<std::size_t> found(graph_.hollow.size(), 0);
   for (const RegionId region : whole.regions) ++found[graph_.void_group[region]];
   for (const RegionId region : whole.regions) {
-    if (found[graph_.void_group[region]] != graph_.void_group_size[graph_.void_group[region]]) return false;
+    const RegionId group = graph_.void_group[region];
+    if (found[group] != graph_.void_group_size[group]) return false;
   }
   while (rest.regions.empty() && rest.next < rest.found.size()) {
-    if (steps_left_ == 0 || !advance(rest, whole)) return false;
-    --steps_left_;
+    if (!advance(rest, whole, voxel)) return false;
   }
-  if (rest.regions.empty()) return false;
+  if (whole.regions.empty() || rest.regions.empty()) return false;
   --seals_left_;
   return true;
 }

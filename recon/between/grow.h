@@ -35,6 +35,14 @@ class Grower {
     }
   };
 
+  /// Void that is connected, as far as it is known.
+  struct Search {
+    std::vector<std::size_t> found;
+    std::size_t next = 0;
+    std::set<RegionId> regions;
+    std::uint32_t number = 0;
+  };
+
   void offer(std::size_t voxel);
   void offer_all(double level);
   void run(bool until_joined);
@@ -44,6 +52,8 @@ class Grower {
   bool uncovers(std::size_t voxel) const;
   bool may_join(std::size_t voxel, const LocalPieces& pieces);
   bool may_seal(std::size_t voxel, const LocalPieces& pieces);
+  void reach(Search& search, std::size_t at);
+  bool advance(Search& search, const Search& other, std::size_t sealed);
   void take(std::size_t voxel);
 
   LayerStack& stack_;
@@ -54,7 +64,7 @@ class Grower {
   std::priority_queue<Candidate> queue_;
   std::vector<std::uint8_t> queued_;
   double level_ = 0;
-  double room_;  // distance from a given contour below which it is tight, mm
+  double room_;                      // distance from a given contour below which it is tight, mm
   std::vector<std::uint32_t> seen_;  // by searches, with their number
   std::uint32_t searches_ = 0;
   std::size_t steps_left_;  // of all searches

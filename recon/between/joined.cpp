@@ -61,7 +61,7 @@ double height_of(const SliceSet& slices, double share) {
 
 /// Connected voxels of one kind that are not as their field wants them.
 std::vector<Correction> corrections_of(const LayerStack& stack, const SliceSet& slices, const Grid& grid,
-                                 std::span<const double> shares) {
+                                       std::span<const double> shares) {
   std::vector<double> z{slices.z[at_lower]};
   for (const double share : shares) z.push_back(height_of(slices, share));
   z.push_back(slices.z[at_upper]);
@@ -117,7 +117,8 @@ class Crossings {
   Crossings(const LayerStack& stack, std::ptrdiff_t k) : stack_(stack), k_(k) {}
 
   double operator()(std::size_t material, std::size_t hollow, double interpolated) const {
-    const double turned = std::abs(value(k_, material)) >= far_outside || wrong(material) || wrong(hollow) ? 0.5 : interpolated;
+    const double turned =
+        std::abs(value(k_, material)) >= far_outside || wrong(material) || wrong(hollow) ? 0.5 : interpolated;
     double fraction = turned;
     for (const std::ptrdiff_t k : {k_ - 1, k_ + 1}) {
       if (solid(k, material) || !solid(k, hollow)) continue;
@@ -132,7 +133,9 @@ class Crossings {
   }
 
  private:
-  std::size_t voxel(std::ptrdiff_t k, std::size_t p) const { return static_cast<std::size_t>(k) * stack_.layer_size() + p; }
+  std::size_t voxel(std::ptrdiff_t k, std::size_t p) const {
+    return static_cast<std::size_t>(k) * stack_.layer_size() + p;
+  }
   bool solid(std::ptrdiff_t k, std::size_t p) const { return stack_.material[voxel(k, p)] != 0; }
   double value(std::ptrdiff_t k, std::size_t p) const { return stack_.field[voxel(k, p)]; }
   bool wrong(std::size_t p) const { return solid(k_, p) != (value(k_, p) < 0); }
@@ -193,7 +196,8 @@ struct Sampled {
   bool resolved = false;
 };
 
-/// On the coarsest grid, from the usual one on, that shows every region of both slices as one piece, or else the finest.
+/// On the coarsest grid, from the usual one on, that shows every region of both slices as one piece, or else the
+/// finest.
 std::optional<Sampled> sampled(const SliceSet& slices, const BlendPlan& plan, std::span<const double> shares,
                                const JoinOptions& options) {
   std::optional<Grid> grid = grid_for(slices, options.blend.most_grid_points);
@@ -240,7 +244,8 @@ JoinedBlend blend_joined(const Surroundings& surroundings, std::span<const doubl
     contours.push_back(traced_contours(stack, pieces, k, slice, made->grid));
     result.outlines.push_back(thinned(slice, tolerance, limits::join_thinning_steps * made->grid.step, enough));
   }
-  contours.push_back(given_contours(stack, pieces, stack.layers - 1, static_cast<RegionId>(graph.lower), graph.outside_region()));
+  contours.push_back(
+      given_contours(stack, pieces, stack.layers - 1, static_cast<RegionId>(graph.lower), graph.outside_region()));
   result.links = links_between(stack, pieces, contours);
   return result;
 }

@@ -9,11 +9,11 @@
 //   regions, minus components of the graph of linked void regions that do not reach the outside.
 // Blended fields alone need not give that. Here each layer is a raster; material grows from the two given slices, the
 // surest voxel first (the most negative field), by simple voxels, which change no topology (Bertrand 1994; growing with
-// topology control: Bischoff and Kobbelt, "Isosurface reconstruction with topology control", 2002). A voxel that joins two
-// pieces is taken just once for each linked pair of regions; one that seals a void off, only where that parts void
+// topology control: Bischoff and Kobbelt, "Isosurface reconstruction with topology control", 2002). A voxel that joins
+// two pieces is taken just once for each linked pair of regions; one that seals a void off, only where that parts void
 // regions that are not linked. If a join or seal is still missing, material grows on over the field's zero; whatever of
-// that is not needed is given back, the least sure first. The contours are then traced from the fields, turned where the
-// labels say otherwise.
+// that is not needed is given back, the least sure first. The contours are then traced from the fields, turned where
+// the labels say otherwise.
 
 #include <cstddef>
 #include <span>
@@ -24,9 +24,9 @@
 namespace odontoscope::between {
 
 struct LayerTopology {
-  std::size_t pieces = 0;      // of material
-  std::size_t voids = 0;       // pieces of void, the outside one of them
-  std::ptrdiff_t loops = 0;    // independent loops of material
+  std::size_t pieces = 0;    // of material
+  std::size_t voids = 0;     // pieces of void, the outside one of them
+  std::ptrdiff_t loops = 0;  // independent loops of material
   friend bool operator==(const LayerTopology&, const LayerTopology&) = default;
 };
 
@@ -49,8 +49,9 @@ struct JoinedBlend {
   std::vector<LayerLinks> links;
   std::vector<Correction> corrections;
   LayerTopology implied, found;
-  /// false: contours or walls are too thin for the finest grid that is allowed. Then tips that do not hold together on it
-  /// are left out of account; if that is not enough, the outlines are those of `blend`, without links and corrections.
+  /// false: contours or walls are too thin for the finest grid that is allowed. Then tips that do not hold together on
+  /// it are left out of account; if that is not enough, the outlines are those of `blend`, without links and
+  /// corrections.
   bool resolved = false;
 
   bool as_implied() const { return resolved && implied == found; }
@@ -63,6 +64,7 @@ struct JoinOptions {
 };
 
 /// As `blend`, with the same preconditions. Some ten times slower.
-JoinedBlend blend_joined(const Surroundings& surroundings, std::span<const double> shares, const JoinOptions& options = {});
+JoinedBlend blend_joined(const Surroundings& surroundings, std::span<const double> shares,
+                         const JoinOptions& options = {});
 
 }  // namespace odontoscope::between

@@ -74,7 +74,8 @@ std::vector<Piece> given_pieces(const LayerStack& stack, const std::vector<std::
   return result;
 }
 
-/// The largest piece of each region, the outside's in the lower and, last, in the upper layer; none where there is none.
+/// The largest piece of each region, the outside's in the lower and, last, in the upper layer; none where there is
+/// none.
 std::vector<std::uint32_t> largest_pieces(const std::vector<Piece>& pieces, std::size_t regions) {
   std::vector<std::uint32_t> largest(regions + 1, no_piece);
   for (std::uint32_t n = 0; n < pieces.size(); ++n) {
@@ -87,7 +88,8 @@ std::vector<std::uint32_t> largest_pieces(const std::vector<Piece>& pieces, std:
 }
 
 /// Do regions that fall together on the grid, for want of points between them, make one piece?
-bool falls_together(const LayerStack& stack, const std::vector<std::uint32_t>& pieces, const std::vector<Piece>& given) {
+bool falls_together(const LayerStack& stack, const std::vector<std::uint32_t>& pieces,
+                    const std::vector<Piece>& given) {
   for (const std::ptrdiff_t k : {std::ptrdiff_t{0}, stack.layers - 1}) {
     for (std::size_t p = 0; p < stack.layer_size(); ++p) {
       const std::size_t voxel = static_cast<std::size_t>(k) * stack.layer_size() + p;
@@ -146,7 +148,8 @@ LayerStack framed(const SliceSet& slices, const std::vector<Window>& windows, co
   for (const Window& window : windows) {  // only what is wanted as material counts
     for (std::ptrdiff_t j = 0; j < window.rows; ++j) {
       for (std::ptrdiff_t i = 0; i < window.columns; ++i) {
-        if (window.values[static_cast<std::size_t>(j * window.columns + i)] < 0) take(window.first_i + i, window.first_j + j);
+        if (window.values[static_cast<std::size_t>(j * window.columns + i)] < 0)
+          take(window.first_i + i, window.first_j + j);
       }
     }
   }
@@ -178,7 +181,8 @@ RegionGraph::RegionGraph(const SliceSet& slices, const Surroundings& surrounding
   for (const ContourLink& link : surroundings.material)
     links.insert({region(at_lower, link.lower), region(at_upper, link.upper)});
   for (const auto& [a, b] : links) sets.join(a, b);
-  for (const ContourLink& link : surroundings.voids) sets.join(region(at_lower, link.lower), region(at_upper, link.upper));
+  for (const ContourLink& link : surroundings.voids)
+    sets.join(region(at_lower, link.lower), region(at_upper, link.upper));
   void_group.resize(regions);
   void_group_size.assign(regions, 0);
   for (RegionId r = 0; r < regions; ++r) {
@@ -226,7 +230,9 @@ LayerStack with_given_slices(const SliceSet& slices, const std::vector<Window>& 
   stack.region.assign(size, outside_region);
   const Lattice lattice{{grid.anchor.x + grid.step * static_cast<double>(stack.first_i),
                          grid.anchor.y + grid.step * static_cast<double>(stack.first_j)},
-                        grid.step, stack.columns, stack.rows};
+                        grid.step,
+                        stack.columns,
+                        stack.rows};
   for (const std::size_t slice : {at_lower, at_upper}) {
     const std::size_t offset = slice == at_lower ? 0 : size - stack.layer_size();
     const RegionId first = slice == at_lower ? 0 : static_cast<RegionId>(lower);
@@ -288,7 +294,9 @@ LayerTopology topology_of(const LayerStack& stack) {
   UnionFind sets(stack.material.size());
   join_within_layers(stack, sets);
   std::ptrdiff_t euler = 0;
-  const auto solid = [&](std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) { return stack.material[stack.at(i, j, k)] != 0; };
+  const auto solid = [&](std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) {
+    return stack.material[stack.at(i, j, k)] != 0;
+  };
   for (std::ptrdiff_t k = 0; k < stack.layers; ++k) {
     for (std::ptrdiff_t j = 1; j + 1 < stack.rows; ++j) {
       for (std::ptrdiff_t i = 1; i + 1 < stack.columns; ++i) {
@@ -297,7 +305,8 @@ LayerTopology topology_of(const LayerStack& stack) {
           for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
             for (std::ptrdiff_t di = -1; di <= 1; ++di) {
               if (solid(i + di, j + dj, k + 1) != here || (here && (di != 0 || dj != 0))) continue;
-              sets.join(static_cast<std::uint32_t>(stack.at(i, j, k)), static_cast<std::uint32_t>(stack.at(i + di, j + dj, k + 1)));
+              sets.join(static_cast<std::uint32_t>(stack.at(i, j, k)),
+                        static_cast<std::uint32_t>(stack.at(i + di, j + dj, k + 1)));
             }
           }
         }

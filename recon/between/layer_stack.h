@@ -13,16 +13,16 @@
 
 namespace odontoscope::between {
 
-/// Regions of both given slices in one numbering: contours of the lower, contours of the upper, the outside. A region of
-/// material is known by its outer contour, one of void by its hole.
+/// Regions of both given slices in one numbering: contours of the lower, contours of the upper, the outside. A region
+/// of material is known by its outer contour, one of void by its hole.
 using RegionId = std::uint32_t;
 
 struct RegionGraph {
-  std::size_t lower = 0, upper = 0;  // contours
-  std::vector<bool> hollow;          // by region
-  std::set<std::pair<RegionId, RegionId>> links;        // of material, the lower first
-  std::vector<RegionId> void_group;                     // by region: the least of its group; itself for material
-  std::vector<std::size_t> void_group_size;             // by group: its regions
+  std::size_t lower = 0, upper = 0;               // contours
+  std::vector<bool> hollow;                       // by region
+  std::set<std::pair<RegionId, RegionId>> links;  // of material, the lower first
+  std::vector<RegionId> void_group;               // by region: the least of its group; itself for material
+  std::vector<std::size_t> void_group_size;       // by group: its regions
   LayerTopology implied;
 
   RegionGraph(const SliceSet& slices, const Surroundings& surroundings);
@@ -33,9 +33,9 @@ struct RegionGraph {
 struct LayerStack {
   std::ptrdiff_t first_i = 0, first_j = 0;  // on the grid
   std::ptrdiff_t columns = 0, rows = 0, layers = 0;
-  std::vector<double> field;         // negative where material is wanted
+  std::vector<double> field;  // negative where material is wanted
   std::vector<std::uint8_t> material;
-  std::vector<RegionId> region;      // in the given layers; of material in between, the one that it grew from
+  std::vector<RegionId> region;  // in the given layers; of material in between, the one that it grew from
 
   std::size_t at(std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k) const {
     return static_cast<std::size_t>((k * rows + j) * columns + i);

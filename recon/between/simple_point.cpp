@@ -15,9 +15,7 @@ struct Tables {
   std::array<Neighbourhood, 8> corner{};                 // the eight cells round each of its corners
 };
 
-constexpr int offset(int cell, int axis) {
-  return (axis == 0 ? cell % 3 : axis == 1 ? cell / 3 % 3 : cell / 9) - 1;
-}
+constexpr int offset(int cell, int axis) { return (axis == 0 ? cell % 3 : axis == 1 ? cell / 3 % 3 : cell / 9) - 1; }
 
 constexpr int away(int a, int b, int axis) {
   const int apart = offset(a, axis) - offset(b, axis);

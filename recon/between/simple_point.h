@@ -10,7 +10,8 @@
 
 namespace odontoscope::between {
 
-/// Which of a voxel's neighbours are material: bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1). The voxel's own bit says nothing.
+/// Which of a voxel's neighbours are material: bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1). The voxel's own bit says
+/// nothing.
 using Neighbourhood = std::uint32_t;
 
 struct LocalPieces {

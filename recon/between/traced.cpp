@@ -14,7 +14,8 @@ using trace::Vertex;
 /// The window as trace::contours asks for it.
 class Field {
  public:
-  Field(const Window& window, const Grid& grid, const TraceRules& rules) : window_(window), grid_(grid), rules_(rules) {}
+  Field(const Window& window, const Grid& grid, const TraceRules& rules)
+      : window_(window), grid_(grid), rules_(rules) {}
 
   bool inside(Vertex v) const { return in_window(v) && value(v) < 0; }
 

@@ -116,8 +116,10 @@ Links overlap_links(const Outline& lower, const Outline& upper) {
   for (std::size_t p = 0; p < below.innermost.size(); ++p) {
     const std::size_t a = below.innermost[p], b = above.innermost[p];
     if (is_void(lower, a) != is_void(upper, b)) continue;
-    if (!is_void(lower, a)) material.insert({a, b});
-    else if (a != between::outside || b != between::outside) voids.insert({a, b});
+    if (!is_void(lower, a))
+      material.insert({a, b});
+    else if (a != between::outside || b != between::outside)
+      voids.insert({a, b});
   }
   Links links;
   for (const auto& [a, b] : material) links.material.push_back({a, b});
@@ -137,7 +139,8 @@ double area(const Outline& outline) {
   return sum;
 }
 
-double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns) {
+double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side,
+                     int columns) {
   const Picture made = picture(outline, low, side, columns);
   std::size_t wrong = 0;
   for (int j = 0; j < columns; ++j) {
@@ -180,7 +183,8 @@ between::LayerTopology glued_topology(const std::vector<Outline>& layers, int co
       for (int i = 0; i < columns; ++i) {
         for (int to = 0; to < 27; ++to) {
           const int x = i + to % 3 - 1, y = j + to / 3 % 3 - 1, z = k + to / 9 - 1;
-          if (x < 0 || y < 0 || z < 0 || x >= columns || y >= columns || z >= count || at(x, y, z) <= at(i, j, k)) continue;
+          if (x < 0 || y < 0 || z < 0 || x >= columns || y >= columns || z >= count || at(x, y, z) <= at(i, j, k))
+            continue;
           const int apart = std::abs(x - i) + std::abs(y - j) + std::abs(z - k);
           if (filled(x, y, z) != filled(i, j, k) || (filled(i, j, k) && apart > 1)) continue;
           sets.join(static_cast<std::uint32_t>(at(i, j, k)), static_cast<std::uint32_t>(at(x, y, z)));
