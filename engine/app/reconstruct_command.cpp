@@ -136,7 +136,7 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
 Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::medial);
-  engine.between = options.between.value_or(Between::blended);
+  engine.between = options.between.value_or(Between::delaunay);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}});
@@ -206,7 +206,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: blended (default), or the paper's plain delaunay")
+                                     "Between slices: delaunay (default), or blended where the surface travels far")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
