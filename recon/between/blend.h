@@ -53,9 +53,9 @@ struct Surroundings {
 };
 
 struct BlendOptions {
-  /// How far thinning may move a contour, over the larger side of the slab's bounding box: 0.002 mm for a tooth of
+  /// How far thinning may move a contour, over the larger side of the slab's bounding box: 0.004 mm for a tooth of
   /// 10 mm.
-  double thinning = 2e-4;
+  double thinning = 4e-4;
   /// Largest number of grid points. The step follows from the narrowest contour and wall; this bounds time and memory.
   std::size_t most_grid_points = 90'000;
 };

@@ -52,17 +52,6 @@ Lattice around(const Box& box, double margin, double step, Point2 anchor) {
   return lattice;
 }
 
-/// Do two shapes share most of what either covers? One that is gone from both slices is.
-bool alike(const std::vector<double>& beyond, const std::vector<double>& given) {
-  if (beyond.empty() || given.empty()) return false;
-  std::size_t both = 0, either = 0;
-  for (std::size_t p = 0; p < beyond.size(); ++p) {
-    both += beyond[p] < 0 && given[p] < 0;
-    either += beyond[p] < 0 || given[p] < 0;
-  }
-  return static_cast<double>(both) >= limits::blend_alike * static_cast<double>(either);
-}
-
 bool on_border(std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t columns, std::ptrdiff_t rows) {
   return i == 0 || j == 0 || i == columns - 1 || j == rows - 1;
 }
@@ -132,16 +121,9 @@ void UnitField::measure(const BlendUnit& unit, const SliceSet& slices) {
     if (unit.presence[n] == Presence::shape) distances_[n] = signed_distances(lattice_, shapes[n]);
     if (unit.presence[n] == Presence::gone && !slices.outlines[n]->empty()) distances_[n] = distances(lattice_, *slices.outlines[n]);
   }
-  if (!alike(distances_[at_before], distances_[at_lower])) forget(at_before, heights_.before);
-  if (!alike(distances_[at_after], distances_[at_upper])) forget(at_after, heights_.after);
   for (const std::size_t n : {at_lower, at_upper}) {  // an empty slice: the unit closes half-way
     if (distances_[n].empty()) distances_[n].assign(lattice_.size(), inradius());
   }
-}
-
-void UnitField::forget(std::size_t slice, std::optional<double>& height) {
-  distances_[slice].clear();
-  height.reset();
 }
 
 double UnitField::inradius() const {
@@ -158,12 +140,6 @@ std::vector<double> UnitField::blended(double share) const {
   for (std::size_t n = 0; n < slices_used; ++n) {
     if (distances_[n].empty()) continue;
     for (std::size_t p = 0; p < values.size(); ++p) values[p] += weights[n] * distances_[n][p];
-  }
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    const double low = distances_[at_lower][p], high = distances_[at_upper][p];
-    const double straight = (1 - share) * low + share * high;
-    const double most = limits::blend_bow * 4 * share * (1 - share) * std::abs(high - low);
-    values[p] = std::clamp(values[p], straight - most, straight + most);
   }
   return values;
 }

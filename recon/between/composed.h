@@ -57,7 +57,6 @@ class UnitField {
 
  private:
   void measure(const BlendUnit& unit, const SliceSet& slices);
-  void forget(std::size_t slice, std::optional<double>& height);
   double inradius() const;
   std::vector<double> blended(double share) const;
   void drop_overshoot(std::vector<double>& values, double share) const;
