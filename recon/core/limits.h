@@ -149,11 +149,6 @@ namespace odontoscope::limits {
 inline constexpr double blend_points_across = 5, blend_columns = 120;
 /// Grid points along the larger side of a shape that is moved, in its own frame: it is sampled once more on the way to the slice.
 inline constexpr double blend_columns_of_moved = 48;
-/// Part of what two neighbouring slices' shapes cover together that both must cover for the one beyond the slab to bend the blend: across
-/// a furcation the neighbour is another shape, and its distances would make bulges.
-inline constexpr double blend_alike = 0.5;
-/// How far the cubic may bow from the straight line half-way, over the difference of the two slices' distances there.
-inline constexpr double blend_bow = 0.25;
 /// Grid points that a shape's window keeps free around it.
 inline constexpr double blend_margin_steps = 4;
 /// Part of the smaller shape's area that must lie in the other for two linked shapes to be blended in place; and the part
@@ -174,7 +169,7 @@ inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
 /// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
 inline constexpr double blend_grains_in_step = 1024;
 /// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
-inline constexpr int blend_thinning_rounds = 2;
+inline constexpr int blend_thinning_rounds = 3;
 /// Voxels that the searches for a seal may look at in all, over the number of voxels.
 inline constexpr std::size_t join_search_steps = 40;
 /// Times that stray pieces of a region on the grid are turned into what is around them: that may leave others.

@@ -17,7 +17,7 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links",
-                                            "cut_links", "seconds", "threads", "certified"}));
+                                            "void_links", "topology", "cut_links", "seconds", "threads", "certified"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
   for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
