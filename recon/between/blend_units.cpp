@@ -187,14 +187,6 @@ SliceSet::SliceSet(const Surroundings& surroundings)
   }
 }
 
-double SliceSet::larger_side() const {
-  Box box;
-  for (const std::size_t slice : {at_lower, at_upper}) {
-    for (const ContourFacts& contour : facts[slice]) box.take(contour.box);
-  }
-  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
-}
-
 BlendPlan blend_plan(const SliceSet& slices, const Surroundings& surroundings) {
   return Planner(slices, surroundings).plan();
 }

@@ -40,6 +40,12 @@ double travel(const Box& a, const Box& b) {
                    std::abs(a.high.y - b.high.y)});
 }
 
+/// Blended at share of the way: same place, other distance.
+struct Placed {
+  Lattice lattice;
+  std::ptrdiff_t first_i = 0, first_j = 0;
+};
+
 /// The box with room for what a cubic may overshoot.
 Lattice around(const Box& box, double margin, double step, Point2 anchor) {
   const std::ptrdiff_t first_i = whole_below((box.low.x - margin - anchor.x) / step);
@@ -69,7 +75,7 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
   const double farthest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
   if (!(width > 0) || !(height > 0)) return std::nullopt;
   Grid grid;
-  grid.grain = std::max(std::ldexp(1.0, std::ilogb(side) + 1 - limits::blend_digits_of_size),
+  grid.grain = std::max(std::ldexp(side, 0) > 0 ? std::ldexp(1.0, std::ilogb(side) + 1 - limits::blend_digits_of_size) : 0,
                         farthest > 0 ? std::ldexp(1.0, std::ilogb(farthest) + 1 - limits::blend_digits_of_place) : 0);
   const double finest = std::sqrt(width * height / static_cast<double>(most_points));
   const double wanted = std::min(side / limits::blend_columns, narrow / limits::blend_points_across);
@@ -77,18 +83,6 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
   if (!(grid.step > limits::blend_grains_in_step * grid.grain)) return std::nullopt;
   grid.anchor = {grid.step * std::floor(box.low.x / grid.step), grid.step * std::floor(box.low.y / grid.step)};
   return grid;
-}
-
-std::optional<Grid> finer(const Grid& grid, const SliceSet& slices, std::size_t most_points) {
-  Box box;
-  for (const std::size_t slice : {at_lower, at_upper}) {
-    for (const ContourFacts& facts : slices.facts[slice]) box.take(facts.box);
-  }
-  Grid result = grid;
-  result.step /= 2;
-  const double points = (box.high.x - box.low.x) / result.step * ((box.high.y - box.low.y) / result.step);
-  if (points > static_cast<double>(most_points) || !(result.step > limits::blend_grains_in_step * grid.grain)) return std::nullopt;
-  return result;
 }
 
 UnitField::UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid)

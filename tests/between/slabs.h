@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "recon/between/joined.h"
+#include "recon/between/blend.h"
 #include "tests/support/shapes.h"
 
 namespace odontoscope::test {
@@ -44,10 +44,6 @@ double area(const Outline& outline);
 
 /// Area in which the outline and a shape (true inside) differ, counted on a lattice of points.
 double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns);
-
-/// Pieces of material, pieces of void and independent loops of material of thick layers that are joined where they
-/// overlap: counted on a raster of `columns` x `columns`, material by faces, void by corners too.
-between::LayerTopology glued_topology(const std::vector<Outline>& layers, int columns);
 
 std::size_t points_in(const Outline& outline);
 
