@@ -206,7 +206,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: delaunay (default), or blended where the surface travels far")
+                                     "Between slices: delaunay (default), or blended where walls lean far")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
