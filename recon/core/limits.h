@@ -114,10 +114,33 @@ inline constexpr double tilt_unspoken = 0.01;
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
 inline constexpr std::size_t compression_ratio = 1100;
+/// Voxels up to which packed pixels are unpacked whatever they shrank to: a gigabyte of memory.
+inline constexpr std::size_t plausible_voxels = 1ull << 28;
+/// Beyond that number, how many bytes at most come from a packed one: scans shrink to a half or a fifth, label maps of a tooth to a
+/// hundredth or two; only what is made to fill a machine's memory comes near deflate's utmost.
+inline constexpr std::size_t suspicious_ratio = 500;
 /// Bytes of a text header in front of a volume's pixels.
 inline constexpr std::size_t header_bytes = 1u << 20;
 /// Characters in a line of it: readers of old have buffers of 1,024 and more.
 inline constexpr std::size_t header_line = 1000;
+/// Elements of a DICOM file that are kept: twenty for each of limits::slices frames, and as many fragments of pixels.
+inline constexpr std::size_t dicom_elements = 2'000'000;
+/// Bytes of a value that is kept: the offsets of all frames as text.
+inline constexpr std::size_t dicom_value = 1u << 20;
+/// Bytes that a deflated DICOM file may unpack to, since they are held in memory: a slice has a few million.
+inline constexpr std::size_t deflated_bytes = 1u << 30;
+/// Files and folders that are looked at for DICOM images, and folders within each other: a whole CD has some ten thousand.
+inline constexpr std::size_t dicom_files = 200'000;
+inline constexpr int dicom_folders = 16;
+/// Decoding compressed DICOM pixels in a child process: seconds of processor time for each frame, seconds by the clock without a finished frame
+/// (the machine may be busy), bytes of memory beyond what it began with and eight times the frame, and bytes that are decoded in one go.
+inline constexpr unsigned decoding_seconds = 20, decoding_seconds_by_clock = 300;
+inline constexpr std::size_t decoding_bytes = 1u << 29, decoding_batch = 1u << 26;
+/// Share of the slices' spacing that rounded positions may be off an even grid, where their last written digit explains it. Less than a half, so
+/// that a missing slice is never taken for rounding.
+inline constexpr double slice_rounding = 0.25;
+/// The same where the spacing is given by hand.
+inline constexpr double slice_rounding_by_hand = 0.45;
 /// Sequences of DICOM within each other: real objects have four or so.
 inline constexpr int dicom_nesting = 16;
 }  // namespace odontoscope::limits
