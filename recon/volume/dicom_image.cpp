@@ -173,9 +173,12 @@ void place_along_normal(DicomImage& image) {
   if (!first.orientation || !first.position) return;
   const Vector3 normal = normal_of(*first.orientation), from = *first.position;
   const DicomDataSet& data = image.file.data;
-  std::vector<double> offsets = data.numbers(dicom::grid_offsets);
-  if (offsets.size() != image.frames.size()) offsets = data.numbers(dicom::slice_location_vector);
-  if (offsets.size() == image.frames.size()) {
+  const std::uint32_t vector = any_text(data, dicom::grid_offsets) ? dicom::grid_offsets : dicom::slice_location_vector;
+  const std::vector<double> offsets = data.numbers(vector);
+  if (any_text(data, vector)) {
+    if (offsets.size() != image.frames.size()) {
+      refuse("unreadable-volume", image.file, fmt::format("it gives the places of {} frames and has {}", offsets.size(), image.frames.size()), convert_it);
+    }
     for (std::size_t n = 0; n < offsets.size(); ++n)
       for (std::size_t x = 0; x < 3; ++x) image.frames[n].position->at(x) = from[x] + (offsets[n] - offsets[0]) * normal[x];
     return;

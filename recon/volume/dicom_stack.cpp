@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
@@ -59,11 +60,13 @@ class Stacking {
     throw InputError(cause, in_file(result_.image.source), wrong, remedy);
   }
 
-  /// The same image twice in a folder is one image.
+  /// The same image twice in a folder is one image. In another place it is another one, whatever its identity: some programs give all slices one.
   void drop_doubles() {
-    std::set<std::pair<std::string, std::size_t>> seen;
+    std::set<std::tuple<std::string, std::size_t, Vector3>> seen;
     const std::size_t before = planes().size();
-    std::erase_if(planes(), [&](const DicomPlane& p) { return !p.image->instance.empty() && !seen.emplace(p.image->instance, p.frame).second; });
+    std::erase_if(planes(), [&](const DicomPlane& p) {
+      return !p.image->instance.empty() && frame_of(p).position && !seen.emplace(p.image->instance, p.frame, *frame_of(p).position).second;
+    });
     if (planes().size() < before) result_.remarks.push_back(fmt::format("{} of its images are there twice, with one identity: one of each is taken", before - planes().size()));
   }
 
