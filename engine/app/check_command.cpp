@@ -99,7 +99,7 @@ ExitCode check(const Options& options, Session& session) {
     known_ending(options.report, {".json"});
     refuse_unwritable({.inputs = {options.file}, .outputs = {options.report}});
   }
-  const std::string bytes = read_file(options.file);
+  const std::string bytes = read_file(options.file, limits::file_bytes, session.progress().stop);
   if (const auto kind = contour_file_kind(bytes)) {
     refuse_report(options);
     return check_stack(read_contour_file(*kind, bytes, options.file).stack, options, session);

@@ -159,7 +159,7 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
 }
 
 ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
-  const std::string bytes = read_file(file);
+  const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   const auto contour_kind = contour_file_kind(bytes);
   if (contour_kind || kind_of(bytes) == FileKind::contour_stack) refuse_planes(file, words);
   if (contour_kind) {

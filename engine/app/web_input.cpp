@@ -154,7 +154,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
 
 std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words) {
   if (words.input.empty() || words.volume.any_level()) return {};
-  const std::string bytes = read_file(words.input);
+  const std::string bytes = read_file(words.input, limits::file_bytes, session.progress().stop);
   return meshes_in(kind_of(bytes, words.input), bytes, words.input);
 }
 

@@ -114,6 +114,15 @@ inline constexpr double tilt_unspoken = 0.01;
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
 inline constexpr std::size_t compression_ratio = 1100;
+/// Bins of a volume's histogram, and the share of voxels at either end that it does not stretch for: metal and the edge of the scan.
+inline constexpr std::size_t histogram_fineness = 1024;
+inline constexpr double histogram_outliers = 1e-3;
+/// Values of a label map that is told from a grey image: teeth have a few structures, jaws some sixty teeth and bones.
+inline constexpr std::size_t few_labels = 64;
+/// Dropped contours that are kept to be looked at.
+inline constexpr std::size_t dropped_contours = 1'000'000;
+/// Pairs of contours of two neighbouring slices that are looked at for canals that go on; noise has more.
+inline constexpr std::size_t small_contour_pairs = 4'000'000;
 /// Voxels up to which packed pixels are unpacked whatever they shrank to: a gigabyte of memory.
 inline constexpr std::size_t plausible_voxels = 1ull << 28;
 /// Beyond that number, how many bytes at most come from a packed one: scans shrink to a half or a fifth, label maps of a tooth to a

@@ -63,7 +63,7 @@ namespace {
 constexpr std::size_t preamble = 128;
 constexpr std::string_view mark = "DICM";
 constexpr std::uint32_t undefined_length = 0xffffffff;
-constexpr std::uint32_t transfer_syntax = dicom::tag(0x0002, 0x0010);
+constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syntax = dicom::tag(0x0002, 0x0010);
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
@@ -128,6 +128,7 @@ class Walk {
       const Head head = next(false, end);
       if (head.is_undefined()) refuse("its meta information has an element without length");
       if (head.tag == transfer_syntax) file_.syntax = padded_text(value(head, end));
+      else if (head.tag == storage_class) file_.storage_class = padded_text(value(head, end));
       else skip(head.length, end);
     }
     return at_;

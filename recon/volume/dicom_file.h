@@ -62,8 +62,8 @@ struct DicomPixels {
 
 struct DicomFile {
   std::string path;
-  /// Transfer syntax; empty without meta information.
-  std::string syntax;
+  /// Transfer syntax and class of the object, by the meta information; empty without.
+  std::string syntax, storage_class;
   bool implicit_vr = false, big_endian = false, deflated = false;
   bool has_preamble = true;
   DicomDataSet data;

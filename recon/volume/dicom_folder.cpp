@@ -66,6 +66,9 @@ DicomFolder dicom_folder(const std::string& folder, Depth depth, const Progress&
     progress.tell("list", static_cast<double>(n) / static_cast<double>(files.size()));
     DicomFile file = read_dicom_file(files[n]);
     const bool tells_series = !file.data.text(dicom::series_uid).empty();
+    if (!tells_series && is_dicom_image(file) && file.pixels.tag == 0 && !file.trouble) {
+      file.trouble = InputError("truncated-volume", in_file(file.path), "the image's pixels are missing", "get a whole copy of the file");
+    }
     if (file.trouble && !tells_series) {
       // Without the mark of DICOM it is rather no DICOM at all.
       if (file.has_preamble) result.unknown.push_back(std::move(file));

@@ -192,6 +192,7 @@ void place_along_normal(DicomImage& image) {
   } else if (step != 0) {
     image.remarks.push_back(fmt::format("its frames have no places of their own: they are put one after the other, {} mm apart", std::abs(step)));
   }
+  if (step == 0) image.first_place = from;
   for (std::size_t n = 0; n < image.frames.size(); ++n) {
     if (step == 0) image.frames[n].position.reset();  // to be asked for
     else
@@ -274,7 +275,8 @@ void read_pixel_format(DicomImage& image) {
 }  // namespace
 
 bool is_dicom_image(const DicomFile& file) {
-  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.text(dicom::class_uid));
+  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.text(dicom::class_uid)) ||
+         is_image_class(file.storage_class);
 }
 
 std::optional<DicomImage> dicom_image(DicomFile file) {

@@ -37,6 +37,8 @@ struct DicomImage {
   bool is_signed = false;
   std::string photometric;
   std::vector<DicomFrame> frames;
+  /// Of the first of several frames that do not say how far apart they are, and so have no places.
+  std::optional<Vector3> first_place;
   /// A scout: an overview from the side that lies in the series of the slices it helped to plan.
   bool is_localizer = false;
   /// The last digit that its positions are written with, mm: they are rounded to it.

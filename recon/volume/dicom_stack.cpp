@@ -134,14 +134,15 @@ class Stacking {
     check_straight(heights);
   }
 
-  /// How far rounding moves a plane along the normal: half of its positions' last digit.
+  /// How far rounding moves a plane along the normal at most: half of its positions' last digit, in each coordinate.
   double rounding() const {
     double grain = 0;
     for (const DicomPlane& plane : result_.planes) {
       const double own = plane.image->position_grain;
       grain = grain == 0 ? own : own == 0 ? grain : std::min(grain, own);
     }
-    return grain / 2;
+    const Vector3& normal = result_.image.direction[2];
+    return grain / 2 * (std::abs(normal[0]) + std::abs(normal[1]) + std::abs(normal[2]));
   }
 
   double middle_gap(const std::vector<double>& heights) const {
@@ -191,9 +192,10 @@ class Stacking {
     if (ends.worst <= limits::slice_unevenness * ends.step) return take(ends);
     const Line fit = least_squares(heights);
     const double share = options_.spacing ? limits::slice_rounding_by_hand : limits::slice_rounding;
-    // A fit to rounded places is off them by a little more than the rounding.
+    // A fit to rounded places is off them by a little more than the rounding; gaps between them differ by no more than the last digit, and that is at
+    // most half a gap, so that no missing slice passes for it.
     constexpr double more = 1.5;
-    const bool rounded = fit.worst <= std::min(more * rounding(), share * fit.step);
+    const bool rounded = 4 * rounding() <= fit.step && spread(heights) <= 2 * rounding() * (1 + 1e-6) && fit.worst <= std::min(more * rounding(), share * fit.step);
     const bool by_hand = options_.spacing && fit.worst <= share * fit.step && !has_gap(heights);
     if (!rounded && !by_hand) refuse_uneven(heights, fit);
     result_.remarks.push_back(fmt::format("its slices lie up to {:.2g} mm off even places {:.4g} mm apart, {}", fit.worst, fit.step,
@@ -205,6 +207,16 @@ class Stacking {
     FileImage& image = result_.image;
     image.spacing[2] = line.step;
     for (std::size_t x = 0; x < 3; ++x) image.origin[x] += line.first * image.direction[2][x];
+  }
+
+  /// The widest gap less the narrowest.
+  static double spread(const std::vector<double>& heights) {
+    double widest = 0, narrowest = heights.back();
+    for (std::size_t k = 1; k < heights.size(); ++k) {
+      widest = std::max(widest, heights[k] - heights[k - 1]);
+      narrowest = std::min(narrowest, heights[k] - heights[k - 1]);
+    }
+    return widest - narrowest;
   }
 
   bool has_gap(const std::vector<double>& heights) const {
@@ -240,7 +252,8 @@ class Stacking {
   /// Each slice straight above the last. A gantry that was tilted pushes them sideways.
   void check_straight(const std::vector<double>& heights) const {
     const Vector3 normal = result_.image.direction[2];
-    const double allowed = std::max(limits::slice_unevenness * result_.image.spacing[2], 3 * rounding());
+    const double step = result_.image.spacing[2];
+    const double allowed = std::max(limits::slice_unevenness * step, std::min(4 * rounding(), limits::slice_rounding * step));
     for (std::size_t k = 1; k < heights.size(); ++k) {
       Vector3 off = minus(*frame_of(result_.planes[k]).position, *frame_of(result_.planes.front()).position);
       for (std::size_t x = 0; x < 3; ++x) off[x] -= heights[k] * normal[x];
@@ -260,6 +273,12 @@ class Stacking {
     std::stable_sort(planes().begin(), planes().end(), [](const DicomPlane& a, const DicomPlane& b) {
       return std::pair(a.image->instance_number, a.frame) < std::pair(b.image->instance_number, b.frame);
     });
+    const DicomImage& first = *planes().front().image;
+    if (first.first_place && first.frames.size() == planes().size()) {
+      result_.image.origin = *first.first_place;
+      result_.remarks.push_back("its frames have no places of their own: they are put one after the other along the first one's normal");
+      return;
+    }
     result_.remarks.push_back("it does not say where its images lie: they are taken in the order of their numbers, upwards; if that is wrong, the tooth is mirrored");
   }
 
