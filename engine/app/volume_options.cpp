@@ -24,8 +24,9 @@
 namespace odontoscope::app {
 namespace {
 
+/// All of `text`.
 template <class Number>
-bool whole_number(std::string_view text, Number& number) {
+bool is_number(std::string_view text, Number& number) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return !text.empty() && error == std::errc{} && end == text.data() + text.size();
 }
@@ -41,7 +42,7 @@ std::optional<AutoLevel> auto_level(const std::string& text) {
   const std::string_view numbers = which.substr(5);
   const std::size_t slash = numbers.find('/');
   constexpr std::size_t most_classes = 5;
-  const bool good = slash != numbers.npos && whole_number(numbers.substr(0, slash), level.classes) && whole_number(numbers.substr(slash + 1), level.number);
+  const bool good = slash != numbers.npos && is_number(numbers.substr(0, slash), level.classes) && is_number(numbers.substr(slash + 1), level.number);
   if (good && level.classes >= 2 && level.classes <= most_classes && level.number >= 1 && level.number < level.classes) return level;
   throw UsageError(fmt::format("\"{}\" is none of Otsu's thresholds", text.substr(0, limits::quoted_length)),
                    "Give --iso auto, or --iso auto:3/2 for the second threshold of three classes (2 to 5)");
@@ -54,8 +55,8 @@ VolumeRequest::Level iso_level(const std::string& text) {
 
 VolumeRequest::Level label_level(const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  std::int64_t number = 0;
-  if (whole_number(std::string_view(text).substr(0, equals), number)) return {{}, {}, parse_label_level(text), equals < text.size(), {}};
+  double number = 0;   // one that is not whole is refused rather than taken for a name
+  if (is_number(std::string_view(text).substr(0, equals), number)) return {{}, {}, parse_label_level(text), equals < text.size(), {}};
   // A name: its number is known once the file is.
   VolumeRequest::Level level{{}, {}, parse_label_level("0=" + (equals < text.size() ? text.substr(equals + 1) : text)), true, text.substr(0, equals)};
   if (level.label_name->empty()) throw UsageError(fmt::format("\"{}\" is no label", text), "Give --label N or --label N=NAME");
@@ -85,7 +86,7 @@ void understand_min_area(const std::string& text, VolumeRequest& request) {
     number.remove_suffix(unit.size());
     request.min_area_in_mm2 = true;
   }
-  if (whole_number(number, request.min_area) && request.min_area >= 0 && std::isfinite(request.min_area)) return;
+  if (is_number(number, request.min_area) && request.min_area >= 0 && std::isfinite(request.min_area)) return;
   throw UsageError(fmt::format("--min-area {}: that is no area of at least 0", text), "Give a number of pixels, as in --min-area 4, or an area, as in --min-area 0.5mm2");
 }
 
@@ -137,9 +138,9 @@ void tell_simplification(std::size_t before, std::size_t after, double largest_d
 
 void add_volume_options(CLI::App& parser, VolumeWords& words) {
   const std::string group = "Volumes";
-  repeatable(parser.add_option("--iso", words.isos, "Surface at value T, as structure NAME (default: tooth); T may be auto; repeatable"))
+  repeatable(parser.add_option("--iso", words.isos, "Surface at value T (or auto), as structure NAME (default: tooth); repeatable"))
       ->type_name("T[=NAME]")->group(group);
-  repeatable(parser.add_option("--label", words.labels, "Surface of label N of a label map, or of the segment of that name; repeatable"))
+  repeatable(parser.add_option("--label", words.labels, "Surface of label N of a label map, or of a named segment; repeatable"))
       ->type_name("N[=NAME]")->group(group);
   parser.add_option("--label-names", words.label_names, "Names of labels, as ITK-SNAP writes them")->type_name("FILE")->group(group);
   parser.add_option("--min-area", words.min_area, "Leave out contours that enclose less: pixels, or mm^2 as in 0.5mm2")

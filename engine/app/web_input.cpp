@@ -152,7 +152,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   return page;
 }
 
-std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words) {
+std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words, Session& session) {
   if (words.input.empty() || words.volume.any_level()) return {};
   const std::string bytes = read_file(words.input, limits::file_bytes, session.progress().stop);
   return meshes_in(kind_of(bytes, words.input), bytes, words.input);
@@ -177,7 +177,7 @@ void refuse_senseless(const WebWords& words) {
 }
 
 WebPage web_page_of(const WebWords& words, Session& session) {
-  if (const auto meshes = meshes_of(words)) {
+  if (const auto meshes = meshes_of(words, session)) {
     if (words.with_db || words.triangles)
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);

@@ -215,6 +215,7 @@ class Walk {
     const bool inner_implicit = implicit_vr || (head.is("UN") && head.is_undefined());
     const bool wanted_sequence = is_wanted_sequence(head.tag);
     const bool is_sequence = head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
+    if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
     if (!is_sequence) {
       if (!is_wanted(head.tag)) return skip(head.length, end);
       keep({head.tag, head.vr, big_endian_, value(head, end), {}}, data);

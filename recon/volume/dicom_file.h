@@ -68,6 +68,8 @@ struct DicomFile {
   bool has_preamble = true;
   DicomDataSet data;
   DicomPixels pixels;
+  /// A value has an odd number of bytes, which DICOM does not allow, but which harms nothing.
+  bool odd_lengths = false;
   /// What is wrong with it; what was read before that place is there. InputError truncated-volume, unreadable-volume or damaged-volume.
   std::optional<InputError> trouble;
 };

@@ -275,8 +275,7 @@ void read_pixel_format(DicomImage& image) {
 }  // namespace
 
 bool is_dicom_image(const DicomFile& file) {
-  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.text(dicom::class_uid)) ||
-         is_image_class(file.storage_class);
+  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid));
 }
 
 std::optional<DicomImage> dicom_image(DicomFile file) {
@@ -294,6 +293,7 @@ std::optional<DicomImage> dicom_image(DicomFile file) {
   image.instance_number = data.number(dicom::instance_number).value_or(0);
   image.is_localizer = data.text(dicom::image_type).find("LOCALIZER") != std::string::npos;
   read_pixel_format(image);
+  if (image.file.odd_lengths) image.remarks.push_back("it has values with an odd number of bytes, which DICOM does not allow; it was read all the same");
   // Before frames are made for it, what it promises is held against what it has.
   const std::size_t count = whole(image.file, dicom::frames, "number of frames", 1, 4294967295.0, 1);
   const std::size_t most = image.file.pixels.encapsulated ? image.file.pixels.fragments.size() : static_cast<std::size_t>(image.file.pixels.length);

@@ -55,8 +55,10 @@ Found in_folder(const std::string& path, const std::string& folder_path, const R
     throw InputError("several-series", in_file(path), fmt::format("there are {} series of images in it:\n{}", folder.series.size(), list_of(folder)),
                      "Choose one by its number (--series N), or give a file of it");
   } else if (!folder.unknown.empty()) {
-    throw InputError(folder.unknown.front().trouble->cause(), {}, folder.unknown.front().trouble->what(),
-                     "If it is none of the wanted series, give a file of that one, or --series 1");
+    const InputError& trouble = *folder.unknown.front().trouble;
+    std::string words = trouble.what();
+    words.resize(std::min(words.rfind(". ["), words.size()));
+    throw InputError(trouble.cause(), {}, words, "If it is none of the wanted series, give a file of that one, or --series 1");
   }
   found.files = std::move(folder.series[number].files);
   if (searched_below) found.remarks.push_back(fmt::format("its images lie below it, in {}", folder_of(found.files.front().path)));

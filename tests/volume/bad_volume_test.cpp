@@ -160,7 +160,7 @@ std::vector<Bad> bad_nifti() {
       {"faroffset.nii", Nifti{.vox_offset = 1e6}.bytes(), "truncated-volume"},
       {"nansform.nii", Nifti{.sform = 1, .srow = {nan_value, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(),
        "unreadable-volume"},
-      {"shear.nii", Nifti{.sform = 1, .srow = {1, 0.3f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(), "unreadable-volume"},
+      {"shear.nii", Nifti{.sform = 1, .srow = {1, 0.3f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(), "sheared-volume"},
       {"infsform.nii", Nifti{.sform = 1, .srow = {1, 0, 0, infinite, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(),
        "unreadable-volume"},
       {"nan.nii", Nifti{.datatype = 16, .bits = 32, .pixels = floats_with(nan_value)}.bytes(), "not-finite"},

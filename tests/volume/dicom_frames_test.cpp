@@ -139,10 +139,10 @@ DicomObject placed() { return DicomObject().text(0x20, 0x32, "DS", "10\\20\\30")
 
 TEST(DicomFrames, WithoutPlacesFollowTheNormalAsFarApartAsTheFileSays) {
   const Volume between = read(plain_frames(placed().text(0x18, 0x88, "DS", "0.7")));
-  EXPECT_EQ(between.spacing[2], 0.7);
+  EXPECT_NEAR(between.spacing[2], 0.7, 1e-12);
   ASSERT_EQ(between.remarks.size(), 1u);
   const Volume thick = read(plain_frames(placed().text(0x18, 0x50, "DS", "0.6")));
-  EXPECT_EQ(thick.spacing[2], 0.6);
+  EXPECT_NEAR(thick.spacing[2], 0.6, 1e-12);
   EXPECT_EQ(thick.slice(1)[0], 100);
   ASSERT_EQ(thick.remarks.size(), 1u);
   EXPECT_NE(thick.remarks[0].find("thickness of 0.6 mm"), std::string::npos);
