@@ -83,6 +83,19 @@ Transform local_transform(const Glb& glb, const json& node) {
   return t;
 }
 
+constexpr std::uint64_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
+
+/// Corners of a strip or a fan as those of triangles, each as the standard turns it; triangles that name a corner twice only lead on.
+std::vector<std::uint32_t> as_list(std::uint64_t mode, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> listed;
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    Triangle t{corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]};
+    if (mode == triangle_fan) t = {corners[i + 1], corners[i + 2], corners[0]};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) listed.insert(listed.end(), t.begin(), t.end());
+  }
+  return listed;
+}
+
 void add_triangles(const Glb& glb, const std::vector<std::uint32_t>& corners, std::size_t vertices, bool mirrored,
                    SurfaceMesh& surface) {
   if (corners.size() % 3 != 0)
@@ -128,10 +141,18 @@ class SceneReader {
       const std::vector<std::size_t> children = node_list(node, "children");
       for (auto child = children.rbegin(); child != children.rend(); ++child) waiting.emplace_back(*child, world);
     }
+    tell();
     return std::move(meshes_);
   }
 
  private:
+  void tell() {
+    if (meshes_.empty()) return;
+    std::vector<std::string>& remarks = meshes_.front().remarks;
+    remarks = glb_.remarks;
+    if (points_and_lines_ > 0) remarks.push_back(fmt::format("{} of points or lines left out", points_and_lines_ == 1 ? "1 primitive" : fmt::format("{} primitives", points_and_lines_)));
+  }
+
   std::vector<std::size_t> node_list(const json& object, const char* key) {
     std::vector<std::size_t> nodes;
     const auto found = object.find(key);
@@ -179,10 +200,12 @@ class SceneReader {
   }
 
   void add_primitive(const json& primitive, const Transform& world, SurfaceMesh& surface) {
-    constexpr std::uint64_t triangle_list = 4;
     if (!primitive.is_object()) glb_.refuse("unparsable", "a primitive is no object");
-    if (gltf::whole(glb_, primitive, "mode", triangle_list) != triangle_list) {
-      glb_.refuse("unsupported", "a primitive is no list of triangles", "Export it as triangles");
+    const std::uint64_t mode = gltf::whole(glb_, primitive, "mode", triangle_list);
+    if (mode > triangle_fan) glb_.refuse("unparsable", fmt::format("a primitive has mode {}", mode));
+    if (mode < triangle_list) {
+      ++points_and_lines_;
+      return;
     }
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object())
@@ -195,6 +218,7 @@ class SceneReader {
       corners.resize(positions.size());
       for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
     }
+    if (mode != triangle_list) corners = as_list(mode, corners);
     // A small file can draw one mesh from many nodes.
     vertices_ += positions.size();
     triangles_ += corners.size() / 3;
@@ -213,16 +237,22 @@ class SceneReader {
   const Glb& glb_;
   std::vector<char> visited_;
   std::vector<NamedMesh> meshes_;
-  std::size_t triangles_ = 0, vertices_ = 0;
+  std::size_t triangles_ = 0, vertices_ = 0, points_and_lines_ = 0;
 };
 
 }  // namespace
 
-std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) {
-  const Glb glb = gltf::parse_container(bytes, file);
+namespace {
+
+std::vector<NamedMesh> meshes_of(const Glb& glb) {
   std::vector<NamedMesh> meshes = SceneReader(glb).read();
   if (meshes.empty()) glb.refuse("empty-mesh", "the file holds no triangle");
   return meshes;
 }
+
+}  // namespace
+
+std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_container(bytes, file)); }
+std::vector<NamedMesh> parse_gltf(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_document(bytes, file)); }
 
 }  // namespace odontoscope
