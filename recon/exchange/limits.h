@@ -14,6 +14,8 @@ inline constexpr std::size_t structure_set_bytes = 1u << 30;
 /// How far contours of a structure set that belong to one plane may be apart along its normal, mm: they are written as decimal
 /// text of up to 16 characters, and drawn a fraction of a mm apart at least.
 inline constexpr double plane_thickness = 1e-3;
+/// How far apart they may be, mm, where the planes are ten times as far from each other: numbers rounded on the way through other programs.
+inline constexpr double plane_jitter = 0.02;
 /// How far from parallel planes may be, as the sine of the angle: their numbers are rounded to six digits or so.
 inline constexpr double out_of_parallel = 1e-5;
 /// How far a point may be off its plane, as a share of the least distance of planes: beyond, it is not in the plane that is said.
