@@ -39,8 +39,9 @@ bool begins_as_data_set(std::string_view bytes) {
 
 DicomSet::DicomSet(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
   const bool marked = bytes_.size() >= preamble + mark_length && bytes_.substr(preamble, mark_length) == "DICM";
-  if (!marked && !begins_as_data_set(bytes_)) unreadable(0, "the file has no mark of DICOM");
-  read_meta_information(marked ? preamble + mark_length : 0);
+  const bool without_preamble = !marked && bytes_.starts_with("DICM");
+  if (!marked && !without_preamble && !begins_as_data_set(bytes_)) unreadable(0, "the file has no mark of DICOM");
+  read_meta_information(marked ? preamble + mark_length : without_preamble ? mark_length : 0);
 }
 
 /// Group 2, always explicit, says how the rest is coded.

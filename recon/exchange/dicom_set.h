@@ -13,7 +13,7 @@ namespace odontoscope {
 /// A data set without preamble and mark, as old programs write it: its first element is of group 2 or 8.
 bool begins_as_data_set(std::string_view bytes);
 
-/// Borrowed bytes: they must outlive it. Little-endian, explicit or implicit. Whatever is asked for, each element on the way is
+/// Borrowed bytes: they must outlive it. The preamble and the mark may be missing. Little-endian, explicit or implicit. Whatever is asked for, each element on the way is
 /// checked to lie within what holds it: InputError truncated where one does not, unreadable-structure-set for what is no data set, for
 /// other transfer syntaxes and for sequences nested deeper than limits::dicom_nesting.
 class DicomSet {

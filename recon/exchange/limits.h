@@ -16,6 +16,12 @@ inline constexpr std::size_t structure_set_bytes = 1u << 30;
 inline constexpr double plane_thickness = 1e-3;
 /// How far apart they may be, mm, where the planes are ten times as far from each other: numbers rounded on the way through other programs.
 inline constexpr double plane_jitter = 0.02;
+/// The widest channel of a contour that `--repair` takes for a line drawn there and back, mm, and as a share of the contour's size: what rounding to
+/// hundredths leaves, and far below what anybody draws.
+inline constexpr double widest_channel = 0.01;
+inline constexpr double channel_share = 1e-3;
+/// Corners that are looked at for each of a contour while channels are sought; where more crowd together none is.
+inline constexpr std::size_t channel_looks = 1000;
 /// How far from parallel planes may be, as the sine of the angle: their numbers are rounded to six digits or so.
 inline constexpr double out_of_parallel = 1e-5;
 /// How far a point may be off its plane, as a share of the least distance of planes: beyond, it is not in the plane that is said.

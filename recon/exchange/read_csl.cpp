@@ -81,6 +81,7 @@ class Reader {
     if (h != word.npos) {
       const std::size_t other = whole(word.substr(h + 1));
       if (other >= components) fail("index-out-of-range", fmt::format("a hole of component {} of {}", other, components));
+      if (other == number) fail("index-out-of-range", fmt::format("component {} is a hole of itself", number));
       component.owner = other;  // which may come later
     }
     component.label = whole_number();
@@ -101,7 +102,7 @@ class Reader {
       std::size_t at = i;
       for (way.clear(); !settled[at] && components[at].owner != at; at = components[at].owner) {
         way.push_back(at);
-        if (way.size() > components.size()) fail("unparsable", fmt::format("component {} is a hole of itself", i));
+        if (way.size() > components.size()) fail("index-out-of-range", fmt::format("component {} is a hole of its own hole", i));
       }
       const std::size_t owner = components[at].owner;
       for (const std::size_t hole : way) components[hole].owner = owner;
@@ -160,7 +161,7 @@ std::vector<double> heights_of(const std::vector<Plane>& planes, const Frame& fr
       refuse("not-parallel", at_line(file, plane.line), fmt::format("plane {} is not parallel to the first", heights.size()),
              "Only parallel planes can be reconstructed");
     }
-    heights.push_back(dot(plane.normal, frame.n) > 0 ? plane.offset : -plane.offset);
+    heights.push_back((dot(plane.normal, frame.n) > 0 ? plane.offset : -plane.offset) + 0.0);  // never -0
   }
   return heights;
 }

@@ -165,13 +165,23 @@ class Reader {
 
   void make_slices() {
     result_.stack.slices = slices_of(outlines_, whole_, result_.remarks);
-    for (Slice& slice : result_.stack.slices) drop_repeats(slice);
+    std::map<std::string, Repeats> of_structure;
+    for (Slice& slice : result_.stack.slices) drop_repeats(slice, of_structure);
+    for (const auto& [structure, repeats] : of_structure) {
+      const std::string count = repeats.count == 1 ? "a contour was" : fmt::format("{} contours were", repeats.count);
+      result_.remarks.push_back(fmt::format("{}: {} there again, the first at z = {:.6g}; each is kept once", structure, count, repeats.first_z));
+    }
   }
 
-  void drop_repeats(Slice& slice) {
+  struct Repeats {
+    std::size_t count = 0;
+    double first_z = 0;
+  };
+  static void drop_repeats(Slice& slice, std::map<std::string, Repeats>& of_structure) {
     const std::vector<std::size_t> repeats = repeats_of_earlier(slice.contours);
     for (auto c = repeats.rbegin(); c != repeats.rend(); ++c) {
-      result_.remarks.push_back(fmt::format("{}: a contour at {:.6g} is there more than once; one was kept", slice.contours[*c].structure, slice.z));
+      Repeats& known = of_structure[slice.contours[*c].structure];
+      if (known.count++ == 0) known.first_z = slice.z;
       slice.contours.erase(slice.contours.begin() + static_cast<std::ptrdiff_t>(*c));
     }
   }
@@ -216,18 +226,33 @@ class Reader {
 
 }  // namespace
 
+namespace {
+
+/// Is there an element of this tag, explicit (with the given representation) or implicit, whose value is `value`? Looked for as bytes, since a damaged
+/// file may not be walked through; a longer UID is another value.
+bool states(std::string_view head, std::string_view tag, std::string_view representation, std::string_view value) {
+  constexpr std::size_t header = 8;
+  for (std::size_t at = head.find(tag); at != head.npos; at = head.find(tag, at + 1)) {
+    const std::string_view element = head.substr(at);
+    if (element.size() < header + value.size() || element.substr(header, value.size()) != value) continue;
+    const bool explicit_vr = element.substr(4, 2) == representation, implicit_vr = element[6] == 0 && element[7] == 0;
+    const char next = element.size() > header + value.size() ? element[header + value.size()] : '\0';
+    if ((explicit_vr || implicit_vr) && next != '.' && !(next >= '0' && next <= '9')) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool looks_like_rtstruct(std::string_view bytes) {
-  constexpr std::size_t looked_at = 2048;  // the class stands in the first elements
-  const bool marked = bytes.size() > preamble && bytes.substr(preamble).starts_with("DICM");
-  if (!marked && !begins_as_data_set(bytes)) return false;
-  const std::string_view head = bytes.substr(0, looked_at);
-  // (0008,0060), the modality, explicit and implicit: of a damaged file it may be what is left.
   using namespace std::string_view_literals;
-  if (head.find("\x08\0\x60\0CS\x08\0RTSTRUCT"sv) != head.npos || head.find("\x08\0\x60\0\x08\0\0\0RTSTRUCT"sv) != head.npos) return true;
-  const std::size_t at = head.find(structure_set_class);
-  if (at == head.npos) return false;
-  const char next = at + structure_set_class.size() < bytes.size() ? bytes[at + structure_set_class.size()] : '\0';
-  return next != '.' && !(next >= '0' && next <= '9');
+  constexpr std::size_t looked_at = 4096;  // what a file is stands in the first elements
+  const bool marked = bytes.size() > preamble && bytes.substr(preamble).starts_with("DICM");
+  if (!marked && !bytes.starts_with("DICM") && !begins_as_data_set(bytes)) return false;
+  const std::string_view head = bytes.substr(0, looked_at);
+  // Each of three may be damaged. Other objects name the class as well, but as that of what they refer to.
+  return states(head, "\x02\0\x02\0"sv, "UI", structure_set_class) || states(head, "\x08\0\x16\0"sv, "UI", structure_set_class) ||
+         states(head, "\x08\0\x60\0"sv, "CS", "RTSTRUCT");
 }
 
 FileContours parse_rtstruct(std::string_view bytes, const std::string& file, const std::vector<std::string>& structures) {

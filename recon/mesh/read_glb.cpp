@@ -150,6 +150,9 @@ class SceneReader {
     if (meshes_.empty()) return;
     std::vector<std::string>& remarks = meshes_.front().remarks;
     remarks = glb_.remarks;
+    if (mislabelled_ > 0) {
+      remarks.push_back(fmt::format("{} called a strip or fan of triangles, but closed only as a list: read as a list", mislabelled_ == 1 ? "1 primitive is" : fmt::format("{} primitives are", mislabelled_)));
+    }
     if (points_and_lines_ > 0) remarks.push_back(fmt::format("{} of points or lines left out", points_and_lines_ == 1 ? "1 primitive" : fmt::format("{} primitives", points_and_lines_)));
   }
 
@@ -218,13 +221,13 @@ class SceneReader {
       corners.resize(positions.size());
       for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
     }
-    if (mode != triangle_list) corners = as_list(mode, corners);
     // A small file can draw one mesh from many nodes.
     vertices_ += positions.size();
-    triangles_ += corners.size() / 3;
+    triangles_ += mode == triangle_list ? corners.size() / 3 : corners.size();
     if (triangles_ > limits::triangles || vertices_ > 3 * limits::triangles) {
       glb_.refuse("too-large", fmt::format("the scene has more than {} triangles", limits::triangles));
     }
+    if (mode != triangle_list) corners = listed(mode, positions, corners);
     add_triangles(glb_, corners, positions.size(), world.mirrors(), surface);
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Point3 point = world(positions[i]);
@@ -234,10 +237,27 @@ class SceneReader {
     }
   }
 
+  /// A list that is only called a strip or a fan makes no surface as such, but a sound one as what it is; that is told.
+  std::vector<std::uint32_t> listed(std::uint64_t mode, const std::vector<std::array<float, 3>>& positions, const std::vector<std::uint32_t>& corners) {
+    const auto is_sound = [&](const std::vector<std::uint32_t>& of_triangles) {
+      SurfaceMesh surface;
+      add_triangles(glb_, of_triangles, positions.size(), false, surface);
+      for (const auto& p : positions) {
+        surface.points.push_back({p[0], p[1], p[2]});
+        if (!parsing::coordinate_fault(surface.points.back()).empty()) return false;
+      }
+      return inspect(weld(surface)).closed_oriented_manifold();
+    };
+    std::vector<std::uint32_t> as_said = as_list(mode, corners);
+    if (corners.size() % 3 != 0 || is_sound(as_said) || !is_sound(corners)) return as_said;
+    ++mislabelled_;
+    return corners;
+  }
+
   const Glb& glb_;
   std::vector<char> visited_;
   std::vector<NamedMesh> meshes_;
-  std::size_t triangles_ = 0, vertices_ = 0, points_and_lines_ = 0;
+  std::size_t triangles_ = 0, vertices_ = 0, points_and_lines_ = 0, mislabelled_ = 0;
 };
 
 }  // namespace

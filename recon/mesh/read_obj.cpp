@@ -115,7 +115,7 @@ class Reader {
 
   void read_face(Words& words) {
     corners_.clear();
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+    for (std::string_view word = words.next(); !word.empty() && word.front() != '#'; word = words.next()) {
       if (corners_.size() == limits::polygon_corners) fail("too-large", fmt::format("a face has more than {} corners", limits::polygon_corners));
       const std::size_t vertex = vertex_number(word);
       const auto [at, fresh] = object_.number.try_emplace(vertex, static_cast<PointIndex>(object_.points.size()));

@@ -254,7 +254,8 @@ TEST(Rtstruct, WrongFilesAreNamed) {
   EXPECT_EQ(set_cause(made::rtstruct({{"Heart", {wrong}}})), "not-parallel");
   std::string other = made::rtstruct({{"Heart", {square(0)}}});
   for (int i = 0; i < 2; ++i) other = replaced(other, "481.3", "481.5");
-  EXPECT_FALSE(contour_file_kind(other));
+  EXPECT_TRUE(contour_file_kind(other)) << "the modality still says it";
+  EXPECT_FALSE(contour_file_kind(replaced(other, "RTSTRUCT", "RTPLAN  ")));
 }
 
 TEST(Rtstruct, TruncatedAnywhereItIsNamed) {

@@ -7,12 +7,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
 #include "recon/core/error.h"
 #include "recon/mesh/surface_report.h"
 #include "tests/mesh/shapes.h"
+#include "tests/output/temporary_folder.h"
 
 namespace odontoscope {
 namespace {
@@ -499,8 +501,6 @@ TEST(ReadMesh, TheEndingDecides) {
   EXPECT_THROW(read_mesh("/nowhere/tooth.STL"), FileError);
 }
 
-}  // namespace
-
 /// A box of 2 x 3 x 4 in OBJ; `ends` behind each line.
 std::string box_of_quads(const std::string& ends) {
   std::string text;
@@ -596,4 +596,148 @@ TEST(ReadGlb, ExtensionsThatSayNothingOfShapeMayBeRequired) {
   EXPECT_EQ(cause("EXT_of_nobody"), "unsupported");
 }
 
+TEST(ReadObj, AFaceWithAHoleDrawnInOneLineStaysOpenThere) {
+  // A square frame of height 1: its top and bottom go round outside, in over a bridge, round the hole, and back.
+  std::string text;
+  for (const char* z : {" 0\n", " 1\n"}) {
+    for (const char* xy : {"v 0 0", "v 4 0", "v 4 4", "v 0 4", "v 1 1", "v 3 1", "v 3 3", "v 1 3"}) text += std::string(xy) + z;
+  }
+  text += "f 9 10 11 12 9 13 16 15 14 13\nf 1 5 6 7 8 5 1 4 3 2\n";
+  for (int i = 1; i <= 4; ++i) {
+    const int n = i % 4 + 1;
+    text += "f " + std::to_string(i) + " " + std::to_string(n) + " " + std::to_string(n + 8) + " " + std::to_string(i + 8) + "\n";
+    text += "f " + std::to_string(n + 4) + " " + std::to_string(i + 4) + " " + std::to_string(i + 12) + " " + std::to_string(n + 12) + "\n";
+  }
+  const SurfaceReport report = inspect(parse_obj(text, "file").front().surface);
+  EXPECT_TRUE(report.closed_oriented_manifold());
+  ASSERT_EQ(report.shells.size(), 1u);
+  EXPECT_EQ(report.shells[0].genus, 1);
+  EXPECT_DOUBLE_EQ(report.shells[0].volume, 12);
+}
+
+TEST(ReadObj, TwoFacesOnTheSameFourCornersAreCutAlongDifferentDiagonals) {
+  const auto meshes = parse_obj("v 0 0 0\nv 1 0 1\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\nf 4 3 2 1\n", "file");
+  const SurfaceReport report = inspect(meshes.front().surface);
+  EXPECT_TRUE(report.closed_oriented_manifold());
+  EXPECT_EQ(report.triangles, 4u);
+  EXPECT_NE(meshes.front().remarks.at(0).find("2 are not flat, by up to 0.5 mm"), std::string::npos) << meshes.front().remarks[0];
+}
+
+/// A prism over any ring of places, both ends one face, from random numbers: bent, turning inwards, crossing itself.
+TEST(ReadObj, WhateverItsFacesTheBoundaryStaysClosedAndOriented) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    const int n = 3 + static_cast<int>(random() % 12);
+    std::string text;
+    for (int ring = 0; ring < 2; ++ring) {
+      for (int i = 0; i < n; ++i) {
+        // Of a lattice, so that places repeat and lines are straight.
+        text += "v " + std::to_string(random() % 5) + " " + std::to_string(random() % 5) + " " + std::to_string(static_cast<int>(random() % 3) + 4 * ring) + "\n";
+      }
+    }
+    std::string low = "f", high = "f";
+    for (int i = 1; i <= n; ++i) {
+      const int next = i % n + 1;
+      low += " " + std::to_string(n + 1 - i);
+      high += " " + std::to_string(n + i);
+      text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + n) + " " + std::to_string(i + n) + "\n";
+    }
+    const SurfaceReport report = inspect(parse_obj(text + low + "\n" + high + "\n", "file").front().surface);
+    EXPECT_EQ(report.boundary_edges, 0u) << text;
+    EXPECT_EQ(report.misoriented_edges, 0u) << text;
+    EXPECT_EQ(report.triangles, static_cast<std::size_t>(2 * n + 2 * (n - 2)));
+  }
+}
+
+TEST(ReadObj, FreeFormSurfacesAreRefusedByName) {
+  EXPECT_EQ(cause_of(parse_obj, box_of_quads("\n") + "cstype bspline\ndeg 3 3\n"), "unsupported");
+}
+
+TEST(ReadStl, ASolidWithoutItsEndMayBeFollowedByTheNext) {
+  const std::string first = replaced(ascii_stl(shapes::tetrahedron(), "a"), "endsolid a\n", "");
+  const auto meshes = parse_stl(first + ascii_stl(shapes::cube(), "b"), "file");
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].remarks.size(), 1u);
+  EXPECT_TRUE(meshes[1].remarks.empty());
+  for (const NamedMesh& mesh : meshes) EXPECT_TRUE(inspect(mesh.surface).closed_oriented_manifold());
+}
+
+TEST(ReadStl, LinesMayEndAsOfOldAndBinaryFilesMayBeginWithSolid) {
+  std::string text = ascii_stl(shapes::tetrahedron(), "t");
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  EXPECT_EQ(parse_stl(text, "file").front().name, "t");
+  const auto meshes = parse_stl(binary_stl(shapes::cube(), "solid but binary") + "\n", "file");
+  EXPECT_EQ(meshes.front().surface.triangles.size(), 12u);
+  EXPECT_EQ(meshes.front().remarks.size(), 1u);
+}
+
+TEST(ReadPly, BehindAHeaderOfOldLineEndsTheFirstByteIsANumber) {
+  std::string bytes = binary_ply(shapes::cube(), false);
+  const std::size_t end = bytes.find("end_header\n") + std::string("end_header\n").size();
+  for (std::size_t i = 0; i < end; ++i) bytes[i] = bytes[i] == '\n' ? '\r' : bytes[i];
+  EXPECT_TRUE(inspect(parse_ply(bytes, "file").front().surface).closed_oriented_manifold());
+  const auto behind = parse_ply(binary_ply(shapes::cube(), false) + "\n", "file");
+  EXPECT_EQ(behind.front().remarks.size(), 1u);
+}
+
+// --- glTF: strips and fans, data beside and inside -----------------------------------------------------------------------
+
+/// The tetrahedron's corners as those of the given primitive, and its vertices.
+std::string with_indices(const std::vector<std::uint16_t>& indices, int mode) {
+  std::string buffer = tetrahedron_buffer().substr(0, 96);
+  for (const std::uint16_t index : indices) add(buffer, index);
+  const std::string count = std::to_string(indices.size()), bytes = std::to_string(2 * indices.size());
+  std::string json = replaced(tetrahedron_json, "\"count\":12", "\"count\":" + count);
+  json = replaced(json, "\"byteLength\":24", "\"byteLength\":" + bytes);
+  json = replaced(json, "\"byteLength\":120", "\"byteLength\":" + std::to_string(buffer.size()));
+  return glb(replaced(json, "\"mode\":4", "\"mode\":" + std::to_string(mode)), buffer);
+}
+
+TEST(ReadGlb, StripsAndFansOfTriangles) {
+  const Triangle t = shapes::tetrahedron().triangles[0];
+  const auto a = static_cast<std::uint16_t>(t[0]), b = static_cast<std::uint16_t>(t[1]), c = static_cast<std::uint16_t>(t[2]);
+  const std::uint16_t d = static_cast<std::uint16_t>(6 - a - b - c);
+  const SurfaceReport strip = inspect(parse_glb(with_indices({a, b, c, d, a, b}, 5), "f").front().surface);
+  EXPECT_TRUE(strip.closed_oriented_manifold());
+  EXPECT_EQ(strip.triangles, 4u);
+  EXPECT_GT(strip.shells[0].volume, 0);
+  const SurfaceReport fan = inspect(parse_glb(with_indices({d, a, c, b, a}, 6), "f").front().surface);
+  EXPECT_EQ(fan.triangles, 3u);
+  EXPECT_EQ(fan.boundary_edges, 3u);
+  EXPECT_EQ(fan.misoriented_edges, 0u);
+}
+
+TEST(ReadGlb, AListCalledAStripIsReadAsAListAndTold) {
+  std::vector<std::uint16_t> list;
+  for (const Triangle& t : shapes::tetrahedron().triangles) {
+    for (const PointIndex corner : t) list.push_back(static_cast<std::uint16_t>(corner));
+  }
+  const auto meshes = parse_glb(with_indices(list, 5), "f");
+  EXPECT_TRUE(inspect(meshes.front().surface).closed_oriented_manifold());
+  EXPECT_EQ(meshes.front().remarks.size(), 1u);
+}
+
+TEST(ReadGltf, DataBesideTheFileOrWithinItsText) {
+  const testing_support::TemporaryFolder folder;
+  const std::string file = (folder / "tooth.gltf").string();
+  std::filesystem::create_directory(folder / "parts");
+  testing_support::put(folder / "parts/a b.bin", tetrahedron_buffer());
+  const auto with_uri = [](const std::string& uri) { return replaced(tetrahedron_json, "{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"" + uri + "\"}"); };
+  const std::vector<Point3> wanted = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "f").front().surface.points;
+  EXPECT_EQ(parse_gltf(with_uri("parts/a%20b.bin"), file).front().surface.points, wanted);
+  EXPECT_EQ(parse_glb(glb(with_uri("parts/a b.bin"), ""), file).front().surface.points, wanted);
+  EXPECT_THROW(parse_gltf(with_uri("parts/none.bin"), file), FileError);
+  for (const char* elsewhere : {"../tooth.bin", "/etc/passwd", "file:///etc/passwd", "http://nobody/a.bin", "", "parts/../../x", "%2e%2e/x", "%2Fetc/passwd"}) {
+    EXPECT_EQ(cause_of(parse_gltf, with_uri(elsewhere)), "unsupported") << elsewhere;
+  }
+  std::filesystem::create_symlink("/etc/passwd", folder / "link.bin");
+  EXPECT_THROW(parse_gltf(with_uri("link.bin"), file), InputError);
+  EXPECT_THROW(parse_gltf(with_uri("parts"), file), FileError);
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:application/octet-stream;base64,AAAA!")), "unparsable");
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:application/octet-stream;base64,AAAA")), "truncated");
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:nothing")), "unparsable");
+  EXPECT_EQ(cause_of(parse_gltf, "[]"), "unparsable");
+}
+
+}  // namespace
 }  // namespace odontoscope
