@@ -9,6 +9,9 @@ namespace odontoscope::limits {
 inline constexpr std::size_t xml_bytes = 256u << 20;
 /// Elements and attributes of it, which take up to 64 bytes each however short they are.
 inline constexpr std::size_t xml_parts = 8'000'000;
+/// Bytes of a series in JSON, and values in it, which take some 20 bytes each when parsed. Real ones have up to some hundred MiB.
+inline constexpr std::size_t jser_bytes = 512u << 20;
+inline constexpr std::size_t jser_parts = 60'000'000;
 /// Bytes of a structure set, which lies in memory whole: real ones have up to 100 MiB.
 inline constexpr std::size_t structure_set_bytes = 1u << 30;
 /// How far contours of a structure set that belong to one plane may be apart along its normal, mm: they are written as decimal

@@ -11,6 +11,7 @@
 #include "recon/exchange/character_set.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/read_csl.h"
+#include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/exchange/repair_contours.h"
@@ -393,6 +394,49 @@ TEST(Csl, AHoleMayComeBeforeItsOwner) {
   EXPECT_EQ(enclosed(read.stack.slices[0].contours[0]), 4);
   EXPECT_THROW(parse_csl(text + "4h1 0 4 7 6 5\n4h0 1 0 1 2 3\n", "file"), InputError);
   EXPECT_THROW(parse_csl(text + "4h2 0 4 7 6 5\n4 1 0 1 2 3\n", "file"), InputError);
+}
+
+// --- PyReconstruct -------------------------------------------------------------------------------------------------------
+
+/// Two sections, the second after one that is missing; a square of 4 um with a hole, an open trace, and a turn by 90 degrees as alignment.
+std::string jser(const std::string& alignment = "default") {
+  const std::string look = ",[255,0,0],true,false,false,[\"none\",\"none\"],[]]", open = ",[255,0,0],false,false,false,[\"none\",\"none\"],[]]";
+  const std::string contours = "{\"cell\":[[[0,4,4,0],[0,0,4,4]" + look + ",[[1,2,2,1],[1,1,2,2]" + look + "],\"line\":[[[0,1],[0,1]" + open + "]}";
+  const std::string section = "{\"src\":\"a.tif\",\"mag\":0.00254,\"thickness\":0.05,\"tforms\":{\"default\":[1,0,0,0,1,0],\"turned\":[0,-1,10,1,0,0]},\"contours\":" + contours + "}";
+  return "{\"sections\": [null," + section + ",null," + section + "], \"series\": {\"alignment\": \"" + alignment + "\"}, \"log\": \"\"}";
+}
+
+TEST(Jser, SectionsOfPyReconstruct) {
+  ASSERT_EQ(contour_file_kind(jser()), ContourFileKind::jser);
+  const FileContours read = parse_jser(jser(), "file");
+  EXPECT_NO_THROW(validate(read.stack));
+  ASSERT_EQ(read.stack.slices.size(), 2u);
+  EXPECT_EQ(read.stack.slices[0].z, 0);
+  EXPECT_DOUBLE_EQ(read.stack.slices[1].z, 0.0001);  // two thicknesses of 0.05 um
+  ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
+  EXPECT_EQ(read.stack.slices[0].contours[0].structure, "cell");
+  EXPECT_DOUBLE_EQ(read.stack.slices[0].contours[0].points[1].x, 0.004);
+  EXPECT_EQ(read.remarks.size(), 2u);  // the missing section, the open traces
+  const FileContours turned = parse_jser(jser("turned"), "file");
+  EXPECT_DOUBLE_EQ(turned.stack.slices[0].contours[0].points[1].x, 0.010);
+  EXPECT_DOUBLE_EQ(turned.stack.slices[0].contours[0].points[1].y, 0.004);
+  EXPECT_NO_THROW(parse_jser(jser("no-alignment"), "file"));
+}
+
+TEST(Jser, WrongFilesAreNamed) {
+  const auto cause = [](const std::string& text) { return cause_of([&] { parse_jser(text, "file"); }); };
+  EXPECT_EQ(cause(jser("missing")), "missing-key");
+  EXPECT_EQ(cause(jser().substr(0, 300)), "unparsable");
+  EXPECT_EQ(cause(replaced(jser(), "\"thickness\":0.05", "\"thickness\":0")), "repeated-z");
+  EXPECT_EQ(cause(replaced(jser(), "\"thickness\":0.05", "\"thickness\":1e30")), "too-large");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,4]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,\"4\",0]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,1e9999,0]")), "unparsable");
+  EXPECT_EQ(cause(replaced(jser(), "[1,0,0,0,1,0]", "[1,0,0,0,1]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[1,0,0,0,1,0]", "[1,1,0,1,1,0]")), "bad-transform");
+  EXPECT_EQ(cause("{\"sections\": [null], \"series\": {}}"), "no-sections");
+  EXPECT_EQ(cause("{\"sections\": {}, \"series\": {}}"), "wrong-type");
+  EXPECT_EQ(cause("{\"sections\": []}"), "missing-key");
 }
 
 TEST(RealContours, SeriesOfReconstruct) {
