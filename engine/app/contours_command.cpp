@@ -77,7 +77,7 @@ Command contours_command(CLI::App& root) {
       "  odontoscope contours series.ser --structure Cell -o cell.json\n"
       "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
       "\n"
-      "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (GLB, STL, PLY, OBJ), contours of\n"
+      "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (glTF, STL, PLY, OBJ), contours of\n"
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
       "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves, and\n"
       "small gaps of meshes, and lists every change; without it such input is refused. section is another name for\n"

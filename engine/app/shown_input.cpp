@@ -95,7 +95,7 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
                      "Give --iso T for an image, --label N for a label map");
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no GLB, STL, PLY or OBJ mesh",
+  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
@@ -107,7 +107,12 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), session);
   const FileKind kind = kind_of(bytes, file);
   if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
-  if (auto meshes = meshes_in(kind, bytes, file)) return found_in(std::move(*meshes), file);
+  if (auto meshes = meshes_in(kind, bytes, file)) {
+    for (const NamedMesh& mesh : *meshes) {
+      for (const std::string& remark : mesh.remarks) session.console.say(fmt::format("{}: {}", file, remark));
+    }
+    return found_in(std::move(*meshes), file);
+  }
   refuse(kind, file);
 }
 

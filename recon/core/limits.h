@@ -33,6 +33,10 @@ inline constexpr std::size_t read_piece = 1 << 16;
 inline constexpr std::size_t links = 10'000'000;
 /// Triangles of a mesh that is read: 32-bit half-edge numbers stay safe.
 inline constexpr std::size_t triangles = 100'000'000;
+/// Corners of one face of a mesh: it is cut in memory, at some 300 bytes a corner.
+inline constexpr std::size_t polygon_corners = 1'000'000;
+/// How far the corners of a face may be off their plane, over its size, before it is called bent: files round to six or seven digits.
+inline constexpr double flat_polygon = 1e-4;
 /// Bytes of the JSON part of a GLB, which takes some twenty times that when parsed.
 inline constexpr std::size_t gltf_json_bytes = 64u << 20;
 /// Characters in a line of a text header.
