@@ -106,7 +106,7 @@ void sniffed(const std::string& bytes) {
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> all{
       {"stack", {"good", "bad"}, true, [](const std::string& bytes) { sound(parse_stack(bytes, "file")); }},
-      {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", read_stack)); }},
+      {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", [](const std::string& file) { return read_stack(file); })); }},
       {"links", {"good_links", "bad_links"}, true, read_links_text},
       {"csl", {"exchange/csl"}, true, [](const std::string& bytes) { sound(parse_csl(bytes, "file").stack); }},
       {"series", {"exchange/series"}, true, [](const std::string& bytes) {
