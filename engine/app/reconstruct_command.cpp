@@ -133,7 +133,7 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   if (!words.empty()) console.say("Tours: " + words);
 }
 
-Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
+Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::medial);
   engine.between = options.between.value_or(Between::delaunay);
@@ -143,7 +143,7 @@ Made made_by_dt(const ContourStack& stack, const Options& options, Session& sess
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   Made made = files_of(model->reconstruction, options, session);
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume})});
   }
   made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
   return made;
@@ -158,9 +158,9 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
-ContourStack stack_of(const Options& options, Session& session) {
+ContourStack stack_of(const Options& options, Session& session, std::optional<ReportVolume>& volume) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
-    return contours_of_input(options.input, options.words, session);
+    return contours_of_input(options.input, options.words, session, &volume);
   }
   ContourStack stack = converted_told(options.input, options.foreign, session);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
@@ -173,9 +173,10 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  ContourStack stack = stack_of(options, session);
+  std::optional<ReportVolume> volume;
+  ContourStack stack = stack_of(options, session, volume);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
-  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, options, session);
+  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, volume, options, session);
   session.progress().check();
   write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;

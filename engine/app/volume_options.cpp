@@ -168,7 +168,7 @@ VolumeRequest understood(const VolumeWords& words) {
   return request;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume) {
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts) {
   Volume read = read_volume(file, request.read, session.progress());
   Thresholds thresholds;
   if (any_automatic(request)) thresholds = Thresholds(read);
@@ -180,6 +180,10 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
   tell_levels(found.levels, read, options, session.console);
   if (const auto& simpler = found.simplification) {
     tell_simplification(simpler->points_before, simpler->points_after, simpler->largest_deviation, session.console);
+  }
+  if (facts) {
+    *facts = ReportVolume{{}, read.remarks};
+    for (const IsoLevel& level : options.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
   }
   if (volume) *volume = std::move(read);
   return std::move(found.stack);
@@ -210,8 +214,8 @@ bool named_like_a_volume(const std::string& file) {
   return false;
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session) {
-  if (words.any_level()) return contours_told(file, understood(words), session);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts) {
+  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts);
   ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());

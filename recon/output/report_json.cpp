@@ -187,6 +187,11 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   }
   Json report;
   report["input"] = input_json(reconstruction.counts);
+  if (options.volume) {
+    Json isos = Json::object();
+    for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
+    report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
+  }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
   report["surface"] = json_of(surfaces);
   report["structures"] = structures_json(reconstruction, tetrahedra);

@@ -1,7 +1,9 @@
 #pragma once
 // What is known of a result, as JSON for people and scripts. docs/formats.md describes every key.
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "recon/delaunay/reconstruct.h"
@@ -18,12 +20,21 @@ struct StructureSimplification {
   std::size_t self_intersections = 0, restarts = 0, kept_vertices = 0;
 };
 
+/// The volume that the contours were taken from.
+struct ReportVolume {
+  /// Structures and the values at which their surfaces were taken.
+  std::vector<std::pair<std::string, double>> isos;
+  /// What was assumed and left out, see Volume::remarks.
+  std::vector<std::string> remarks;
+};
+
 struct ReportOptions {
   /// If not empty, those surfaces of the reconstruction are the simplified ones.
   std::vector<StructureSimplification> simplifications;
+  std::optional<ReportVolume> volume = {};
 };
 
-/// One JSON object, keys in a fixed order, two spaces a level: input, tetrahedra, surface, structures, resampling,
+/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra, surface, structures, resampling,
 /// links, cut_links, simplification (only if there was one), seconds, threads, certified. `certified` is true if the
 /// reconstruction is and every surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in
 /// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between

@@ -72,6 +72,15 @@ TEST(ReportJson, TellsOfSimplifying) {
   EXPECT_EQ(one["triangles_before"], 1000);
 }
 
+TEST(ReportJson, TellsOfTheVolume) {
+  ReportOptions options;
+  EXPECT_FALSE(json::parse(report_json(models::tooth_and_enamel(), options)).contains("volume"));
+  options.volume = ReportVolume{{{"tooth", 129.5}, {"enamel", 200}}, {"1 mm is assumed"}};
+  const json volume = json::parse(report_json(models::tooth_and_enamel(), options))["volume"];
+  EXPECT_EQ(volume["isos"]["tooth"], 129.5);
+  EXPECT_EQ(volume["remarks"].at(0), "1 mm is assumed");
+}
+
 TEST(ReportJson, TheSameBytesButForTimes) {
   const Reconstruction model = models::tooth_and_enamel();
   EXPECT_EQ(report_json(model), report_json(model));
