@@ -138,7 +138,7 @@ void tell_simplification(std::size_t before, std::size_t after, double largest_d
 
 void add_volume_options(CLI::App& parser, VolumeWords& words) {
   const std::string group = "Volumes";
-  repeatable(parser.add_option("--iso", words.isos, "Surface at value T (or auto), as structure NAME (default: tooth); repeatable"))
+  repeatable(parser.add_option("--iso", words.isos, "Surface at value T or auto, as structure NAME (default: tooth); repeatable"))
       ->type_name("T[=NAME]")->group(group);
   repeatable(parser.add_option("--label", words.labels, "Surface of label N of a label map, or of a named segment; repeatable"))
       ->type_name("N[=NAME]")->group(group);
