@@ -91,7 +91,7 @@ const FaceList::Polygon* FaceList::parted_by(HalfEdge h, const SurfaceMesh& mesh
 void FaceList::turn_crowded_diagonals(SurfaceMesh& mesh) const {
   const std::vector<HalfEdge> crowded = edge_mates(mesh).crowded;
   std::vector<const Polygon*> to_turn;
-  const auto edge_of = [&](HalfEdge h) { return std::minmax(PointIndex{start(mesh, h)}, PointIndex{end(mesh, h)}); };
+  const auto edge_of = [&](HalfEdge h) { return std::minmax({PointIndex{start(mesh, h)}, PointIndex{end(mesh, h)}}); };   // by value: the other minmax gives references
   for (std::size_t i = 0; i < crowded.size();) {
     const std::pair<PointIndex, PointIndex> edge = edge_of(crowded[i]);
     std::size_t others = 0;
