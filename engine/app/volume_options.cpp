@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -36,6 +37,10 @@ void tell_volume(const std::string& file, const VolumeSummary& volume, Console& 
   if (volume.tilt_degrees > limits::tilt_unspoken) {
     console.say(fmt::format("  its axes are turned by {:.1f} degrees in the file; the model keeps the image's own axes",
                             volume.tilt_degrees));
+  }
+  if (volume.lattice_shift > 0) {
+    console.say(fmt::format("  contours lie on a lattice of 2^{:.0f} mm, which moves them by at most {:.1g} mm",
+                            std::log2(volume.lattice_step / 2), volume.lattice_shift));
   }
 }
 

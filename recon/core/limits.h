@@ -96,6 +96,11 @@ inline constexpr double kept_margin = 0.25;
 namespace odontoscope::limits {
 /// Smallest voxel spacing, mm: a nanometre, finer than any scanner; a 64th of it is still far above rounding at largest_coordinate.
 inline constexpr double smallest_spacing = 1e-6;
+/// What contours of a volume lie on, mm: 2^-30, a picometre. Far below any scanner's precision, and a double still has some 15 bits to
+/// spare for a tooth's coordinates, so that edges on it can be halved often without rounding.
+inline constexpr double lattice_step = 1.0 / (1l << 30);
+/// Such steps that a voxel has at least: its size is then changed by less than a millionth.
+inline constexpr double lattice_steps_per_voxel = 1l << 20;
 /// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
 /// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
 inline constexpr double grid_vertex_margin = 1.0 / 64;

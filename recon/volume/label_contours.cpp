@@ -16,12 +16,12 @@ using trace::Vertex;
 
 class LabelField {
  public:
-  LabelField(const Volume& volume, std::size_t k, float label)
+  LabelField(const Volume& volume, const Lattice& lattice, std::size_t k, float label)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
         label_(label),
-        grid_({volume.origin.x, volume.origin.y}, {volume.spacing[0], volume.spacing[1]}) {}
+        lattice_(lattice) {}
 
   bool inside(Vertex v) const {
     return v.i >= 0 && v.j >= 0 && v.i < width_ && v.j < height_ && pixels_[v.j * width_ + v.i] == label_;
@@ -31,14 +31,14 @@ class LabelField {
 
   Point2 crossing(Vertex in, Vertex out) const {
     constexpr double middle = 0.5;
-    return grid_.between(in, out, middle);
+    return trace::between(lattice_, in, out, middle);
   }
 
  private:
   const float* pixels_;
   std::ptrdiff_t width_, height_;
   float label_;
-  trace::Grid grid_;
+  const Lattice& lattice_;
 };
 
 /// "0, 1, 2, ..." for the message; looks only as far as it needs to.
@@ -74,9 +74,9 @@ std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<L
   std::vector<LevelTracer> tracers;
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
-    const auto trace_slice = [&volume, label = static_cast<float>(level.label)](std::size_t k,
-                                                                                const LevelTracer::Take& take) {
-      trace::contours(LabelField(volume, k, label), volume.size[0], volume.size[1], take);
+    const auto trace_slice = [&volume, lattice = Lattice(volume), label = static_cast<float>(level.label)](
+                                 std::size_t k, const LevelTracer::Take& take) {
+      trace::contours(LabelField(volume, lattice, k, label), volume.size[0], volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("label {}", level.label)});
   }

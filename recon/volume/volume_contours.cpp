@@ -8,6 +8,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/lattice.h"
 #include "recon/volume/read_volume.h"
 
 namespace odontoscope {
@@ -96,7 +97,9 @@ VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptio
   TracedContours traced = trace_levels(volume, tracers, options.trace, progress);
 
   VolumeContours result;
-  result.volume = {volume.size, volume.spacing, volume.origin, range, volume.tilt_degrees};
+  const Lattice lattice(volume);
+  result.volume = {volume.size, volume.spacing, volume.origin, range, volume.tilt_degrees, lattice.step(),
+                   lattice.largest_shift()};
   result.levels = std::move(traced.levels);
   result.stack = std::move(traced.stack);
   if (options.simplify) {

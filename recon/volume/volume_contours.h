@@ -34,6 +34,9 @@ struct VolumeSummary {
   Point3 origin;
   ValueRange range;
   double tilt_degrees = 0;
+  /// What the contours' coordinates are multiples of halves of, and how far a voxel lies from where the file has it,
+  /// at most; mm. See lattice.h.
+  double lattice_step = 0, lattice_shift = 0;
 };
 
 struct VolumeContours {
