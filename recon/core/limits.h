@@ -89,6 +89,9 @@ inline constexpr std::size_t glb_bytes = (1ull << 31) - 1;
 // --- simplifying ------------------------------------------------------------------------------------------------
 /// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
 inline constexpr double kept_margin = 0.25;
+/// Largest distance of a simplified surface, over the diagonal of the full one, beyond which it is said to be absurd: at a twentieth, cusps
+/// and root tips are missing.
+inline constexpr double absurd_distance = 0.05;
 
 }  // namespace odontoscope::limits
 
