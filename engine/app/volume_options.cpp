@@ -70,6 +70,8 @@ void add_volume_options(CLI::App& parser, VolumeWords& words) {
       ->type_name("A")->check(at_least_zero())->group(group);
   parser.add_option("--spacing", words.spacing, "Size of a voxel in mm, instead of the file's")
       ->type_name("X,Y,Z")->group(group);
+  parser.add_option("--smooth", words.smooth, "Smooth the borders of labels, by MM and half a voxel at most")
+      ->type_name("MM")->check(at_least_zero())->group(group);
   parser.add_option("--simplify", words.simplify, "Fewer points: contours may move by up to E mm, and stay disjoint")
       ->type_name("E")->check(at_least_zero());
 }
@@ -80,6 +82,7 @@ VolumeContourOptions understood(const VolumeWords& words) {
   for (const std::string& text : words.labels) options.labels.push_back(parse_label_level(text));
   if (!words.spacing.empty()) options.spacing = parse_spacing(words.spacing);
   options.trace.min_area = words.min_area.value_or(0);
+  if (words.smooth) options.smooth = SmoothLabelsOptions{*words.smooth};
   if (words.simplify) options.simplify = SimplifyContoursOptions{*words.simplify};
   refuse_two_of_one_name(options);
   return options;
@@ -91,6 +94,10 @@ ContourStack contours_told(const std::string& file, const VolumeContourOptions& 
   if (volume) *volume = std::move(read);
   tell_volume(file, found.volume, session.console);
   tell_levels(found.levels, session.console);
+  if (found.smoothing_shift) {
+    session.console.say(fmt::format("  smoothed, which moved points by at most {} mm and no voxel across a border",
+                                    measured(*found.smoothing_shift)));
+  }
   if (const auto& simpler = found.simplification) {
     tell_simplification(simpler->points_before, simpler->points_after, simpler->largest_deviation, session.console);
   }
@@ -123,6 +130,9 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
 }
 
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {
+  if (words.smooth && words.labels.empty()) {
+    throw UsageError("--smooth is about label maps", "Add --label N, or leave it out: --iso lies between voxels already");
+  }
   if (words.any_level()) return;
   if (words.min_area || !words.spacing.empty()) {
     throw UsageError("--min-area and --spacing are about volumes, and nothing says where in a volume the surface lies",

@@ -19,6 +19,7 @@ struct VolumeWords {
   std::string spacing;               // "X,Y,Z" or empty
   std::optional<double> min_area;    // mm^2
   std::optional<double> simplify;    // mm
+  std::optional<double> smooth;      // mm
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };

@@ -21,6 +21,8 @@ struct VolumeContourOptions {
   std::vector<IsoLevel> isos;
   std::vector<LabelLevel> labels;
   TraceOptions trace;
+  /// Smooth the labels' borders.
+  std::optional<SmoothLabelsOptions> smooth;
   /// Simplify the contours with this tolerance.
   std::optional<SimplifyContoursOptions> simplify;
   /// Spacing instead of the header's, see ReadVolumeOptions.
@@ -49,6 +51,8 @@ struct VolumeContours {
     double largest_deviation = 0;
   };
   std::optional<Simplification> simplification;
+  /// How far smoothing moved a point at most, mm; if it was asked for.
+  std::optional<double> smoothing_shift;
 };
 
 /// Throws what read_volume, iso_contours, label_contours and simplify_contours throw. The stack passes `validate`.
