@@ -121,6 +121,7 @@ VolumeContourOptions resolved(const VolumeRequest& request, const Volume& volume
   }
   refuse_two_of_one_name(levels);
   options.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : volume.spacing[0] * volume.spacing[1]);
+  options.smooth = request.smooth;
   if (request.simplify) options.simplify = SimplifyContoursOptions{*request.simplify};
   return options;
 }
@@ -150,6 +151,8 @@ void add_volume_options(CLI::App& parser, VolumeWords& words) {
   parser.add_option("--series", words.series, "Of several DICOM series the one to read: number, UID or description")
       ->type_name("N")->group(group);
   parser.add_flag("--allow-outside", words.allow_outside, "Let a header name a file of pixels outside its own folder")->group(group);
+  parser.add_option("--smooth", words.smooth, "Smooth the borders of labels, by MM and half a voxel at most")
+      ->type_name("MM")->check(at_least_zero())->group(group);
   parser.add_option("--simplify", words.simplify, "Fewer points: contours may move by up to E mm, and stay disjoint")
       ->type_name("E")->check(at_least_zero());
 }
@@ -162,6 +165,7 @@ VolumeRequest understood(const VolumeWords& words) {
   request.read.series = words.series;
   request.read.allow_outside = words.allow_outside;
   understand_min_area(words.min_area, request);
+  if (words.smooth) request.smooth = SmoothLabelsOptions{*words.smooth};
   request.simplify = words.simplify;
   refuse_two_of_one_name(request.levels);
   if (!words.label_names.empty()) request.label_names = read_label_names(words.label_names);
@@ -178,6 +182,10 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
   if (!options.isos.empty() && looks_like_labels(read)) tell_label_map(read, session.console);
   VolumeContours found = contours_of_volume(read, options, session.progress());
   tell_levels(found.levels, read, options, session.console);
+  if (found.smoothing_shift) {
+    session.console.say(fmt::format("  smoothed, which moved points by at most {} mm and no voxel across a border",
+                                    measured(*found.smoothing_shift)));
+  }
   if (const auto& simpler = found.simplification) {
     tell_simplification(simpler->points_before, simpler->points_after, simpler->largest_deviation, session.console);
   }
@@ -225,6 +233,9 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
 }
 
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {
+  if (words.smooth && words.labels.empty()) {
+    throw UsageError("--smooth is about label maps", "Add --label N, or leave it out: --iso lies between voxels already");
+  }
   if (words.any_level()) return;
   if (!words.min_area.empty() || !words.spacing.empty() || !words.series.empty() || !words.label_names.empty() || words.allow_outside) {
     throw UsageError("--min-area, --spacing, --series, --label-names and --allow-outside are about volumes, and nothing says where in a volume the surface lies",

@@ -24,6 +24,7 @@ struct VolumeWords {
   std::string min_area;              // "4" voxels, or "0.5mm2"
   bool allow_outside = false;
   std::optional<double> simplify;    // mm
+  std::optional<double> smooth;      // mm
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };
@@ -47,6 +48,7 @@ struct VolumeRequest {
   std::vector<Level> levels;
   double min_area = 0;
   bool min_area_in_mm2 = false;   // else in pixels of a slice
+  std::optional<SmoothLabelsOptions> smooth;
   std::optional<double> simplify;
   std::vector<VolumeLabel> label_names;
 };

@@ -98,6 +98,9 @@ inline constexpr std::size_t glb_bytes = (1ull << 31) - 1;
 // --- simplifying ------------------------------------------------------------------------------------------------
 /// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
 inline constexpr double kept_margin = 0.25;
+/// Largest distance of a simplified surface, over the diagonal of the full one, beyond which it is said to be absurd: at a twentieth, cusps
+/// and root tips are missing.
+inline constexpr double absurd_distance = 0.05;
 
 }  // namespace odontoscope::limits
 
@@ -105,9 +108,24 @@ inline constexpr double kept_margin = 0.25;
 namespace odontoscope::limits {
 /// Smallest voxel spacing, mm: a nanometre, finer than any scanner; a 64th of it is still far above rounding at largest_coordinate.
 inline constexpr double smallest_spacing = 1e-6;
+/// What contours of a volume lie on, mm: 2^-30, a picometre. Far below any scanner's precision, and a double still has some 15 bits to
+/// spare for a tooth's coordinates, so that edges on it can be halved often without rounding.
+inline constexpr double lattice_step = 1.0 / (1l << 30);
+/// Such steps that a voxel has at least: its size is then changed by less than a millionth.
+inline constexpr double lattice_steps_per_voxel = 1l << 20;
 /// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
 /// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
 inline constexpr double grid_vertex_margin = 1.0 / 64;
+/// Smoothing of label maps. How far around a border voxels get a height, in voxels; and what the height is beyond.
+inline constexpr int plate_reach = 2;
+/// Steps down the plate's bending, and their length over the least that could be unstable times a half: 20 such steps bring points three
+/// times nearer to true outlines; 60 begin to narrow canals of three voxels.
+inline constexpr int plate_steps = 20;
+inline constexpr double plate_step = 1.8;
+/// How far a height may leave the distance that it began as, in voxels: a border's true place is that uncertain.
+inline constexpr double plate_slack = 0.5;
+/// Least height on either side of a border, in voxels: keeps crossings apart from voxels.
+inline constexpr double plate_least = 0.02;
 /// Largest label: floats hold all whole numbers up to 2^24, and none beyond is rounded to this one.
 inline constexpr long largest_label = (1l << 24) - 1;
 /// How far a volume's axes may be from square to each other (the dot product of two): headers round to six digits or so.

@@ -12,6 +12,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/lattice.h"
 
 namespace odontoscope {
 namespace {
@@ -101,9 +102,7 @@ TracedSlice trace_slice(std::size_t k, const std::vector<LevelTracer>& tracers, 
   return result;
 }
 
-double height(const Volume& volume, std::size_t k) {
-  return volume.origin.z + static_cast<double>(k) * volume.spacing[2];
-}
+double height(const Volume& volume, std::size_t k) { return Lattice(volume).z(k); }
 
 void check_counts(const Volume& volume, const std::vector<TracedSlice>& slices, const PointBudget& budget) {
   Place place;
