@@ -38,7 +38,7 @@ enum class Between {
 
 struct ReconstructOptions {
   Correspondence correspondence = Correspondence::medial;
-  Between between = Between::blended;
+  Between between = Between::delaunay;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
 };
