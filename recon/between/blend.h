@@ -12,9 +12,8 @@
 //   together afterwards, outer contours minus holes. So a ring that drifts by more than its width stays a ring;
 // - with motion: linked shapes that hardly overlap are moved (and scaled) onto each other before they are blended, on a
 //   smooth path through all four slices. So a slanted canal stays a canal. Shapes that overlap well are not moved.
-// Contours that merge or split are blended as a union; a region or hole with no partner ends where
-// its course beyond the slab says; where that says nothing, it shrinks against the distance to the other slice's nearest
-// contour.
+// Contours that merge or split are blended as a union; a region or hole with no partner ends where its course beyond
+// the slab says; where that says nothing, it shrinks against the distance to the other slice's nearest contour.
 //
 // Units are millimetres. Same input, same bytes. Not thread-parallel by itself; slabs are independent of each other.
 
