@@ -1,6 +1,7 @@
 #include "recon/between/traced.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "recon/contours/simplify_contours.h"
 #include "recon/contours/trace.h"

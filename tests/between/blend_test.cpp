@@ -152,7 +152,9 @@ TEST(Blend, HearsAllPiecesThatAShapeSplitsIntoBeyondTheSlab) {
   const std::vector<Outline> made = split.blended(), wanted = whole.blended();
   for (std::size_t n = 0; n < made.size(); ++n) {
     for (const Point2 p : made[n][0]) {
-      if (std::abs(p.x) > 0.3) EXPECT_NEAR(distance(wanted[n], p), 0, 0.005);
+      if (std::abs(p.x) > 0.3) {
+        EXPECT_NEAR(distance(wanted[n], p), 0, 0.005);
+      }
     }
   }
 }
