@@ -90,7 +90,7 @@ TEST(Blend, IsPlainCubicInterpolationOfDistancesWhereNothingDrifts) {
                   {lobed(3.5, 0.5, 3)},
                   {{{0, 0}}, {}},
                   {lobed(2.8, 0.2, 3)},
-                  {lobed(3.4, 0.4, 3)},
+                  {lobed(3.65, 0.5, 3)},
                   -0.7,
                   0,
                   1,
