@@ -257,7 +257,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
   parser.add_flag("--strict", options.strict,
-                  "Write nothing, exit 1, if the verdict is amber or --triangles is not reached");
+                  "Write nothing if the verdict is amber or --triangles is missed");
   add_volume_options(parser, options.words);
   add_foreign_options(parser, options.foreign);
   add_db_options(parser, options.db);

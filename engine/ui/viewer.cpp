@@ -198,7 +198,7 @@ void Viewer::go_to(const Camera& camera, double seconds) { transition_.emplace(s
 /// From where one looks now, a few millimetres of the model round the place.
 void Viewer::lead_to(const glm::dvec3& place) {
   if (!state_.shown || state_.fly.on) return;
-  constexpr double seen = 0.25;  // half the picture's height, over the radius of the model
+  constexpr double seen = 0.4;  // half the picture's height, over the radius of the model
   Camera goal = transition_ ? transition_->goal() : state_.scene.camera;
   goal.position += place - goal.target;
   goal.target = place;

@@ -260,7 +260,7 @@ TEST_F(Panels, AnAmberModelIsAmberAndItsPlacesLeadThere) {
   keep_picture("amber");
   EXPECT_FALSE(viewer().state().looked_at);
   viewer().state().look_at = place;
-  frames(60, 0.02);
+  frames(4, 0.2);
   ASSERT_TRUE(viewer().state().looked_at);
   EXPECT_EQ(viewer().state().scene.camera.target, place);
   keep_picture("amber_place");
