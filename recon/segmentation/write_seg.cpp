@@ -86,7 +86,7 @@ class Writer {
     data.whole(0x00280002, 1).text(0x00280004, "CS", "MONOCHROME2").text(0x00280008, "IS", std::to_string(frames_.size()));
     data.whole(0x00280010, static_cast<std::uint16_t>(grid_.size[1])).whole(0x00280011, static_cast<std::uint16_t>(grid_.size[0]));
     data.whole(0x00280100, 1).whole(0x00280101, 1).whole(0x00280102, 0).whole(0x00280103, 0).text(0x00282110, "CS", "00");
-    data.text(0x00620001, "CS", "BINARY").text(0x00700080, "CS", "STRUCTURES").text(0x00700081, "LO", "Structures of a tooth").text(0x00700084, "PN", "Odontoscope");
+    data.text(0x00620001, "CS", "BINARY").text(0x00700080, "CS", "STRUCTURES").text(0x00700081, "LO", "Structures of a tooth").text(0x00700084, "PN", "");
   }
 
   static void add_dimensions(DicomWriter& data, const std::string& uid) {
