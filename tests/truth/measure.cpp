@@ -1,18 +1,20 @@
 #include "measure.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "recon/core/error.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/surface_distance.h"
+#include "recon/mesh/vector.h"
 #include "shape_based.h"
 
 namespace odontoscope::test {
 namespace {
 
 constexpr double shares[] = {0.25, 0.5, 0.75};
-constexpr std::size_t distance_samples = 30'000;
+constexpr std::size_t distance_samples = 20'000;
 constexpr std::size_t db_grids[] = {64, 128, 256};
 
 /// The planes between the slices, and what truly lies there.
@@ -43,6 +45,31 @@ void add_area(MethodResult& result, const Truth& truth, const Mask& true_bits, s
   result.own_area += cell * static_cast<double>(own);
 }
 
+/// Points spread evenly over a surface's area: at equal steps of accumulated area, within a triangle by a sequence of
+/// low discrepancy. Not its vertices: those of DT lie on contours, and would tell of the contours alone.
+std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
+  std::vector<double> areas;
+  double area = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    areas.push_back(area += length(cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a])) / 2);
+  std::vector<Point3> points;
+  constexpr double golden = 0.7548776662466927, golden2 = 0.5698402909980532;  // of the plane's golden sequence
+  for (std::size_t i = 0; i < distance_samples && area > 0; ++i) {
+    const double target = area * (static_cast<double>(i) + 0.5) / static_cast<double>(distance_samples);
+    const auto t = static_cast<std::size_t>(std::lower_bound(areas.begin(), areas.end(), target) - areas.begin());
+    double u = std::fmod(golden * static_cast<double>(i + 1), 1.0), v = std::fmod(golden2 * static_cast<double>(i + 1), 1.0);
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const auto [a, b, c] = mesh.triangles[std::min(t, areas.size() - 1)];
+    const Point3& p = mesh.points[a];
+    const Direction d = u * (mesh.points[b] - p) + v * (mesh.points[c] - p);
+    points.push_back({p.x + d.x, p.y + d.y, p.z + d.z});
+  }
+  return points;
+}
+
 class Measuring {
  public:
   Measuring(const ContourStack& stack, const Truth& truth, const MeasureOptions& options)
@@ -50,6 +77,7 @@ class Measuring {
     if (!options.shape) return;
     planes_ = planes_of(stack_, truth);
     surfaces_ = truth.surfaces();
+    for (const SurfaceMesh& surface : surfaces_) on_surfaces_.push_back(spread_over(surface));
   }
 
   void take_surface(const std::string& method, const std::string& structure, const SurfaceMesh& surface,
@@ -64,10 +92,11 @@ class Measuring {
     const SurfaceSections sections(surface, planes_.heights);
     for (std::size_t h = 0; h < planes_.heights.size(); ++h)
       add_area(result, truth_, planes_.truth[h], s, sections.at(truth_.raster, h));
-    if (const auto distance = surface_distance(surface, surfaces_[s], {distance_samples})) {
-      result.mean = distance->mean();
-      result.largest = distance->largest();
-    }
+    const auto there = distance_to_surface(spread_over(surface), surfaces_[s]);
+    const auto back = distance_to_surface(on_surfaces_[s], surface);
+    if (!there || !back) return;
+    result.mean = std::max(there->mean, back->mean);
+    result.largest = std::max(there->largest, back->largest);
   }
 
   void reconstruct_by_delaunay() {
@@ -120,6 +149,7 @@ class Measuring {
   const MeasureOptions& options_;
   Planes planes_;
   std::vector<SurfaceMesh> surfaces_;
+  std::vector<std::vector<Point3>> on_surfaces_;
 };
 
 }  // namespace

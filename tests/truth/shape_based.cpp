@@ -22,15 +22,15 @@ ShapeBased::ShapeBased(const ContourStack& stack, const std::string& structure, 
 void ShapeBased::fill_empty(const ContourStack& stack, const std::string& structure) {
   const std::size_t slices = heights_.size();
   std::vector<double> depth(slices, 0);
-  std::vector<bool> empty(slices);
+  empty_.resize(slices);
   for (std::size_t i = 0; i < slices; ++i) {
     const std::vector<Contour>& contours = stack.slices[i].contours;
-    empty[i] = std::none_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == structure; });
-    if (!empty[i]) depth[i] = -*std::min_element(layer(i), layer(i) + raster_.size());
+    empty_[i] = std::none_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == structure; });
+    if (!empty_[i]) depth[i] = -*std::min_element(layer(i), layer(i) + raster_.size());
   }
-  constexpr double nothing_near = 1;  // mm; between two slices that are both empty
+  constexpr double nothing_near = 1;  // mm; between two empty slices, where any value beyond 0 does
   for (std::size_t i = 0; i < slices; ++i) {
-    if (!empty[i]) continue;
+    if (!empty_[i]) continue;
     double outside = std::max(i > 0 ? depth[i - 1] : 0, i + 1 < slices ? depth[i + 1] : 0);
     if (outside <= 0) outside = nothing_near;
     std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(i * raster_.size()), raster_.size(), outside);
@@ -40,7 +40,9 @@ void ShapeBased::fill_empty(const ContourStack& stack, const std::string& struct
 Mask ShapeBased::between(std::size_t slab, double t, Blend blend) const {
   Mask mask(raster_.size());
   const double *below = layer(slab), *above = layer(slab + 1);
-  const double *before = slab > 0 ? layer(slab - 1) : nullptr, *after = slab + 2 < heights_.size() ? layer(slab + 2) : nullptr;
+  const double* before = slab > 0 && !empty_[slab - 1] ? layer(slab - 1) : nullptr;
+  const double* after = slab + 2 < heights_.size() && !empty_[slab + 2] ? layer(slab + 2) : nullptr;
+  if (empty_[slab] || empty_[slab + 1]) blend = Blend::linear;
   const double height = heights_[slab + 1] - heights_[slab];
   const double with_before = before ? height / (heights_[slab + 1] - heights_[slab - 1]) : 1;
   const double with_after = after ? height / (heights_[slab + 2] - heights_[slab]) : 1;

@@ -7,8 +7,8 @@
 // C. A. Bucholtz, "Shape-based interpolation", IEEE Computer Graphics and Applications 12(3), 1992).
 // cubic: Catmull-Rom over four slices, one-sided at the ends of the stack.
 //
-// A slice without contours has no distance: it counts as outside by the greatest depth of the deeper neighbour, so that
-// a shape that ends there ends halfway.
+// A slice without contours has no distance: it counts as outside by the greatest depth of its deeper neighbour, so that
+// a shape that ends there ends halfway; it takes no part in a cubic, which would swing.
 
 #include <string>
 #include <vector>
@@ -39,6 +39,7 @@ class ShapeBased {
   Raster raster_;
   std::vector<double> heights_;
   std::vector<double> values_;  // slice by slice
+  std::vector<bool> empty_;
 };
 
 }  // namespace odontoscope::test

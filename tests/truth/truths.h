@@ -18,7 +18,7 @@ std::optional<std::vector<Topology>> counted_topology(const TurnedTooth& tooth, 
 /// The steps that the harness counts with.
 const std::vector<double>& usual_steps();
 
-/// `tooth` must outlive it.
+/// `tooth` must outlive it; one thread at a time may ask it.
 Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology);
 
 /// A real tooth, each part a mesh, perhaps torn; gaps in a section up to `widest_gap` (mm) are closed by straight lines.
