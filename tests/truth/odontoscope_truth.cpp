@@ -132,6 +132,8 @@ void add_options(CLI::App& command, Asked& asked) {
       {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap}};
   command.add_option("--correspondence", asked.measure.engine.correspondence, "reverse, medial or overlap")
       ->transform(CLI::CheckedTransformer(criteria));
+  const std::map<std::string, Between> ways{{"blended", Between::blended}, {"delaunay", Between::delaunay}};
+  command.add_option("--between", asked.measure.engine.between, "blended or delaunay")->transform(CLI::CheckedTransformer(ways));
 }
 
 int run(int argc, char** argv) {

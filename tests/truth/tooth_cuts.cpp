@@ -7,7 +7,7 @@
 #include "recon/input/validate.h"
 #include "recon/sample/trace.h"
 #include "recon/volume/label_contours.h"
-#include "recon/volume/simplify_contours.h"
+#include "recon/contours/simplify_contours.h"
 
 namespace odontoscope::test {
 namespace {
