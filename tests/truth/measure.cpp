@@ -9,6 +9,7 @@
 #include "recon/mesh/surface_distance.h"
 #include "recon/mesh/vector.h"
 #include "shape_based.h"
+#include "visible.h"
 
 namespace odontoscope::test {
 namespace {
@@ -85,28 +86,26 @@ class Measuring {
     const auto known = std::find(truth_.names.begin(), truth_.names.end(), structure);
     if (known == truth_.names.end()) return;
     const auto s = static_cast<std::size_t>(known - truth_.names.begin());
-    MethodResult& result = of(method)[s];
-    result.topology = topology_of(report);
-    result.triangles = surface.triangles.size();
+    take_mesh(method, s, surface, report);
     if (!options_.shape) return;
     const SurfaceSections sections(surface, planes_.heights);
     for (std::size_t h = 0; h < planes_.heights.size(); ++h)
-      add_area(result, truth_, planes_.truth[h], s, sections.at(truth_.raster, h));
-    const auto there = distance_to_surface(spread_over(surface), surfaces_[s]);
-    const auto back = distance_to_surface(on_surfaces_[s], surface);
-    if (!there || !back) return;
-    result.mean = std::max(there->mean, back->mean);
-    result.largest = std::max(there->largest, back->largest);
+      add_area(of(method)[s], truth_, planes_.truth[h], s, sections.at(truth_.raster, h));
   }
 
-  void reconstruct_by_delaunay() {
+  void reconstruct_by_delaunay(Between way) {
+    const std::string method = method_name(way);
+    ReconstructOptions engine = options_.engine;
+    engine.between = way;
     try {
-      const Reconstruction made = reconstruct(stack_, options_.engine);
-      for (const Solid& solid : made.solids) {
-        take_surface("DT", solid.structure, solid.surface, solid.report);
+      const Reconstruction made = reconstruct(stack_, engine);
+      for (const Solid& solid : made.solids) take_surface(method, solid.structure, solid.surface, solid.report);
+      for (const SlabTopology& slab : made.topology) {
+        for (std::size_t s = 0; s < truth_.names.size(); ++s)
+          if (truth_.names[s] == slab.structure && !slab.as_implied()) of(method)[s].warned = true;
       }
     } catch (const Error& error) {
-      for (MethodResult& result : of("DT")) result.refused = error.what();
+      for (MethodResult& result : of(method)) result.refused = error.what();
     }
   }
 
@@ -127,19 +126,31 @@ class Measuring {
 
  private:
   std::vector<MethodResult>& of(const std::string& method) {
-    std::vector<MethodResult>& found = results[method];
+    std::vector<MethodResult>& found = results.methods[method];
     found.resize(truth_.names.size());
     return found;
+  }
+
+  void take_mesh(const std::string& method, std::size_t s, const SurfaceMesh& surface, const SurfaceReport& report) {
+    MethodResult& result = of(method)[s];
+    result.topology = topology_of(report);
+    result.triangles = surface.triangles.size();
+    if (!options_.shape) return;
+    const auto there = distance_to_surface(spread_over(surface), surfaces_[s]);
+    const auto back = distance_to_surface(on_surfaces_[s], surface);
+    if (!there || !back) return;
+    result.mean = std::max(there->mean, back->mean);
+    result.largest = std::max(there->largest, back->largest);
   }
 
   void interpolate(std::size_t s) {
     const ShapeBased shape(stack_, truth_.names[s], truth_.raster);
     for (const auto& [blend, method] : {std::pair{Blend::linear, "SBI linear"}, std::pair{Blend::cubic, "SBI cubic"}}) {
-      MethodResult& result = of(method)[s];
-      result.topology = shape.topology(blend);
+      const SurfaceMesh surface = shape.surface(blend);
+      take_mesh(method, s, surface, inspect(surface));
       if (!options_.shape) continue;
       for (std::size_t h = 0; h < planes_.heights.size(); ++h)
-        add_area(result, truth_, planes_.truth[h], s,
+        add_area(of(method)[s], truth_, planes_.truth[h], s,
                  shape.between(h / std::size(shares), shares[h % std::size(shares)], blend));
     }
   }
@@ -163,10 +174,19 @@ Topology topology_of(const SurfaceReport& report) {
   return found;
 }
 
+const std::vector<std::string>& method_names() {
+  static const std::vector<std::string> names{"DT plain", "DT blended", "DB 64",    "DB 128",
+                                              "DB 256",   "SBI linear", "SBI cubic"};
+  return names;
+}
+
+const char* method_name(Between way) { return way == Between::delaunay ? "DT plain" : "DT blended"; }
+
 Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options) {
   Measuring measuring(stack, truth, options);
-  measuring.reconstruct_by_delaunay();
+  for (const Between way : options.ways) measuring.reconstruct_by_delaunay(way);
   if (options.references) measuring.reconstruct_by_references();
+  measuring.results.visible = visible(ordered(stack).stack, truth);
   return std::move(measuring.results);
 }
 

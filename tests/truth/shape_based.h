@@ -15,7 +15,6 @@
 
 #include "plane_raster.h"
 #include "recon/input/contour_stack.h"
-#include "voxel_topology.h"
 
 namespace odontoscope::test {
 
@@ -29,10 +28,11 @@ class ShapeBased {
   /// At `share` (0 to 1) of the way from slice `slab` to the next.
   Mask between(std::size_t slab, double share, Blend blend) const;
 
-  /// Of the whole, on layers at most the raster's step apart.
-  Topology topology(Blend blend) const;
+  /// Of the whole, by marching cubes on the raster and on layers at most twice its step apart; flat at the stack's ends.
+  SurfaceMesh surface(Blend blend) const;
 
  private:
+  void blend_at(std::size_t slab, double share, Blend blend, double* values) const;
   const double* layer(std::size_t slice) const { return values_.data() + slice * raster_.size(); }
   void fill_empty(const ContourStack& stack, const std::string& structure);
 
