@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "recon/core/error.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/surface_distance.h"
 #include "recon/mesh/vector.h"
+#include "recon/sample/trace.h"
 #include "shape_based.h"
 #include "visible.h"
 
@@ -34,16 +36,26 @@ Planes planes_of(const ContourStack& stack, const Truth& truth) {
   return planes;
 }
 
-void add_area(MethodResult& result, const Truth& truth, const Mask& true_bits, std::size_t structure, const Mask& found) {
+/// `found_at` gives what was made of the plane of that number.
+template <class FoundAt>
+void add_areas(MethodResult& result, const Truth& truth, const Planes& planes, std::size_t structure, const FoundAt& found_at) {
   const double cell = truth.raster.step * truth.raster.step;
-  std::size_t wrong = 0, own = 0;
-  for (std::size_t p = 0; p < found.size(); ++p) {
-    const std::uint8_t is = true_bits[p] >> structure & 1;
-    own += is;
-    wrong += is != found[p];
+  double of_slab = 0;
+  for (std::size_t h = 0; h < planes.heights.size(); ++h) {
+    const Mask found = found_at(h);
+    std::size_t wrong = 0, own = 0;
+    for (std::size_t p = 0; p < found.size(); ++p) {
+      const std::uint8_t is = planes.truth[h][p] >> structure & 1;
+      own += is;
+      wrong += is != found[p];
+    }
+    result.own_area += cell * static_cast<double>(own);
+    result.wrong_area += cell * static_cast<double>(wrong);
+    of_slab = (h % std::size(shares) == 0 ? 0 : of_slab) + cell * static_cast<double>(wrong);
+    if (of_slab <= result.worst_area) continue;
+    result.worst_area = of_slab;
+    result.worst_slab = h / std::size(shares);
   }
-  result.wrong_area += cell * static_cast<double>(wrong);
-  result.own_area += cell * static_cast<double>(own);
 }
 
 /// Points spread evenly over a surface's area: at equal steps of accumulated area, within a triangle by a sequence of
@@ -71,6 +83,22 @@ std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
   return points;
 }
 
+/// A region that is linked to nothing, of which the program warns.
+bool any_isolated(const ContourStack& stack, const std::string& structure, const std::vector<MadeLink>& links) {
+  std::set<std::pair<std::size_t, std::size_t>> linked;  // slice, contour
+  for (const MadeLink& made : links) {
+    if (made.link.structure != structure) continue;
+    linked.insert({made.link.slice, made.link.lower});
+    linked.insert({made.link.slice + 1, made.link.upper});
+  }
+  for (std::size_t i = 0; i < stack.slices.size(); ++i) {
+    const std::vector<Contour>& contours = stack.slices[i].contours;
+    for (std::size_t c = 0; c < contours.size(); ++c)
+      if (contours[c].structure == structure && sample::signed_area(contours[c].points) > 0 && !linked.contains({i, c})) return true;
+  }
+  return false;
+}
+
 class Measuring {
  public:
   Measuring(const ContourStack& stack, const Truth& truth, const MeasureOptions& options)
@@ -89,8 +117,7 @@ class Measuring {
     take_mesh(method, s, surface, report);
     if (!options_.shape) return;
     const SurfaceSections sections(surface, planes_.heights);
-    for (std::size_t h = 0; h < planes_.heights.size(); ++h)
-      add_area(of(method)[s], truth_, planes_.truth[h], s, sections.at(truth_.raster, h));
+    add_areas(of(method)[s], truth_, planes_, s, [&](std::size_t h) { return sections.at(truth_.raster, h); });
   }
 
   void reconstruct_by_delaunay(Between way) {
@@ -104,6 +131,8 @@ class Measuring {
         for (std::size_t s = 0; s < truth_.names.size(); ++s)
           if (truth_.names[s] == slab.structure && !slab.as_implied()) of(method)[s].warned = true;
       }
+      for (std::size_t s = 0; s < truth_.names.size(); ++s)
+        if (any_isolated(stack_, truth_.names[s], made.links)) of(method)[s].warned = true;
     } catch (const Error& error) {
       for (MethodResult& result : of(method)) result.refused = error.what();
     }
@@ -149,9 +178,9 @@ class Measuring {
       const SurfaceMesh surface = shape.surface(blend);
       take_mesh(method, s, surface, inspect(surface));
       if (!options_.shape) continue;
-      for (std::size_t h = 0; h < planes_.heights.size(); ++h)
-        add_area(of(method)[s], truth_, planes_.truth[h], s,
-                 shape.between(h / std::size(shares), shares[h % std::size(shares)], blend));
+      add_areas(of(method)[s], truth_, planes_, s, [&, blend = blend](std::size_t h) {
+        return shape.between(h / std::size(shares), shares[h % std::size(shares)], blend);
+      });
     }
   }
 

@@ -32,9 +32,12 @@ struct Truth {
 
 struct MethodResult {
   std::optional<Topology> topology;
-  bool warned = false;  // a slab has not the topology that its contours and links imply, and the report says so
+  // The program says: a slab has not the topology that its contours and links imply, or a region is linked to nothing.
+  bool warned = false;
   std::string refused;  // the message, if it came to nothing
   double wrong_area = 0, own_area = 0;  // summed over planes at a quarter, half and three quarters of every slab, mm^2
+  double worst_area = 0;                // of one slab, mm^2 over the same three planes
+  std::size_t worst_slab = 0;
   std::optional<double> mean, largest;  // mm, both ways, the larger of the two
   std::size_t triangles = 0;
 };

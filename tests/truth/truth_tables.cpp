@@ -34,7 +34,8 @@ std::string lines_of(const std::string& tooth, double spacing, const Truth& trut
       fmt::format_to(out, "{} {:.2f} {:8}true {:6} {:11}{:6} {}", tooth, spacing, truth.names[s],
                      in_short(truth.topology[s]), method, result.topology ? in_short(*result.topology) : "-",
                      verdict(result, truth.topology[s], results.visible[s]));
-      if (result.own_area > 0) fmt::format_to(out, "  {:.2f} % wrong", 100 * result.wrong_area / result.own_area);
+      if (result.own_area > 0)
+        fmt::format_to(out, "  {:.2f} % wrong, most in slab {}", 100 * result.wrong_area / result.own_area, result.worst_slab);
       if (result.mean) fmt::format_to(out, "  off {:.4f}, most {:.3f} mm", *result.mean, *result.largest);
       if (!result.refused.empty()) fmt::format_to(out, "  {}", result.refused);
       text += '\n';
