@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "tests/delaunay/engine_checks.h"
+#include "tests/support/oracle_topology.h"
 #include "tests/support/refusal_check.h"
 #include "tests/support/stack_text.h"
 
@@ -62,7 +63,10 @@ void judge_result(const Reconstruction& result, const LinkedStack& linked, Recon
   }
   for (const std::string& fault : faults_of(result, linked.stack, {.self_intersections = largest_surface(result) < judged_triangles}))
     outcome.message += fault + "\n";
+  const TopologyVerdict topology = judge_topology(result, linked.stack);
+  for (const std::string& fault : topology.untrue) outcome.message += "untrue topology, " + fault + "\n";
   if (!outcome.message.empty()) outcome.end = StrangeEnd::faulty;
+  outcome.not_as_implied = topology.not_as_implied;
 }
 
 }  // namespace

@@ -4,7 +4,8 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 add_library(odontoscope_test_support STATIC
   ${here}/shapes.cpp ${here}/random_stacks.cpp ${here}/voxel_outlines.cpp ${here}/variants.cpp ${here}/plane_check.cpp
   ${here}/stack_text.cpp ${here}/shrink.cpp ${here}/refusal_check.cpp
-  ${here}/oracle.cpp ${here}/oracle_solid.cpp ${here}/oracle_surface.cpp ${here}/oracle_section.cpp)
+  ${here}/oracle.cpp ${here}/oracle_solid.cpp ${here}/oracle_surface.cpp ${here}/oracle_section.cpp ${here}/oracle_topology.cpp ${here}/slab_cells.cpp
+  ${here}/cube_solids.cpp)
 target_link_libraries(odontoscope_test_support
   PUBLIC odontoscope_core odontoscope_mesh odontoscope_input
   PRIVATE odontoscope_options CGAL::CGAL nlohmann_json::nlohmann_json)
