@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/volume/lattice.h"
 
 namespace odontoscope::trace {
 
@@ -82,27 +83,18 @@ void contours(const Field& field, std::size_t width, std::size_t height, const T
   }
 }
 
-/// Coordinates of a slice's grid lines and points between them.
-class Grid {
- public:
-  Grid(Point2 origin, Point2 spacing) : origin_(origin), spacing_(spacing) {}
+/// The point at `along`, counted from the lower of two neighbours whichever comes first, on the lattice.
+inline Point2 between_from_low(const Lattice& lattice, Vertex a, Vertex b, double along) {
+  const Vertex low = a.i < b.i || a.j < b.j ? a : b;
+  if (a.j == b.j) return {lattice.x_between(low.i, along), lattice.y(low.j)};
+  return {lattice.x(low.i), lattice.y_between(low.j, along)};
+}
 
-  /// The point at `fraction` of the way from a to its neighbour b. Computed from the lower of the two, so that it is
-  /// the same point whichever way the edge is taken, as long as the fractions add up to 1 exactly.
-  Point2 between(Vertex a, Vertex b, double fraction) const {
-    const bool forward = a.i < b.i || a.j < b.j;
-    const Vertex low = forward ? a : b;
-    const Vertex high = forward ? b : a;
-    const double along = forward ? fraction : 1 - fraction;
-    return {mix(x(low.i), x(high.i), along), mix(y(low.j), y(high.j), along)};
-  }
-
- private:
-  double x(std::ptrdiff_t i) const { return origin_.x + static_cast<double>(i) * spacing_.x; }
-  double y(std::ptrdiff_t j) const { return origin_.y + static_cast<double>(j) * spacing_.y; }
-  static double mix(double low, double high, double along) { return low + along * (high - low); }
-
-  Point2 origin_, spacing_;
-};
+/// The point at `fraction` of the way from a to its neighbour b, on the lattice. Computed from the lower of the two, so
+/// that it is the same point whichever way the edge is taken, as long as the fractions add up to 1 exactly.
+inline Point2 between(const Lattice& lattice, Vertex a, Vertex b, double fraction) {
+  const bool forward = a.i < b.i || a.j < b.j;
+  return between_from_low(lattice, a, b, forward ? fraction : 1 - fraction);
+}
 
 }  // namespace odontoscope::trace

@@ -33,6 +33,10 @@ inline constexpr std::size_t read_piece = 1 << 16;
 inline constexpr std::size_t links = 10'000'000;
 /// Triangles of a mesh that is read: 32-bit half-edge numbers stay safe.
 inline constexpr std::size_t triangles = 100'000'000;
+/// Corners of one face of a mesh: it is cut in memory, at some 300 bytes a corner.
+inline constexpr std::size_t polygon_corners = 1'000'000;
+/// How far the corners of a face may be off their plane, over its size, before it is called bent: files round to six or seven digits.
+inline constexpr double flat_polygon = 1e-4;
 /// Bytes of the JSON part of a GLB, which takes some twenty times that when parsed.
 inline constexpr std::size_t gltf_json_bytes = 64u << 20;
 /// Characters in a line of a text header.
@@ -94,6 +98,9 @@ inline constexpr std::size_t glb_bytes = (1ull << 31) - 1;
 // --- simplifying ------------------------------------------------------------------------------------------------
 /// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
 inline constexpr double kept_margin = 0.25;
+/// Largest distance of a simplified surface, over the diagonal of the full one, beyond which it is said to be absurd: at a twentieth, cusps
+/// and root tips are missing.
+inline constexpr double absurd_distance = 0.05;
 
 }  // namespace odontoscope::limits
 
@@ -101,9 +108,24 @@ inline constexpr double kept_margin = 0.25;
 namespace odontoscope::limits {
 /// Smallest voxel spacing, mm: a nanometre, finer than any scanner; a 64th of it is still far above rounding at largest_coordinate.
 inline constexpr double smallest_spacing = 1e-6;
+/// What contours of a volume lie on, mm: 2^-30, a picometre. Far below any scanner's precision, and a double still has some 15 bits to
+/// spare for a tooth's coordinates, so that edges on it can be halved often without rounding.
+inline constexpr double lattice_step = 1.0 / (1l << 30);
+/// Such steps that a voxel has at least: its size is then changed by less than a millionth.
+inline constexpr double lattice_steps_per_voxel = 1l << 20;
 /// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
 /// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
 inline constexpr double grid_vertex_margin = 1.0 / 64;
+/// Smoothing of label maps. How far around a border voxels get a height, in voxels; and what the height is beyond.
+inline constexpr int plate_reach = 2;
+/// Steps down the plate's bending, and their length over the least that could be unstable times a half: 20 such steps bring points three
+/// times nearer to true outlines; 60 begin to narrow canals of three voxels.
+inline constexpr int plate_steps = 20;
+inline constexpr double plate_step = 1.8;
+/// How far a height may leave the distance that it began as, in voxels: a border's true place is that uncertain.
+inline constexpr double plate_slack = 0.5;
+/// Least height on either side of a border, in voxels: keeps crossings apart from voxels.
+inline constexpr double plate_least = 0.02;
 /// Largest label: floats hold all whole numbers up to 2^24, and none beyond is rounded to this one.
 inline constexpr long largest_label = (1l << 24) - 1;
 /// How far a volume's axes may be from square to each other (the dot product of two): headers round to six digits or so.
@@ -114,10 +136,42 @@ inline constexpr double tilt_unspoken = 0.01;
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
 inline constexpr std::size_t compression_ratio = 1100;
+/// Bins of a volume's histogram, and the share of voxels at either end that it does not stretch for: metal and the edge of the scan.
+inline constexpr std::size_t histogram_fineness = 1024;
+inline constexpr double histogram_outliers = 1e-3;
+/// Values of a label map that is told from a grey image: teeth have a few structures, jaws some sixty teeth and bones.
+inline constexpr std::size_t few_labels = 64;
+/// Dropped contours that are kept to be looked at.
+inline constexpr std::size_t dropped_contours = 1'000'000;
+/// Pairs of contours of two neighbouring slices that are looked at for canals that go on; noise has more.
+inline constexpr std::size_t small_contour_pairs = 4'000'000;
+/// Voxels up to which packed pixels are unpacked whatever they shrank to: a gigabyte of memory.
+inline constexpr std::size_t plausible_voxels = 1ull << 28;
+/// Beyond that number, how many bytes at most come from a packed one: scans shrink to a half or a fifth, label maps of a tooth to a
+/// hundredth or two; only what is made to fill a machine's memory comes near deflate's utmost.
+inline constexpr std::size_t suspicious_ratio = 500;
 /// Bytes of a text header in front of a volume's pixels.
 inline constexpr std::size_t header_bytes = 1u << 20;
 /// Characters in a line of it: readers of old have buffers of 1,024 and more.
 inline constexpr std::size_t header_line = 1000;
+/// Elements of a DICOM file that are kept: twenty for each of limits::slices frames, and as many fragments of pixels.
+inline constexpr std::size_t dicom_elements = 2'000'000;
+/// Bytes of a value that is kept: the offsets of all frames as text.
+inline constexpr std::size_t dicom_value = 1u << 20;
+/// Bytes that a deflated DICOM file may unpack to, since they are held in memory: a slice has a few million.
+inline constexpr std::size_t deflated_bytes = 1u << 30;
+/// Files and folders that are looked at for DICOM images, and folders within each other: a whole CD has some ten thousand.
+inline constexpr std::size_t dicom_files = 200'000;
+inline constexpr int dicom_folders = 16;
+/// Decoding compressed DICOM pixels in a child process: seconds of processor time for each frame, seconds by the clock without a finished frame
+/// (the machine may be busy), bytes of memory beyond what it began with and eight times the frame, and bytes that are decoded in one go.
+inline constexpr unsigned decoding_seconds = 20, decoding_seconds_by_clock = 300;
+inline constexpr std::size_t decoding_bytes = 1u << 29, decoding_batch = 1u << 26;
+/// Share of the slices' spacing that rounded positions may be off an even grid, where their last written digit explains it. Less than a half, so
+/// that a missing slice is never taken for rounding.
+inline constexpr double slice_rounding = 0.25;
+/// The same where the spacing is given by hand.
+inline constexpr double slice_rounding_by_hand = 0.45;
 /// Sequences of DICOM within each other: real objects have four or so.
 inline constexpr int dicom_nesting = 16;
 }  // namespace odontoscope::limits

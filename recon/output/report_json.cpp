@@ -114,11 +114,21 @@ Json simplification_json(const std::vector<StructureSimplification>& simplificat
                     {"mean_distance", one.distance.mean()},
                     {"simplified_to_full", json_of(one.distance.there)},
                     {"full_to_simplified", json_of(one.distance.back)},
+                    {"diagonal", one.diagonal},
                     {"self_intersections", one.self_intersections},
-                    {"restarts", one.restarts},
                     {"kept_vertices", one.kept_vertices}});
   }
   return list;
+}
+
+Json json_of(const SimplificationAim& aim) {
+  Json json{{"aim", aim.aim}, {"triangles", aim.triangles}, {"reached", aim.reached()}, {"restarts", aim.restarts}};
+  if (!aim.reached()) {
+    json["edges_held_by"] = {{"topology", aim.obstacles.topology},
+                             {"self_intersection", aim.obstacles.cuts},
+                             {"shape", aim.obstacles.shape}};
+  }
+  return json;
 }
 
 template <class Time>
@@ -187,6 +197,11 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   }
   Json report;
   report["input"] = input_json(reconstruction.counts);
+  if (options.volume) {
+    Json isos = Json::object();
+    for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
+    report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
+  }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
   report["surface"] = json_of(surfaces);
   report["structures"] = structures_json(reconstruction, tetrahedra);
@@ -196,6 +211,7 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   report["void_links"] = void_links_json(reconstruction.void_links);
   report["topology"] = topology_json(reconstruction.topology);
   report["cut_links"] = reconstruction.counts.cut_links;
+  if (options.aim) report["simplification_aim"] = json_of(*options.aim);
   if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
   report["seconds"] = seconds_json(reconstruction.seconds);
   report["threads"] = reconstruction.threads;
