@@ -63,10 +63,8 @@ void judge_result(const Reconstruction& result, const LinkedStack& linked, Recon
   }
   for (const std::string& fault : faults_of(result, linked.stack, {.self_intersections = largest_surface(result) < judged_triangles}))
     outcome.message += fault + "\n";
-  const TopologyVerdict topology = judge_topology(result, linked.stack);
-  for (const std::string& fault : topology.untrue) outcome.message += "untrue topology, " + fault + "\n";
   if (!outcome.message.empty()) outcome.end = StrangeEnd::faulty;
-  outcome.not_as_implied = topology.not_as_implied;
+  else outcome.not_as_implied = judge_topology(result, linked.stack).not_as_implied;
 }
 
 }  // namespace
@@ -87,14 +85,19 @@ std::string StrangeOutcome::sort() const {
   return letters;
 }
 
-Correspondence criterion_of(std::uint64_t seed) {
-  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::medial, Correspondence::reverse};
-  return all[seed / strange_kinds().size() % 4];
+std::string in_words(const StrangeWay& way) {
+  return std::string(odontoscope::name(way.criterion)) + (way.between == Between::blended ? " blended" : "");
 }
 
-StrangeOutcome outcome_of(const LinkedStack& linked, Correspondence criterion, double patience) {
+StrangeWay way_of(std::uint64_t seed) {
+  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::medial, Correspondence::reverse};
+  const std::uint64_t round = seed / strange_kinds().size();
+  return {all[round % 4], round % 3 == 2 ? Between::blended : Between::delaunay};
+}
+
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience) {
   StrangeOutcome outcome;
-  const ReconstructOptions options{.correspondence = criterion, .links = linked.links, .threads = 1};
+  const ReconstructOptions options{.correspondence = way.criterion, .between = way.between, .links = linked.links, .threads = 1};
   const double start = processor_seconds();
   const auto ends = [&](StrangeEnd end, const std::string& message) {
     outcome.end = end;
@@ -117,9 +120,9 @@ StrangeOutcome outcome_of(const LinkedStack& linked, Correspondence criterion, d
   return outcome;
 }
 
-LinkedStack smallest_alike(const LinkedStack& linked, Correspondence criterion) {
-  const std::string sort = outcome_of(linked, criterion).sort();
-  return shrunk(linked, [&](const LinkedStack& candidate) { return outcome_of(candidate, criterion, 20).sort() == sort; });
+LinkedStack smallest_alike(const LinkedStack& linked, const StrangeWay& way) {
+  const std::string sort = outcome_of(linked, way).sort();
+  return shrunk(linked, [&](const LinkedStack& candidate) { return outcome_of(candidate, way, 20).sort() == sort; });
 }
 
 }  // namespace odontoscope::test

@@ -14,6 +14,13 @@ namespace odontoscope::test {
 enum class StrangeEnd { certified, refused, false_refusal, internal_error, faulty, depends_on_threads, too_slow };
 const char* name(StrangeEnd end);
 
+/// How a stack is reconstructed.
+struct StrangeWay {
+  Correspondence criterion = Correspondence::medial;
+  Between between = Between::delaunay;
+};
+std::string in_words(const StrangeWay& way);
+
 struct StrangeOutcome {
   StrangeEnd end = StrangeEnd::certified;
   std::string message;    // empty if certified; the cause if refused
@@ -27,12 +34,12 @@ struct StrangeOutcome {
 
 /// Reconstructs with one thread and with two, compares the bytes, and asks the oracle, or, if refused, whether that is true.
 /// Stopped (too_slow) after `patience` seconds of processor time.
-StrangeOutcome outcome_of(const LinkedStack& linked, Correspondence criterion, double patience = 60);
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience = 60);
 
-/// By the seed: medial for half of them, overlap and reverse.
-Correspondence criterion_of(std::uint64_t seed);
+/// By the seed: medial for half of them, overlap and reverse; every third with interpolated slices.
+StrangeWay way_of(std::uint64_t seed);
 
 /// A smallest stack with the same sort of outcome.
-LinkedStack smallest_alike(const LinkedStack& linked, Correspondence criterion);
+LinkedStack smallest_alike(const LinkedStack& linked, const StrangeWay& way);
 
 }  // namespace odontoscope::test

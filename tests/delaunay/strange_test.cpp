@@ -1,6 +1,6 @@
-// Strange stacks: no valid one may fail. ODONTOSCOPE_STRANGE_STACKS says how many (default 1,000 cheap ones; if it is set, of any size), ODONTOSCOPE_STRANGE_FIRST_SEED
+// Strange stacks: no valid one may fail. ODONTOSCOPE_STRANGE_STACKS says how many (default 400 cheap ones; if it is set, of any size), ODONTOSCOPE_STRANGE_FIRST_SEED
 // where to begin, ODONTOSCOPE_STRANGE_KIND which kind alone, ODONTOSCOPE_STRANGE_FOLDER where shrunk failures are written, ODONTOSCOPE_STRANGE_CHEAP that cheap ones
-// will do. The first failure of each sort and kind is shrunk. Each shard prints a summary.
+// will do, ODONTOSCOPE_STRANGE_BETWEEN (blended, delaunay) how all are made. The first failure of each sort and kind is shrunk. Each shard prints a summary.
 
 #include <gtest/gtest.h>
 
@@ -69,16 +69,25 @@ class Tally {
   std::map<std::string, std::map<std::string, std::size_t>> ends_;
 };
 
+/// ODONTOSCOPE_STRANGE_BETWEEN, blended or delaunay, overrules the seed.
+StrangeWay chosen_way(std::uint64_t seed) {
+  StrangeWay way = way_of(seed);
+  const std::string between = from_environment("ODONTOSCOPE_STRANGE_BETWEEN", "");
+  if (between == "blended") way.between = Between::blended;
+  if (between == "delaunay") way.between = Between::delaunay;
+  return way;
+}
+
 /// Prints the failure in the fewest points, and writes it into the folder, if there is one.
 void show_small(std::uint64_t seed, const StrangeStack& strange, const StrangeOutcome& outcome) {
-  const Correspondence criterion = criterion_of(seed);
-  const LinkedStack small = smallest_alike({strange.stack, strange.links}, criterion);
-  std::cout << odontoscope::name(criterion) << ", seed " << seed << ", " << strange.kind << ", " << outcome.sort() << ":\n" << to_text(small.stack) << "\n";
+  const StrangeWay way = chosen_way(seed);
+  const LinkedStack small = smallest_alike({strange.stack, strange.links}, way);
+  std::cout << in_words(way) << ", seed " << seed << ", " << strange.kind << ", " << outcome.sort() << ":\n" << to_text(small.stack) << "\n";
   if (!small.links.empty()) std::cout << to_text(small.links) << "\n";
   std::cout << std::flush;
   const std::string folder = from_environment("ODONTOSCOPE_STRANGE_FOLDER", "");
   if (folder.empty()) return;
-  std::string file = strange.kind + "-" + outcome.sort().substr(0, 60) + "-" + odontoscope::name(criterion) + "-" + std::to_string(seed);
+  std::string file = strange.kind + "-" + outcome.sort().substr(0, 60) + "-" + in_words(way) + "-" + std::to_string(seed);
   std::replace_if(file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
   std::ofstream(folder + "/" + file + ".json") << to_text(small.stack);
   if (!small.links.empty()) std::ofstream(folder + "/" + file + ".links.json") << to_text(small.links);
@@ -88,7 +97,7 @@ class StrangeStackShard : public testing::TestWithParam<int> {};
 
 TEST_P(StrangeStackShard, NeverFails) {
   const bool by_command = std::getenv("ODONTOSCOPE_STRANGE_STACKS") != nullptr;
-  const std::uint64_t count = std::strtoull(from_environment("ODONTOSCOPE_STRANGE_STACKS", "1000"), nullptr, 10);
+  const std::uint64_t count = std::strtoull(from_environment("ODONTOSCOPE_STRANGE_STACKS", "400"), nullptr, 10);
   const std::uint64_t first = std::strtoull(from_environment("ODONTOSCOPE_STRANGE_FIRST_SEED", "0"), nullptr, 10);
   const std::string kind = from_environment("ODONTOSCOPE_STRANGE_KIND", "");
   const bool cheap = !by_command || std::getenv("ODONTOSCOPE_STRANGE_CHEAP") != nullptr;
@@ -100,7 +109,7 @@ TEST_P(StrangeStackShard, NeverFails) {
   for (std::uint64_t seed = first + count * shard / shards; seed < first + count * (shard + 1) / shards; ++seed) {
     if (!kind.empty() && strange_kinds()[seed % strange_kinds().size()] != kind) continue;
     const StrangeStack strange = strange_stack(seed, size);
-    StrangeOutcome outcome = outcome_of(LinkedStack{strange.stack, strange.links}, criterion_of(seed));
+    StrangeOutcome outcome = outcome_of(LinkedStack{strange.stack, strange.links}, chosen_way(seed));
     if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {   // other programs' load does not count
       outcome.end = StrangeEnd::too_slow;
       outcome.message = "slower than allowed";

@@ -71,6 +71,7 @@ TEST(Topology, PassesPlatesAndTheirAbsence) {
   expect_green(judged({full, empty, empty}, {}, {}), {1, 0, 0});
   expect_green(judged({full, empty, full}, {}, {}), {2, 0, 0});
   expect_green(judged({ring, empty, empty}, {}, {{"tooth", 0, 1, std::nullopt}}), {1, 1, 0});
+  expect_green(judged({ring, empty, empty}, {}, {}), {1, 1, 0});
   // The lower region has its plate below: its contours mean nothing here.
   const std::vector<Picture> above{empty, empty, full}, with_lower{ring, empty, full};
   const auto slab = slab_topology(cubes(above), stack_of_cubes(with_lower, {0, 3}), {}, Voids{{"tooth", 0, 1, std::nullopt}})[0];
@@ -213,7 +214,7 @@ Truth truth_of(const Picture& lower, const Picture& middle, const Picture& upper
 TEST(Topology, CountsRandomPicturesRight) {
   RandomNumbers random(13);
   int plain = 0, with_handles = 0;
-  for (int tries = 0; tries < 4000 && (plain < 150 || with_handles < 150); ++tries) {
+  for (int tries = 0; tries < 4000 && (plain < 40 || with_handles < 40); ++tries) {
     const Picture lower = random_picture(random), upper = random_picture(random), middle = common(lower, upper);
     if (!has_plain_corners(middle)) continue;
     const Truth truth = truth_of(lower, middle, upper);
@@ -229,15 +230,15 @@ TEST(Topology, CountsRandomPicturesRight) {
     else expect_red(slab, "a handle too many");
     (spare == 0 ? plain : with_handles) += 1;
   }
-  EXPECT_GE(plain, 150);
-  EXPECT_GE(with_handles, 150);
+  EXPECT_GE(plain, 40);
+  EXPECT_GE(with_handles, 40);
 }
 
 TEST(Topology, SeesWhateverChangesInRandomPictures) {
   // One cell is taken out of the middle: green exactly if pieces, hollows and their number stay.
   RandomNumbers random(14);
   int red = 0, green = 0;
-  for (int tries = 0; tries < 9000 && (red < 100 || green < 100); ++tries) {
+  for (int tries = 0; tries < 9000 && (red < 30 || green < 30); ++tries) {
     const Picture lower = random_picture(random), upper = random_picture(random), middle = common(lower, upper);
     Picture cut = middle;
     cut[std::size_t(random.below(7))][std::size_t(random.below(7))] = '.';
@@ -259,8 +260,8 @@ TEST(Topology, SeesWhateverChangesInRandomPictures) {
     EXPECT_EQ(slab.faults.empty(), same) << words(slab);
     (slab.faults.empty() ? green : red) += 1;
   }
-  EXPECT_GE(red, 100);
-  EXPECT_GE(green, 100);
+  EXPECT_GE(red, 30);
+  EXPECT_GE(green, 30);
 }
 
 }  // namespace

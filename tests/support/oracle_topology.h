@@ -7,8 +7,8 @@
 // beside it joins (over the walls between the slices, each of which has one void on its side), is read off the contours' own points.
 //
 // Implied, with the material regions of both slices as nodes and material links as edges:
-//   pieces  = components of that graph. A region that is linked to nothing may have a plate in this slab or none: as found. Without one neither it
-//             nor its holes count, and what its holes hold lies in the void round it;
+//   pieces  = components of that graph. A region that is linked to nothing may have a plate in this slab or none: as found. With one its
+//             holes are joined to the void round it; without one neither it nor its holes count, and what its holes hold lies in that void;
 //   bubbles = 0;
 //   handles = holes of all regions + (links - regions + components) - components of the graph of void regions that do not reach the outside.
 // Void regions are the outside, one for both slices, and every hole; void links are its edges.
@@ -44,6 +44,7 @@ struct SlabCount {
 struct JudgedSlab {
   std::size_t slab = 0;              // number of its lower slice
   SlabCount expected, found;
+  bool manifold = true;              // by itself; a slab that overhangs were trimmed from may be pinched although the whole solid is not
   std::vector<std::string> faults;   // empty: as implied
 };
 
@@ -56,8 +57,8 @@ std::vector<JudgedSlab> slab_topology(const Solid& solid, const ContourStack& st
 struct TopologyVerdict {
   /// Slabs that are not as their links imply, "tooth, slab 3: has a handle too many".
   std::vector<std::string> not_as_implied;
-  /// Where what the result says of itself (Reconstruction::topology) is not so: a slab is missing or another count was found, or fewer or more
-  /// is implied.
+  /// Where what the result says of itself (Reconstruction::topology) is not so: a slab is missing, or another count was found (of slabs that are
+  /// manifolds by themselves), or fewer or more is implied.
   std::vector<std::string> untrue;
 };
 

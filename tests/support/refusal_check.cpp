@@ -51,13 +51,11 @@ bool too_close_within(const Slice& slice) {
   return false;
 }
 
-bool too_close_in_height(const ContourStack& stack) {
-  for (std::size_t k = 0; k + 1 < stack.slices.size(); ++k) {
-    double z = stack.slices[k].z;
-    for (int i = 0; i <= parted_ulps; ++i) z = std::nextafter(z, 1e300);
-    if (z >= stack.slices[k + 1].z) return true;
-  }
-  return false;
+bool too_close_in_height(const ContourStack& stack, std::size_t k) {
+  if (k + 1 >= stack.slices.size()) return false;
+  double z = stack.slices[k].z;
+  for (int i = 0; i < parted_heights; ++i) z = std::nextafter(z, 1e300);
+  return z >= stack.slices[k + 1].z;
 }
 
 /// Contours of slab k joined by forced links: for (upper slice?, contour) the number of its part.
@@ -122,10 +120,13 @@ bool some_link_contradicts(const std::vector<Link>& links) {
 
 std::string what_is_false(const InputError& refusal, const ContourStack& stack, const std::vector<Link>& links) {
   if (refusal.cause() == "too-close") {
-    if (too_close_in_height(stack)) return {};
     for (std::size_t k = 0; k < stack.slices.size(); ++k)
       if (refusal.place().slice.value_or(k) == k && too_close_within(stack.slices[k])) return {};
     return "refused as too close, but doubles can part it";
+  }
+  if (refusal.cause() == "slices-too-close") {
+    if (!refusal.place().slice) return "refused slices as too close, but names none";
+    return too_close_in_height(stack, *refusal.place().slice) ? "" : "refused slices as too close, but doubles can part them";
   }
   if (refusal.cause() == "link-contradiction")
     return some_link_contradicts(links) ? "" : "refused as a contradiction of links, but there is none";

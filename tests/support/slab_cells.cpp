@@ -85,6 +85,10 @@ class SlabCounter {
     for (std::size_t t = 0; t < tetrahedra_.size(); ++t)
       for (const Face& face : faces_of(tetrahedra_[t])) joined.join(t, first.emplace(face, t).first->second);
     piece_of_ = joined.classes(result_.pieces);
+    std::map<PointIndex, std::size_t> piece_with;
+    for (std::size_t t = 0; t < tetrahedra_.size(); ++t)
+      for (PointIndex v : tetrahedra_[t])
+        if (piece_with.emplace(v, piece_of_[t]).first->second != piece_of_[t]) result_.manifold = false;
   }
 
   void find_boundary() {
