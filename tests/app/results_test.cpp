@@ -80,7 +80,8 @@ std::vector<std::string> options_in(const std::string& words, const std::string&
 
 TEST_F(Results, AnAmberVerdictWarnsAndItsOwnOptionEndsThat) {
   given("canal.json", pillars({1.5, -1.5}));
-  const Ending amber = odontoscope({"reconstruct", "canal.json", "-o", "amber.ply", "--report", "amber.json"});
+  const Ending amber = odontoscope(
+      {"reconstruct", "canal.json", "--correspondence", "medial", "-o", "amber.ply", "--report", "amber.json"});
   EXPECT_EQ(amber.exit_code, 0) << amber.err;
   EXPECT_TRUE(amber.says("Amber: certified, but look at 1 place.")) << amber.out;
   EXPECT_TRUE(amber.complains("warning: root canal, slices 4 and 5 (z 4 to 5 mm)")) << amber.err;
@@ -89,8 +90,8 @@ TEST_F(Results, AnAmberVerdictWarnsAndItsOwnOptionEndsThat) {
   const std::vector<std::string> links = options_in(amber.err, "--link");
   ASSERT_EQ(links.size(), 2u) << amber.err;
   for (const std::string& link : links) {
-    const Ending green = odontoscope(
-        {"reconstruct", "canal.json", "-o", "green.ply", "--link", link, "--report", "green.json", "--strict"});
+    const Ending green = odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "green.ply",
+                                      "--link", link, "--report", "green.json", "--strict"});
     EXPECT_EQ(green.exit_code, 0) << green.err;
     EXPECT_FALSE(green.complains("warning")) << green.err;
     EXPECT_TRUE(green.says("Green: ")) << green.out;
@@ -100,16 +101,18 @@ TEST_F(Results, AnAmberVerdictWarnsAndItsOwnOptionEndsThat) {
 
 TEST_F(Results, StrictWritesNoAmberModel) {
   given("canal.json", pillars({1.5}));
-  const Ending strict = odontoscope({"reconstruct", "canal.json", "-o", "canal.ply", "--strict"});
+  const Ending strict =
+      odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "canal.ply", "--strict"});
   EXPECT_EQ(strict.exit_code, 1) << strict.err;
   EXPECT_TRUE(strict.complains("warning: root canal")) << strict.err;
   EXPECT_TRUE(strict.complains("Nothing was written")) << strict.err;
   EXPECT_FALSE(exists("canal.ply"));
   const std::vector<std::string> apart = options_in(strict.err, "--unlink");
   ASSERT_EQ(apart.size(), 1u) << strict.err;
-  EXPECT_EQ(
-      odontoscope({"reconstruct", "canal.json", "-o", "canal.ply", "--strict", "--unlink", apart.front()}).exit_code,
-      0);
+  EXPECT_EQ(odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "canal.ply", "--strict",
+                         "--unlink", apart.front()})
+                .exit_code,
+            0);
   EXPECT_TRUE(exists("canal.ply"));
 }
 
@@ -123,8 +126,8 @@ TEST_F(Results, OnlyTheFirstPlacesAreToldOnTheTerminal) {
                               speck + ",{\"points\":[[" + x + ",-9],[" + x + ".5,-9],[" + x + ".5,-8.5]]}]}");
   }
   given("specks.json", "{\"format\":\"odontoscope.contours\",\"version\":1,\"unit\":\"mm\",\"slices\":[" + many + "]}");
-  const Ending ending =
-      odontoscope({"reconstruct", "specks.json", "-o", "specks.ply", "--report", "specks-report.json"});
+  const Ending ending = odontoscope({"reconstruct", "specks.json", "--correspondence", "medial", "-o", "specks.ply",
+                                     "--report", "specks-report.json"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   std::size_t warnings = 0;
   for (std::size_t at = ending.err.find("warning: "); at != std::string::npos;

@@ -26,6 +26,12 @@ std::string told(const Reconstruction& made) {
   return all;
 }
 
+/// What is written here holds for the narrower ways to link and to fill slabs, whatever the defaults are.
+Reconstruction made_of(const ContourStack& stack, const std::vector<Link>& links = {},
+                       Between between = Between::delaunay) {
+  return reconstruct(stack, {.correspondence = Correspondence::medial, .between = between, .links = links});
+}
+
 constexpr std::size_t tall = 5;  // slices: no loose piece
 
 /// Rings through so many slices each, one group over the other.
@@ -56,13 +62,13 @@ ContourStack chamber_under_roof() {
 
 TEST(Verdict, OfSampleTeethIsGreen) {
   for (const ToothKind kind : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {
-    const Reconstruction made = reconstruct(sample_tooth(kind), {.between = Between::blended});
+    const Reconstruction made = made_of(sample_tooth(kind), {}, Between::blended);
     EXPECT_EQ(verdict_of(made), Verdict::green) << told(made);
   }
 }
 
 TEST(Verdict, OfASampleToothThatIsTrimmedSaysWhere) {
-  const Reconstruction made = reconstruct(sample_tooth(ToothKind::molar), {.between = Between::delaunay});
+  const Reconstruction made = made_of(sample_tooth(ToothKind::molar));
   EXPECT_EQ(verdict_of(made), Verdict::amber);
   for (const Attention& item : made.attention) EXPECT_EQ(item.kind, AttentionKind::trimmed) << in_words(item);
 }
@@ -93,7 +99,7 @@ TEST(Verdict, IsAmberForASlabThatIsNotAsImpliedWhateverElse) {
 
 TEST(LookHere, EndsThatFaceEachOtherAndTheLinkThatJoinsThem) {
   const ContourStack stack = broken_canal();
-  const Reconstruction made = reconstruct(stack);
+  const Reconstruction made = made_of(stack);
   ASSERT_EQ(kinds(made), std::vector{AttentionKind::gap}) << told(made);
   const Attention& item = made.attention.front();
   EXPECT_EQ(item.slice, tall - 1);
@@ -105,29 +111,32 @@ TEST(LookHere, EndsThatFaceEachOtherAndTheLinkThatJoinsThem) {
   EXPECT_NE(item.remedy.find("--link tooth:4:0-0"), std::string::npos) << item.remedy;
   EXPECT_EQ(verdict_of(made), Verdict::amber);
 
-  const Reconstruction joined = reconstruct(stack, {.links = item.links});
+  const Reconstruction joined = made_of(stack, item.links);
   EXPECT_EQ(verdict_of(joined), Verdict::green) << told(joined);
   EXPECT_EQ(joined.solids.front().report.shells.size(), 1u);
   std::vector<Link> apart = item.links;
   apart.front().connect = false;
-  EXPECT_EQ(verdict_of(reconstruct(stack, {.links = apart})), Verdict::green) << "it was said that they are two";
+  EXPECT_EQ(verdict_of(made_of(stack, apart)), Verdict::green) << "it was said that they are two";
 }
 
 TEST(LookHere, OfTwoEqualCandidatesEitherLinkDecides) {
-  const ContourStack stack = canal_with_two_ways_on();
-  const Reconstruction made = reconstruct(stack);
-  ASSERT_EQ(kinds(made), std::vector{AttentionKind::gap}) << told(made);
-  ASSERT_EQ(made.attention.front().links.size(), 2u);
-  for (const Link& link : made.attention.front().links) {
-    const Reconstruction joined = reconstruct(stack, {.links = {link}});
-    EXPECT_EQ(verdict_of(joined), Verdict::green) << told(joined);
-    EXPECT_EQ(joined.solids.front().report.shells.size(), 2u);
+  ContourStack turned = canal_with_two_ways_on();
+  for (Slice& slice : turned.slices) slice.z = -slice.z;
+  for (const ContourStack& stack : {canal_with_two_ways_on(), turned}) {
+    const Reconstruction made = made_of(stack);
+    ASSERT_EQ(kinds(made), std::vector{AttentionKind::gap}) << told(made);
+    ASSERT_EQ(made.attention.front().links.size(), 2u);
+    for (const Link& link : made.attention.front().links) {
+      const Reconstruction joined = made_of(stack, {link});
+      EXPECT_EQ(verdict_of(joined), Verdict::green) << told(joined);
+      EXPECT_EQ(joined.solids.front().report.shells.size(), 2u);
+    }
   }
 }
 
 TEST(LookHere, ARoofThatMayBeOpen) {
   const ContourStack stack = chamber_under_horn();
-  const Reconstruction made = reconstruct(stack);
+  const Reconstruction made = made_of(stack);
   ASSERT_EQ(kinds(made), std::vector{AttentionKind::void_gap}) << told(made);
   const Attention& item = made.attention.front();
   EXPECT_EQ(item.slice, tall - 1);
@@ -142,10 +151,10 @@ TEST(LookHere, EveryLinkThatIsGivenEndsItsItemOrLeavesFewer) {
   int tried = 0;
   for (const auto& [name, stack] : all_shapes())
     for (const Between between : {Between::delaunay, Between::blended}) {
-      const Reconstruction made = reconstruct(stack, {.between = between});
+      const Reconstruction made = made_of(stack, {}, between);
       for (const Attention& item : made.attention) {
         if (item.kind != AttentionKind::gap) continue;
-        const Reconstruction joined = reconstruct(stack, {.between = between, .links = {item.links.front()}});
+        const Reconstruction joined = made_of(stack, {item.links.front()}, between);
         EXPECT_LT(joined.attention.size(), made.attention.size()) << name << "\n" << told(joined);
         ++tried;
       }
@@ -154,7 +163,7 @@ TEST(LookHere, EveryLinkThatIsGivenEndsItsItemOrLeavesFewer) {
 }
 
 TEST(LookHere, FarEndsAreTwoThings) {
-  const Reconstruction made = reconstruct(storeys({{circle(1)}, {circle(1, {5, 0})}}));
+  const Reconstruction made = made_of(storeys({{circle(1)}, {circle(1, {5, 0})}}));
   EXPECT_EQ(verdict_of(made), Verdict::green) << told(made);
 }
 
@@ -162,7 +171,7 @@ TEST(LookHere, APieceThatFewSlicesHold) {
   for (const std::size_t slices : {1, 2, 4}) {
     std::vector<std::vector<Ring>> rings(9, {circle(1)});
     for (std::size_t k = 0; k < slices; ++k) rings[3 + k].push_back(rectangle({6, 6}, {6.5, 6.5}));
-    const Reconstruction made = reconstruct(stack_of(rings));
+    const Reconstruction made = made_of(stack_of(rings));
     if (slices > 3) {
       EXPECT_EQ(verdict_of(made), Verdict::green) << told(made);
       continue;
@@ -180,7 +189,7 @@ TEST(LookHere, APieceThatFewSlicesHold) {
 }
 
 TEST(LookHere, WhereTrimmingMovedWhatTheContoursImply) {
-  const Reconstruction made = reconstruct(ring_over_crescent());
+  const Reconstruction made = made_of(ring_over_crescent());
   ASSERT_GT(made.counts.trimmed, 0u);
   std::size_t trimmed = 0;
   for (const SlabChange& change : made.changes) {
@@ -282,7 +291,7 @@ TEST(DifferencePlace, OfABubbleAndOfALoosePiece) {
 }
 
 TEST(Changes, TellInterpolatedSlabs) {
-  const Reconstruction made = reconstruct(star_over_turned_star(), {.between = Between::blended});
+  const Reconstruction made = made_of(star_over_turned_star(), {}, Between::blended);
   std::size_t interpolated = 0;
   for (const SlabTopology& slab : made.topology) interpolated += slab.interpolated;
   ASSERT_GT(interpolated, 0u);

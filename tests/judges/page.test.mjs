@@ -65,7 +65,7 @@ test('an amber certificate says so with a sign and words, and its places lead th
   assert.match(await two.page.textContent('.verdict'), /^! Amber: certified, but look at 1 place/);
   assert.ok(await two.page.evaluate(() => document.querySelector('.verdict').classList.contains('amber')));
   const place = two.page.locator('.places button');
-  assert.match(await place.textContent(), /slices 4 and 5 .*--link tooth:4:0-0/);
+  assert.match(await place.textContent(), /slices 4 and 5 .*link tooth:4:0-0/);
   const before = await two.page.evaluate(() => viewer.orbit.controls.target.toArray());
   await place.click();
   const after = await two.page.evaluate(() => {
