@@ -80,10 +80,10 @@ inline constexpr double track_size_ratio = 2;
 /// Ends within reach of one end beyond which it stands in a clutter where nothing is told apart.
 inline constexpr std::size_t track_candidates = 16;
 /// Expected number of lines as steady, or of hits as near, among shapes strewn by chance: below the first it is no chance, below the second
-/// a line is worth asking about. A link whose chance is not far below the first is doubtful.
+/// a line is worth asking about. A link whose chance is not well below the first is doubtful.
 inline constexpr double track_chance = 0.05;
-inline constexpr double track_chance_doubtful = 1;
-inline constexpr double track_chance_clear = 0.005;
+inline constexpr double track_chance_doubtful = 0.2;
+inline constexpr double track_chance_clear = 0.02;
 /// A miss smaller than this share of the reach says no more than one of this size: contours are drawn no better.
 inline constexpr double track_precision = 0.1;
 /// A miss larger than this share of the reach is a bend that no steady thing makes.

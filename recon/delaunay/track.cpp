@@ -118,7 +118,7 @@ class Tracker {
       if (!holds(c)) continue;
       const bool best = c.line <= best_above.at({c.slab, c.lower}) && c.line <= best_below.at({c.slab + 1, c.upper});
       if (best && graph_.free_above(c.slab, c.lower) && graph_.free_below(c.slab + 1, c.upper))
-        any |= make(c.slab, c.lower, c.upper, TrackedBy::drift, std::max(c.line, c.own) <= clear_of_chance);
+        any |= make(c.slab, c.lower, c.upper, TrackedBy::drift, c.line <= clear_of_chance);
       else
         lost.push_back(&c);
     }

@@ -171,7 +171,7 @@ struct Tracked {
   /// Connected things, the outside left out.
   std::size_t pieces() const {
     std::vector<std::size_t> first;
-    std::size_t count = 0, bounded = 0;
+    std::size_t count = 0;
     for (const ShapeSlice& slice : slices) {
       first.push_back(count);
       count += slice.shapes.size();
@@ -183,7 +183,7 @@ struct Tracked {
     std::set<std::uint32_t> heads;
     for (std::size_t k = 0; k < slices.size(); ++k)
       for (std::uint32_t i = 0; i < slices[k].shapes.size(); ++i)
-        if (!slices[k].shapes[i].unbounded) heads.insert(groups.find(std::uint32_t(first[k] + i))), ++bounded;
+        if (!slices[k].shapes[i].unbounded) heads.insert(groups.find(std::uint32_t(first[k] + i)));
     return heads.size();
   }
 };
@@ -277,9 +277,8 @@ TEST(Tracking, SlicesNeedNotBeEvenlySpaced) {
 // ---- several ------------------------------------------------------------------------------------------------------------
 
 TEST(Tracking, ParallelCanalsDoNotSwap) {
-  for (double gap : {0.35, 0.7, 0.8, 1.0 + cut / 3}) {
+  for (double gap : {0.7, 0.8, 1.0 + cut / 3}) {
     SCOPED_TRACE(gap);
-    if (gap < 0.4) continue;
     for (const Tracked& made : {tracked(stack_of_discs(parallel_canals(gap), cut)), tracked_voids(stack_of_holes(parallel_canals(gap), cut))}) {
       EXPECT_EQ(made.pieces(), 2u);
       for (const auto& [k, a, b] : made.links()) EXPECT_EQ(a, b);
@@ -330,17 +329,20 @@ TEST(Tracking, AnApexIsNotLinkedWithTheRootBeside) {
 }
 
 TEST(Tracking, StrewnIslandsAreNotLinked) {
-  std::size_t linked = 0, asked = 0;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+  std::size_t linked = 0, asked = 0, histories = 0;
+  const std::uint64_t stacks = 40;
+  for (std::uint64_t seed = 0; seed < stacks; ++seed) {
     const Tracked made = tracked(stack_of_discs(strewn(seed), cut));
     linked += made.count(TrackedBy::drift) + made.count(TrackedBy::entry);
+    histories += 2 * (made.links().size() - made.count(TrackedBy::drift) - made.count(TrackedBy::entry));
     for (const DoubtfulChoice& choice : made.tracking.doubtful) asked += choice.by != TrackedBy::overlap;
   }
-  // 4,200 pairs of slices' islands; the threshold allows for one false line in twenty stacks.
-  EXPECT_LE(linked, 6u);
-  EXPECT_LE(asked, 60u);
-  RecordProperty("linked", int(linked));
-  RecordProperty("asked", int(asked));
+  // What the limits promise: so many by chance a stack, and so many for each end of what lies over another island by chance.
+  EXPECT_LE(double(linked), limits::track_chance * double(stacks + histories));
+  EXPECT_LE(double(asked), limits::track_chance_doubtful * double(stacks + histories));
+  // An island has some two others within reach: linking the nearest would make thousands.
+  EXPECT_LE(linked, 12u);
+  EXPECT_GT(histories, 100u);
 }
 
 TEST(Tracking, ACanalIsFoundAmongStrewnIslands) {
@@ -360,7 +362,7 @@ TEST(Tracking, ACanalIsFoundAmongStrewnIslands) {
 TEST(Tracking, AFreeEndTakesWhatItOverlapsMost) {
   const Tracked made = tracked(stack_of({{circle(1)}, {circle(1, {1.5, 0}), circle(1, {-1.6, 0})}}));
   ASSERT_EQ(made.count(TrackedBy::overlap), 2u) << "both ends above hang free, and overlap the one below";
-  const Tracked two = tracked(stack_of({{circle(1), circle(1, {3.4, 0})}, {circle(1, {1.5, 0})}, {circle(1, {1.5, 0})}}));
+  const Tracked two = tracked(stack_of({{circle(1), circle(1, {3, 0})}, {circle(1, {1.5, 0})}, {circle(1, {1.5, 0})}}));
   EXPECT_EQ(two.count(TrackedBy::overlap), 2u);
   EXPECT_EQ(tracked(stack_of({{circle(1)}, {circle(1, {1.95, 0})}})).count(), 0u) << "a touch";
 }
@@ -386,13 +388,11 @@ TEST(Tracking, NeverTakesALinkBackAndOnlyLinksFreeEnds) {
 
 TEST(Tracking, ClosesNoLoopByItself) {
   Scene scene = fork();
-  for (int k = 7; k-- > 0;) scene.push_back(Scene(fork())[k]);   // the branches come together again
+  for (int k = 7; k-- > 0;) scene.push_back(fork()[std::size_t(k)]);   // the branches come together again
   const Tracked made = tracked(stack_of_discs(scene, cut));
-  std::size_t links = 0, shapes = 0;
+  std::size_t shapes = 0;
   for (const auto& slice : made.slices) shapes += slice.shapes.size();
-  links = made.links().size();
-  // A loop could only be closed by tracked links, all but the stems' being so.
-  EXPECT_EQ(links, shapes - made.pieces());
+  EXPECT_EQ(made.links().size(), shapes - made.pieces()) << "a forest";
   const auto& doubtful = made.tracking.doubtful;
   EXPECT_TRUE(std::any_of(doubtful.begin(), doubtful.end(), [](const DoubtfulChoice& d) { return d.doubt == Doubt::may_connect; }));
 }
@@ -499,7 +499,7 @@ TEST(OverlapArea, LeavesHolesOutOnBothSides) {
   EXPECT_NEAR(net_area(frame), 32, 1e-12);
   EXPECT_NEAR(overlap_area(square, {}, frame), 12, 1e-12);
   EXPECT_NEAR(overlap_area(frame, {}, square), 12, 1e-12);
-  EXPECT_NEAR(overlap_area(frame, {1, 0}, frame), 5 * 6 - 2 * 3 * 2, 1e-12);
+  EXPECT_NEAR(overlap_area(frame, {1, 0}, frame), 5 * 6 - 3 * 2, 1e-12);
 }
 
 TEST(OverlapArea, OfTheOutsideIsWhatNoRegionCovers) {
