@@ -64,13 +64,15 @@ class DriftSearch {
     for (const std::uint32_t a : lower) {
       const TrackedShape& shape = graph_.shape(slab, a);
       const double far = limits::track_reach_sizes * (shape.radius + largest) + limits::track_reach_slope * height;
-      const auto first = std::lower_bound(upper.begin(), upper.end(), shape.centroid.x - far, [&](std::uint32_t b, double x) {
-        return graph_.shape(slab + 1, b).centroid.x < x;
-      });
+      const auto first =
+          std::lower_bound(upper.begin(), upper.end(), shape.centroid.x - far,
+                           [&](std::uint32_t b, double x) { return graph_.shape(slab + 1, b).centroid.x < x; });
       for (auto b = first; b != upper.end() && graph_.shape(slab + 1, *b).centroid.x <= shape.centroid.x + far; ++b) {
         const TrackedShape& other = graph_.shape(slab + 1, *b);
-        if (!ShapeGraph::like(shape, other) || distance(shape, other) > ShapeGraph::reach(shape, other, height)) continue;
-        if (std::find(apart.begin(), apart.end(), std::pair{a, *b}) == apart.end()) pairs.push_back({slab, a, *b, 0, 0});
+        if (!ShapeGraph::like(shape, other) || distance(shape, other) > ShapeGraph::reach(shape, other, height))
+          continue;
+        if (std::find(apart.begin(), apart.end(), std::pair{a, *b}) == apart.end())
+          pairs.push_back({slab, a, *b, 0, 0});
       }
     }
     std::sort(pairs.begin(), pairs.end(), [](const DriftCandidate& p, const DriftCandidate& q) {
@@ -91,7 +93,8 @@ class DriftSearch {
   }
 
   void keep_clear(const std::vector<DriftCandidate>& pairs, std::size_t slab) {
-    std::vector<std::size_t> of_lower(graph_.slices()[slab].shapes.size(), 0), of_upper(graph_.slices()[slab + 1].shapes.size(), 0);
+    std::vector<std::size_t> of_lower(graph_.slices()[slab].shapes.size(), 0),
+        of_upper(graph_.slices()[slab + 1].shapes.size(), 0);
     for (const DriftCandidate& pair : pairs) {
       ++of_lower[pair.lower];
       ++of_upper[pair.upper];
@@ -137,7 +140,8 @@ class DriftSearch {
       improve(best.loose, worth, up[next].loose.line);
       improve(best.held, worth, up[next].held.line);
     }
-    if (const auto made = graph_.same_above(k, link.upper)) improve(best.held, triple(k, link.lower, link.upper, *made), 0);
+    if (const auto made = graph_.same_above(k, link.upper))
+      improve(best.held, triple(k, link.lower, link.upper, *made), 0);
     return best;
   }
 
@@ -149,13 +153,14 @@ class DriftSearch {
       improve(best.loose, worth, down[next].loose.line);
       improve(best.held, worth, down[next].held.line);
     }
-    if (const auto made = graph_.same_below(k, link.lower)) improve(best.held, triple(k, *made, link.lower, link.upper), 0);
+    if (const auto made = graph_.same_below(k, link.lower))
+      improve(best.held, triple(k, *made, link.lower, link.upper), 0);
     return best;
   }
 
   const ShapeGraph& graph_;
   std::vector<DriftCandidate> found_;
-  std::vector<std::vector<std::vector<std::size_t>>> above_, below_;   // of slice, of shape: candidates
+  std::vector<std::vector<std::vector<std::size_t>>> above_, below_;  // of slice, of shape: candidates
 };
 
 }  // namespace

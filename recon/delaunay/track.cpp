@@ -17,7 +17,7 @@ struct Proposal {
   std::size_t slab = 0;
   std::uint32_t lower = 0, upper = 0;
   double share = 0;
-  bool from_lower = true, from_upper = false;   // which of the two hangs free and asks for it
+  bool from_lower = true, from_upper = false;  // which of the two hangs free and asks for it
 };
 
 class Tracker {
@@ -55,11 +55,13 @@ class Tracker {
     return count;
   }
 
-  // ---- links and doubts -----------------------------------------------------------------------------------------------
+  // ---- links and doubts
+  // -----------------------------------------------------------------------------------------------
 
   /// False, and a doubt, where the link would close a loop of tracked links.
   bool make(std::size_t slab, std::uint32_t lower, std::uint32_t upper, TrackedBy by, bool clear) {
-    const auto a = static_cast<std::uint32_t>(first_shape_[slab] + lower), b = static_cast<std::uint32_t>(first_shape_[slab + 1] + upper);
+    const auto a = static_cast<std::uint32_t>(first_shape_[slab] + lower),
+               b = static_cast<std::uint32_t>(first_shape_[slab + 1] + upper);
     if (joined_.find(a) == joined_.find(b)) {
       doubt(Doubt::may_connect, by, slab, lower, upper);
       return false;
@@ -90,7 +92,8 @@ class Tracker {
     return std::find(apart_[slab].begin(), apart_[slab].end(), std::pair{lower, upper}) != apart_[slab].end();
   }
 
-  // ---- drift ----------------------------------------------------------------------------------------------------------
+  // ---- drift
+  // ----------------------------------------------------------------------------------------------------------
 
   void follow_drift() {
     for (int round = 0; round < limits::track_rounds; ++round) {
@@ -128,7 +131,8 @@ class Tracker {
     return any;
   }
 
-  // ---- entry ----------------------------------------------------------------------------------------------------------
+  // ---- entry
+  // ----------------------------------------------------------------------------------------------------------
 
   /// The same thing in the slice before the end, seen from the end: below it if the end looks up.
   std::optional<std::uint32_t> before(std::size_t k, std::uint32_t i, bool up) const {
@@ -147,7 +151,8 @@ class Tracker {
     return then < limits::track_taper * area;
   }
 
-  /// How far the end's drift takes it over the slab before it; measured over two slabs where it is the same thing so long.
+  /// How far the end's drift takes it over the slab before it; measured over two slabs where it is the same thing so
+  /// long.
   std::optional<Point2> drift(std::size_t k, std::uint32_t i, bool up) const {
     const auto last = before(k, i, up);
     if (!last) return std::nullopt;
@@ -189,7 +194,8 @@ class Tracker {
     decide(proposals, limits::track_entry, limits::track_entry_clear, TrackedBy::entry);
   }
 
-  // ---- overlap --------------------------------------------------------------------------------------------------------
+  // ---- overlap
+  // --------------------------------------------------------------------------------------------------------
 
   void link_overlaps() {
     std::vector<Proposal> proposals;
@@ -201,8 +207,10 @@ class Tracker {
         // What is running out needs no partner; one that hangs free itself may be its other part.
         const bool asks_above = lower_free && (upper_free || !running_out(k, link.lower, true));
         const bool asks_below = upper_free && (lower_free || !running_out(k + 1, link.upper, false));
-        if (asks_above || asks_below) proposals.push_back({k, link.lower, link.upper, share, asks_above, asks_below});
-        else if (share >= limits::track_overlap) dispute(k, link.lower, link.upper);
+        if (asks_above || asks_below)
+          proposals.push_back({k, link.lower, link.upper, share, asks_above, asks_below});
+        else if (share >= limits::track_overlap)
+          dispute(k, link.lower, link.upper);
       }
     decide(proposals, limits::track_overlap, limits::track_overlap_clear, TrackedBy::overlap);
   }
@@ -216,18 +224,24 @@ class Tracker {
     if (tracked) doubt(Doubt::may_connect, TrackedBy::overlap, slab, lower, upper);
   }
 
-  /// The largest share first. A link that an end, still free, asks for is made from `least` on; below it is asked about.
+  /// The largest share first. A link that an end, still free, asks for is made from `least` on; below it is asked
+  /// about.
   void decide(std::vector<Proposal>& proposals, double least, double clear, TrackedBy by) {
-    std::stable_sort(proposals.begin(), proposals.end(), [](const Proposal& a, const Proposal& b) { return a.share > b.share; });
+    std::stable_sort(proposals.begin(), proposals.end(),
+                     [](const Proposal& a, const Proposal& b) { return a.share > b.share; });
     for (const Proposal& p : proposals) {
-      const bool asked = (p.from_lower && graph_.free_above(p.slab, p.lower)) || (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
+      const bool asked = (p.from_lower && graph_.free_above(p.slab, p.lower)) ||
+                         (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
-      if (asked && p.share >= least) make(p.slab, p.lower, p.upper, by, p.share >= clear);
-      else if (asked || p.share >= least) doubt(Doubt::may_connect, by, p.slab, p.lower, p.upper);
+      if (asked && p.share >= least)
+        make(p.slab, p.lower, p.upper, by, p.share >= clear);
+      else if (asked || p.share >= least)
+        doubt(Doubt::may_connect, by, p.slab, p.lower, p.upper);
     }
   }
 
-  // ---- what stays free ------------------------------------------------------------------------------------------------
+  // ---- what stays free
+  // ------------------------------------------------------------------------------------------------
 
   void ask_about_free_ends() {
     for (const DriftCandidate& c : drift_candidates(graph_, apart_))
@@ -237,7 +251,7 @@ class Tracker {
   const std::vector<SlabLinks>& slabs_;
   ShapeGraph graph_;
   std::vector<std::size_t> first_shape_;
-  UnionFind joined_;   // shapes, by tracked links alone
+  UnionFind joined_;  // shapes, by tracked links alone
   std::vector<ShapePairs> apart_;
   std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, DoubtfulChoice> doubts_;
   Tracking result_;
@@ -245,7 +259,9 @@ class Tracker {
 
 }  // namespace
 
-Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<SlabLinks>& slabs) { return Tracker(slices, slabs).run(); }
+Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<SlabLinks>& slabs) {
+  return Tracker(slices, slabs).run();
+}
 
 SlabLinks links_by(const std::vector<RegionLink>& witnessed, Correspondence criterion) {
   const LinkCriterion widest = criterion == Correspondence::reverse  ? LinkCriterion::reverse

@@ -76,8 +76,8 @@ struct Edge {
   double at(double x) const { return left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x)); }
 };
 
-/// Edges by their left ends, moved by `by`; upright ones have nothing below them, and contours that miss `within` nothing in common with
-/// what lies there.
+/// Edges by their left ends, moved by `by`; upright ones have nothing below them, and contours that miss `within`
+/// nothing in common with what lies there.
 std::vector<Edge> edges_of(const TrackedShape& shape, Point2 by, const Box& within) {
   std::vector<Edge> edges;
   for (const auto& points : shape.contours) {
