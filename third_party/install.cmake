@@ -23,7 +23,6 @@ install(EXPORT odontoscope-targets NAMESPACE odontoscope:: DESTINATION ${config_
 install(DIRECTORY recon DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/odontoscope FILES_MATCHING PATTERN "*.h")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/odontoscope)
 
-list(JOIN ODONTOSCOPE_ITK_COMPONENTS " " ODONTOSCOPE_ITK_COMPONENTS_IN_A_ROW)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/odontoscope-config.cmake.in
   ${PROJECT_BINARY_DIR}/odontoscope-config.cmake INSTALL_DESTINATION ${config_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/odontoscope-config-version.cmake COMPATIBILITY SameMinorVersion)

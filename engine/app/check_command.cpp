@@ -53,6 +53,7 @@ ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const Options& optio
     session.progress().check();
     reports.push_back({mesh.name, inspect(mesh.surface)});
     tell_surface(reports.back(), session.console);
+    for (const std::string& remark : mesh.remarks) session.console.say("  " + remark);
   }
   if (!options.report.empty()) {
     write_all({{options.report, surface_report_json(options.file, reports)}}, session.interrupts);
@@ -86,7 +87,7 @@ ExitCode check_stack(const ContourStack& stack, const Options& options, Session&
   }
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a GLB, STL, PLY or OBJ mesh",
+  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a glTF, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats");
 }
 
@@ -99,7 +100,7 @@ ExitCode check(const Options& options, Session& session) {
     known_ending(options.report, {".json"});
     refuse_unwritable({.inputs = {options.file}, .outputs = {options.report}});
   }
-  const std::string bytes = read_file(options.file);
+  const std::string bytes = read_file(options.file, limits::file_bytes, session.progress().stop);
   if (const auto kind = contour_file_kind(bytes)) {
     refuse_report(options);
     return check_stack(read_contour_file(*kind, bytes, options.file).stack, options, session);
@@ -116,7 +117,7 @@ ExitCode check(const Options& options, Session& session) {
 Command check_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("check", "Judge a mesh or a contour stack; exit code 1 if found wanting");
   const auto options = std::make_shared<Options>();
-  parser->add_option("FILE", options->file, "Mesh (GLB, STL, PLY, OBJ) or contours; told by its content")
+  parser->add_option("FILE", options->file, "Mesh (GLB, glTF, STL, PLY, OBJ) or contours; told by its content")
       ->required()
       ->type_name("");
   parser->add_option("--report", options->report, "What was found in a mesh, for scripts")->type_name("FILE.json");

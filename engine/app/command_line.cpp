@@ -5,6 +5,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -122,7 +124,8 @@ void explain_usage(Console& console, const CLI::App& root, const std::vector<std
 std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv) {
   const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   if (arguments.empty()) {
-    fmt::print(stderr, "{}", root.help());
+    const std::string help = root.help();
+    std::fwrite(help.data(), 1, help.size(), stderr);
     return static_cast<int>(ExitCode::usage);
   }
   try {
@@ -149,7 +152,7 @@ int run_command(const Command& command, Session& session) try {
   const tbb::global_control no_more(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   tbb::task_arena arena(threads);
   const ExitCode code = arena.execute([&] { return command.run(session); });
-  session.console.finish();
+  session.console.finish(session.interrupts.has_written());
   return static_cast<int>(code);
 } catch (const UsageError& error) {
   session.console.complain(fmt::format("{}\nSee odontoscope {} --help.", error.what(), command.parser->get_name()));
@@ -173,6 +176,7 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
 }  // namespace
 
 int run(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away makes a write fail, and does not end the program in the middle of its files
   Interrupts interrupts;
   Console console;
   const auto end = [&console](ExitCode code, std::string_view message) {
@@ -187,7 +191,7 @@ int run(int argc, char** argv) {
   } catch (const Error& error) {
     return end(error.exit_code(), error.what());
   } catch (const std::bad_alloc&) {
-    return end(ExitCode::bad_input,
+    return end(ExitCode::file,
                "this machine has not enough memory for that input. Make it smaller: fewer slices, contours --simplify "
                "or a larger --min-area. [out-of-memory]");
   } catch (const std::exception& error) {

@@ -19,6 +19,9 @@ constexpr int widest_bar = 40;
 constexpr int narrowest_bar = 8;
 constexpr int words_beside_bar = 30;
 
+/// Where nobody takes it, it is lost: what cannot be said must not end the work. For standard output finish() tells.
+void put(std::FILE* to, std::string_view text) { std::fwrite(text.data(), 1, text.size(), to); }
+
 bool stderr_is_terminal() {
   const char* kind = std::getenv("TERM");
   return ::isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
@@ -40,13 +43,13 @@ void Console::say(std::string_view line) {
   const std::lock_guard lock(mutex_);
   if (quiet_) return;
   erase_bar();
-  fmt::print(stdout, "{}\n", line);
+  put(stdout, fmt::format("{}\n", line));
 }
 
 void Console::complain(std::string_view message) {
   const std::lock_guard lock(mutex_);
   erase_bar();
-  fmt::print(stderr, "odontoscope: {}\n", message);
+  put(stderr, fmt::format("odontoscope: {}\n", message));
 }
 
 void Console::progress(std::string_view stage, double fraction) {
@@ -62,29 +65,30 @@ void Console::progress(std::string_view stage, double fraction) {
   const bool news = stages_told_.emplace(stage).second;
   if (!news && now - last_told_ < log_interval) return;
   last_told_ = now;
-  if (news) fmt::print(stderr, "{}\n", stage);
-  else fmt::print(stderr, "{}: {:.0f} %\n", stage, 100 * std::clamp(fraction, 0.0, 1.0));
+  if (news) put(stderr, fmt::format("{}\n", stage));
+  else put(stderr, fmt::format("{}: {:.0f} %\n", stage, 100 * std::clamp(fraction, 0.0, 1.0)));
 }
 
 void Console::draw_bar(std::string_view stage, double fraction) {
   const int cells = std::clamp(terminal_columns() - words_beside_bar, narrowest_bar, widest_bar);
   const int full = static_cast<int>(fraction * cells);
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", cells - full, 100 * fraction, stage);
+  put(stderr, fmt::format("\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", cells - full, 100 * fraction, stage));
   std::fflush(stderr);
   bar_shown_ = true;
 }
 
 void Console::erase_bar() {
   if (!bar_shown_) return;
-  fmt::print(stderr, "\r\033[K");
+  put(stderr, "\r\033[K");
   std::fflush(stderr);
   bar_shown_ = false;
 }
 
-void Console::finish() {
+void Console::finish(bool wrote) {
   const std::lock_guard lock(mutex_);
   erase_bar();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    if (wrote) return put(stderr, "odontoscope: standard output did not take all that was to be said; the files are written.\n");
     throw FileError("standard output", "did not take what was to be said", "Is the disk full?");
   }
 }

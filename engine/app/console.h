@@ -25,8 +25,9 @@ class Console {
   void progress(std::string_view stage, double fraction);
   /// Errors are said however quiet: "odontoscope: MESSAGE" on standard error.
   void complain(std::string_view message);
-  /// Takes the bar away and makes sure that all that was said has left; throws FileError if standard output took it not.
-  void finish();
+  /// Takes the bar away and makes sure that all that was said has left; throws FileError if standard output took it not,
+  /// unless files were written meanwhile (`wrote`): what happened to them is told by the exit code, and on standard error what was lost.
+  void finish(bool wrote = false);
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -18,6 +18,7 @@ struct Options {
   VolumeWords words;
   ForeignWords foreign;
   std::string output;
+  bool histogram = false;
 };
 
 ContourStack stack_of(const Options& options, Session& session) {
@@ -26,7 +27,15 @@ ContourStack stack_of(const Options& options, Session& session) {
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
+ExitCode show_histogram(const Options& options, Session& session) {
+  if (!options.output.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
+  tell_histogram(options.input, understood(options.words), session);
+  return ExitCode::done;
+}
+
 ExitCode make_contours(const Options& options, Session& session) {
+  if (options.histogram) return show_histogram(options, session);
+  if (options.output.empty()) throw UsageError("-o is missing: nothing says where to write the contours", "Give -o FILE.json, or look at a volume's values with --histogram");
   known_ending(options.output, {".json"});
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.foreign, options.words.any_level());
@@ -51,20 +60,24 @@ Command contours_command(CLI::App& root) {
                    "Volume, mesh, or other program's contours; see below")
       ->required()
       ->type_name("");
-  parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
+  parser->add_option("-o,--output", options->output, "The contour stack to write")->type_name("FILE.json");
+  parser->add_flag("--histogram", options->histogram, "Show the values of a volume and where they part, and write nothing")->group("Volumes");
   add_volume_options(*parser, options->words);
   add_foreign_options(*parser, options->foreign);
   parser->footer(
       "Examples:\n"
       "  odontoscope contours tooth.nrrd --iso 120 -o tooth.json\n"
-      "  odontoscope contours scan.nii.gz --iso 120=dentine --iso 195=enamel --min-area 0.1 -o tooth.json\n"
+      "  odontoscope contours scan.nii.gz --histogram\n"
+      "  odontoscope contours scan.nii.gz --iso auto --min-area 4 -o tooth.json\n"
+      "  odontoscope contours scan.nii.gz --iso 120=dentine --iso 195=enamel --min-area 0.1mm2 -o tooth.json\n"
+      "  odontoscope contours DICOM --series 2 --iso 120 -o tooth.json\n"
       "  odontoscope contours segmented.mha --label 1=tooth --label 2=pulp --simplify 0.05 -o tooth.json\n"
       "  odontoscope contours scan.stl --spacing-z 0.2 -o scan.json\n"
       "  odontoscope section molar.glb --at 4.5 --at 12 -o two.json\n"
       "  odontoscope contours series.ser --structure Cell -o cell.json\n"
       "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
       "\n"
-      "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (GLB, STL, PLY, OBJ), contours of\n"
+      "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (glTF, STL, PLY, OBJ), contours of\n"
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
       "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves, and\n"
       "small gaps of meshes, and lists every change; without it such input is refused. section is another name for\n"

@@ -78,7 +78,7 @@ std::optional<ContourStack> contours_of(const Options& options, Session& session
   if (named_like_a_volume(options.input))
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", options.input),
                      "Give --iso T for an image, --label N for a label map");
-  return read_stack(options.input);
+  return read_stack(options.input, session.progress().stop);
 }
 
 std::string about(const figures::ToothModels& tooth) {

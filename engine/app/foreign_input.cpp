@@ -52,6 +52,8 @@ ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, co
   if (!words.spacing_z && words.heights.empty()) {
     throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file), "Give --spacing-z D, or --at Z for each plane");
   }
+  std::vector<std::string> remarks;
+  for (const NamedMesh& mesh : meshes) remarks.insert(remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
   const std::vector<NamedMesh> surfaces = surfaces_of(std::move(meshes), words, file);
   std::vector<double> heights = words.spacing_z ? heights_at(surfaces, *words.spacing_z) : words.heights;
   std::sort(heights.begin(), heights.end());
@@ -60,6 +62,7 @@ ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, co
   options.widest_gap = words.widest_gap.value_or(options.widest_gap);
   CutContours cut = cut_surfaces(surfaces, heights, file, options, session.progress());
   session.console.say(fmt::format("{}: cut by {}", file, counted(heights.size(), "plane")));
+  for (const std::string& remark : remarks) session.console.say("  " + remark);
   if (words.repair) tell_changes(cut.changes, session.console);
   return std::move(cut.stack);
 }
@@ -159,9 +162,9 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
 }
 
 ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
-  const std::string bytes = read_file(file);
+  const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   const auto contour_kind = contour_file_kind(bytes);
-  if (contour_kind || kind_of(bytes) == FileKind::contour_stack) refuse_planes(file, words);
+  if (contour_kind || kind_of(bytes, file) == FileKind::contour_stack) refuse_planes(file, words);
   if (contour_kind) {
     FileContours read = read_contour_file(*contour_kind, bytes, file, words.structures);
     session.console.say(fmt::format("{}: {}", file, stack_in_words(read.stack)));

@@ -1,11 +1,11 @@
 #include "engine/app/interrupt.h"
 
-#include <fmt/format.h>
 #include <pthread.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <cstdio>
+#include <string_view>
 
 namespace odontoscope::app {
 namespace {
@@ -47,7 +47,8 @@ void Interrupts::listen() {
       const auto lock = hold();
       ::_exit(interrupted_exit_code);
     }
-    fmt::print(stderr, "\nodontoscope: stopping, nothing will be written (once more to end at once)\n");
+    constexpr std::string_view words = "\nodontoscope: stopping, nothing will be written (once more to end at once)\n";
+    std::fwrite(words.data(), 1, words.size(), stderr);
     stop_.request_stop();
   }
 }

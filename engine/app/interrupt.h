@@ -20,6 +20,9 @@ class Interrupts {
   Interrupts& operator=(const Interrupts&) = delete;
 
   std::stop_token token() const { return stop_.get_token(); }
+  /// Files were written: told by whoever did it, asked when something that comes after fails.
+  void note_written() { written_ = true; }
+  bool has_written() const { return written_; }
   /// While the lock is held even a second signal waits.
   [[nodiscard]] std::unique_lock<std::mutex> hold() { return std::unique_lock(writing_); }
 
@@ -28,7 +31,7 @@ class Interrupts {
 
   std::stop_source stop_;
   std::mutex writing_;
-  std::atomic<bool> over_ = false;
+  std::atomic<bool> over_ = false, written_ = false;
   std::thread listener_;
 };
 

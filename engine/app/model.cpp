@@ -10,6 +10,8 @@
 
 #include "engine/app/words.h"
 #include "recon/core/error.h"
+#include "recon/core/grouped.h"
+#include "recon/core/limits.h"
 #include "recon/mesh/simplify_surface.h"
 
 namespace odontoscope::app {
@@ -21,8 +23,16 @@ std::size_t triangles_in(const Reconstruction& reconstruction) {
   return sum;
 }
 
-StructureSimplification simplify_solid(Solid& solid, std::size_t triangles, const Progress& progress) {
-  SimplifiedSurface simple = simplify(solid.surface, {.triangles = triangles, .distance = {}}, progress);
+double diagonal_of(const SurfaceMesh& surface) {
+  Point3 low = surface.points.front(), high = low;
+  for (const Point3& p : surface.points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+}
+
+StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
   if (!simple.report.closed_oriented_manifold()) {
     throw InternalError(fmt::format("simplifying {} broke its surface", solid.structure));
   }
@@ -32,8 +42,8 @@ StructureSimplification simplify_solid(Solid& solid, std::size_t triangles, cons
                                .triangles = simple.surface.triangles.size(),
                                .distance = simple.distance,
                                .self_intersections = simple.self_intersections,
-                               .restarts = simple.restarts,
-                               .kept_vertices = simple.kept_vertices};
+                               .kept_vertices = simple.kept_vertices,
+                               .diagonal = diagonal_of(solid.surface)};
   solid.surface = std::move(simple.surface);
   solid.report = std::move(simple.report);
   return told;
@@ -62,22 +72,51 @@ void tell_simplification(const StructureSimplification& done, Console& console) 
 }  // namespace
 
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress) {
+  if (triangles >= triangles_in(model.reconstruction)) return;
   const auto start = std::chrono::steady_clock::now();
-  const double share = static_cast<double>(triangles) / static_cast<double>(triangles_in(model.reconstruction));
-  for (Solid& solid : model.reconstruction.solids) {
-    const auto aim = static_cast<std::size_t>(std::floor(share * static_cast<double>(solid.surface.triangles.size())));
-    constexpr std::size_t smallest_closed_surface = 4;
-    if (aim >= solid.surface.triangles.size()) continue;
-    model.simplifications.push_back(simplify_solid(solid, std::max(aim, smallest_closed_surface), progress));
+  std::vector<const SurfaceMesh*> surfaces;
+  for (const Solid& solid : model.reconstruction.solids) surfaces.push_back(&solid.surface);
+  SimplifiedSurfaces simple = simplify(surfaces, {.triangles = triangles, .distance = {}}, progress);
+  for (std::size_t n = 0; n < simple.surfaces.size(); ++n) {
+    model.simplifications.push_back(replaced_by(simple.surfaces[n], model.reconstruction.solids[n]));
   }
+  model.aim = SimplificationAim{triangles, simple.triangles, simple.obstacles, simple.restarts};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   model.reconstruction.seconds.push_back({"simplify", taken.count()});
+}
+
+std::string missed_aim_in_words(const SimplificationAim& aim) {
+  if (aim.reached()) return {};
+  std::vector<std::string> reasons;
+  const auto add = [&](std::size_t edges, const char* what) {
+    if (edges > 0) reasons.push_back(fmt::format("{} {}", counted(edges, "edge"), what));
+  };
+  add(aim.obstacles.topology, "would change pieces, handles or cavities");
+  add(aim.obstacles.cuts, "would make the surface cut through itself");
+  add(aim.obstacles.shape, "would turn triangles over or lead far off");
+  return fmt::format("{} are left, not {} as asked for: no edge of theirs can be collapsed any more ({})",
+                     counted(aim.triangles, "triangle"), grouped(aim.aim), fmt::join(reasons, "; "));
+}
+
+std::string absurd_distance_in_words(const std::vector<StructureSimplification>& simplifications) {
+  std::vector<std::string> words;
+  for (const StructureSimplification& done : simplifications) {
+    const double share = done.distance.largest() / done.diagonal;
+    if (share <= limits::absurd_distance) continue;
+    words.push_back(fmt::format("{} is off by up to {} mm, {:.0f} % of its size", done.structure,
+                                measured(done.distance.largest()), 100 * share));
+  }
+  if (words.empty()) return {};
+  return fmt::format("the simplified surface is hardly the model any more: {}; ask for more triangles",
+                     fmt::join(words, ", "));
 }
 
 void tell_model(const Model& model, double seconds, Console& console) {
   const Reconstruction& made = model.reconstruction;
   for (const Solid& solid : made.solids) tell_solid(solid, console);
-  for (const StructureSimplification& done : model.simplifications) tell_simplification(done, console);
+  for (const StructureSimplification& done : model.simplifications) {
+    if (done.triangles < done.triangles_before) tell_simplification(done, console);
+  }
   console.say(fmt::format("In all {} and {}, in {} s on {}.", counted(triangles_in(made), "triangle"),
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));

@@ -2,6 +2,8 @@
 // What `reconstruct` made, on its way to files and words.
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/app/console.h"
@@ -16,11 +18,18 @@ struct Model {
   Reconstruction reconstruction;
   /// One for each solid whose surface in `reconstruction` is a simplified one; the tetrahedra stay as they were.
   std::vector<StructureSimplification> simplifications;
+  std::optional<SimplificationAim> aim;
 };
 
-/// Replaces the surfaces by ones with at most `triangles` in all, shared out in proportion to what each has now. Each
-/// keeps its topology, and therefore may keep more. InternalError if a result is no closed oriented manifold.
+/// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next, so
+/// each keeps what its shape needs. Each keeps its topology and does not cut through itself, and therefore may keep
+/// more; `aim` tells. InternalError if a result is no closed oriented manifold.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
+
+/// "2,582 triangles are left, not 283: ..."; empty if what was asked for was reached.
+std::string missed_aim_in_words(const SimplificationAim& aim);
+/// Of structures that are off by an absurd part of their size, what to know of it; else empty.
+std::string absurd_distance_in_words(const std::vector<StructureSimplification>& simplifications);
 
 /// Shells, genus, volume, triangles, tetrahedra, seconds, and what is certified, in plain words.
 void tell_model(const Model& model, double seconds, Console& console);

@@ -50,6 +50,7 @@ std::string known_ending(const std::string& file, const std::vector<std::string>
 void write_all(const std::vector<FileContent>& files, Interrupts& interrupts) {
   const auto undisturbed = interrupts.hold();
   write_files(files);
+  if (!files.empty()) interrupts.note_written();
 }
 
 }  // namespace odontoscope::app

@@ -35,9 +35,11 @@ struct Options {
   ForeignWords foreign;
   DbWords db;
   std::optional<Correspondence> correspondence;
+  std::optional<Between> between;
   std::string links;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
+  bool strict = false;
   std::vector<std::string> outputs;
   bool tours = false, compress = false;
   std::string report;
@@ -60,9 +62,9 @@ void refuse_other_methods_options(const Options& options) {
     if (!options.db.any()) return;
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
-  if (options.triangles) throw UsageError("--triangles is about the DT method", "Use --decimate with --method db");
-  if (!options.correspondence && options.links.empty()) return;
-  throw UsageError("--correspondence and --links are about the DT method; DB connects whatever overlaps",
+  if (options.triangles || options.strict) throw UsageError("--triangles and --strict are about the DT method", "Use --decimate with --method db");
+  if (!options.correspondence && !options.between && options.links.empty()) return;
+  throw UsageError("--correspondence, --between and --links are about the DT method; DB connects whatever overlaps",
                    "Leave them out, or part slices with --split");
 }
 
@@ -115,6 +117,7 @@ struct Made {
   std::vector<FileContent> files;
   std::function<void(double seconds, Console& console)> tell;
   std::vector<CameraPath> paths;
+  std::string missed, absurd;   // of --triangles: what to warn of, or empty
 };
 
 /// The model in each format that was asked for. `Made::tell` is left to the caller.
@@ -132,17 +135,20 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   if (!words.empty()) console.say("Tours: " + words);
 }
 
-Made made_by_dt(const ContourStack& stack, const Options& options, Session& session) {
+Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::medial);
+  engine.between = options.between.value_or(Between::delaunay);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
-  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}});
+  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   Made made = files_of(model->reconstruction, options, session);
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume, .aim = model->aim})});
   }
+  if (model->aim) made.missed = missed_aim_in_words(*model->aim);
+  made.absurd = absurd_distance_in_words(model->simplifications);
   made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
   return made;
 }
@@ -156,9 +162,9 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
-ContourStack stack_of(const Options& options, Session& session) {
+ContourStack stack_of(const Options& options, Session& session, std::optional<ReportVolume>& volume) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
-    return contours_of_input(options.input, options.words, session);
+    return contours_of_input(options.input, options.words, session, &volume);
   }
   ContourStack stack = converted_told(options.input, options.foreign, session);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
@@ -171,16 +177,24 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  ContourStack stack = stack_of(options, session);
+  std::optional<ReportVolume> volume;
+  ContourStack stack = stack_of(options, session, volume);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
-  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, options, session);
+  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, volume, options, session);
   session.progress().check();
+  if (options.strict && !made.missed.empty()) {
+    session.console.complain(made.missed + ". Nothing was written, as --strict asks.");
+    return ExitCode::found_wanting;
+  }
   write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   made.tell(taken.count(), session.console);
   tell_tours(made.paths, session.console);
   for (const FileContent& file : made.files) session.console.say(fmt::format("Wrote {}", file.file.string()));
-  return ExitCode::done;
+  for (const std::string& warning : {made.missed, made.absurd}) {
+    if (!warning.empty()) session.console.complain("warning: " + warning + ".");
+  }
+  return made.missed.empty() ? ExitCode::done : ExitCode::found_wanting;
 }
 
 void add_options(CLI::App& parser, Options& options) {
@@ -202,6 +216,10 @@ void add_options(CLI::App& parser, Options& options) {
                               {"overlap", Correspondence::overlap}},
                              "When regions connect: reverse, medial (default) or overlap")
       ->type_name("NAME");
+  add_choice<std::optional<Between>>(parser, "--between", options.between,
+                                     {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
+                                     "Between slices: delaunay (default), or blended where walls lean far")
+      ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
@@ -209,6 +227,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
+  parser.add_flag("--strict", options.strict, "Write nothing if --triangles cannot be reached");
   add_volume_options(parser, options.words);
   add_foreign_options(parser, options.foreign);
   add_db_options(parser, options.db);
@@ -233,6 +252,8 @@ Command reconstruct_command(CLI::App& root) {
       "Surfaces: .glb or .gltf for viewers and the web, .stl for printers, .ply and .obj without loss,\n"
       ".wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for ParaView, .msh for Gmsh, .inp for\n"
       "CalculiX and Abaqus.\n"
+      "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
+      "written, a warning says why, and the exit code is 1.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"
       "DB models are written as marching cubes makes them, cracks and all, with exit code 0; the last\n"
       "line and the report say what is wrong with them.\n");

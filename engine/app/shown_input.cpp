@@ -61,7 +61,7 @@ Box bounds_of(const ContourStack& stack) {
 }
 
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
-Found found_in_volume(const std::string& file, const VolumeContourOptions& options, Session& session) {
+Found found_in_volume(const std::string& file, const VolumeRequest& options, Session& session) {
   auto volume = std::make_unique<Volume>();
   ContourStack stack = contours_told(file, options, session, volume.get());
   auto values = std::make_shared<const ValueGrid>(value_grid(*volume, bounds_of(stack)));
@@ -95,7 +95,7 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
                      "Give --iso T for an image, --label N for a label map");
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no GLB, STL, PLY or OBJ mesh",
+  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
@@ -103,11 +103,16 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
   if (file.empty()) return found_in(sample_tooth(ToothKind::molar), session);
   if (words.any_level()) return found_in_volume(file, understood(words), session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
-  const std::string bytes = read_file(file);
+  const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), session);
   const FileKind kind = kind_of(bytes, file);
   if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
-  if (auto meshes = meshes_in(kind, bytes, file)) return found_in(std::move(*meshes), file);
+  if (auto meshes = meshes_in(kind, bytes, file)) {
+    for (const NamedMesh& mesh : *meshes) {
+      for (const std::string& remark : mesh.remarks) session.console.say(fmt::format("{}: {}", file, remark));
+    }
+    return found_in(std::move(*meshes), file);
+  }
   refuse(kind, file);
 }
 

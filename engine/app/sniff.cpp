@@ -36,16 +36,23 @@ std::string_view first_word(std::string_view text) {
   for (;;) {
     text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
     if (!text.starts_with('#')) return text.substr(0, text.find_first_of(blanks));
-    text.remove_prefix(std::min(text.find('\n'), text.size()));
+    text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size()));
   }
 }
 
 bool is_obj(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
-  for (const std::string_view known : {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"}) {
+  for (const std::string_view known : {"v", "vn", "vt", "vp", "f", "o", "g", "s", "mtllib", "usemtl", "maplib", "usemap", "cstype"}) {
     if (word == known) return true;
   }
   return false;
+}
+
+/// glTF must have this key, and a contour stack may not.
+bool names_an_asset(std::string_view json) {
+  constexpr std::size_t looked_at = 4096;
+  const std::string_view head = json.substr(0, looked_at);
+  return head.find("\"asset\"") != head.npos && head.find("\"odontoscope.") == head.npos;
 }
 
 FileKind kind_by_content(std::string_view bytes) {
@@ -68,7 +75,8 @@ FileKind kind_of(std::string_view bytes, const std::string& file) {
   const FileKind kind = kind_by_content(bytes);
   const std::string name = lower_case(file);
   if (kind == FileKind::unknown && name.ends_with(".stl") && !bytes.empty()) return FileKind::stl;
-  if (kind == FileKind::contour_stack && name.ends_with(".gltf")) return FileKind::gltf;
+  if (kind == FileKind::unknown && name.ends_with(".obj") && !bytes.empty()) return FileKind::obj;
+  if (kind == FileKind::contour_stack && (name.ends_with(".gltf") || names_an_asset(bytes))) return FileKind::gltf;
   return kind;
 }
 
@@ -78,11 +86,7 @@ std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view 
     case FileKind::ply: return parse_ply(bytes, file);
     case FileKind::stl: return parse_stl(bytes, file);
     case FileKind::obj: return parse_obj(bytes, file);
-    case FileKind::gltf: {
-      Place place;
-      place.file = file;
-      throw InputError("unknown-format", std::move(place), "glTF with its data beside it is written here, but not read", "Give the .glb of the same model");
-    }
+    case FileKind::gltf: return parse_gltf(bytes, file);
     default: return std::nullopt;
   }
 }

@@ -13,11 +13,11 @@ namespace odontoscope::app {
 enum class FileKind { contour_stack, glb, ply, stl, obj, gltf, volume, unknown };
 
 /// By the signatures of the formats. Binary STL has none: its size must agree with its count of triangles. OBJ has none
-/// either: its first line that says something must begin with one of its words. `file`: of what its bytes do not tell, one that is called .stl is a damaged STL; of
-/// JSON, one that is called .gltf is glTF.
+/// either: its first line that says something must begin with one of its words. `file`: of what its bytes do not tell, one that is called .stl or .obj is taken for
+/// that; of JSON, one that is called .gltf, or that has glTF's key "asset" near its beginning, is glTF.
 FileKind kind_of(std::string_view bytes, const std::string& file = {});
 
-/// The meshes of a file of such a kind; nothing if it is none. Throws as the readers do; InputError for glTF, which is only written.
+/// The meshes of a file of such a kind; nothing if it is none. Throws as the readers do.
 std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view bytes, const std::string& file);
 
 }  // namespace odontoscope::app

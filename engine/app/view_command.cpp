@@ -39,7 +39,7 @@ VolumeWords volume_words(const LoadRequest& request, const Options& options) {
   VolumeWords words;
   if (!request.iso) return words;
   words.isos = {fmt::format("{}", *request.iso)};
-  words.min_area = request.min_area_mm2;
+  words.min_area = fmt::format("{}", request.min_area_pixels);
   return words;
 }
 
@@ -81,7 +81,7 @@ ViewerOptions viewer_options(const Options& options, const Settings& settings, c
   return viewer;
 }
 
-LoadRequest first_request(const Options& options) { return {.file = options.input, .iso = {}, .min_area_mm2 = 0, .from_command_line = true}; }
+LoadRequest first_request(const Options& options) { return {.file = options.input, .iso = {}, .min_area_pixels = 0, .from_command_line = true}; }
 
 /// What the window would show, drawn without one.
 ExitCode take_screenshot(const Options& options, Session& session) {

@@ -1,5 +1,5 @@
 #pragma once
-// What `contours` and `reconstruct` have in common: how a volume becomes contours.
+// What the subcommands that read volumes have in common: how a volume becomes contours.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -8,35 +8,70 @@
 
 #include "engine/app/command.h"
 #include "recon/input/contour_stack.h"
+#include "recon/output/report_json.h"
+#include "recon/volume/read_volume.h"
 #include "recon/volume/volume_contours.h"
 
 namespace odontoscope::app {
 
 /// As typed; not yet understood.
 struct VolumeWords {
-  std::vector<std::string> isos;     // "T" or "T=NAME"
-  std::vector<std::string> labels;   // "N" or "N=NAME"
+  std::vector<std::string> isos;     // "T", "T=NAME", "auto", "auto:CLASSES/NUMBER=NAME"
+  std::vector<std::string> labels;   // "N", "N=NAME", or the name of a segment of the file
+  std::string label_names;           // file of ITK-SNAP
   std::string spacing;               // "X,Y,Z" or empty
-  std::optional<double> min_area;    // mm^2
+  std::string series;                // of DICOM
+  std::string min_area;              // "4" voxels, or "0.5mm2"
+  bool allow_outside = false;
   std::optional<double> simplify;    // mm
+  std::optional<double> smooth;      // mm
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };
 
+/// A level at one of Otsu's thresholds.
+struct AutoLevel {
+  std::size_t classes = 2, number = 1;   // its number among the classes - 1 thresholds, from 1 on
+  std::string structure = "tooth";
+};
+
+/// Understood as far as that goes without the volume.
+struct VolumeRequest {
+  ReadVolumeOptions read;
+  struct Level {
+    std::optional<IsoLevel> iso;
+    std::optional<AutoLevel> automatic;
+    std::optional<LabelLevel> label;
+    bool label_is_named = false;            // by the user
+    std::optional<std::string> label_name;  // of the file, instead of a number
+  };
+  std::vector<Level> levels;
+  double min_area = 0;
+  bool min_area_in_mm2 = false;   // else in pixels of a slice
+  std::optional<SmoothLabelsOptions> smooth;
+  std::optional<double> simplify;
+  std::vector<VolumeLabel> label_names;
+};
+
 void add_volume_options(CLI::App& parser, VolumeWords& words);
 
-/// Throws UsageError for anything that is no number, name or triple, and for two structures of one name.
-VolumeContourOptions understood(const VolumeWords& words);
+/// Throws UsageError for anything that is no number, name or triple, and for two structures of one name; FileError and InputError for a file of label
+/// names.
+VolumeRequest understood(const VolumeWords& words);
 
-/// The volume's contours, and tells what it found. `volume`, if not null, is given the volume itself.
-ContourStack contours_told(const std::string& file, const VolumeContourOptions& options, Session& session, Volume* volume = nullptr);
+/// The volume's contours, and tells what it found, assumed and left out. `volume`, if not null, is given the volume itself, `facts` what a
+/// report says of it.
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume = nullptr, std::optional<ReportVolume>* facts = nullptr);
+
+/// Tells the volume's size and values with a bar each, and the thresholds that --iso auto would take.
+void tell_histogram(const std::string& file, const VolumeRequest& request, Session& session);
 
 /// A valid stack with fewer points, and tells how many.
 ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOptions& options, Session& session);
 
 /// From a volume if `words` say where its surface lies, otherwise from a contour stack, simplified if they ask for it. Throws as the
 /// readers do.
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts = nullptr);
 
 /// UsageError for a volume, or words about one, without a word on where its surface lies.
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words);

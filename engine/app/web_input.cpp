@@ -83,7 +83,7 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
 WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
   ReconstructOptions engine;
   engine.threads = session.threads;
-  Model made{reconstruct(stack, engine, session.progress()), {}};
+  Model made{reconstruct(stack, engine, session.progress()), {}, {}};
   page.tours = tours_through(made.reconstruction, session);
   page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
@@ -95,6 +95,11 @@ WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& 
     facts.reports.push_back(solid.report);
   }
   Certificate certificate = certificate_of(facts);
+  for (const std::string& warning : {made.aim ? missed_aim_in_words(*made.aim) : "", absurd_distance_in_words(made.simplifications)}) {
+    if (warning.empty()) continue;
+    session.console.complain("warning: " + warning + ".");
+    certificate.findings.push_back({false, warning + "."});
+  }
   if (!made.simplifications.empty())
     certificate.findings.push_back({true, "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
   WebModel model = web_model(made.reconstruction, certificate);
@@ -152,9 +157,9 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   return page;
 }
 
-std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words) {
+std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words, Session& session) {
   if (words.input.empty() || words.volume.any_level()) return {};
-  const std::string bytes = read_file(words.input);
+  const std::string bytes = read_file(words.input, limits::file_bytes, session.progress().stop);
   return meshes_in(kind_of(bytes, words.input), bytes, words.input);
 }
 
@@ -177,7 +182,7 @@ void refuse_senseless(const WebWords& words) {
 }
 
 WebPage web_page_of(const WebWords& words, Session& session) {
-  if (const auto meshes = meshes_of(words)) {
+  if (const auto meshes = meshes_of(words, session)) {
     if (words.with_db || words.triangles)
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);

@@ -68,6 +68,31 @@ void check_chunks(std::string_view bytes, const Place& place) {
   }
 }
 
+/// The packed pixels must not unpack to more than the size in the header makes: stb takes memory for all of it, whatever the size. Nothing is kept here.
+void check_unpacked(std::string_view bytes, std::size_t most, const Place& place) {
+  constexpr std::size_t head = 8, checksum = 4, piece = 1u << 16;
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw InternalError("zlib does not start");
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> ends(&stream, inflateEnd);
+  std::string unpacked(piece, '\0');
+  for (std::size_t at = png_signature.size(); at + head <= bytes.size();) {
+    std::size_t length = 0;
+    for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
+    const std::string_view data = bytes.substr(at + head, length);
+    if (bytes.substr(at + 4, 4) == "IDAT") {
+      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
+      stream.avail_in = static_cast<uInt>(data.size());
+      for (int code = Z_OK; code == Z_OK && (stream.avail_in > 0 || stream.avail_out == 0);) {
+        stream.next_out = reinterpret_cast<Bytef*>(unpacked.data());
+        stream.avail_out = static_cast<uInt>(piece);
+        code = inflate(&stream, Z_NO_FLUSH);   // what is damaged is stb's to tell
+        if (stream.total_out > most) throw InputError("not-a-png", place, "its pixels unpack to more than its size makes", "Give an intact PNG file.");
+      }
+    }
+    at += head + length + checksum;
+  }
+}
+
 }  // namespace
 
 std::string png_bytes(const Image& image) {
@@ -103,6 +128,9 @@ Image read_png(const std::string& file) {
   const std::size_t least = std::size_t{data[depth_at]} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 8;
   if (least / limits::compression_ratio > bytes.size())
     throw InputError("not-a-png", place, fmt::format("{} x {} pixels cannot be in {} bytes", width, height, bytes.size()), "Give an intact PNG file.");
+  // A row has a byte more for its filter; interlaced pictures have up to two rows for one, and a few more.
+  constexpr std::size_t most_samples = 4, filters = 64;
+  check_unpacked(bytes, 2 * static_cast<std::size_t>(height) * (static_cast<std::size_t>(width) * most_samples * data[depth_at] / 8 + filters), place);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw InputError("not-a-png", place, stbi_failure_reason(), "Give an intact PNG file.");

@@ -88,14 +88,14 @@ void question_card(ViewerState& state, const Interface& interface, const Area& v
   widgets::text_field("##iso");
   ImGui::InputDouble("##iso", &state.question->iso, 0, 0, "%g");
   widgets::noted("##iso");
-  ImGui::TextUnformatted("Leave out contours smaller than, mm\xC2\xB2");
+  ImGui::TextUnformatted("Leave out contours smaller than, pixels");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##area");
-  ImGui::InputDouble("##area", &state.question->min_area_mm2, 0, 0, "%g");
+  ImGui::InputDouble("##area", &state.question->min_area_pixels, 0, 0, "%g");
   widgets::noted("##area");
-  state.question->min_area_mm2 = std::max(state.question->min_area_mm2, 0.0);
+  state.question->min_area_pixels = std::max(state.question->min_area_pixels, 0.0);
   if (widgets::wide_button("Make the model", true)) {
-    state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_mm2, false};
+    state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_pixels, false};
     state.question.reset();
     return;
   }

@@ -23,7 +23,7 @@ namespace odontoscope {
 struct LoadRequest {
   std::string file;              // empty: the sample molar
   std::optional<double> iso = {};   // of a volume: the grey value at its surface
-  double min_area_mm2 = 0;       // of a volume: smaller contours are noise
+  double min_area_pixels = 0;       // of a volume: smaller contours are noise
   bool from_command_line = false;
 };
 

@@ -204,7 +204,7 @@ bool Viewer::answer_by_enter() {
   if (!state_.trouble.empty()) state_.trouble.clear();
   else if (state_.notes.leaving) state_.notes.leaving->answer = LeavingNotes::Answer::save;
   else if (state_.question) {
-    state_.to_load = LoadRequest{state_.question->file, state_.question->iso, state_.question->min_area_mm2, false};
+    state_.to_load = LoadRequest{state_.question->file, state_.question->iso, state_.question->min_area_pixels, false};
     state_.question.reset();
   } else if (state_.help) state_.help = false;
   else return false;

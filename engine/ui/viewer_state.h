@@ -56,7 +56,7 @@ struct Notice {
 struct VolumeQuestion {
   std::string file;
   double iso = 120;
-  double min_area_mm2 = 4;
+  double min_area_pixels = 4;
 };
 
 /// What is in one part of the picture: one eye. Two of them are a comparison.

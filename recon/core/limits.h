@@ -33,6 +33,10 @@ inline constexpr std::size_t read_piece = 1 << 16;
 inline constexpr std::size_t links = 10'000'000;
 /// Triangles of a mesh that is read: 32-bit half-edge numbers stay safe.
 inline constexpr std::size_t triangles = 100'000'000;
+/// Corners of one face of a mesh: it is cut in memory, at some 300 bytes a corner.
+inline constexpr std::size_t polygon_corners = 1'000'000;
+/// How far the corners of a face may be off their plane, over its size, before it is called bent: files round to six or seven digits.
+inline constexpr double flat_polygon = 1e-4;
 /// Bytes of the JSON part of a GLB, which takes some twenty times that when parsed.
 inline constexpr std::size_t gltf_json_bytes = 64u << 20;
 /// Characters in a line of a text header.
@@ -63,11 +67,16 @@ inline constexpr double lift_height = 0.5;
 inline constexpr double lift_margin = 0.618;
 /// Times that the step of a lifted point is halved before the next direction is tried.
 inline constexpr int lift_halvings = 40;
+/// How far the surface may travel sideways between two slices, over their distance, before slices are interpolated.
+inline constexpr double steep = 0.5;
+/// Height of the upright prisms of a raised slab, over the slab's height: a good third stays between the two layers.
+inline constexpr double raise_height = 0.3;
 /// How far a lifted point may go sideways, over the length of the edge that it splits.
 inline constexpr double lift_sideways = 0.5;
 /// How far a tetrahedron may lean out over nothing, over half the width of the region that it hangs from: two widths.
 inline constexpr double overhang = 4;
-/// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others.
+/// Thickness of the plate that an isolated region becomes, over the slab's height, before it is halved to keep clear of others. Less than
+/// raise_height, so that there is room beside raised pieces.
 inline constexpr double plate_height = 0.25;
 inline constexpr int plate_halvings = 60;
 // --- following shapes over several slices --------------------------------------------------------------------------
@@ -118,6 +127,9 @@ inline constexpr std::size_t glb_bytes = (1ull << 31) - 1;
 // --- simplifying ------------------------------------------------------------------------------------------------
 /// How far round a place where the simplified surface went wrong the full one is kept, over the size of the triangles there.
 inline constexpr double kept_margin = 0.25;
+/// Largest distance of a simplified surface, over the diagonal of the full one, beyond which it is said to be absurd: at a twentieth, cusps
+/// and root tips are missing.
+inline constexpr double absurd_distance = 0.05;
 
 }  // namespace odontoscope::limits
 
@@ -125,9 +137,24 @@ inline constexpr double kept_margin = 0.25;
 namespace odontoscope::limits {
 /// Smallest voxel spacing, mm: a nanometre, finer than any scanner; a 64th of it is still far above rounding at largest_coordinate.
 inline constexpr double smallest_spacing = 1e-6;
+/// What contours of a volume lie on, mm: 2^-30, a picometre. Far below any scanner's precision, and a double still has some 15 bits to
+/// spare for a tooth's coordinates, so that edges on it can be halved often without rounding.
+inline constexpr double lattice_step = 1.0 / (1l << 30);
+/// Such steps that a voxel has at least: its size is then changed by less than a millionth.
+inline constexpr double lattice_steps_per_voxel = 1l << 20;
 /// How close an iso-contour comes to a pixel's centre, as a part of the grid edge: a contour through the centre itself would touch
 /// its neighbours there. Far below what a scanner resolves, and large enough to keep conforming from refining without need.
 inline constexpr double grid_vertex_margin = 1.0 / 64;
+/// Smoothing of label maps. How far around a border voxels get a height, in voxels; and what the height is beyond.
+inline constexpr int plate_reach = 2;
+/// Steps down the plate's bending, and their length over the least that could be unstable times a half: 20 such steps bring points three
+/// times nearer to true outlines; 60 begin to narrow canals of three voxels.
+inline constexpr int plate_steps = 20;
+inline constexpr double plate_step = 1.8;
+/// How far a height may leave the distance that it began as, in voxels: a border's true place is that uncertain.
+inline constexpr double plate_slack = 0.5;
+/// Least height on either side of a border, in voxels: keeps crossings apart from voxels.
+inline constexpr double plate_least = 0.02;
 /// Largest label: floats hold all whole numbers up to 2^24, and none beyond is rounded to this one.
 inline constexpr long largest_label = (1l << 24) - 1;
 /// How far a volume's axes may be from square to each other (the dot product of two): headers round to six digits or so.
@@ -138,10 +165,42 @@ inline constexpr double tilt_unspoken = 0.01;
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
 inline constexpr std::size_t compression_ratio = 1100;
+/// Bins of a volume's histogram, and the share of voxels at either end that it does not stretch for: metal and the edge of the scan.
+inline constexpr std::size_t histogram_fineness = 1024;
+inline constexpr double histogram_outliers = 1e-3;
+/// Values of a label map that is told from a grey image: teeth have a few structures, jaws some sixty teeth and bones.
+inline constexpr std::size_t few_labels = 64;
+/// Dropped contours that are kept to be looked at.
+inline constexpr std::size_t dropped_contours = 1'000'000;
+/// Pairs of contours of two neighbouring slices that are looked at for canals that go on; noise has more.
+inline constexpr std::size_t small_contour_pairs = 4'000'000;
+/// Voxels up to which packed pixels are unpacked whatever they shrank to: a gigabyte of memory.
+inline constexpr std::size_t plausible_voxels = 1ull << 28;
+/// Beyond that number, how many bytes at most come from a packed one: scans shrink to a half or a fifth, label maps of a tooth to a
+/// hundredth or two; only what is made to fill a machine's memory comes near deflate's utmost.
+inline constexpr std::size_t suspicious_ratio = 500;
 /// Bytes of a text header in front of a volume's pixels.
 inline constexpr std::size_t header_bytes = 1u << 20;
 /// Characters in a line of it: readers of old have buffers of 1,024 and more.
 inline constexpr std::size_t header_line = 1000;
+/// Elements of a DICOM file that are kept: twenty for each of limits::slices frames, and as many fragments of pixels.
+inline constexpr std::size_t dicom_elements = 2'000'000;
+/// Bytes of a value that is kept: the offsets of all frames as text.
+inline constexpr std::size_t dicom_value = 1u << 20;
+/// Bytes that a deflated DICOM file may unpack to, since they are held in memory: a slice has a few million.
+inline constexpr std::size_t deflated_bytes = 1u << 30;
+/// Files and folders that are looked at for DICOM images, and folders within each other: a whole CD has some ten thousand.
+inline constexpr std::size_t dicom_files = 200'000;
+inline constexpr int dicom_folders = 16;
+/// Decoding compressed DICOM pixels in a child process: seconds of processor time for each frame, seconds by the clock without a finished frame
+/// (the machine may be busy), bytes of memory beyond what it began with and eight times the frame, and bytes that are decoded in one go.
+inline constexpr unsigned decoding_seconds = 20, decoding_seconds_by_clock = 300;
+inline constexpr std::size_t decoding_bytes = 1u << 29, decoding_batch = 1u << 26;
+/// Share of the slices' spacing that rounded positions may be off an even grid, where their last written digit explains it. Less than a half, so
+/// that a missing slice is never taken for rounding.
+inline constexpr double slice_rounding = 0.25;
+/// The same where the spacing is given by hand.
+inline constexpr double slice_rounding_by_hand = 0.45;
 /// Sequences of DICOM within each other: real objects have four or so.
 inline constexpr int dicom_nesting = 16;
 }  // namespace odontoscope::limits
@@ -164,4 +223,34 @@ inline constexpr double sample_grain = 1e-5;
 /// Ranges of the options, mm: sections of neighbouring slices must overlap, and a stack stays below a million points.
 inline constexpr double sample_least_slice_spacing = 0.05, sample_most_slice_spacing = 0.35;
 inline constexpr double sample_least_point_spacing = 0.05, sample_most_point_spacing = 1.0;
+}  // namespace odontoscope::limits
+
+// --- between two slices ------------------------------------------------------------------------------------------
+namespace odontoscope::limits {
+/// Grid points across the narrowest contour or wall, and along the slab's larger side at least: the traced line is then off by
+/// less than a hundredth of a canal's radius and a thousandth of the slice.
+inline constexpr double blend_points_across = 5, blend_columns = 120;
+/// Grid points along the larger side of a shape that is moved, in its own frame: it is sampled once more on the way to the slice.
+inline constexpr double blend_columns_of_moved = 48;
+/// Grid points that a shape's window keeps free around it.
+inline constexpr double blend_margin_steps = 4;
+/// Part of the smaller shape's area that must lie in the other for two linked shapes to be blended in place; and the part
+/// below which they are fully moved onto each other. A circle that shifts by 0.4 radii loses a quarter.
+inline constexpr double blend_good_overlap = 0.75, blend_poor_overlap = 0.45;
+/// How much more of it must overlap for a motion, or a change of size, to be believed.
+inline constexpr double blend_better_overlap = 0.1;
+/// Grid points along the larger side of two shapes whose overlap is counted, at most.
+inline constexpr double overlap_columns = 200;
+/// A contour continues in one of a slice beyond the slab if it is at most this many times as large or small, and at most this
+/// many times the root of its area away.
+inline constexpr double partner_area_ratio = 4, partner_distance = 2.5;
+/// A neighbouring slab that is thinner than this part of the slab counts as this thick when slopes are weighed.
+inline constexpr double blend_least_neighbour = 0.5;
+/// Binary digits of coordinates below the size of the slab (2^-30 mm for a tooth of 10 mm), and below their distance from the
+/// origin, so that sums of a few are still exact.
+inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
+/// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
+inline constexpr double blend_grains_in_step = 1024;
+/// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
+inline constexpr int blend_thinning_rounds = 3;
 }  // namespace odontoscope::limits

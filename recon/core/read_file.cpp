@@ -1,6 +1,5 @@
 #include "recon/core/read_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <cstring>
 
 #include "recon/core/error.h"
+#include "recon/core/patient_read.h"
 
 namespace odontoscope {
 namespace {
@@ -34,8 +34,8 @@ struct Descriptor {
 
 }  // namespace
 
-std::string read_file(const std::string& file, std::size_t most_bytes) {
-  Descriptor in{::open(file.c_str(), O_RDONLY | O_CLOEXEC)};
+std::string read_file(const std::string& file, std::size_t most_bytes, const std::stop_token& stop) {
+  Descriptor in{open_to_read(file)};
   if (in.number < 0) cannot_read(file, std::strerror(errno), "Check its name and your rights to it");
   struct stat status {};
   if (::fstat(in.number, &status) != 0) cannot_read(file, std::strerror(errno), {});
@@ -50,8 +50,7 @@ std::string read_file(const std::string& file, std::size_t most_bytes) {
   std::size_t filled = 0;
   for (;;) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size());
-    const ssize_t got = ::read(in.number, bytes.data() + filled, bytes.size() - filled);
-    if (got < 0 && errno == EINTR) continue;
+    const std::ptrdiff_t got = read_some(in.number, bytes.data() + filled, bytes.size() - filled, stop);
     if (got < 0) cannot_read(file, std::strerror(errno), {});
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);

@@ -246,6 +246,23 @@ class Lift {
 
 }  // namespace
 
+void drop_unused(SlabSolid& solid, std::uint32_t on_slices) {
+  std::vector<std::uint32_t> number(solid.added.size(), none);
+  for (const auto& v : solid.tetrahedra)
+    for (const std::uint32_t p : v)
+      if (p >= on_slices) number[p - on_slices] = 0;
+  std::vector<Point3> used;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    if (number[p] == none) continue;
+    number[p] = on_slices + static_cast<std::uint32_t>(used.size());
+    used.push_back(solid.added[p]);
+  }
+  solid.added = std::move(used);
+  for (auto& v : solid.tetrahedra)
+    for (std::uint32_t& p : v)
+      if (p >= on_slices) p = number[p - on_slices];
+}
+
 bool lift(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
           const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
   Lift work(tetrahedra, fate, lower, upper, heights);

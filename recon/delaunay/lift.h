@@ -20,7 +20,11 @@ struct SlabSolid {
   std::vector<Point3> added;
   std::size_t restored = 0;          // tetrahedra put back, before they were split
   double largest_sideways = 0;       // of a lifted point, over the length of its edge
+  bool raised = false;               // no room to lift: see raise.h
 };
+
+/// Takes out added points that no tetrahedron has. `on_slices`: how many points lie on the two slices.
+void drop_unused(SlabSolid& solid, std::uint32_t on_slices);
 
 struct SlabHeights {
   double lower = 0, upper = 0;

@@ -214,24 +214,6 @@ class Trimmer {
     }
   }
 
-  /// Added points that no tetrahedron has any more.
-  static void drop_unused(SlabSolid& piece, std::uint32_t on_slices) {
-    std::vector<std::uint32_t> number(piece.added.size(), none);
-    for (const auto& v : piece.tetrahedra)
-      for (const std::uint32_t p : v)
-        if (p >= on_slices) number[p - on_slices] = 0;
-    std::vector<Point3> used;
-    for (std::size_t p = 0; p < number.size(); ++p) {
-      if (number[p] == none) continue;
-      number[p] = on_slices + static_cast<std::uint32_t>(used.size());
-      used.push_back(piece.added[p]);
-    }
-    piece.added = std::move(used);
-    for (auto& v : piece.tetrahedra)
-      for (std::uint32_t& p : v)
-        if (p >= on_slices) p = number[p - on_slices];
-  }
-
   SolvedStack& stack_;
   Numbering numbering_;
   std::vector<std::unique_ptr<SlabFaces>> slabs_;

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/delaunay/predicates.h"
+#include "recon/delaunay/prism.h"
 #include "recon/delaunay/solve_slab.h"
 
 namespace odontoscope::delaunay {
@@ -24,42 +23,40 @@ SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, bool h
     }
   for (const PlanarTriangle& triangle : home.triangles) {
     if (triangle.region != region) continue;
-    // Sorted corners cut the sides that two prisms share along the same diagonal.
-    std::array<std::uint32_t, 3> v = triangle.v;
-    std::sort(v.begin(), v.end());
-    const int fixed = (v[0] == triangle.v[0]) + (v[1] == triangle.v[1]) + (v[2] == triangle.v[2]);
-    const bool even = fixed != 1;   // one corner in place: the other two were swapped
-    const std::array<std::uint32_t, 3> base{first_home + v[0], first_home + v[1], first_home + v[2]};
-    const std::array<std::uint32_t, 3> top{copy[v[0]], copy[v[1]], copy[v[2]]};
-    for (std::array<std::uint32_t, 4> tet : {std::array{base[0], base[1], base[2], top[2]}, std::array{base[0], base[1], top[2], top[1]},
-                                             std::array{base[0], top[1], top[2], top[0]}}) {
-      if (even != (height > 0)) std::swap(tet[0], tet[1]);
-      solid.tetrahedra.push_back(tet);
-    }
+    add_prism(triangle, [&](std::uint32_t p) { return first_home + p; }, [&](std::uint32_t p) { return copy[p]; },
+              height > 0 ? Thickened::upwards : Thickened::downwards, solid.tetrahedra);
   }
   return solid;
 }
 
-void add_plates(const ConformedSlice& lower, const ConformedSlice& upper, const std::vector<bool>& lower_isolated,
-                const std::vector<bool>& upper_isolated, std::vector<SlabSolid>& pieces) {
+std::optional<std::vector<SlabSolid>> plates(const ConformedSlice& lower, const ConformedSlice& upper, const std::vector<bool>& lower_isolated,
+                                             const std::vector<bool>& upper_isolated, const std::vector<SlabSolid>& pieces) {
+  std::vector<std::pair<bool, std::uint32_t>> homes;   // is it the lower slice, and which region
+  for (std::uint32_t r = 0; r < lower_isolated.size(); ++r)
+    if (lower_isolated[r]) homes.emplace_back(true, r);
+  for (std::uint32_t r = 0; r < upper_isolated.size(); ++r)
+    if (upper_isolated[r]) homes.emplace_back(false, r);
+  std::vector<SlabSolid> added;
+  if (homes.empty()) return added;
+
   std::vector<Boundary> others;
   for (const SlabSolid& piece : pieces) others.push_back(boundary_of(lower, upper, piece));
   const auto add = [&](bool home_is_lower, std::uint32_t region) {
     double height = (upper.z - lower.z) * limits::plate_height;
     for (int halving = 0; halving < limits::plate_halvings; ++halving, height /= 2) {
+      if (home_is_lower ? !(lower.z + height > lower.z) : !(upper.z - height < upper.z)) return false;
       SlabSolid solid = plate(lower, upper, home_is_lower, region, home_is_lower ? height : -height);
       Boundary boundary = boundary_of(lower, upper, solid);
       if (crosses_any(others, boundary)) continue;
       others.push_back(std::move(boundary));
-      pieces.push_back(std::move(solid));
-      return;
+      added.push_back(std::move(solid));
+      return true;
     }
-    throw InternalError("an isolated region found no room for a plate");
+    return false;
   };
-  for (std::uint32_t r = 0; r < lower_isolated.size(); ++r)
-    if (lower_isolated[r]) add(true, r);
-  for (std::uint32_t r = 0; r < upper_isolated.size(); ++r)
-    if (upper_isolated[r]) add(false, r);
+  for (const auto& [home_is_lower, region] : homes)
+    if (!add(home_is_lower, region)) return std::nullopt;
+  return added;
 }
 
 }  // namespace odontoscope::delaunay

@@ -11,10 +11,8 @@
 #include "recon/delaunay/assemble.h"
 #include "recon/delaunay/certify.h"
 #include "recon/core/parallel.h"
-#include "recon/delaunay/conform.h"
-#include "recon/delaunay/overhang.h"
-#include "recon/delaunay/plate.h"
-#include "recon/delaunay/solve_slab.h"
+#include "recon/delaunay/solve_stack.h"
+#include "recon/delaunay/topology.h"
 #include "recon/input/validate.h"
 
 namespace odontoscope {
@@ -60,94 +58,27 @@ class Reconstructor {
 
  private:
   void reconstruct_structure(const std::string& structure, Label label) {
-    SolvedStack stack = conform_slices(structure);
-    watch_.lap("conform");
-    solve_slabs(stack, structure);
+    SolvedStructure solved = solve_stack({input_, structure, options_}, arena_, progress_);
     watch_.lap("slabs");
-    result_.solids.push_back(assemble_and_certify(stack, structure, label));
+    result_.links.insert(result_.links.end(), solved.links.begin(), solved.links.end());
+    result_.void_links.insert(result_.void_links.end(), solved.void_links.begin(), solved.void_links.end());
+    result_.doubts.insert(result_.doubts.end(), solved.doubts.begin(), solved.doubts.end());
+    add(solved.counts);
+    result_.solids.push_back(assemble_and_certify(solved, structure, label));
   }
 
-  SolvedStack conform_slices(const std::string& structure) {
-    SolvedStack stack;
-    const auto& slices = input_.stack.slices;
-    stack.slices.resize(slices.size());
-    for_each(slices.size(), arena_, "conform", progress_, [&](std::size_t k) {
-      stack.slices[k] = conform(slices[k], structure, input_.original_slice[k], input_.stack.source, progress_);
-    });
-    for (const ConformedSlice& slice : stack.slices) {
-      result_.counts.contours += slice.contour_number.size();
-      result_.counts.points += slice.planar.points.size() - slice.steiner_points;
-      result_.counts.steiner_points += slice.steiner_points;
-    }
-    return stack;
-  }
-
-  // ---- slabs ----------------------------------------------------------------------------------------------------------
-
-  void solve_slabs(SolvedStack& stack, const std::string& structure) {
-    const std::size_t slabs = stack.slices.size() - 1;
-    stack.slabs.resize(slabs);
-    std::vector<SolvedSlab> solved(slabs);
-    for_each(slabs, arena_, "slabs", progress_, [&](std::size_t k) {
-      const SlabTask task{stack.slices[k], stack.slices[k + 1], options_.correspondence, choices(stack, structure, k), place(k)};
-      solved[k] = solve_slab(task, progress_);
-    });
-    std::vector<std::vector<bool>> isolated(stack.slices.size());
-    for (std::size_t k = 0; k < stack.slices.size(); ++k)
-      for (std::size_t r = 0; r < stack.slices[k].regions(); ++r) {
-        const bool below = k > 0 && solved[k - 1].upper_linked[r], above = k < slabs && solved[k].lower_linked[r];
-        isolated[k].push_back(!below && !above);
-        result_.counts.isolated_regions += isolated[k].back();
-      }
-    for_each(slabs, arena_, "plates", progress_, [&](std::size_t k) {
-      add_plates(stack.slices[k], stack.slices[k + 1], isolated[k], isolated[k + 1], solved[k].pieces);
-    });
-    for (std::size_t k = 0; k < slabs; ++k) {
-      report_links(stack, structure, k, solved[k]);
-      stack.slabs[k] = std::move(solved[k].pieces);
-      for (const SlabSolid& piece : stack.slabs[k]) {
-        result_.counts.restored += piece.restored;
-        if (piece.restored > 0) result_.counts.lifted_points += piece.added.size();
-        result_.counts.largest_sideways = std::max(result_.counts.largest_sideways, piece.largest_sideways);
-      }
-    }
-    result_.counts.trimmed += trim_overhangs(stack);
-  }
-
-  Place place(std::size_t k) const {
-    Place where;
-    where.file = input_.stack.source;
-    where.slice = input_.original_slice[k];
-    where.z = input_.stack.slices[k].z;
-    return where;
-  }
-
-  /// The region whose outer contour has this number in its slice's list. Precondition: validate_links passed.
-  static std::uint32_t region_of_contour(const ConformedSlice& slice, std::size_t contour) {
-    for (std::uint32_t r = 0; r < slice.regions(); ++r)
-      if (slice.contour_number[slice.outer_contour[r]] == contour) return r;
-    throw InternalError("a link names no region");
-  }
-
-  Choices choices(const SolvedStack& stack, const std::string& structure, std::size_t k) const {
-    Choices made;
-    for (const Link& link : options_.links) {
-      if (link.structure != structure || link.slice != k) continue;
-      const std::pair regions{region_of_contour(stack.slices[k], link.lower), region_of_contour(stack.slices[k + 1], link.upper)};
-      auto& list = link.connect ? made.joined : made.apart;
-      if (std::find(list.begin(), list.end(), regions) == list.end()) list.push_back(regions);
-    }
-    return made;
-  }
-
-  void report_links(const SolvedStack& stack, const std::string& structure, std::size_t k, const SolvedSlab& solved) {
-    const auto contour = [](const ConformedSlice& slice, std::uint32_t region) {
-      return slice.contour_number[slice.outer_contour[region]];
-    };
-    for (const RegionLink& link : solved.links)
-      result_.links.push_back({{structure, k, contour(stack.slices[k], link.lower), contour(stack.slices[k + 1], link.upper), true},
-                               link.criterion});
-    result_.counts.cut_links += solved.cut_links;
+  void add(const ReconstructCounts& counts) {
+    ReconstructCounts& all = result_.counts;
+    all.contours += counts.contours;
+    all.points += counts.points;
+    all.steiner_points += counts.steiner_points;
+    all.restored += counts.restored;
+    all.lifted_points += counts.lifted_points;
+    all.trimmed += counts.trimmed;
+    all.cut_links += counts.cut_links;
+    all.isolated_regions += counts.isolated_regions;
+    all.raised_slabs += counts.raised_slabs;
+    all.largest_sideways = std::max(all.largest_sideways, counts.largest_sideways);
   }
 
   // ---- result ---------------------------------------------------------------------------------------------------------
@@ -161,7 +92,20 @@ class Reconstructor {
     });
   }
 
-  Solid assemble_and_certify(const SolvedStack& stack, const std::string& structure, Label label) {
+  /// Counts what each slab's solid is like, beside what it should be.
+  void count_topology(std::vector<SlabTopology>& topology, const std::vector<AssembledSlab>& slabs, const Numbering& numbering) {
+    for_each(slabs.size(), arena_, "certify", progress_, [&](std::size_t k) {
+      std::vector<Triangle> boundary = slabs[k].sides;
+      boundary.insert(boundary.end(), slabs[k].floor.begin(), slabs[k].floor.end());
+      boundary.insert(boundary.end(), slabs[k].ceiling.begin(), slabs[k].ceiling.end());
+      topology[k].found = counted_topology(slabs[k].tetrahedra, boundary, {numbering.slice_begin[k], numbering.slice_begin[k + 2],
+                                                                           numbering.added_begin[k], numbering.added_begin[k + 1]});
+    });
+    result_.topology.insert(result_.topology.end(), topology.begin(), topology.end());
+  }
+
+  Solid assemble_and_certify(SolvedStructure& solved, const std::string& structure, Label label) {
+    const SolvedStack& stack = solved.stack;
     const Numbering numbering(stack);
     std::vector<AssembledSlab> slabs(stack.slabs.size());
     for_each(slabs.size(), arena_, "assemble", progress_,
@@ -176,6 +120,7 @@ class Reconstructor {
                            [&] { certify_sections(stack, numbering, slabs, assembly.tetrahedra); });
     });
     certify_surface(solid.report, structure);
+    count_topology(solved.topology, slabs, numbering);
     for (Shell& shell : solid.report.shells) shell.structure = structure;
     result_.counts.kept += assembly.tetrahedra.tetrahedra.size();
     solid.tetrahedra = std::move(assembly.tetrahedra);
@@ -214,6 +159,7 @@ const char* name(Correspondence criterion) {
     case Correspondence::reverse: return "reverse";
     case Correspondence::medial: return "medial";
     case Correspondence::overlap: return "overlap";
+    case Correspondence::tracked: return "tracked";
   }
   return "unknown";
 }
@@ -225,6 +171,17 @@ const char* name(LinkCriterion criterion) {
     case LinkCriterion::overlap: return "overlap";
     case LinkCriterion::user: return "user";
     case LinkCriterion::crossing: return "crossing";
+    case LinkCriterion::tracked: return "tracked";
+  }
+  return "unknown";
+}
+
+const char* name(DoubtKind kind) {
+  switch (kind) {
+    case DoubtKind::may_connect: return "may-connect";
+    case DoubtKind::may_part: return "may-part";
+    case DoubtKind::void_may_connect: return "void-may-connect";
+    case DoubtKind::void_may_part: return "void-may-part";
   }
   return "unknown";
 }

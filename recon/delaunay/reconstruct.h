@@ -11,10 +11,12 @@
 // The same input gives the same bytes, on any number of threads.
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "recon/core/progress.h"
+#include "recon/delaunay/doubt.h"
 #include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
 #include "recon/mesh/meshes.h"
@@ -22,26 +24,59 @@
 
 namespace odontoscope {
 
-/// When are a region and one of the next slice connected? Each criterion includes those before it.
+/// When are a region and one of the next slice connected? Each of the first three includes those before it.
 enum class Correspondence {
   reverse,   // the paper's: a tetrahedron joins an internal, non-contour edge of each
   medial,    // or the circumcentre of an internal triangle of one lies in the other
   overlap,   // or any point of the common Voronoi overlay lies in both
+  tracked,   // as medial; then what hangs free is linked by what the slices before and behind say (track.h)
+};
+
+/// What becomes of the space between two slices?
+enum class Between {
+  blended,    // slices are interpolated where a slab needs it, and the topology that contours and links imply is sought
+  delaunay,   // the paper's: the Delaunay triangulation of the two slices alone
 };
 
 struct ReconstructOptions {
   Correspondence correspondence = Correspondence::medial;
+  Between between = Between::delaunay;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
 };
 
 /// Why a link was made. `user`: the links file; `crossing`: the two components would otherwise have crossed each other and were
 /// therefore made one.
-enum class LinkCriterion { reverse, medial, overlap, user, crossing };
+enum class LinkCriterion { reverse, medial, overlap, user, crossing, tracked };
 
 struct MadeLink {
   Link link;
   LinkCriterion criterion = LinkCriterion::medial;
+};
+
+/// A void of one slice joined with one of the next; a void is named by the hole contour that bounds it.
+struct MadeVoidLink {
+  std::string structure;
+  std::size_t slice = 0;
+  std::optional<std::size_t> lower, upper;   // number of the hole's contour in its slice; none: the outside
+  LinkCriterion criterion = LinkCriterion::medial;
+};
+
+/// Betti numbers of a solid.
+struct Topology {
+  long pieces = 0;    // connected components
+  long handles = 0;   // independent loops
+  long bubbles = 0;   // voids that are shut in
+  friend bool operator==(const Topology&, const Topology&) = default;
+};
+
+/// One structure's solid between two slices: what its contours and links imply (docs/reconstruction.md), and what was counted.
+struct SlabTopology {
+  std::string structure;
+  std::size_t slice = 0;            // the lower one
+  Topology implied, found;
+  std::size_t interpolated = 0;     // slices that were put between the two
+  bool as_implied() const { return implied == found; }
 };
 
 struct StageTime {
@@ -65,12 +100,16 @@ struct ReconstructCounts {
   std::size_t trimmed = 0;         // taken out where regions hang over nothing
   std::size_t cut_links = 0;       // witnessed, but not built: the solids would have crossed one that must stay apart
   std::size_t isolated_regions = 0;    // linked to nothing on either side: made a thin plate
+  std::size_t raised_slabs = 0;        // where lifting found no room, and the triangulation was moved off both slices
   double largest_sideways = 0;     // of a lifted point, over the length of the edge that it split
 };
 
 struct Reconstruction {
   std::vector<Solid> solids;     // in order of first appearance of the structure
   std::vector<MadeLink> links;   // by structure, slice, lower, upper
+  std::vector<MadeVoidLink> void_links;   // by structure, slice, lower, upper
+  std::vector<SlabTopology> topology;     // of every slab that holds material, by structure and slice
+  std::vector<Doubt> doubts;              // choices that the slices do not settle; by structure, slab, lower, upper
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;

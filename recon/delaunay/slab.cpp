@@ -195,8 +195,10 @@ class SlabWalk {
 
 }  // namespace
 
+std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper) { return SlabWalk(lower, upper).run(); }
+
 std::vector<SlabTetrahedron> triangulate_slab(const Planar& lower, const Planar& upper) {
-  std::vector<SlabTetrahedron> tetrahedra = SlabWalk(lower, upper).run();
+  std::vector<SlabTetrahedron> tetrahedra = walked_slab(lower, upper);
   link_neighbours(tetrahedra);
   return tetrahedra;
 }

@@ -30,6 +30,9 @@ struct SlabTetrahedron {
 /// well-spread points. The order of the result depends on the input alone.
 std::vector<SlabTetrahedron> triangulate_slab(const Planar& lower, const Planar& upper);
 
+/// The same, without neighbours: enough to see which regions lie over each other.
+std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper);
+
 /// For each face of `tetrahedra` the tetrahedron beyond it (none: only one has it). Throws InternalError if three share a face.
 void link_neighbours(std::vector<SlabTetrahedron>& tetrahedra);
 

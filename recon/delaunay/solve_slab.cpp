@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "recon/delaunay/face_table.h"
+#include "recon/delaunay/raise.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -39,14 +40,12 @@ class SlabSolver {
     const Planar& lower = task_.lower.planar;
     const Planar& upper = task_.upper.planar;
     whole_ = triangulate_slab(lower, upper);
-    Correspondences found = correspond(witnessed_links(whole_, lower, upper, task_.correspondence), task_.choices,
-                                       regions(task_.lower), regions(task_.upper), task_.place);
-    for (Component& component : found.components) {
-      groups_.push_back({{std::move(component)}, std::nullopt, {}});
+    for (const Component& component : task_.correspondences.components) {
+      groups_.push_back({{component}, std::nullopt, {}});
       solve(groups_.back());
     }
     while (separate()) progress_.check();
-    return collect(std::move(found.links));
+    return collect(task_.correspondences.links);
   }
 
  private:
@@ -86,7 +85,7 @@ class SlabSolver {
     }
     std::vector<Fate> fate = eliminate(tets, lower, upper);
     if (finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper)) return;
-    throw InternalError(fmt::format("the slab between z = {} and {} could not be repaired or lifted", task_.lower.z, task_.upper.z));
+    throw InternalError(fmt::format("the slab between z = {} and {} could not be repaired", task_.lower.z, task_.upper.z));
   }
 
   /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
@@ -121,8 +120,9 @@ class SlabSolver {
       if (!joined) return false;
       if (*joined == 0) break;
     }
-    if (!lift(tets, fate, lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid))
-      return false;
+    const SlabHeights heights{task_.lower.z, task_.upper.z};
+    const bool lifted = task_.walls == Walls::lifted && lift(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid);
+    if (!lifted && !raise(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid)) refuse_too_close(task_);
     group.solid = std::move(solid);
     return true;
   }
@@ -182,6 +182,7 @@ class SlabSolver {
       const Component all = united(group.components);
       for (const std::uint32_t r : all.lower) result.lower_linked[r] = true;
       for (const std::uint32_t r : all.upper) result.upper_linked[r] = true;
+      result.raised = result.raised || group.solid->raised;
       result.pieces.push_back(std::move(*group.solid));
     }
     for (const RegionLink& link : links) {
@@ -208,6 +209,13 @@ class SlabSolver {
 };
 
 }  // namespace
+
+void refuse_too_close(const SlabTask& task) {
+  throw InputError("slices-too-close", task.place,
+                   fmt::format("a wall must run between this slice and the next, at z = {}, and no number lies between the two heights",
+                               task.upper.z),
+                   "Drop one of the two slices, or give heights that differ by more than a rounding");
+}
 
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
   if (task.lower.regions() == 0 || task.upper.regions() == 0) {

@@ -16,14 +16,19 @@ struct SolvedSlab {
   std::vector<SlabSolid> pieces;
   std::vector<RegionLink> links;        // those that hold in the result
   std::size_t cut_links = 0;            // witnessed, but given up by case 3 below
+  bool raised = false;                  // some piece is (raise.h)
   std::vector<bool> lower_linked, upper_linked;   // of each region: does it carry a piece in this slab?
 };
+
+/// How what repair put back leaves the slices: lifted where that works, else raised; or raised in any case, which leaves room for plates.
+enum class Walls { lifted, raised };
 
 struct SlabTask {
   const ConformedSlice& lower;
   const ConformedSlice& upper;
-  Correspondence correspondence;
-  Choices choices;
+  Correspondences correspondences;   // by correspond, from ...
+  Choices choices;                   // ... these
+  Walls walls = Walls::lifted;
   Place place;   // for messages
 };
 
@@ -31,8 +36,11 @@ struct SlabTask {
 ///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their regions; else
 ///   2. made one component (links with criterion `crossing`), unless the user keeps a pair of their regions apart; else
 ///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: InputError link-impossible.
-/// Throws InternalError if a single component can be neither repaired nor lifted: no input is known that does that.
+/// Throws InputError slices-too-close if a piece must leave a slice and no double lies between the two.
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress);
+
+/// Throws InputError slices-too-close.
+[[noreturn]] void refuse_too_close(const SlabTask& task);
 
 /// The boundary of a slab's solid, by place.
 Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid);

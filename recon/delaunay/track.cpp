@@ -22,7 +22,7 @@ struct Proposal {
 
 class Tracker {
  public:
-  Tracker(const std::vector<ShapeSlice>& slices, const std::vector<SlabLinks>& slabs)
+  Tracker(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs)
       : slabs_(slabs), graph_(slices), joined_(number_shapes(slices)) {
     for (std::size_t k = 0; k < slabs.size(); ++k) {
       apart_.push_back(slabs[k].apart);
@@ -63,24 +63,24 @@ class Tracker {
     const auto a = static_cast<std::uint32_t>(first_shape_[slab] + lower),
                b = static_cast<std::uint32_t>(first_shape_[slab + 1] + upper);
     if (joined_.find(a) == joined_.find(b)) {
-      doubt(Doubt::may_connect, by, slab, lower, upper);
+      doubt(Choice::may_connect, by, slab, lower, upper);
       return false;
     }
     joined_.join(a, b);
     graph_.add(slab, lower, upper);
     result_.links[slab].push_back({lower, upper, by});
     doubts_.erase({slab, lower, upper});
-    if (!clear) doubt(Doubt::may_close, by, slab, lower, upper);
+    if (!clear) doubt(Choice::may_part, by, slab, lower, upper);
     return true;
   }
 
-  void doubt(Doubt doubt, TrackedBy by, std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
-    if (doubt == Doubt::may_connect && is_linked(slab, lower, upper)) return;
+  void doubt(Choice choice, TrackedBy by, std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
+    if (choice == Choice::may_connect && is_linked(slab, lower, upper)) return;
     const TrackedShape &a = graph_.shape(slab, lower), &b = graph_.shape(slab + 1, upper);
     const Point2 p = a.unbounded ? b.centroid : a.centroid, q = b.unbounded ? a.centroid : b.centroid;
     const double z = (graph_.slices()[slab].z + graph_.slices()[slab + 1].z) / 2;
     doubts_.insert({{slab, lower, upper},
-                    {doubt, by, slab, lower, upper, a.contour, b.contour, {(p.x + q.x) / 2, (p.y + q.y) / 2, z}}});
+                    {choice, by, slab, lower, upper, a.contour, b.contour, {(p.x + q.x) / 2, (p.y + q.y) / 2, z}}});
   }
 
   bool is_linked(std::size_t slab, std::uint32_t lower, std::uint32_t upper) const {
@@ -127,7 +127,7 @@ class Tracker {
     }
     for (const DriftCandidate* c : lost)
       if (!graph_.free_above(c->slab, c->lower) || !graph_.free_below(c->slab + 1, c->upper))
-        doubt(Doubt::may_connect, TrackedBy::drift, c->slab, c->lower, c->upper);
+        doubt(Choice::may_connect, TrackedBy::drift, c->slab, c->lower, c->upper);
     return any;
   }
 
@@ -221,7 +221,7 @@ class Tracker {
     const bool tracked = std::any_of(links.begin(), links.end(), [&](const TrackedLink& link) {
       return link.lower == lower || link.upper == upper;
     });
-    if (tracked) doubt(Doubt::may_connect, TrackedBy::overlap, slab, lower, upper);
+    if (tracked) doubt(Choice::may_connect, TrackedBy::overlap, slab, lower, upper);
   }
 
   /// The largest share first. A link that an end, still free, asks for is made from `least` on; below it is asked
@@ -236,7 +236,7 @@ class Tracker {
       if (asked && p.share >= least)
         make(p.slab, p.lower, p.upper, by, p.share >= clear);
       else if (asked || p.share >= least)
-        doubt(Doubt::may_connect, by, p.slab, p.lower, p.upper);
+        doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
   }
 
@@ -245,29 +245,29 @@ class Tracker {
 
   void ask_about_free_ends() {
     for (const DriftCandidate& c : drift_candidates(graph_, apart_))
-      if (std::max(c.line, c.own) < worth_asking) doubt(Doubt::may_connect, TrackedBy::drift, c.slab, c.lower, c.upper);
+      if (std::max(c.line, c.own) < worth_asking) doubt(Choice::may_connect, TrackedBy::drift, c.slab, c.lower, c.upper);
   }
 
-  const std::vector<SlabLinks>& slabs_;
+  const std::vector<KnownLinks>& slabs_;
   ShapeGraph graph_;
   std::vector<std::size_t> first_shape_;
   UnionFind joined_;  // shapes, by tracked links alone
   std::vector<ShapePairs> apart_;
-  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, DoubtfulChoice> doubts_;
+  std::map<std::tuple<std::size_t, std::uint32_t, std::uint32_t>, DoubtfulLink> doubts_;
   Tracking result_;
 };
 
 }  // namespace
 
-Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<SlabLinks>& slabs) {
+Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs) {
   return Tracker(slices, slabs).run();
 }
 
-SlabLinks links_by(const std::vector<RegionLink>& witnessed, Correspondence criterion) {
+KnownLinks links_by(const std::vector<RegionLink>& witnessed, Correspondence criterion) {
   const LinkCriterion widest = criterion == Correspondence::reverse  ? LinkCriterion::reverse
                                : criterion == Correspondence::medial ? LinkCriterion::medial
                                                                      : LinkCriterion::overlap;
-  SlabLinks links;
+  KnownLinks links;
   for (const RegionLink& link : witnessed) (link.criterion <= widest ? links.made : links.overlapping).push_back(link);
   return links;
 }

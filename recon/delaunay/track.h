@@ -23,7 +23,7 @@
 namespace odontoscope::delaunay {
 
 /// What is known of one slab before tracking, in shape numbers.
-struct SlabLinks {
+struct KnownLinks {
   std::vector<RegionLink> made;         // links that hold
   std::vector<RegionLink> overlapping;  // further pairs with a witness
   ShapePairs apart;                     // never to be linked: the user's word
@@ -37,13 +37,13 @@ struct TrackedLink {
 };
 
 /// A choice that the slices do not settle: a link that would change the topology if it were decided the other way.
-enum class Doubt {
+enum class Choice {
   may_connect,  // not linked, but it may be meant
-  may_close,    // linked, but it may not be meant
+  may_part,     // linked, but it may not be meant
 };
 
-struct DoubtfulChoice {
-  Doubt doubt = Doubt::may_connect;
+struct DoubtfulLink {
+  Choice choice = Choice::may_connect;
   TrackedBy by = TrackedBy::drift;                                     // what speaks for the link
   std::size_t slab = 0;                                                // between slices slab and slab + 1
   std::uint32_t lower = 0, upper = 0;                                  // shapes
@@ -53,17 +53,17 @@ struct DoubtfulChoice {
 
 struct Tracking {
   std::vector<std::vector<TrackedLink>> links;  // of each slab: those to add, by lower, upper
-  std::vector<DoubtfulChoice> doubtful;         // by slab, lower, upper; each pair once
+  std::vector<DoubtfulLink> doubtful;         // by slab, lower, upper; each pair once
 };
 
-/// Preconditions: slices by ascending z, one SlabLinks for each pair of neighbours, shape numbers within range.
+/// Preconditions: slices by ascending z, one KnownLinks for each pair of neighbours, shape numbers within range.
 /// Depends on nothing but its arguments. Time: near-linear in shapes and links but for overlaps, which take the
 /// product of the points of two shapes at worst.
-Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<SlabLinks>& slabs);
+Tracking track(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs);
 
 /// Parts `witnessed` (of the widest criterion, as witnessed_links gives them) into the links of `slab` that hold by
 /// `criterion` and those that only overlap. For regions use correspond()'s links as `made` where the user chose links
 /// of his own.
-SlabLinks links_by(const std::vector<RegionLink>& witnessed, Correspondence criterion);
+KnownLinks links_by(const std::vector<RegionLink>& witnessed, Correspondence criterion);
 
 }  // namespace odontoscope::delaunay

@@ -7,6 +7,7 @@
 
 #include "recon/core/error.h"
 #include "recon/exchange/read_csl.h"
+#include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/input/validate.h"
@@ -16,6 +17,7 @@ namespace odontoscope {
 std::optional<ContourFileKind> contour_file_kind(std::string_view bytes) {
   if (looks_like_rtstruct(bytes)) return ContourFileKind::rtstruct;
   if (looks_like_csl(bytes)) return ContourFileKind::csl;
+  if (looks_like_jser(bytes)) return ContourFileKind::jser;
   if (looks_like_series(bytes)) return ContourFileKind::series;
   return std::nullopt;
 }
@@ -25,6 +27,7 @@ FileContours read_contour_file(ContourFileKind kind, std::string_view bytes, con
   FileContours read;
   switch (kind) {
     case ContourFileKind::series: read = read_series(bytes, file); break;
+    case ContourFileKind::jser: read = parse_jser(bytes, file); break;
     case ContourFileKind::csl: read = parse_csl(bytes, file); break;
     case ContourFileKind::rtstruct: return parse_rtstruct(bytes, file, structures);  // only planes of those wanted
   }

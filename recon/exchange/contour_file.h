@@ -2,6 +2,7 @@
 // Contours from files of other programs, told by what is in them.
 //
 //   Reconstruct series   `.ser` and its sections NAME.1, NAME.2, ... beside it (read_series.h)
+//   PyReconstruct        `.jser`, the same in one JSON file (read_jser.h)
 //   CSL                  parallel planes of the cross-section literature (read_csl.h)
 //   DICOM RTSTRUCT       structure sets of radiotherapy (read_rtstruct.h)
 //
@@ -23,7 +24,7 @@ struct FileContours {
   std::vector<std::string> remarks;
 };
 
-enum class ContourFileKind { series, csl, rtstruct };
+enum class ContourFileKind { series, jser, csl, rtstruct };
 
 /// Nothing if `bytes` (all, or the first few thousand) are of no such file.
 std::optional<ContourFileKind> contour_file_kind(std::string_view bytes);

@@ -24,16 +24,29 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+bool has_representation(std::string_view bytes, std::size_t at) {
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  return bytes.size() >= at + 6 && is_capital(bytes[at + 4]) && is_capital(bytes[at + 5]);
+}
+
 }  // namespace
 
+bool begins_as_data_set(std::string_view bytes) {
+  constexpr std::size_t header = 8;
+  if (bytes.size() < header || (bytes[0] != 2 && bytes[0] != 8) || bytes[1] != 0 || bytes[3] != 0) return false;
+  return has_representation(bytes, 0) || little_endian<std::uint32_t>(bytes, 4) <= bytes.size();
+}
+
 DicomSet::DicomSet(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-  if (bytes_.size() < preamble + mark_length || bytes_.substr(preamble, mark_length) != "DICM") unreadable(0, "the file has no mark of DICOM");
-  read_meta_information();
+  const bool marked = bytes_.size() >= preamble + mark_length && bytes_.substr(preamble, mark_length) == "DICM";
+  const bool without_preamble = !marked && bytes_.starts_with("DICM");
+  if (!marked && !without_preamble && !begins_as_data_set(bytes_)) unreadable(0, "the file has no mark of DICOM");
+  read_meta_information(marked ? preamble + mark_length : without_preamble ? mark_length : 0);
 }
 
 /// Group 2, always explicit, says how the rest is coded.
-void DicomSet::read_meta_information() {
-  std::size_t at = preamble + mark_length;
+void DicomSet::read_meta_information(std::size_t at) {
+  const bool bare = at == 0;
   std::string_view syntax;
   while (at < bytes_.size() && number(at, 2, bytes_.size()) == 2) {
     const Element found = element(at, bytes_.size(), true, 0);
@@ -41,6 +54,8 @@ void DicomSet::read_meta_information() {
     at = found.next;
   }
   constexpr std::string_view implicit_little = "1.2.840.10008.1.2", explicit_little = "1.2.840.10008.1.2.1";
+  // Without it the coding shows in the first element: representations are two capital letters.
+  if (syntax.empty() && bare) syntax = has_representation(bytes_, at) ? explicit_little : implicit_little;
   if (syntax != implicit_little && syntax != explicit_little) {
     unreadable(at, syntax.empty() ? "it names no transfer syntax" : fmt::format("transfer syntax {} is not supported", tame(syntax)));
   }

@@ -10,7 +10,10 @@
 
 namespace odontoscope {
 
-/// Borrowed bytes: they must outlive it. Little-endian, explicit or implicit. Whatever is asked for, each element on the way is
+/// A data set without preamble and mark, as old programs write it: its first element is of group 2 or 8.
+bool begins_as_data_set(std::string_view bytes);
+
+/// Borrowed bytes: they must outlive it. The preamble and the mark may be missing. Little-endian, explicit or implicit. Whatever is asked for, each element on the way is
 /// checked to lie within what holds it: InputError truncated where one does not, unreadable-structure-set for what is no data set, for
 /// other transfer syntaxes and for sequences nested deeper than limits::dicom_nesting.
 class DicomSet {
@@ -44,7 +47,7 @@ class DicomSet {
   std::size_t skip_item(std::size_t at, std::size_t end, bool explicit_vr, int depth) const;
   /// False if it is not there.
   bool find(const DataSet& data, std::uint32_t tag, Element& found) const;
-  void read_meta_information();
+  void read_meta_information(std::size_t at);
   std::uint32_t number(std::size_t at, std::size_t bytes, std::size_t end) const;
   [[noreturn]] void truncated(std::size_t at) const;
   [[noreturn]] void unreadable(std::size_t at, std::string_view wrong) const;

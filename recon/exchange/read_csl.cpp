@@ -9,6 +9,7 @@
 
 #include "recon/core/limits.h"
 #include "recon/exchange/limits.h"
+#include "recon/exchange/plane_frame.h"
 #include "recon/input/counts.h"
 #include "recon/mesh/parsing.h"
 
@@ -16,31 +17,6 @@ namespace odontoscope {
 namespace {
 
 using namespace parsing;
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector scaled(const Vector& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
-
-/// Right-handed: points become (u.p, v.p), heights n.p.
-struct Frame {
-  Vector u, v, n;
-};
-
-/// Exact for planes along an axis.
-Frame frame_of(const Vector& unit_normal) {
-  constexpr Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-  for (const Frame& axes : {Frame{x, y, z}, Frame{y, z, x}, Frame{z, x, y}}) {
-    if (std::abs(dot(unit_normal, axes.n)) == 1) return axes;
-  }
-  const Vector aside = std::abs(unit_normal[0]) < 0.6 ? x : y;
-  Vector v = cross(unit_normal, aside);
-  v = scaled(v, 1 / length(v));
-  return {cross(v, unit_normal), v, unit_normal};
-}
 
 struct Component {
   std::size_t label = 0;
@@ -91,20 +67,22 @@ class Reader {
       if (!fault.empty()) fail(fault, fmt::format("vertex {} has no usable coordinates", i));
       plane.vertices.push_back({p.x, p.y, p.z});
     }
-    for (std::size_t i = 0; i < components; ++i) plane.components.push_back(component(vertices, plane.components));
+    for (std::size_t i = 0; i < components; ++i) plane.components.push_back(component(vertices, i, components));
+    resolve_owners(plane.components);
     return plane;
   }
 
-  Component component(std::size_t vertices, const std::vector<Component>& before) {
+  Component component(std::size_t vertices, std::size_t number, std::size_t components) {
     Component component;
-    component.owner = before.size();
+    component.owner = number;
     std::string_view word = words_.next();
     const std::size_t h = word.find('h');
     const std::size_t count = whole(word.substr(0, h));
     if (h != word.npos) {
       const std::size_t other = whole(word.substr(h + 1));
-      if (other >= before.size()) fail("index-out-of-range", fmt::format("a hole of component {}, which has not come yet", other));
-      component.owner = before[other].owner;
+      if (other >= components) fail("index-out-of-range", fmt::format("a hole of component {} of {}", other, components));
+      if (other == number) fail("index-out-of-range", fmt::format("component {} is a hole of itself", number));
+      component.owner = other;  // which may come later
     }
     component.label = whole_number();
     require_bytes(count, 2);
@@ -114,6 +92,22 @@ class Reader {
       component.vertices.push_back(vertex);
     }
     return component;
+  }
+
+  /// A hole of a hole belongs to what that is a hole of.
+  void resolve_owners(std::vector<Component>& components) {
+    std::vector<std::size_t> way;
+    std::vector<char> settled(components.size(), 0);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      std::size_t at = i;
+      for (way.clear(); !settled[at] && components[at].owner != at; at = components[at].owner) {
+        way.push_back(at);
+        if (way.size() > components.size()) fail("index-out-of-range", fmt::format("component {} is a hole of its own hole", i));
+      }
+      const std::size_t owner = components[at].owner;
+      for (const std::size_t hole : way) components[hole].owner = owner;
+      for (const std::size_t hole : way) settled[hole] = 1;
+    }
   }
 
   double number() {
@@ -167,7 +161,7 @@ std::vector<double> heights_of(const std::vector<Plane>& planes, const Frame& fr
       refuse("not-parallel", at_line(file, plane.line), fmt::format("plane {} is not parallel to the first", heights.size()),
              "Only parallel planes can be reconstructed");
     }
-    heights.push_back(dot(plane.normal, frame.n) > 0 ? plane.offset : -plane.offset);
+    heights.push_back((dot(plane.normal, frame.n) > 0 ? plane.offset : -plane.offset) + 0.0);  // never -0
   }
   return heights;
 }

@@ -6,7 +6,7 @@
 //   then for each plane: NUMBER VERTICES COMPONENTS A B C D, where Ax + By + Cz + D = 0
 //     x y z                  for each vertex
 //     COUNT LABEL i j k ...  for each component, a closed contour by vertex numbers from 0; COUNT is "5h0" for a hole with five
-//                            corners in component 0
+//                            corners in component 0, which may come later
 //
 // Planes must be parallel; they may lie any way. Planes along z keep x and y as they are, those along x or y change axes by rotation (y, z, x or
 // z, x, y), and any others are turned so that their normal is +z. Points are projected onto their plane. A file with two labels (one is the

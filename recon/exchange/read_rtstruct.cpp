@@ -10,8 +10,11 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/exchange/character_set.h"
 #include "recon/exchange/dicom_set.h"
 #include "recon/exchange/limits.h"
+#include "recon/exchange/parallel_planes.h"
+#include "recon/exchange/repeated_contours.h"
 #include "recon/input/counts.h"
 #include "recon/mesh/parsing.h"
 
@@ -22,25 +25,17 @@ using namespace parsing;
 
 constexpr std::string_view structure_set_class = "1.2.840.10008.5.1.4.1.1.481.3";
 constexpr std::size_t preamble = 128;
+constexpr std::uint32_t character_set = 0x00080005;
 
 constexpr std::uint32_t roi_sequence = 0x30060020, roi_number = 0x30060022, roi_name = 0x30060026;
 constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042, point_count = 0x30060046,
                         contour_data = 0x30060050, referenced_roi = 0x30060084;
-
-/// A contour in space, not yet in a plane.
-struct Outline {
-  std::size_t structure = 0;  // number of its ROI
-  std::size_t number = 0;     // within it
-  std::vector<Point3> points;
-};
 
 struct Roi {
   std::string name;
   std::map<std::string, std::size_t> left_out;  // types, and how many contours of them
   std::size_t taken = 0;
 };
-
-double along(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 class Reader {
  public:
@@ -62,7 +57,7 @@ class Reader {
   void read_names() {
     std::map<std::string, std::size_t> times;
     for (const DicomSet::DataSet& item : set_.items(set_.top(), roi_sequence)) {
-      std::string name = plain(set_.text(item, roi_name));
+      std::string name = name_of(item);
       const std::string number(set_.text(item, roi_number));
       if (name.empty()) name = "ROI " + plain(number);
       if (const std::size_t n = ++times[name]; n > 1) name = fmt::format("{} ({})", name, n);
@@ -73,7 +68,21 @@ class Reader {
     if (rois_.empty()) refuse("unreadable-structure-set", whole_, "it names no region of interest", "Check that it is the file you mean");
   }
 
-  /// Names come in many character sets; what is no plain character is replaced.
+  /// In UTF-8, cut at a whole character.
+  std::string name_of(const DicomSet::DataSet& item) {
+    const DecodedText decoded = to_utf8(set_.text(item, roi_name).substr(0, 4 * limits::name_length), set_.text(set_.top(), character_set));
+    if (decoded.guessed && !guess_told_) {
+      result_.remarks.push_back("names are not in the character set that the file states; they were read as UTF-8, or else as Latin-1");
+      guess_told_ = true;
+    }
+    std::string name = decoded.utf8;
+    if (name.size() <= limits::name_length) return name;
+    std::size_t end = limits::name_length;
+    while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;
+    name.resize(end);
+    return name;
+  }
+
   static std::string plain(std::string_view name) {
     std::string result;
     for (const char c : name.substr(0, limits::name_length)) result += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? '?' : c;
@@ -105,7 +114,7 @@ class Reader {
       return;
     }
     ++roi.taken;
-    Outline outline{structure, number, {}};
+    Outline outline{roi.name, number, {}};
     const std::string what = fmt::format("contour {} of {}", number, roi.name);
     const std::vector<double> numbers = decimals(set_.text(item, contour_data), what);
     const std::string_view said = set_.text(item, point_count);
@@ -154,42 +163,27 @@ class Reader {
     }
   }
 
-  bool is_flat(const Outline& outline, int axis) const {
-    const auto [low, high] = std::minmax_element(outline.points.begin(), outline.points.end(),
-                                                 [&](const Point3& a, const Point3& b) { return along(a, axis) < along(b, axis); });
-    return along(*high, axis) - along(*low, axis) <= limits::plane_thickness;
-  }
-
-  /// That all planes lie across.
-  int common_axis() const {
-    for (const int axis : {2, 0, 1}) {
-      if (std::all_of(outlines_.begin(), outlines_.end(), [&](const Outline& o) { return is_flat(o, axis); })) return axis;
-    }
-    const auto tilted = std::find_if(outlines_.begin(), outlines_.end(), [&](const Outline& o) { return !is_flat(o, 2); });
-    refuse("not-parallel", whole_,
-           fmt::format("contour {} of {} lies in no plane across z, and the others not all across x or y", tilted->number, rois_[tilted->structure].name),
-           "Only contours in parallel planes along an axis can be reconstructed; choose regions with --structure");
-  }
-
   void make_slices() {
-    if (outlines_.empty()) return;
-    const int axis = common_axis();
-    std::vector<std::pair<double, std::size_t>> by_height;
-    for (std::size_t i = 0; i < outlines_.size(); ++i) by_height.emplace_back(along(outlines_[i].points.front(), axis), i);
-    std::stable_sort(by_height.begin(), by_height.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<Slice>& slices = result_.stack.slices;
-    double last = 0;
-    for (const auto& [height, i] : by_height) {
-      if (slices.empty() || height - last > limits::plane_thickness) slices.push_back({height, {}});
-      last = height;
-      check_slice_count(slices.size(), whole_);
-      Contour contour;
-      contour.structure = rois_[outlines_[i].structure].name;
-      for (const Point3& p : outlines_[i].points) contour.points.push_back({along(p, (axis + 1) % 3), along(p, (axis + 2) % 3)});
-      slices.back().contours.push_back(std::move(contour));
-      check_contours_in_slice(slices.back().contours.size(), whole_);
+    result_.stack.slices = slices_of(outlines_, whole_, result_.remarks);
+    std::map<std::string, Repeats> of_structure;
+    for (Slice& slice : result_.stack.slices) drop_repeats(slice, of_structure);
+    for (const auto& [structure, repeats] : of_structure) {
+      const std::string count = repeats.count == 1 ? "a contour was" : fmt::format("{} contours were", repeats.count);
+      result_.remarks.push_back(fmt::format("{}: {} there again, the first at z = {:.6g}; each is kept once", structure, count, repeats.first_z));
     }
-    if (axis != 2) result_.remarks.push_back(fmt::format("the planes lie across {}; the model's z is that axis", axis == 0 ? 'x' : 'y'));
+  }
+
+  struct Repeats {
+    std::size_t count = 0;
+    double first_z = 0;
+  };
+  static void drop_repeats(Slice& slice, std::map<std::string, Repeats>& of_structure) {
+    const std::vector<std::size_t> repeats = repeats_of_earlier(slice.contours);
+    for (auto c = repeats.rbegin(); c != repeats.rend(); ++c) {
+      Repeats& known = of_structure[slice.contours[*c].structure];
+      if (known.count++ == 0) known.first_z = slice.z;
+      slice.contours.erase(slice.contours.begin() + static_cast<std::ptrdiff_t>(*c));
+    }
   }
 
   void make_remarks() {
@@ -226,18 +220,39 @@ class Reader {
   std::vector<Roi> rois_;
   std::vector<Outline> outlines_;
   std::size_t points_ = 0;
+  bool guess_told_ = false;
   FileContours result_;
 };
 
 }  // namespace
 
+namespace {
+
+/// Is there an element of this tag, explicit (with the given representation) or implicit, whose value is `value`? Looked for as bytes, since a damaged
+/// file may not be walked through; a longer UID is another value.
+bool states(std::string_view head, std::string_view tag, std::string_view representation, std::string_view value) {
+  constexpr std::size_t header = 8;
+  for (std::size_t at = head.find(tag); at != head.npos; at = head.find(tag, at + 1)) {
+    const std::string_view element = head.substr(at);
+    if (element.size() < header + value.size() || element.substr(header, value.size()) != value) continue;
+    const bool explicit_vr = element.substr(4, 2) == representation, implicit_vr = element[6] == 0 && element[7] == 0;
+    const char next = element.size() > header + value.size() ? element[header + value.size()] : '\0';
+    if ((explicit_vr || implicit_vr) && next != '.' && !(next >= '0' && next <= '9')) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 bool looks_like_rtstruct(std::string_view bytes) {
-  constexpr std::size_t looked_at = 2048;  // the class stands in the first elements
-  if (bytes.size() <= preamble || !bytes.substr(preamble).starts_with("DICM")) return false;
-  const std::size_t at = bytes.substr(0, looked_at).find(structure_set_class);
-  if (at == bytes.npos) return false;
-  const char next = at + structure_set_class.size() < bytes.size() ? bytes[at + structure_set_class.size()] : '\0';
-  return next != '.' && !(next >= '0' && next <= '9');
+  using namespace std::string_view_literals;
+  constexpr std::size_t looked_at = 4096;  // what a file is stands in the first elements
+  const bool marked = bytes.size() > preamble && bytes.substr(preamble).starts_with("DICM");
+  if (!marked && !bytes.starts_with("DICM") && !begins_as_data_set(bytes)) return false;
+  const std::string_view head = bytes.substr(0, looked_at);
+  // Each of three may be damaged. Other objects name the class as well, but as that of what they refer to.
+  return states(head, "\x02\0\x02\0"sv, "UI", structure_set_class) || states(head, "\x08\0\x16\0"sv, "UI", structure_set_class) ||
+         states(head, "\x08\0\x60\0"sv, "CS", "RTSTRUCT");
 }
 
 FileContours parse_rtstruct(std::string_view bytes, const std::string& file, const std::vector<std::string>& structures) {

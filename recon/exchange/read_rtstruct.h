@@ -5,8 +5,8 @@
 // taken, points and open lines are left out and counted in the remarks. A hole is a contour within another, or a keyhole: one line that goes in
 // along a bridge and comes back along it (repair_contours makes a hole of that). Numbers are millimetres in the patient's axes.
 //
-// Planes must lie along an axis of the patient, all the same one: across z (axial; x and y stay), x (y, z, x) or y (z, x, y). Contours
-// within limits::plane_thickness of each other make one slice; slices come by ascending height, whatever the order in the file.
+// Planes must be parallel; parallel_planes.h says how they become slices. A contour that its slice has already is left out and told. Names
+// become UTF-8 (character_set.h). The preamble and the mark of DICOM may be missing.
 
 #include <string>
 #include <string_view>

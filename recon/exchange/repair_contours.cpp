@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
+#include "recon/exchange/close_channels.h"
 #include "recon/exchange/region_border.h"
+#include "recon/exchange/repeated_contours.h"
 #include "recon/input/planar_sweep.h"
 
 namespace odontoscope {
@@ -58,10 +61,13 @@ class SliceRepair {
  public:
   SliceRepair(const std::string& file, std::size_t number, const Slice& slice, const RepairOptions& options,
               std::vector<ContourChange>& changes)
-      : slice_(slice), options_(options), changes_(changes) {
+      : slice_(slice), options_(options), changes_(changes), is_repeat_(slice.contours.size(), false) {
     place_.file = file;
     place_.slice = number;
     place_.z = slice.z;
+    // Sections of surfaces may lie on each other; a contour that was drawn is exported twice at most by mistake.
+    if (options.inside != Inside::odd) return;
+    for (const std::size_t c : repeats_of_earlier(slice.contours)) is_repeat_[c] = true;
   }
 
   /// Contours that need no change stay in their order; those of a structure that does come in the place of its first.
@@ -79,25 +85,37 @@ class SliceRepair {
   void repair(const std::vector<std::size_t>& members, std::vector<std::vector<Contour>>& in_place_of) {
     std::vector<Contour> kept;
     std::vector<std::size_t> number;  // that each had in the slice
+    std::optional<std::pair<double, std::size_t>> channel;  // its width, and whose it is
     for (const std::size_t c : members) {
+      if (is_repeat_[c]) {
+        tell(slice_.contours[c].structure, "is there already, and went", c);
+        continue;
+      }
       Contour contour = without_repeats(c);
       if (contour.points.size() < 3 || collinear(contour.points)) {
         tell(contour.structure, "enclosed nothing and went", c);
         continue;
+      }
+      const std::optional<ClosedChannel> closed = options_.inside == Inside::odd ? close_channels(contour.points) : std::nullopt;
+      if (closed) {
+        contour.points = closed->points;
+        if (!channel || closed->width > channel->first) channel = {closed->width, c};
       }
       kept.push_back(std::move(contour));
       number.push_back(c);
     }
     const std::optional<Breach> breach = breach_of(kept);
     if (!breach) {
+      if (channel) tell(slice_.contours[channel->second].structure, fmt::format("a channel {:.3g} mm wide was closed", channel->first), channel->second);
       for (std::size_t i = 0; i < kept.size(); ++i) in_place_of[number[i]].push_back(std::move(kept[i]));
       return;
     }
     std::vector<Contour> border = border_of(kept);
+    const std::string why = channel ? fmt::format("a channel {:.3g} mm wide was closed", channel->first)
+                                    : breach_in_words(*breach, breach->contour == breach->other_contour);
     tell(slice_.contours[members.front()].structure,
-         fmt::format("{}: {} contour{} became {}", breach_in_words(*breach, breach->contour == breach->other_contour),
-                     kept.size(), kept.size() == 1 ? "" : "s", border.size()),
-         number[breach->contour]);
+         fmt::format("{}: {} contour{} became {}", why, kept.size(), kept.size() == 1 ? "" : "s", border.size()),
+         channel ? channel->second : number[breach->contour]);
     in_place_of[members.front()] = std::move(border);
   }
 
@@ -147,6 +165,7 @@ class SliceRepair {
   const Slice& slice_;
   const RepairOptions& options_;
   std::vector<ContourChange>& changes_;
+  std::vector<bool> is_repeat_;
   Place place_;
 };
 

@@ -3,7 +3,8 @@
 //
 // What real files have: repeated points, contours without area, contours that run into themselves (keyholes, figures of eight),
 // that cross or touch one another. A structure's slice that keeps the rules stays as it is, to the bit. In the others
-//   - points that repeat their neighbour, and contours of fewer than three points, go;
+//   - points that repeat their neighbour, contours of fewer than three points, and contours that the slice has already (with Inside::odd), go;
+//   - channels of a contour that are at most limits::widest_channel wide are closed (with Inside::odd; close_channels.h);
 //   - contours that still break a rule are replaced by the border of the region that they enclose. Edges are cut where they cross, in a
 //     constrained Delaunay triangulation (exact predicates; a place of crossing is rounded), whose triangles are then told
 //     inside from outside: by an odd number of contours around them, or by winding;

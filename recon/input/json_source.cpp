@@ -7,18 +7,20 @@
 #include <cstring>
 
 #include "recon/core/limits.h"
+#include "recon/core/patient_read.h"
 
 namespace odontoscope {
 
-JsonSource JsonSource::from_file(const std::string& file) {
+JsonSource JsonSource::from_file(const std::string& file, std::stop_token stop) {
   JsonSource source;
   source.name_ = file;
-  source.file_.reset(std::fopen(file.c_str(), "rb"));
+  source.stop_ = std::move(stop);
+  const int descriptor = open_to_read(file);
+  if (descriptor >= 0) source.file_.reset(::fdopen(descriptor, "rb"));
   if (!source.file_) {
     throw FileError(file, fmt::format("cannot be read: {}", std::strerror(errno)),
                     "Check its name and your rights to it");
   }
-  std::setvbuf(source.file_.get(), nullptr, _IONBF, 0);  // it is read in large pieces anyway
   source.buffer_.resize(limits::read_piece);
   return source;
 }
@@ -47,8 +49,9 @@ bool JsonSource::fetch() {
   line_start_ = taken_before_ - column_of_end;
   position_ = counted_ = counted_ends_ = 0;
   piece_ = {};
-  const std::size_t got = std::fread(buffer_.data(), 1, buffer_.size(), file_.get());
-  if (got == 0 && std::ferror(file_.get())) {
+  const std::ptrdiff_t read = read_some(::fileno(file_.get()), buffer_.data(), buffer_.size(), stop_);
+  const auto got = static_cast<std::size_t>(std::max<std::ptrdiff_t>(read, 0));
+  if (read < 0) {
     throw FileError(name_, fmt::format("cannot be read: {}", std::strerror(errno)), "Check that it is a file");
   }
   if (taken_before_ + got > limits::file_bytes) {

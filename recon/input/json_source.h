@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <iterator>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,8 +17,8 @@ namespace odontoscope {
 
 class JsonSource {
  public:
-  /// Opens `file`; FileError if that fails. Pipes can be read too.
-  static JsonSource from_file(const std::string& file);
+  /// Opens `file`; FileError if that fails. Pipes can be read too, and given up by `stop`: Cancelled.
+  static JsonSource from_file(const std::string& file, std::stop_token stop = {});
   /// `bytes` must outlive the source; `name` stands for the file in messages.
   static JsonSource from_bytes(std::string_view bytes, std::string name);
 
@@ -82,6 +83,7 @@ class JsonSource {
 
   std::string name_;
   std::unique_ptr<std::FILE, Close> file_;
+  std::stop_token stop_;
   std::vector<char> buffer_;
   std::string_view piece_;
   std::size_t position_ = 0;

@@ -265,8 +265,8 @@ void write_json(const ContourStack& stack, Take take) {
 
 }  // namespace
 
-ContourStack read_stack(const std::string& file) {
-  JsonSource source = JsonSource::from_file(file);
+ContourStack read_stack(const std::string& file, std::stop_token stop) {
+  JsonSource source = JsonSource::from_file(file, std::move(stop));
   return StackReader().read_stack(source);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // The contour stack format of docs/formats.md.
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace odontoscope {
 /// yet by `validate`. Memory: the stack and a small buffer. Throws FileError, or InputError: unparsable, wrong-format,
 /// wrong-version, wrong-unit, wrong-type, missing-key, repeated-key, unknown-key, not-finite, too-large, too-deep,
 /// file-too-large, bad-name, too-many-slices / -contours / -points.
-ContourStack read_stack(const std::string& file);
+ContourStack read_stack(const std::string& file, std::stop_token stop = {});
 
 /// The same from memory; `name` stands for the file in messages and becomes `source`.
 ContourStack parse_stack(std::string_view bytes, std::string name);

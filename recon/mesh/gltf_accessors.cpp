@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "recon/core/limits.h"
+#include "recon/mesh/gltf_buffers.h"
 #include "recon/mesh/gltf_compression.h"
+#include "recon/mesh/gltf_extensions.h"
 #include "recon/mesh/parsing.h"
 
 namespace odontoscope::gltf {
@@ -28,7 +30,8 @@ struct Chunk {
   std::size_t offset = 0;
 };
 
-void check_header(std::string_view bytes, const std::string& file) {
+/// The bytes that the header announces; what follows is left aside.
+std::string_view announced_bytes(std::string_view bytes, const std::string& file) {
   if (bytes.size() < 4 || bytes.substr(0, 4) != "glTF") {
     refuse("bad-header", at_byte(file, 0), "the file does not begin with \"glTF\"", "Export it as binary glTF (.glb)");
   }
@@ -37,10 +40,12 @@ void check_header(std::string_view bytes, const std::string& file) {
   if (version != 2)
     refuse("bad-header", at_byte(file, 4), fmt::format("glTF version {} is not known, only 2", version));
   const std::size_t announced = little_endian<std::uint32_t>(bytes, 8);
-  if (announced == bytes.size()) return;
-  refuse(bytes.size() < announced ? "truncated" : "trailing-bytes", at_byte(file, 8),
-         fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
-         "Copy or export it again");
+  if (announced < header_size) refuse("bad-header", at_byte(file, 8), fmt::format("its header announces {} bytes", announced));
+  if (bytes.size() < announced) {
+    refuse("truncated", at_byte(file, 8), fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+           "Copy or export it again");
+  }
+  return bytes.substr(0, announced);
 }
 
 Chunk next_chunk(std::string_view bytes, std::size_t at, const std::string& file) {
@@ -63,7 +68,6 @@ struct View {
 };
 
 constexpr std::uint64_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
-constexpr std::string_view quantization_extension = "KHR_mesh_quantization";
 
 std::size_t component_size(std::uint64_t type) {
   switch (type) {
@@ -152,41 +156,61 @@ std::array<float, 3> quantized(const View& view, std::size_t element, bool norma
   }
 }
 
+void parse_json(Glb& glb, std::string_view text) {
+  glb.document = json::parse(text, nullptr, false);
+  if (glb.document.is_discarded() || !glb.document.is_object()) glb.refuse("unparsable", "the JSON part is no JSON object");
+  check_extensions(glb);
+}
+
+/// Bytes that are not within quotes: those within take no more when parsed.
+std::size_t bytes_outside_texts(std::string_view text) {
+  std::size_t outside = 0;
+  bool within = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (within && text[i] == '\\') ++i;
+    else if (text[i] == '"') within = !within;
+    outside += !within;
+  }
+  return outside;
+}
+
 }  // namespace
 
 void Glb::refuse(std::string_view cause, std::string_view wrong, std::string_view remedy) const {
   parsing::refuse(cause, at_byte(file, json_offset), wrong, remedy);
 }
 
-Glb parse_container(std::string_view bytes, const std::string& file) {
-  check_header(bytes, file);
-  Glb glb;
-  glb.file = file;
+Glb parse_container(std::string_view all_bytes, const std::string& file) {
+  const std::string_view bytes = announced_bytes(all_bytes, file);
   const Chunk first = next_chunk(bytes, header_size, file);
   if (first.type != json_chunk) refuse("bad-header", at_byte(file, header_size), "the first chunk is not JSON");
   if (first.bytes.size() > limits::gltf_json_bytes) {
     refuse("too-large", at_byte(file, header_size),
            fmt::format("the JSON part has more than {} bytes", limits::gltf_json_bytes));
   }
+  Glb glb;
+  glb.file = file;
   glb.json_offset = first.offset;
+  if (all_bytes.size() > bytes.size()) glb.remarks.push_back(parsing::bytes_behind_told(all_bytes.size() - bytes.size()));
   for (std::size_t at = first.offset + first.bytes.size(); at < bytes.size();) {
     const Chunk chunk = next_chunk(bytes, at, file);
-    if (chunk.type == buffer_chunk && glb.buffer_offset == 0) {
+    if (chunk.type == buffer_chunk && !glb.has_buffer) {
       glb.buffer = chunk.bytes;
-      glb.buffer_offset = chunk.offset;
+      glb.has_buffer = true;
     }
     at = chunk.offset + chunk.bytes.size();
   }
-  glb.document = json::parse(first.bytes, nullptr, false);
-  if (glb.document.is_discarded() || !glb.document.is_object())
-    glb.refuse("unparsable", "the JSON part is no JSON object");
-  for (const json& extension : list(glb, "extensionsRequired")) {
-    if (extension == meshopt_extension || extension == quantization_extension) continue;
-    glb.refuse("unsupported",
-               fmt::format("the extension {} is required",
-                           extension.is_string() ? parsing::tame(extension.get<std::string>()) : "?"),
-               "Export it without extensions, or with EXT_meshopt_compression only");
+  parse_json(glb, first.bytes);
+  return glb;
+}
+
+Glb parse_document(std::string_view bytes, const std::string& file) {
+  if (bytes_outside_texts(bytes) > limits::gltf_json_bytes) {
+    refuse("too-large", at_byte(file, 0), fmt::format("it has more than {} bytes besides its texts", limits::gltf_json_bytes));
   }
+  Glb glb;
+  glb.file = file;
+  parse_json(glb, bytes);
   return glb;
 }
 
@@ -235,16 +259,12 @@ const json& entry(const Glb& glb, const char* key, std::size_t index) {
 }
 
 std::string_view buffer_bytes(const Glb& glb, const json& place) {
-  if (index_into(glb, place, "buffer", "buffers") != 0) glb.refuse("unsupported", "a buffer lies outside the file");
-  const json& buffer = entry(glb, "buffers", 0);
-  if (buffer.contains("uri"))
-    glb.refuse("unsupported", "the buffer lies outside the file", "Export it with everything in one .glb");
+  const std::string_view buffer = whole_buffer(glb, index_into(glb, place, "buffer", "buffers"));
   const std::uint64_t offset = whole(glb, place, "byteOffset", 0), length = whole(glb, place, "byteLength", 0);
-  if (offset > glb.buffer.size() || length > glb.buffer.size() - offset) {
-    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset,
-                                        glb.buffer.size()));
+  if (offset > buffer.size() || length > buffer.size() - offset) {
+    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset, buffer.size()));
   }
-  return glb.buffer.substr(offset, length);
+  return buffer.substr(offset, length);
 }
 
 std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t accessor) {

@@ -1,5 +1,8 @@
 #include "recon/mesh/parsing.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -45,6 +48,10 @@ std::string tame(std::string_view name) {
   return tamed;
 }
 
+std::string bytes_behind_told(std::size_t bytes) {
+  return fmt::format("{} behind the data that the header announces left aside", bytes == 1 ? "1 byte" : fmt::format("{} bytes", bytes));
+}
+
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -69,8 +76,19 @@ bool parse_number(std::string_view word, double& number) {
   return error == std::errc();
 }
 
+std::size_t line_end(std::string_view text, std::size_t from) { return std::min(text.find_first_of("\r\n", from), text.size()); }
+
+std::size_t next_line(std::string_view text, std::size_t end) {
+  if (end < text.size() && text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n') return end + 2;
+  return std::min(end + 1, text.size());
+}
+
 std::string_view Words::next() {
-  while (at_ < text_.size() && is_space(text_[at_])) line_ += text_[at_++] == '\n';
+  while (at_ < text_.size() && is_space(text_[at_])) {
+    const bool ends_line = text_[at_] == '\n' || text_[at_] == '\r';
+    line_ += ends_line;
+    at_ = ends_line ? next_line(text_, at_) : at_ + 1;
+  }
   const std::size_t first = at_;
   while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
   word_line_ = line_;
@@ -79,7 +97,7 @@ std::string_view Words::next() {
 
 std::string_view Words::rest_of_line() {
   const std::size_t first = at_;
-  while (at_ < text_.size() && text_[at_] != '\n') ++at_;
+  at_ = line_end(text_, first);
   std::string_view rest = text_.substr(first, at_ - first);
   while (!rest.empty() && is_space(rest.front())) rest.remove_prefix(1);
   while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);

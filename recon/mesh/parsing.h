@@ -24,6 +24,14 @@ std::string_view coordinate_fault(const Point3& point);
 /// Fit for a message or a list: control characters replaced, length bounded.
 std::string tame(std::string_view name);
 
+/// Where the line that holds `from` ends: at LF, CR LF, a CR by itself as of old, or with the text.
+std::size_t line_end(std::string_view text, std::size_t from);
+/// The first byte behind such an end.
+std::size_t next_line(std::string_view text, std::size_t end);
+
+/// A remark: what follows the data was left aside.
+std::string bytes_behind_told(std::size_t bytes);
+
 bool is_space(char c);
 /// The same, letters A to Z aside from their case.
 bool same_word(std::string_view a, std::string_view b);

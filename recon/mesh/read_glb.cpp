@@ -83,6 +83,19 @@ Transform local_transform(const Glb& glb, const json& node) {
   return t;
 }
 
+constexpr std::uint64_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
+
+/// Corners of a strip or a fan as those of triangles, each as the standard turns it; triangles that name a corner twice only lead on.
+std::vector<std::uint32_t> as_list(std::uint64_t mode, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> listed;
+  for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
+    Triangle t{corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]};
+    if (mode == triangle_fan) t = {corners[i + 1], corners[i + 2], corners[0]};
+    if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) listed.insert(listed.end(), t.begin(), t.end());
+  }
+  return listed;
+}
+
 void add_triangles(const Glb& glb, const std::vector<std::uint32_t>& corners, std::size_t vertices, bool mirrored,
                    SurfaceMesh& surface) {
   if (corners.size() % 3 != 0)
@@ -128,10 +141,21 @@ class SceneReader {
       const std::vector<std::size_t> children = node_list(node, "children");
       for (auto child = children.rbegin(); child != children.rend(); ++child) waiting.emplace_back(*child, world);
     }
+    tell();
     return std::move(meshes_);
   }
 
  private:
+  void tell() {
+    if (meshes_.empty()) return;
+    std::vector<std::string>& remarks = meshes_.front().remarks;
+    remarks = glb_.remarks;
+    if (mislabelled_ > 0) {
+      remarks.push_back(fmt::format("{} called a strip or fan of triangles, but closed only as a list: read as a list", mislabelled_ == 1 ? "1 primitive is" : fmt::format("{} primitives are", mislabelled_)));
+    }
+    if (points_and_lines_ > 0) remarks.push_back(fmt::format("{} of points or lines left out", points_and_lines_ == 1 ? "1 primitive" : fmt::format("{} primitives", points_and_lines_)));
+  }
+
   std::vector<std::size_t> node_list(const json& object, const char* key) {
     std::vector<std::size_t> nodes;
     const auto found = object.find(key);
@@ -179,10 +203,12 @@ class SceneReader {
   }
 
   void add_primitive(const json& primitive, const Transform& world, SurfaceMesh& surface) {
-    constexpr std::uint64_t triangle_list = 4;
     if (!primitive.is_object()) glb_.refuse("unparsable", "a primitive is no object");
-    if (gltf::whole(glb_, primitive, "mode", triangle_list) != triangle_list) {
-      glb_.refuse("unsupported", "a primitive is no list of triangles", "Export it as triangles");
+    const std::uint64_t mode = gltf::whole(glb_, primitive, "mode", triangle_list);
+    if (mode > triangle_fan) glb_.refuse("unparsable", fmt::format("a primitive has mode {}", mode));
+    if (mode < triangle_list) {
+      ++points_and_lines_;
+      return;
     }
     const auto attributes = primitive.find("attributes");
     if (attributes == primitive.end() || !attributes->is_object())
@@ -197,10 +223,11 @@ class SceneReader {
     }
     // A small file can draw one mesh from many nodes.
     vertices_ += positions.size();
-    triangles_ += corners.size() / 3;
+    triangles_ += mode == triangle_list ? corners.size() / 3 : corners.size();
     if (triangles_ > limits::triangles || vertices_ > 3 * limits::triangles) {
       glb_.refuse("too-large", fmt::format("the scene has more than {} triangles", limits::triangles));
     }
+    if (mode != triangle_list) corners = listed(mode, positions, corners);
     add_triangles(glb_, corners, positions.size(), world.mirrors(), surface);
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Point3 point = world(positions[i]);
@@ -210,19 +237,42 @@ class SceneReader {
     }
   }
 
+  /// A list that is only called a strip or a fan makes no surface as such, but a sound one as what it is; that is told.
+  std::vector<std::uint32_t> listed(std::uint64_t mode, const std::vector<std::array<float, 3>>& positions, const std::vector<std::uint32_t>& corners) {
+    const auto is_sound = [&](const std::vector<std::uint32_t>& of_triangles) {
+      SurfaceMesh surface;
+      add_triangles(glb_, of_triangles, positions.size(), false, surface);
+      for (const auto& p : positions) {
+        surface.points.push_back({p[0], p[1], p[2]});
+        if (!parsing::coordinate_fault(surface.points.back()).empty()) return false;
+      }
+      return inspect(weld(surface)).closed_oriented_manifold();
+    };
+    std::vector<std::uint32_t> as_said = as_list(mode, corners);
+    if (corners.size() % 3 != 0 || is_sound(as_said) || !is_sound(corners)) return as_said;
+    ++mislabelled_;
+    return corners;
+  }
+
   const Glb& glb_;
   std::vector<char> visited_;
   std::vector<NamedMesh> meshes_;
-  std::size_t triangles_ = 0, vertices_ = 0;
+  std::size_t triangles_ = 0, vertices_ = 0, points_and_lines_ = 0, mislabelled_ = 0;
 };
 
 }  // namespace
 
-std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) {
-  const Glb glb = gltf::parse_container(bytes, file);
+namespace {
+
+std::vector<NamedMesh> meshes_of(const Glb& glb) {
   std::vector<NamedMesh> meshes = SceneReader(glb).read();
   if (meshes.empty()) glb.refuse("empty-mesh", "the file holds no triangle");
   return meshes;
 }
+
+}  // namespace
+
+std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_container(bytes, file)); }
+std::vector<NamedMesh> parse_gltf(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_document(bytes, file)); }
 
 }  // namespace odontoscope

@@ -11,13 +11,13 @@
 namespace odontoscope {
 
 const std::vector<std::string>& mesh_endings() {
-  static const std::vector<std::string> endings{".glb", ".stl", ".ply", ".obj"};
+  static const std::vector<std::string> endings{".glb", ".gltf", ".stl", ".ply", ".obj"};
   return endings;
 }
 
 std::vector<NamedMesh> read_mesh(const std::string& file) {
   using Parser = std::vector<NamedMesh> (*)(std::string_view, const std::string&);
-  constexpr Parser parsers[] = {parse_glb, parse_stl, parse_ply, parse_obj};
+  constexpr Parser parsers[] = {parse_glb, parse_gltf, parse_stl, parse_ply, parse_obj};
   const std::string ending = std::filesystem::path(file).extension().string();
   for (std::size_t i = 0; i < mesh_endings().size(); ++i) {
     if (parsing::same_word(ending, mesh_endings()[i])) return parsers[i](read_file(file), file);

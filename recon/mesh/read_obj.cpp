@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/mesh/face_list.h"
+#include "recon/mesh/join_seams.h"
 #include "recon/mesh/parsing.h"
 #include "recon/mesh/read_mesh.h"
 
@@ -15,10 +17,11 @@ namespace {
 
 using namespace parsing;
 
-/// An object at hand: its triangles in the file's numbers become its own.
+/// An object at hand: its faces in the file's numbers become its own.
 struct Object {
   std::string name;
-  SurfaceMesh surface;
+  std::vector<Point3> points;
+  FaceList faces;
   std::unordered_map<std::size_t, PointIndex> number;
 };
 
@@ -33,30 +36,63 @@ class Reader {
   }
 
  private:
+  /// Lines that end with a backslash go on in the next one, but for comments.
   bool next_line() {
     if (at_ >= text_.size()) return false;
-    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
-    line_ = text_.substr(at_, end - at_);
-    at_ = end + 1;
-    ++number_;
+    number_ = next_number_;
+    line_ = piece_of_line();
+    if (!goes_on() || line_.find_first_not_of(" \t") == line_.find('#')) return true;
+    joined_.clear();
+    for (;;) {
+      joined_.append(line_.substr(0, line_.rfind('\\'))).push_back(' ');
+      if (at_ >= text_.size()) break;
+      line_ = piece_of_line();
+      if (goes_on()) continue;
+      joined_.append(line_);
+      break;
+    }
+    line_ = joined_;
     return true;
+  }
+
+  std::string_view piece_of_line() {
+    const std::size_t end = line_end(text_, at_);
+    const std::string_view piece = text_.substr(at_, end - at_);
+    at_ = parsing::next_line(text_, end);
+    ++next_number_;
+    return piece;
+  }
+
+  bool goes_on() const {
+    const std::size_t last = line_.find_last_not_of(" \t");
+    return last != line_.npos && line_[last] == '\\';
   }
 
   void read_line() {
     Words words(line_, number_);
     const std::string_view keyword = words.next();
     if (keyword == "v") read_vertex(words);
-    else if (keyword == "f") read_face(words);
+    else if (keyword == "f" || keyword == "fo") read_face(words);
     else if (keyword == "o") begin_object(tame(words.rest_of_line()));
     else if (keyword.empty() || keyword.front() == '#') return;
-    else if (!is_skipped(keyword)) {
+    else if (is_curved(keyword)) {
+      fail("unsupported", fmt::format("\"{}\" is of free-form curves and surfaces", keyword), "Export it as polygons");
+    } else if (!is_skipped(keyword)) {
       fail("unparsable", fmt::format("\"{}\" is no word of an OBJ file", tame(keyword.substr(0, limits::quoted_length))));
     }
   }
 
-  /// Normals, textures, materials, groups, lines and points, which bound nothing.
+  /// Normals, textures, materials, groups, lines, points and ways to draw, which bound nothing.
   static bool is_skipped(std::string_view keyword) {
-    for (const std::string_view known : {"vn", "vt", "vp", "g", "s", "mg", "usemtl", "mtllib", "usemap", "l", "p", "lod"}) {
+    for (const std::string_view known : {"vn", "vt", "vp", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "lod", "bevel",
+                                         "c_interp", "d_interp", "shadow_obj", "trace_obj"}) {
+      if (keyword == known) return true;
+    }
+    return false;
+  }
+  static bool is_curved(std::string_view keyword) {
+    for (const std::string_view known : {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end",
+                                         "con", "ctech", "stech", "res", "bzp", "bsp", "cdc", "cdp"}) {
       if (keyword == known) return true;
     }
     return false;
@@ -78,21 +114,16 @@ class Reader {
   }
 
   void read_face(Words& words) {
-    std::size_t corners[3];
-    std::size_t count = 0;
-    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-      if (count < 3) corners[count] = vertex_number(word);
-      ++count;
+    corners_.clear();
+    for (std::string_view word = words.next(); !word.empty() && word.front() != '#'; word = words.next()) {
+      if (corners_.size() == limits::polygon_corners) fail("too-large", fmt::format("a face has more than {} corners", limits::polygon_corners));
+      const std::size_t vertex = vertex_number(word);
+      const auto [at, fresh] = object_.number.try_emplace(vertex, static_cast<PointIndex>(object_.points.size()));
+      if (fresh) object_.points.push_back(points_[vertex]);
+      corners_.push_back(at->second);
     }
-    if (count != 3) fail("not-triangles", fmt::format("a face has {} corners", count), "Export it with triangles only");
-    if (triangles_++ == limits::triangles) fail("too-large", fmt::format("there are more than {} triangles", limits::triangles));
-    Triangle triangle{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [at, fresh] = object_.number.try_emplace(corners[k], static_cast<PointIndex>(object_.surface.points.size()));
-      if (fresh) object_.surface.points.push_back(points_[corners[k]]);
-      triangle[k] = at->second;
-    }
-    object_.surface.triangles.push_back(triangle);
+    object_.faces.add(corners_);
+    if (triangles_ + object_.faces.triangles() > limits::triangles) fail("too-large", fmt::format("there are more than {} triangles", limits::triangles));
   }
 
   /// "7", "7/1", "7/1/2" or "7//2"; from 1, or below 0 back from the last one.
@@ -113,7 +144,14 @@ class Reader {
     object_.name = std::move(name);
   }
   void finish_object() {
-    if (!object_.surface.triangles.empty()) meshes_.push_back({std::move(object_.name), std::move(object_.surface)});
+    triangles_ += object_.faces.triangles();
+    if (!object_.faces.empty()) {
+      NamedMesh mesh{std::move(object_.name), {std::move(object_.points), {}}};
+      object_.faces.cut_into(mesh.surface);
+      mesh.remarks = object_.faces.remarks();
+      join_seams_told(mesh);
+      meshes_.push_back(std::move(mesh));
+    }
     object_ = {};
   }
 
@@ -123,7 +161,9 @@ class Reader {
 
   std::string_view text_, line_;
   const std::string& file_;
-  std::size_t at_ = 0, number_ = 0, triangles_ = 0;
+  std::string joined_;  // a line that goes on
+  std::size_t at_ = 0, number_ = 0, next_number_ = 1, triangles_ = 0;
+  std::vector<PointIndex> corners_;
   std::vector<Point3> points_;
   Object object_;
   std::vector<NamedMesh> meshes_;

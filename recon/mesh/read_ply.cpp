@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/mesh/face_list.h"
+#include "recon/mesh/join_seams.h"
 #include "recon/mesh/parsing.h"
 #include "recon/mesh/read_mesh.h"
 
@@ -94,15 +96,17 @@ class HeaderReader {
 
  private:
   std::string_view next_line() {
-    const std::size_t first = header_.size, end = bytes_.find('\n', first);
-    if (end == bytes_.npos || end - first > limits::text_line) {
-      ++header_.lines;
+    const std::size_t first = header_.size, end = line_end(bytes_.substr(0, first + limits::text_line + 1), first);
+    const bool ends = end < bytes_.size() && end - first <= limits::text_line;
+    ++header_.lines;
+    if (!ends) {
       const bool ply = first != 0;
-      refuse(ply && end == bytes_.npos ? "truncated" : "bad-header",
+      refuse(ply && end == bytes_.size() ? "truncated" : "bad-header",
              ply ? "the header does not end" : "the file does not begin with the line \"ply\"");
     }
-    header_.size = end + 1;
-    ++header_.lines;
+    // All lines end as the first one does: behind a CR by itself, an LF may be the first number.
+    if (first == 0) lone_cr_ = bytes_[end] == '\r' && parsing::next_line(bytes_, end) == end + 1;
+    header_.size = lone_cr_ ? end + 1 : parsing::next_line(bytes_, end);
     std::string_view line = bytes_.substr(first, end - first);
     while (!line.empty() && is_space(line.back())) line.remove_suffix(1);
     return line;
@@ -158,6 +162,7 @@ class HeaderReader {
   std::string_view bytes_;
   const std::string& file_;
   Header header_;
+  bool lone_cr_ = false;
 };
 
 /// The numbers behind the header, whatever their encoding.
@@ -204,9 +209,11 @@ class Body {
   [[noreturn]] void truncated() {
     refuse("truncated", "the file ends before the elements that its header announces", "Copy or export it again");
   }
-  void expect_end() {
-    const bool at_end = encoding_ == Encoding::ascii ? words_.next().empty() : at_ == bytes_.size();
-    if (!at_end) refuse("trailing-bytes", "the file goes on after the elements that its header announces");
+  /// How many bytes follow what the header announces. Of text there must be none: a count may have been mistyped.
+  std::size_t bytes_behind() {
+    if (encoding_ != Encoding::ascii) return bytes_.size() - at_;
+    if (!words_.next().empty()) refuse("trailing-bytes", "the file goes on after the elements that its header announces", "Correct the counts in its header");
+    return 0;
   }
 
  private:
@@ -282,38 +289,62 @@ std::vector<Point3> read_vertices(Body& body, const Element& element) {
   return points;
 }
 
-Triangle read_triangle(Body& body, const Property& property, std::size_t row, std::size_t points) {
-  const std::size_t corners = body.list_length(property);
-  if (corners != 3) {
-    body.refuse("not-triangles", fmt::format("face {} has {} corners", row, corners), "Export it with triangles only");
+/// Corners of a face, or of strips, where -1 ends one.
+class Corners {
+ public:
+  Corners(Body& body, const Element& element, std::string_view what) : body_(body), what_(what) {
+    list_ = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
+      return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
+    });
+    if (list_ == element.properties.end()) body.refuse("bad-header", fmt::format("the {}s have no list vertex_indices", what));
   }
-  Triangle triangle{};
-  for (PointIndex& corner : triangle) {
-    const double index = body.number(property.type);
-    if (!(index >= 0) || !(index < static_cast<double>(points))) {
-      body.refuse("index-out-of-range", fmt::format("face {} names vertex {} of {}", row, index, points));
-    }
-    corner = static_cast<PointIndex>(index);
-  }
-  return triangle;
-}
 
-std::vector<Triangle> read_faces(Body& body, const Element& element, std::size_t points) {
-  const auto list = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
-    return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
-  });
-  if (list == element.properties.end()) body.refuse("bad-header", "the faces have no list vertex_indices");
-  std::vector<Triangle> triangles;
-  triangles.reserve(element.count);
-  for (std::size_t row = 0; row < element.count; ++row) {
+  /// Reads the row; calls `take` with the corners of each piece.
+  template <class Take>
+  void read_row(const Element& element, std::size_t row, std::size_t points, bool pieces, Take take) {
     for (auto p = element.properties.begin(); p != element.properties.end(); ++p) {
-      if (p == list)
-        triangles.push_back(read_triangle(body, *p, row, points));
-      else
-        body.skip(*p);
+      if (p != list_) {
+        body_.skip(*p);
+        continue;
+      }
+      const std::size_t count = body_.list_length(*p);
+      corners_.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        const double index = body_.number(p->type);
+        if (pieces && index == -1) {
+          take(corners_);
+          corners_.clear();
+          continue;
+        }
+        if (!(index >= 0) || !(index < static_cast<double>(points))) {
+          body_.refuse("index-out-of-range", fmt::format("{} {} names vertex {} of {}", what_, row, index, points));
+        }
+        corners_.push_back(static_cast<PointIndex>(index));
+      }
+      take(corners_);
     }
   }
-  return triangles;
+
+  [[noreturn]] void too_large(std::string_view wrong) { body_.refuse("too-large", wrong); }
+
+ private:
+  Body& body_;
+  std::string_view what_;
+  std::vector<Property>::const_iterator list_;
+  std::vector<PointIndex> corners_;
+};
+
+/// `points`: how many there are, or may be where they come behind the faces.
+void read_faces(Body& body, const Element& element, std::size_t points, bool strips, FaceList& faces) {
+  Corners corners(body, element, strips ? "strip" : "face");
+  for (std::size_t row = 0; row < element.count; ++row) {
+    corners.read_row(element, row, points, strips, [&](const std::vector<PointIndex>& piece) {
+      if (!strips && piece.size() > limits::polygon_corners) corners.too_large(fmt::format("face {} has more than {} corners", row, limits::polygon_corners));
+      if (strips) faces.add_strip(piece);
+      else faces.add(piece);
+      if (faces.triangles() > limits::triangles) corners.too_large(fmt::format("there are more than {} triangles", limits::triangles));
+    });
+  }
 }
 
 void check_count(const Element& element, const Header& header, const Body& body, const std::string& file) {
@@ -339,23 +370,33 @@ void check_count(const Element& element, const Header& header, const Body& body,
 std::vector<NamedMesh> parse_ply(std::string_view bytes, const std::string& file) {
   const Header header = HeaderReader(bytes, file).read();
   Body body(bytes, header, file);
-  SurfaceMesh surface;
+  NamedMesh mesh;
+  FaceList faces;
   for (const Element& element : header.elements) {
     check_count(element, header, body, file);
-    if (element.name == "vertex" && surface.points.empty()) {
-      surface.points = read_vertices(body, element);
-    } else if (element.name == "face" && surface.triangles.empty()) {
-      surface.triangles = read_faces(body, element, surface.points.size());
+    if (element.name == "vertex" && mesh.surface.points.empty()) {
+      mesh.surface.points = read_vertices(body, element);
+    } else if (element.name == "face" || element.name == "tristrips") {
+      const std::size_t points = mesh.surface.points.empty() ? 3 * limits::triangles : mesh.surface.points.size();
+      read_faces(body, element, points, element.name == "tristrips", faces);
     } else {
       for (std::size_t row = 0; row < element.count; ++row) {
         for (const Property& p : element.properties) body.skip(p);
       }
     }
   }
-  body.expect_end();
-  if (surface.triangles.empty()) refuse("empty-mesh", at_byte(file, header.size), "the file holds no triangle");
+  const std::size_t behind = body.bytes_behind();
+  if (faces.empty()) refuse("empty-mesh", at_byte(file, header.size), "the file holds no triangle");
+  if (faces.largest_corner() >= mesh.surface.points.size()) {
+    refuse("index-out-of-range", at_byte(file, header.size),
+           fmt::format("a face names vertex {} of {}", faces.largest_corner(), mesh.surface.points.size()));
+  }
+  faces.cut_into(mesh.surface);
+  mesh.remarks = faces.remarks();
+  if (behind > 0) mesh.remarks.push_back(bytes_behind_told(behind));
+  join_seams_told(mesh);
   std::vector<NamedMesh> meshes;
-  meshes.push_back({"", std::move(surface)});
+  meshes.push_back(std::move(mesh));
   return meshes;
 }
 

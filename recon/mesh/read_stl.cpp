@@ -57,22 +57,31 @@ class Reader {
 
   std::vector<NamedMesh> solids() {
     std::vector<NamedMesh> meshes;
-    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+    for (std::string_view word = words_.next(); !word.empty();) {
       if (!same_word(word, "solid")) unexpected(word, "solid");
-      const std::string name = tame(words_.rest_of_line());
-      SurfaceMesh soup = facets();
-      words_.rest_of_line();  // the name again
-      if (!soup.triangles.empty()) meshes.push_back({name, weld(soup)});
+      NamedMesh mesh{tame(words_.rest_of_line()), {}};
+      SurfaceMesh soup;
+      word = facets(soup);
+      if (same_word(word, "endsolid")) {
+        words_.rest_of_line();  // the name again
+        word = words_.next();
+      } else if (!soup.triangles.empty()) {
+        mesh.remarks.push_back("\"endsolid\" is missing at its end");
+      }
+      if (soup.triangles.empty()) continue;
+      mesh.surface = weld(soup);
+      meshes.push_back(std::move(mesh));
     }
     return meshes;
   }
 
  private:
-  SurfaceMesh facets() {
-    SurfaceMesh soup;
+  /// Returns the word behind the last one: "endsolid", or, where that is missing, the next "solid" or nothing.
+  std::string_view facets(SurfaceMesh& soup) {
     for (;;) {
       const std::string_view word = words_.next();
-      if (same_word(word, "endsolid")) return soup;
+      const bool cut_off = soup.triangles.empty() && word.empty();
+      if (!cut_off && (word.empty() || same_word(word, "endsolid") || same_word(word, "solid"))) return word;
       if (!same_word(word, "facet")) unexpected(word, "facet or endsolid");
       if (triangles_++ == limits::triangles) {
         refuse("too-large", at_line(file_, words_.line()),
@@ -127,16 +136,10 @@ class Reader {
   std::size_t triangles_ = 0;
 };
 
-bool begins_as_text(std::string_view bytes) {
+/// Many binary files begin with "solid", too, but no text has zeros, which counts and unused attributes are full of.
+bool is_text(std::string_view bytes) {
   Words words(bytes.substr(0, header_size), 1);
-  return same_word(words.next(), "solid");
-}
-
-[[noreturn]] void wrong_size(std::string_view bytes, std::size_t announced, const std::string& file) {
-  const bool short_of = bytes.size() < announced;
-  refuse(short_of ? "truncated" : "trailing-bytes", at_byte(file, std::min(bytes.size(), announced)),
-         fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
-         "Copy or export it again");
+  return same_word(words.next(), "solid") && bytes.substr(0, header_size + count_size + record_size).find('\0') == bytes.npos;
 }
 
 }  // namespace
@@ -147,13 +150,17 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
   const std::size_t announced =
       has_count ? header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, header_size)}
                 : 0;
-  const bool text = begins_as_text(bytes) && bytes.size() != announced;
+  const bool text = bytes.size() != announced && is_text(bytes);
   if (!text && !has_count) {
     refuse(bytes.empty() ? "empty-mesh" : "truncated", at_byte(file, bytes.size()),
            "the file is too short to be an STL file", "Copy or export it again");
   }
-  if (!text && bytes.size() != announced) wrong_size(bytes, announced, file);
+  if (!text && bytes.size() < announced) {
+    refuse("truncated", at_byte(file, bytes.size()), fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+           "Copy or export it again");
+  }
   std::vector<NamedMesh> meshes = text ? Reader(bytes, file).solids() : parse_binary(bytes, file);
+  if (!text && bytes.size() > announced) meshes.front().remarks.push_back(bytes_behind_told(bytes.size() - announced));
   std::size_t triangles = 0;
   for (const NamedMesh& mesh : meshes) triangles += mesh.surface.triangles.size();
   if (triangles == 0) refuse("empty-mesh", at_byte(file, 0), "the file holds no triangle");

@@ -174,7 +174,9 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
   double sides[3] = {length(ab), length(ac), length(bc)};
   std::sort(sides, sides + 3);
   // The smallest angle lies between the two longer sides and is at most 60 degrees, so its sine tells it.
-  const double sine = std::min(twice_area / (sides[1] * sides[2]), 1.0);
+  // Sides below 1e-154 leave no product: then it counts as 0.
+  const double ratio = twice_area / (sides[1] * sides[2]);
+  const double sine = ratio > 0 ? std::min(ratio, 1.0) : 0;
   angles.push_back(std::asin(sine) * 180 / std::numbers::pi);
   const double semiperimeter = (sides[0] + sides[1] + sides[2]) / 2;
   const double aspect = sides[0] * sides[1] * sides[2] * semiperimeter / (2 * twice_area * twice_area);

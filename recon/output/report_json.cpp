@@ -32,6 +32,7 @@ Json tetrahedra_json(const ReconstructCounts& counts, const std::vector<TetraRep
           {"lifted_points", counts.lifted_points},
           {"trimmed", counts.trimmed},
           {"isolated_regions", counts.isolated_regions},
+          {"raised_slabs", counts.raised_slabs},
           {"largest_sideways", counts.largest_sideways},
           {"non_positive", non_positive},
           {"volume", volume},
@@ -68,6 +69,39 @@ Json links_json(const std::vector<MadeLink>& links) {
   return list;
 }
 
+Json void_links_json(const std::vector<MadeVoidLink>& links) {
+  const auto named = [](const std::optional<std::size_t>& contour) { return contour ? Json(*contour) : Json("outside"); };
+  Json list = Json::array();
+  for (const MadeVoidLink& made : links) {
+    if (!made.lower && !made.upper) continue;   // the outside is always joined
+    list.push_back({{"structure", made.structure},
+                    {"slice", made.slice},
+                    {"lower", named(made.lower)},
+                    {"upper", named(made.upper)},
+                    {"criterion", name(made.criterion)}});
+  }
+  return list;
+}
+
+Json json_of(const Topology& topology) {
+  return {{"pieces", topology.pieces}, {"handles", topology.handles}, {"bubbles", topology.bubbles},
+          {"euler", topology.pieces - topology.handles + topology.bubbles}};
+}
+
+/// Slabs that are as their contours and links imply are counted; the others are listed.
+Json topology_json(const std::vector<SlabTopology>& slabs) {
+  std::size_t as_implied = 0, interpolated = 0;
+  Json others = Json::array();
+  for (const SlabTopology& slab : slabs) {
+    as_implied += slab.as_implied();
+    interpolated += slab.interpolated > 0;
+    if (slab.as_implied()) continue;
+    others.push_back({{"structure", slab.structure}, {"slice", slab.slice}, {"implied", json_of(slab.implied)}, {"found", json_of(slab.found)},
+                      {"interpolated", slab.interpolated}});
+  }
+  return {{"slabs", slabs.size()}, {"as_implied", as_implied}, {"interpolated", interpolated}, {"otherwise", std::move(others)}};
+}
+
 Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
 
 Json simplification_json(const std::vector<StructureSimplification>& simplifications) {
@@ -80,11 +114,21 @@ Json simplification_json(const std::vector<StructureSimplification>& simplificat
                     {"mean_distance", one.distance.mean()},
                     {"simplified_to_full", json_of(one.distance.there)},
                     {"full_to_simplified", json_of(one.distance.back)},
+                    {"diagonal", one.diagonal},
                     {"self_intersections", one.self_intersections},
-                    {"restarts", one.restarts},
                     {"kept_vertices", one.kept_vertices}});
   }
   return list;
+}
+
+Json json_of(const SimplificationAim& aim) {
+  Json json{{"aim", aim.aim}, {"triangles", aim.triangles}, {"reached", aim.reached()}, {"restarts", aim.restarts}};
+  if (!aim.reached()) {
+    json["edges_held_by"] = {{"topology", aim.obstacles.topology},
+                             {"self_intersection", aim.obstacles.cuts},
+                             {"shape", aim.obstacles.shape}};
+  }
+  return json;
 }
 
 template <class Time>
@@ -153,13 +197,21 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   }
   Json report;
   report["input"] = input_json(reconstruction.counts);
+  if (options.volume) {
+    Json isos = Json::object();
+    for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
+    report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
+  }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
   report["surface"] = json_of(surfaces);
   report["structures"] = structures_json(reconstruction, tetrahedra);
   // The engine proves the section of every slice that it counts here, or returns nothing.
   report["resampling"] = {{"exact", reconstruction.certified}, {"slices_checked", reconstruction.slices_checked}};
   report["links"] = links_json(reconstruction.links);
+  report["void_links"] = void_links_json(reconstruction.void_links);
+  report["topology"] = topology_json(reconstruction.topology);
   report["cut_links"] = reconstruction.counts.cut_links;
+  if (options.aim) report["simplification_aim"] = json_of(*options.aim);
   if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
   report["seconds"] = seconds_json(reconstruction.seconds);
   report["threads"] = reconstruction.threads;

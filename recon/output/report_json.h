@@ -1,7 +1,10 @@
 #pragma once
 // What is known of a result, as JSON for people and scripts. docs/formats.md describes every key.
 
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "recon/delaunay/reconstruct.h"
@@ -15,16 +18,36 @@ struct StructureSimplification {
   std::string structure;
   std::size_t triangles_before = 0, triangles = 0;
   SurfaceDistance distance;  // `there`: from the simplified surface to the full one
-  std::size_t self_intersections = 0, restarts = 0, kept_vertices = 0;
+  std::size_t self_intersections = 0, kept_vertices = 0;
+  /// Of the full surface's bounding box, mm: what the distance is held against.
+  double diagonal = 0;
+};
+
+/// What simplifying was to reach for all structures together, and what it reached.
+struct SimplificationAim {
+  std::size_t aim = 0, triangles = 0;
+  SimplifiedSurfaces::Obstacles obstacles;   // if not reached
+  std::size_t restarts = 0;
+  bool reached() const { return triangles <= aim; }
+};
+
+/// The volume that the contours were taken from.
+struct ReportVolume {
+  /// Structures and the values at which their surfaces were taken.
+  std::vector<std::pair<std::string, double>> isos;
+  /// What was assumed and left out, see Volume::remarks.
+  std::vector<std::string> remarks;
 };
 
 struct ReportOptions {
   /// If not empty, those surfaces of the reconstruction are the simplified ones.
   std::vector<StructureSimplification> simplifications;
+  std::optional<ReportVolume> volume = {};
+  std::optional<SimplificationAim> aim;
 };
 
-/// One JSON object, keys in a fixed order, two spaces a level: input, tetrahedra, surface, structures, resampling,
-/// links, cut_links, simplification (only if there was one), seconds, threads, certified. `certified` is true if the
+/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra, surface, structures, resampling,
+/// links, void_links, topology, cut_links, simplification_aim and simplification (only if there was one), seconds, threads, certified. `certified` is true if the
 /// reconstruction is and every surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in
 /// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between
 /// two runs on the same input.

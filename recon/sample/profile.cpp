@@ -1,10 +1,13 @@
 #include "recon/sample/profile.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace odontoscope::sample {
 
-Profile::Profile(std::initializer_list<Knot> knots) : knots_(knots), slopes_(knots.size(), 0.0) {
+Profile::Profile(std::initializer_list<Knot> knots) : Profile(std::vector<Knot>(knots)) {}
+
+Profile::Profile(std::vector<Knot> knots) : knots_(std::move(knots)), slopes_(knots_.size(), 0.0) {
   // Zero at a local extreme, else the weighted harmonic mean of the neighbouring secants; the secant itself at the
   // ends.
   for (std::size_t i = 1; i + 1 < knots_.size(); ++i) {

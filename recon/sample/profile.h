@@ -16,10 +16,13 @@ class Profile {
   };
   /// Knots by strictly ascending `at`; at least one.
   Profile(std::initializer_list<Knot> knots);
+  explicit Profile(std::vector<Knot> knots);
   /// A constant.
   Profile(double value = 0) : Profile({{0.0, value}}) {}
 
   double operator()(double at) const;
+
+  const std::vector<Knot>& knots() const { return knots_; }
 
   static constexpr double window = 0.9;  // mm
 

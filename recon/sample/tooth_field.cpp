@@ -47,9 +47,7 @@ double supplemental_groove(const CuspHeight& cusp) {
 
 /// Thickness of the enamel on the sides, at a height above the cervical line.
 double side_thickness(const Enamel& enamel, double above) {
-  // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
-  constexpr double margin_exponent = 0.7;
-  return above > 0 ? enamel.side * std::pow(above / (above + enamel.side_height), margin_exponent) : 0.0;
+  return above > 0 ? enamel.side * std::pow(above / (above + enamel.side_height), enamel.margin_exponent) : 0.0;
 }
 
 double ridge_height(const Ridge& ridge, Point2 at) {
@@ -109,7 +107,8 @@ ToothSection::ToothSection(const ToothShape& shape, double z)
   constexpr double round_end = 0.35, round_orifice = 0.6;  // mm
   for (const Canal& canal : shape.canals) {
     const double end = shape.roots[canal.root].apex_z + apical_stop;
-    const double shrunk = std::min(blunt_end(z - end, round_end), blunt_end(shape.canal_top_z - z, round_orifice));
+    const double shrunk = std::min(canal.open ? 1.0 : blunt_end(z - end, round_end),
+                                   blunt_end(shape.canal_top_z - z, round_orifice));
     if (shrunk <= 0) continue;
     const Point3 centre = canal_centre(shape, canal, z);
     canals_.push_back(
@@ -157,12 +156,10 @@ HardTissue ToothSection::hard_tissue(const OcclusalHeights& heights, Point2 at) 
   const double side_distance = side(at), blend = shape_.occlusal.edge_blend;
   // Vertical distances overstate the distance to slopes; this brings those of the usual cusp slope to scale.
   constexpr double to_distance = 0.8;
-  // Enamel starts where it is thick enough for the sampling grid to hold it in one piece.
-  constexpr double margin = 0.1;  // mm along z
   const double above = z_ - cervical_height(shape_, at);
   return {smooth_max(side_distance, to_distance * (z_ - heights.enamel), blend),
           smooth_max(side_distance + side_thickness(shape_.enamel, above), to_distance * (z_ - heights.dentine), blend),
-          margin - above};
+          shape_.enamel.margin_height - above};
 }
 
 double ToothSection::chamber(Point2 at) const {
@@ -180,11 +177,13 @@ double ToothSection::chamber(Point2 at) const {
 
 double ToothSection::pulp(Point2 at) const {
   double distance = chamber(at);
-  for (const Horn& horn : shape_.horns) {
-    double along = 0;
-    const double away = segment_distance({at.x, at.y, z_}, horn.base, horn.tip, along);
-    distance =
-        smooth_min(distance, away - horn.base_radius - along * (horn.tip_radius - horn.base_radius), shape_.pulp_blend);
+  for (const std::vector<Horn>* tubes : {&shape_.horns, &shape_.accessory_canals}) {
+    for (const Horn& tube : *tubes) {
+      double along = 0;
+      const double away = segment_distance({at.x, at.y, z_}, tube.base, tube.tip, along);
+      distance = smooth_min(distance, away - tube.base_radius - along * (tube.tip_radius - tube.base_radius),
+                            shape_.pulp_blend);
+    }
   }
   for (const Ellipse& canal : canals_) distance = smooth_min(distance, root(canal, at), shape_.pulp_blend);
   return distance;
@@ -202,7 +201,7 @@ double cervical_height(const ToothShape& shape, Point2 at) {
 Point3 canal_centre(const ToothShape& shape, const Canal& canal, double z) {
   const Root& root = shape.roots[canal.root];
   const double shrunk = blunt_end(z - root.apex_z, root.blunt);
-  return {root.x(z), root.y(z) + canal.lobe * shrunk * root.lobe_offset(z), z};
+  return {root.x(z) + canal.shift_x(z), root.y(z) + canal.lobe * shrunk * root.lobe_offset(z) + canal.shift_y(z), z};
 }
 
 }  // namespace odontoscope::sample

@@ -70,6 +70,10 @@ struct Enamel {
   double top = 1.6;        // vertical thickness under cusps and fossae
   double highest_dentine =
       1e3;  // z at which the dentine is cut off flat: an edge too thin to be followed from slice to slice
+  // Below 1: a margin blunter than a knife's edge, so that its sections in neighbouring slices overlap.
+  double margin_exponent = 0.7;
+  // Height above the cervical line at which it starts: where it is thick enough for the sampling grid.
+  double margin_height = 0.1;
 };
 
 /// A root: a section swept along a curved axis down to a blunt apex. With an offset it has two lobes, buccal and
@@ -90,8 +94,11 @@ struct Canal {
   std::size_t root = 0;
   double lobe = 0;  // +1 in the buccal lobe, -1 in the lingual, 0 on the axis
   Profile half_mesiodistal, half_buccolingual;
+  bool open = false;  // runs out of the apex, else ends apical_stop above it
+  Profile shift_x = {}, shift_y = {};  // of its centre from where root and lobe put it
 };
 
+/// A round tube, narrowing evenly, with round ends.
 struct Horn {
   std::string name;
   Point3 base, tip;
@@ -119,6 +126,7 @@ struct ToothShape {
   PulpChamber chamber;
   std::vector<Horn> horns;
   std::vector<Canal> canals;
+  std::vector<Horn> accessory_canals;  // from the pulp out of the root's side or its furcation
   double canal_top_z = 0;             // inside the chamber
   double pulp_blend = 0.4;            // width of the fillets between chamber, horns and canals
   std::vector<NamedPoint> landmarks;  // reported as cusps if there are none

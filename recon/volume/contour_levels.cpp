@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <mutex>
@@ -11,18 +12,19 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/lattice.h"
 
 namespace odontoscope {
 namespace {
 
 /// Shoelace formula around the first point, which keeps it accurate far from the origin.
-double area_within(const std::vector<Point2>& points) {
+double signed_area(const std::vector<Point2>& points) {
   const Point2 o = points.front();
   double twice = 0;
   for (std::size_t n = 1; n + 1 < points.size(); ++n) {
     twice += (points[n].x - o.x) * (points[n + 1].y - o.y) - (points[n].y - o.y) * (points[n + 1].x - o.x);
   }
-  return std::abs(twice) / 2;
+  return twice / 2;
 }
 
 void check_options(const std::vector<LevelTracer>& tracers, const TraceOptions& options) {
@@ -42,8 +44,15 @@ void check_options(const std::vector<LevelTracer>& tracers, const TraceOptions& 
   }
 }
 
+void count(const DroppedContour& dropped, DroppedCounts& counts) {
+  ++(dropped.is_hole ? counts.holes : counts.islands);
+  counts.largest_area = std::max(counts.largest_area, dropped.area);
+  counts.looked_at = counts.looked_at && !dropped.points.empty();
+}
+
 struct TracedSlice {
   std::vector<Contour> contours;
+  std::vector<DroppedContour> dropped;
   std::vector<LevelReport> levels;
   bool too_many = false;
 };
@@ -52,20 +61,30 @@ struct TracedSlice {
 class PointBudget {
  public:
   bool take(std::size_t points) { return used_.fetch_add(points) + points <= limits::points; }
+  /// May one more contour be kept that is dropped, to be looked at?
+  bool keep_dropped() { return dropped_.fetch_add(1) < limits::dropped_contours; }
   bool exceeded() const { return used_.load() > limits::points; }
 
  private:
-  std::atomic<std::size_t> used_{0};
+  std::atomic<std::size_t> used_{0}, dropped_{0};
 };
 
 TracedSlice trace_slice(std::size_t k, const std::vector<LevelTracer>& tracers, const TraceOptions& options,
                         PointBudget& budget) {
   TracedSlice result;
-  for (const LevelTracer& tracer : tracers) {
-    LevelReport report{tracer.structure};
+  for (std::size_t level = 0; level < tracers.size(); ++level) {
+    const LevelTracer& tracer = tracers[level];
+    LevelReport report;
+    report.structure = tracer.structure;
     tracer.trace(k, [&](std::vector<Point2>&& points) {
-      if (area_within(points) < options.min_area) {
+      const double area = signed_area(points);
+      if (std::abs(area) < options.min_area) {
         ++report.dropped;
+        // Of noise so much is dropped that only its number is kept.
+        DroppedContour dropped{level, std::abs(area), area < 0, {}};
+        if (budget.keep_dropped()) dropped.points = std::move(points);
+        count(dropped, report.small);
+        if (!dropped.points.empty()) result.dropped.push_back(std::move(dropped));
         return true;
       }
       if (!budget.take(points.size())) return false;
@@ -83,9 +102,7 @@ TracedSlice trace_slice(std::size_t k, const std::vector<LevelTracer>& tracers, 
   return result;
 }
 
-double height(const Volume& volume, std::size_t k) {
-  return volume.origin.z + static_cast<double>(k) * volume.spacing[2];
-}
+double height(const Volume& volume, std::size_t k) { return Lattice(volume).z(k); }
 
 void check_counts(const Volume& volume, const std::vector<TracedSlice>& slices, const PointBudget& budget) {
   Place place;
@@ -107,15 +124,29 @@ void check_counts(const Volume& volume, const std::vector<TracedSlice>& slices, 
 std::vector<LevelReport> summed(const std::vector<LevelTracer>& tracers, const std::vector<TracedSlice>& slices) {
   std::vector<LevelReport> levels;
   for (std::size_t n = 0; n < tracers.size(); ++n) {
-    LevelReport level{tracers[n].structure};
+    LevelReport level;
+    level.structure = tracers[n].structure;
     for (const TracedSlice& slice : slices) {
       level.contours += slice.levels[n].contours;
       level.points += slice.levels[n].points;
       level.dropped += slice.levels[n].dropped;
+      level.small.holes += slice.levels[n].small.holes;
+      level.small.islands += slice.levels[n].small.islands;
+      level.small.largest_area = std::max(level.small.largest_area, slice.levels[n].small.largest_area);
+      level.small.looked_at = level.small.looked_at && slice.levels[n].small.looked_at;
     }
     levels.push_back(std::move(level));
   }
   return levels;
+}
+
+void look_at_small(const Volume& volume, const std::vector<TracedSlice>& slices, std::vector<LevelReport>& levels) {
+  std::vector<TracedLevels> traced;
+  for (const TracedSlice& slice : slices) traced.push_back({&slice.contours, &slice.dropped});
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    if (levels[n].dropped > 0) find_runs(traced, n, levels[n].structure, levels[n].small);
+    levels[n].pieces = count_pieces(traced, levels[n].structure, {volume.spacing[0], volume.spacing[1]});
+  }
 }
 
 void check_levels(const Volume& volume, const std::vector<LevelTracer>& tracers, const std::vector<LevelReport>& levels,
@@ -171,6 +202,7 @@ TracedContours trace_levels(const Volume& volume, const std::vector<LevelTracer>
   TracedContours result;
   result.levels = summed(tracers, slices);
   check_levels(volume, tracers, result.levels, options);
+  look_at_small(volume, slices, result.levels);
   result.stack = stacked(volume, slices);
   return result;
 }

@@ -8,6 +8,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/input/contour_stack.h"
+#include "recon/volume/small_contours.h"
 #include "recon/volume/volume.h"
 
 namespace odontoscope {
@@ -25,6 +26,9 @@ struct LevelReport {
   std::size_t points = 0;
   /// Contours below min_area.
   std::size_t dropped = 0;
+  DroppedCounts small;
+  /// Kept contours that hang together by corners only, see count_pieces.
+  std::size_t pieces = 0;
 };
 
 struct TracedContours {

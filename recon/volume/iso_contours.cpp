@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/volume/trace.h"
 
 namespace odontoscope {
 namespace {
@@ -16,12 +16,12 @@ using trace::Vertex;
 
 class IsoField {
  public:
-  IsoField(const Volume& volume, std::size_t k, double threshold)
+  IsoField(const Volume& volume, const Lattice& lattice, std::size_t k, double threshold)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
         threshold_(threshold),
-        grid_({volume.origin.x, volume.origin.y}, {volume.spacing[0], volume.spacing[1]}) {}
+        lattice_(lattice) {}
 
   bool inside(Vertex v) const { return in_image(v) && excess(v) >= 0; }
 
@@ -33,9 +33,9 @@ class IsoField {
 
   Point2 crossing(Vertex in, Vertex out) const {
     constexpr double border = 0.5;
-    if (!in_image(out)) return grid_.between(in, out, border);
+    if (!in_image(out)) return trace::between(lattice_, in, out, border);
     const double fraction = excess(in) / (excess(in) - excess(out));
-    return grid_.between(in, out, std::clamp(fraction, limits::grid_vertex_margin, 1 - limits::grid_vertex_margin));
+    return trace::between(lattice_, in, out, std::clamp(fraction, limits::grid_vertex_margin, 1 - limits::grid_vertex_margin));
   }
 
  private:
@@ -45,7 +45,7 @@ class IsoField {
   const float* pixels_;
   std::ptrdiff_t width_, height_;
   double threshold_;
-  trace::Grid grid_;
+  const Lattice& lattice_;
 };
 
 void check_crossed(const Volume& volume, ValueRange range, double threshold) {
@@ -71,8 +71,9 @@ std::vector<LevelTracer> iso_tracers(const Volume& volume, ValueRange range, con
   std::vector<LevelTracer> tracers;
   for (const IsoLevel& level : levels) {
     check_crossed(volume, range, level.threshold);
-    const auto trace_slice = [&volume, threshold = level.threshold](std::size_t k, const LevelTracer::Take& take) {
-      trace::contours(IsoField(volume, k, threshold), volume.size[0], volume.size[1], take);
+    const auto trace_slice = [&volume, lattice = Lattice(volume), threshold = level.threshold](std::size_t k,
+                                                                                        const LevelTracer::Take& take) {
+      trace::contours(IsoField(volume, lattice, k, threshold), volume.size[0], volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("iso value {}", level.threshold)});
   }

@@ -7,7 +7,8 @@
 // that distance instead of in its centre, where contours would touch. In a cell with two material pixels across the
 // diagonal the asymptotic decider (Nielson and Hamann 1991) says whether they are one region: whether the bilinear
 // surface's saddle is at least the threshold. Where material touches the image's border the contour runs half a pixel
-// outside the outermost centres, which is where the image ends.
+// outside the outermost centres, which is where the image ends. Points lie on the volume's lattice (lattice.h), the
+// nearest of it to where interpolation meets the threshold.
 //
 // All contours of a level are closed, simple and pairwise disjoint, for any volume. A higher threshold's region lies
 // within that of a lower one; their contours may coincide along the image's border and near pixels where both were held

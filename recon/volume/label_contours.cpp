@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
-#include "recon/volume/trace.h"
 
 namespace odontoscope {
 namespace {
@@ -16,29 +16,40 @@ using trace::Vertex;
 
 class LabelField {
  public:
-  LabelField(const Volume& volume, std::size_t k, float label)
+  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, std::size_t k, float label)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
         label_(label),
-        grid_({volume.origin.x, volume.origin.y}, {volume.spacing[0], volume.spacing[1]}) {}
+        lattice_(lattice),
+        smooth_(smooth),
+        k_(k) {}
 
   bool inside(Vertex v) const {
-    return v.i >= 0 && v.j >= 0 && v.i < width_ && v.j < height_ && pixels_[v.j * width_ + v.i] == label_;
+    return in_image(v) && pixels_[v.j * width_ + v.i] == label_;
   }
   /// Never: joining one label across a cell's corner could cross another's join over the other diagonal.
   bool joined(Vertex, Vertex, Vertex, Vertex) const { return false; }
 
   Point2 crossing(Vertex in, Vertex out) const {
     constexpr double middle = 0.5;
-    return grid_.between(in, out, middle);
+    if (smooth_ && in_image(out)) {
+      const int axis = in.j == out.j ? 0 : 1;
+      const Vertex low = in.i < out.i || in.j < out.j ? in : out;
+      return trace::between_from_low(lattice_, in, out, smooth_->crossing(k_, low, axis));
+    }
+    return trace::between(lattice_, in, out, middle);
   }
 
  private:
+  bool in_image(Vertex v) const { return v.i >= 0 && v.j >= 0 && v.i < width_ && v.j < height_; }
+
   const float* pixels_;
   std::ptrdiff_t width_, height_;
   float label_;
-  trace::Grid grid_;
+  const Lattice& lattice_;
+  const SmoothLabels* smooth_;
+  std::size_t k_;
 };
 
 /// "0, 1, 2, ..." for the message; looks only as far as it needs to.
@@ -70,13 +81,26 @@ void check_label(const Volume& volume, std::int64_t label) {
 
 }  // namespace
 
-std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels) {
+std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::vector<LabelLevel>& labels,
+                                             const SmoothLabelsOptions& options, const Progress& progress) {
+  std::vector<float> values;
+  for (const LabelLevel& level : labels) {
+    check_label(volume, level.label);
+    values.push_back(static_cast<float>(level.label));
+  }
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  return std::make_shared<const SmoothLabels>(volume, values, options, progress);
+}
+
+std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels,
+                                       const std::shared_ptr<const SmoothLabels>& smooth) {
   std::vector<LevelTracer> tracers;
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
-    const auto trace_slice = [&volume, label = static_cast<float>(level.label)](std::size_t k,
-                                                                                const LevelTracer::Take& take) {
-      trace::contours(LabelField(volume, k, label), volume.size[0], volume.size[1], take);
+    const auto trace_slice = [&volume, smooth, lattice = Lattice(volume), label = static_cast<float>(level.label)](
+                                 std::size_t k, const LevelTracer::Take& take) {
+      trace::contours(LabelField(volume, lattice, smooth.get(), k, label), volume.size[0], volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("label {}", level.label)});
   }

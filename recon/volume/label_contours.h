@@ -6,14 +6,16 @@
 // and the same line in both: they coincide there exactly. Pixels of one label that meet only across a corner are not
 // joined, so different labels never overlap; where three or four labels meet in a cell they leave a small void between
 // them, up to 1/2 of a pixel in area. At the image's border the contour runs half a pixel outside the outermost
-// centres.
+// centres. All points lie on the volume's lattice (lattice.h), as exactly as if voxels measured 2 x 2.
 //
-// All contours of a label are closed, simple and pairwise disjoint. The zigzag of pixels stays: simplify_contours with
-// a tolerance of about half a pixel smooths it.
+// All contours of a label are closed, simple and pairwise disjoint. The zigzag of pixels stays, unless points are moved
+// along their grid edges by SmoothLabels, which changes nothing of the above but the midpoints.
 
 #include <cstdint>
+#include <memory>
 
 #include "recon/volume/contour_levels.h"
+#include "recon/volume/smooth_labels.h"
 
 namespace odontoscope {
 
@@ -29,7 +31,13 @@ struct LabelLevel {
 TracedContours label_contours(const Volume& volume, const std::vector<LabelLevel>& labels,
                               const TraceOptions& options = {}, const Progress& progress = {});
 
+/// The labels' smoothed borders, for label_tracers. Throws as label_contours and SmoothLabels do.
+std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::vector<LabelLevel>& labels,
+                                             const SmoothLabelsOptions& options, const Progress& progress = {});
+
 /// The same labels as tracers, for a stack that mixes them with iso values. The volume must outlive them.
-std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels);
+/// `smooth` may be null.
+std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels,
+                                       const std::shared_ptr<const SmoothLabels>& smooth = {});
 
 }  // namespace odontoscope

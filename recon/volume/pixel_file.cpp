@@ -1,175 +1,220 @@
 #include "recon/volume/pixel_file.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <span>
-#include <vector>
+#include <string_view>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/byte_source.h"
+#include "recon/volume/text_header.h"
 
 namespace odontoscope {
 namespace {
 
-namespace fs = std::filesystem;
-using Bytes = std::span<const std::uint8_t>;
+using Encoding = PixelFiles::Encoding;
 
-Place in_file(const std::string& file) {
-  Place place;
-  place.file = file;
-  return place;
-}
-
-/// Takes pixels as they come, in pieces of any length; counts them and looks for floats that are not finite.
-class PixelSink {
- public:
-  PixelSink(const std::string& file, std::size_t skip, std::size_t wanted, FloatPixels floats)
-      : file_(file), skip_(skip), wanted_(wanted), floats_(floats) {}
-
-  bool full() const { return taken_ == wanted_; }
-  std::size_t taken() const { return taken_; }
-
-  void take(Bytes bytes) {
-    const std::size_t skipped = std::min(skip_, bytes.size());
-    skip_ -= skipped;
-    bytes = bytes.subspan(skipped);
-    bytes = bytes.first(std::min(bytes.size(), wanted_ - taken_));
-    if (floats_.bytes_each != 0) {
-      for (const std::uint8_t byte : bytes) take_float_byte(byte);
-    } else {
-      taken_ += bytes.size();
-    }
-  }
-
- private:
-  void take_float_byte(std::uint8_t byte) {
-    const std::size_t at = taken_++ % floats_.bytes_each;
-    pending_[floats_.swapped ? floats_.bytes_each - 1 - at : at] = byte;
-    if (at + 1 < floats_.bytes_each) return;
-    double value = 0;
-    if (floats_.bytes_each == sizeof(float)) {
-      float single;
-      std::memcpy(&single, pending_.data(), sizeof single);
-      value = single;
-    } else {
-      std::memcpy(&value, pending_.data(), sizeof value);
-    }
-    if (std::isfinite(value)) return;
-    throw InputError("not-finite", in_file(file_),
-                     fmt::format("voxel number {} is not a finite number", (taken_ - 1) / floats_.bytes_each),
-                     "replace undefined voxels by the value of their surroundings before contouring");
-  }
-
-  std::string file_;
-  std::size_t skip_, wanted_;
-  FloatPixels floats_;
-  std::size_t taken_ = 0;
-  std::array<std::uint8_t, sizeof(double)> pending_{};
-};
-
-/// Calls `take(bytes)` with the file's content from `offset` on until that returns false.
-template <class Take>
-void for_each_piece(const std::string& path, std::size_t offset, const Take& take) {
-  constexpr std::size_t piece = 1u << 18;
-  std::vector<std::uint8_t> buffer(piece);
-  std::ifstream in(path, std::ios::binary);
-  if (!in.seekg(static_cast<std::streamoff>(offset))) return;
-  while (in) {
-    in.read(reinterpret_cast<char*>(buffer.data()), static_cast<std::streamsize>(piece));
-    const auto got = static_cast<std::size_t>(in.gcount());
-    if (got == 0 || !take(Bytes(buffer.data(), got))) return;
-  }
-}
-
-/// zlib's inflate of a zlib or gzip stream, several gzip members in a row included.
-class Inflater {
- public:
-  explicit Inflater(const std::string& file) : file_(file) {
-    constexpr int zlib_or_gzip = 15 + 32;
-    if (inflateInit2(&stream_, zlib_or_gzip) != Z_OK) throw InternalError("zlib does not start");
-  }
-  ~Inflater() { inflateEnd(&stream_); }
-  Inflater(const Inflater&) = delete;
-  Inflater& operator=(const Inflater&) = delete;
-
-  /// False once the sink is full or the data is at its end.
-  bool take(Bytes packed, PixelSink& sink) {
-    stream_.next_in = const_cast<Bytef*>(packed.data());
-    stream_.avail_in = static_cast<uInt>(packed.size());
-    int code = Z_OK;
-    do {
-      if (ended_ && inflateReset(&stream_) != Z_OK) throw InternalError("zlib does not go on");
-      stream_.next_out = unpacked_.data();
-      stream_.avail_out = static_cast<uInt>(unpacked_.size());
-      code = inflate(&stream_, Z_NO_FLUSH);
-      if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR) {
-        if (ended_) return false;  // padding after the last member
-        throw InputError("damaged-volume", in_file(file_), "its compressed pixels cannot be unpacked",
-                         "get a whole copy of the file");
-      }
-      ended_ = code == Z_STREAM_END;
-      sink.take(Bytes(unpacked_.data(), unpacked_.size() - stream_.avail_out));
-    } while (!sink.full() && (stream_.avail_out == 0 || (ended_ && stream_.avail_in > 0)));
-    return !sink.full();
-  }
-
- private:
-  std::string file_;
-  z_stream stream_{};
-  bool ended_ = false;
-  std::vector<std::uint8_t> unpacked_ = std::vector<std::uint8_t>(1u << 18);
-};
-
-[[noreturn]] void throw_truncated(const PixelFile& file, std::size_t bytes, std::size_t found) {
-  throw InputError("truncated-volume", in_file(file.path),
-                   fmt::format("the header promises {} bytes of pixels, the file has {}", bytes, found),
+[[noreturn]] void throw_truncated(const std::string& file, const std::string& wanted, const std::string& found) {
+  throw InputError("truncated-volume", in_file(file), fmt::format("the header promises {}, the file has {}", wanted, found),
                    "get a whole copy of the file, or correct the sizes in its header");
+}
+
+template <class T>
+void convert_as(bool swapped, double slope, double intercept, const char* raw, std::size_t count, float* to) {
+  const bool scaled = slope != 1 || intercept != 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, raw + n * sizeof(T), sizeof(T));
+    if (swapped) std::reverse(bytes, bytes + sizeof(T));
+    T value;
+    std::memcpy(&value, bytes, sizeof(T));
+    to[n] = static_cast<float>(scaled ? slope * static_cast<double>(value) + intercept : static_cast<double>(value));
+  }
+}
+
+ByteSource opened(const PixelFiles& files, const std::string& path, std::size_t bytes) {
+  if (files.packed_whole) {
+    ByteSource source(path, 0, ByteSource::Packing::zlib_or_gzip);
+    source.skip(files.offset);
+    return source;
+  }
+  std::size_t offset = files.offset;
+  if (files.at_end) {
+    const std::size_t length = check_plain_file(path);
+    if (length < bytes) throw_truncated(path, fmt::format("{} bytes of pixels", bytes), fmt::format("{}", length));
+    offset = length - bytes;
+  }
+  if (files.line_skip == 0) {
+    const bool packed = files.encoding == Encoding::deflate;
+    return ByteSource(path, offset, packed ? ByteSource::Packing::zlib_or_gzip : ByteSource::Packing::none,
+                      files.packed_bytes == 0 ? ByteSource::all : files.packed_bytes);
+  }
+  // Lines are skipped in the file as it lies, and what is behind them may be packed.
+  ByteSource lines(path, offset);
+  std::size_t skipped = 0;
+  for (std::size_t n = 0; n < files.line_skip; ++n) {
+    for (char c = 0; c != '\n' && lines.next(c);) ++skipped;
+  }
+  PixelFiles rest = files;
+  rest.offset = offset + skipped;
+  rest.line_skip = 0;
+  return opened(rest, path, bytes);
+}
+
+/// Raw bytes of pixels whatever they are written as.
+class Decoder {
+ public:
+  Decoder(const PixelFiles& files, const std::string& path, std::size_t bytes)
+      : source_(opened(files, path, bytes)), path_(path), encoding_(files.encoding) {
+    source_.skip(files.byte_skip);
+  }
+
+  std::size_t read(char* to, std::size_t count) {
+    if (encoding_ != Encoding::hex) return source_.read(to, count);
+    std::size_t done = 0;
+    for (int high, low; done < count && (high = digit()) >= 0 && (low = digit()) >= 0;) to[done++] = static_cast<char>(high * 16 + low);
+    return done;
+  }
+
+  /// False at the end.
+  bool number(double& value) {
+    const auto is_blank = [](char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); };
+    char c = ' ';
+    while (is_blank(c)) {
+      if (!source_.next(c)) return false;
+    }
+    word_.clear();
+    do {
+      word_ += c;
+      if (word_.size() > limits::quoted_length) break;
+    } while (source_.next(c) && !is_blank(c));
+    if (!number_of(word_, value)) {
+      throw InputError("damaged-volume", in_file(path_), "its pixels are not written as numbers", "get a whole copy of the file");
+    }
+    return true;
+  }
+
+ private:
+  int digit() {
+    for (char c; source_.next(c);) {
+      if (c >= '0' && c <= '9') return c - '0';
+      if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+      if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+      if (c != ' ' && (c < '\t' || c > '\r')) {
+        throw InputError("damaged-volume", in_file(path_), "its pixels are not written as hexadecimal digits", "get a whole copy of the file");
+      }
+    }
+    return -1;
+  }
+
+  ByteSource source_;
+  std::string path_, word_;
+  Encoding encoding_;
+};
+
+void append_texts(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, std::vector<float>& values) {
+  for (std::size_t n = 0; n < count; ++n) {
+    double value = 0;
+    if (!decoder.number(value)) throw_truncated(path, fmt::format("{} numbers", count), fmt::format("{}", n));
+    values.push_back(static_cast<float>(files.slope * value + files.intercept));
+  }
+}
+
+void append_bytes(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, std::vector<float>& values) {
+  const std::size_t each = bytes_of(files.type);
+  constexpr std::size_t pixels_at_once = 1u << 16;
+  std::vector<char> raw(pixels_at_once * each);
+  for (std::size_t n = 0; n < count;) {
+    const std::size_t some = std::min(pixels_at_once, count - n);
+    const std::size_t got = decoder.read(raw.data(), some * each);
+    if (got < some * each) throw_truncated(path, fmt::format("{} bytes of pixels", count * each), fmt::format("{}", n * each + got));
+    values.resize(values.size() + some);
+    convert_pixels(files.type, files.swapped, files.slope, files.intercept, raw.data(), some, values.data() + values.size() - some);
+    n += some;
+  }
+}
+
+/// What the pixels of one file take, and at most come from.
+void check_file(const PixelFiles& files, const std::string& path, std::size_t count) {
+  const std::size_t length = check_plain_file(path), bytes = count * bytes_of(files.type);
+  const bool packed = files.packed_whole || files.encoding == Encoding::deflate;
+  if (files.packed_bytes > length - std::min(files.offset, length)) {
+    throw_truncated(path, fmt::format("{} packed bytes", files.packed_bytes), fmt::format("{}", length));
+  }
+  const std::size_t before = files.at_end || files.packed_whole ? 0 : std::min(files.offset, length);
+  const std::size_t there = length - before;
+  std::size_t most = there;
+  if (packed) most = there > ByteSource::all / limits::compression_ratio ? ByteSource::all : there * limits::compression_ratio;
+  else if (files.encoding == Encoding::hex) most = there / 2;
+  else if (files.encoding == Encoding::text) most = (there + 1) / 2 * bytes_of(files.type);
+  if (most < bytes) throw_truncated(path, fmt::format("{} bytes of pixels", bytes), fmt::format("{}", packed ? there : most));
+  const bool large = count > limits::plausible_voxels;
+  if (packed && large && bytes / limits::suspicious_ratio > there) {
+    throw InputError("too-well-packed", in_file(path),
+                     fmt::format("its {} bytes would become {} voxels, more than {} bytes from each one: no scan packs like that", there, count,
+                                 limits::suspicious_ratio),
+                     "crop it, or store it unpacked if it is really so");
+  }
 }
 
 }  // namespace
 
-void check_pixel_file(const PixelFile& file, std::size_t bytes, FloatPixels floats) {
-  std::error_code error;
-  if (!fs::is_regular_file(file.path, error)) {
-    throw FileError(file.path, "does not exist or is no plain file, but is to hold the pixels",
-                    "put it where the header says");
+std::size_t bytes_of(PixelType type) {
+  switch (type) {
+    case PixelType::int8:
+    case PixelType::uint8: return 1;
+    case PixelType::int16:
+    case PixelType::uint16: return 2;
+    case PixelType::int32:
+    case PixelType::uint32:
+    case PixelType::float32: return 4;
+    case PixelType::int64:
+    case PixelType::uint64:
+    case PixelType::float64: return 8;
   }
-  const std::uintmax_t length = fs::file_size(file.path, error);
-  if (error) throw FileError(file.path, "cannot be looked at: " + error.message(), "check its permissions");
-  const bool packed = file.packing != PixelFile::Packing::raw;
-  if (file.packed_bytes > length - std::min<std::uintmax_t>(file.offset, length)) {
-    throw_truncated(file, file.packed_bytes, static_cast<std::size_t>(length));
-  }
-  const std::size_t skip = packed ? 0 : std::min<std::size_t>(file.offset, length);
-  const std::size_t most = packed ? length * limits::compression_ratio : length - skip;
-  if (most < bytes) throw_truncated(file, bytes, static_cast<std::size_t>(length - skip));
-  if (file.packing == PixelFile::Packing::other) return;
-  if (!packed && floats.bytes_each == 0) return;
+  throw InternalError("a pixel type that is none");
+}
 
-  PixelSink sink(file.path, file.unpack_from_start ? file.offset : 0, bytes, floats);
-  if (packed) {
-    Inflater inflater(file.path);
-    std::size_t left = file.packed_bytes != 0 ? file.packed_bytes : static_cast<std::size_t>(length);
-    for_each_piece(file.path, file.unpack_from_start ? 0 : file.offset, [&](Bytes piece) {
-      piece = piece.first(std::min(piece.size(), left));
-      left -= piece.size();
-      return inflater.take(piece, sink) && left > 0;
-    });
-  } else {
-    for_each_piece(file.path, file.offset, [&](Bytes piece) {
-      sink.take(piece);
-      return !sink.full();
-    });
+void convert_pixels(PixelType type, bool swapped, double slope, double intercept, const char* raw, std::size_t count, float* to) {
+  switch (type) {
+    case PixelType::int8: return convert_as<std::int8_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint8: return convert_as<std::uint8_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int16: return convert_as<std::int16_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint16: return convert_as<std::uint16_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int32: return convert_as<std::int32_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint32: return convert_as<std::uint32_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int64: return convert_as<std::int64_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint64: return convert_as<std::uint64_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::float32: return convert_as<float>(swapped, slope, intercept, raw, count, to);
+    case PixelType::float64: return convert_as<double>(swapped, slope, intercept, raw, count, to);
   }
-  if (!sink.full()) throw_truncated(file, bytes, sink.taken());
+}
+
+void check_pixel_files(const PixelFiles& files, std::size_t count) {
+  if (files.paths.empty()) throw InternalError("a volume without files");
+  if (count % files.paths.size() != 0) {
+    throw InputError("unreadable-volume", in_file(files.paths.front()),
+                     fmt::format("{} voxels are to lie in {} files, which makes no whole number for each", count, files.paths.size()),
+                     "correct the header's sizes or its list of files");
+  }
+  for (const std::string& path : files.paths) check_file(files, path, count / files.paths.size());
+}
+
+std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const Progress& progress) {
+  check_pixel_files(files, count);
+  std::vector<float> values;
+  values.reserve(count);  // only as much of it is really taken as pixels come
+  const std::size_t each = count / files.paths.size();
+  for (const std::string& path : files.paths) {
+    progress.check();
+    progress.tell("read", static_cast<double>(values.size()) / static_cast<double>(std::max<std::size_t>(count, 1)));
+    Decoder decoder(files, path, each * bytes_of(files.type));
+    if (files.encoding == Encoding::text) append_texts(decoder, files, path, each, values);
+    else append_bytes(decoder, files, path, each, values);
+  }
+  return values;
 }
 
 }  // namespace odontoscope

@@ -1,72 +1,23 @@
 #include "recon/volume/read_volume.h"
 
 #include <fmt/format.h>
-#include <gdcmTrace.h>
-#include <itkMetaImageIO.h>
-#include <itkNiftiImageIO.h>
-#include <itkNrrdImageIO.h>
-#include <itkObject.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <optional>
-#include <streambuf>
 
 #include "recon/core/error.h"
-#include "recon/volume/dicom_header.h"
+#include "recon/volume/byte_source.h"
+#include "recon/volume/dicom_file.h"
 #include "recon/volume/oriented_image.h"
 #include "recon/volume/read_volume_dicom.h"
-#include "recon/volume/read_volume_itk.h"
 #include "recon/volume/volume_header.h"
 
 namespace odontoscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The libraries' messages off, and back to what they were at the end. What they say that matters comes as an
-/// exception.
-class Quiet {
- public:
-  Quiet() : itk_(itk::Object::GetGlobalWarningDisplay()), cerr_(std::cerr.rdbuf(&nowhere_)) {
-    itk::Object::GlobalWarningDisplayOff();
-    gdcm::Trace::WarningOff();
-    gdcm::Trace::ErrorOff();
-  }
-  ~Quiet() {
-    std::cerr.rdbuf(cerr_);
-    std::cerr.clear();
-    itk::Object::SetGlobalWarningDisplay(itk_);
-  }
-  Quiet(const Quiet&) = delete;
-  Quiet& operator=(const Quiet&) = delete;
-
- private:
-  /// Takes everything and keeps nothing.
-  class Nowhere : public std::streambuf {
-    int_type overflow(int_type c) override { return traits_type::not_eof(c); }
-    std::streamsize xsputn(const char*, std::streamsize count) override { return count; }
-  };
-  Nowhere nowhere_;
-  bool itk_;
-  std::streambuf* cerr_;
-};
-
-struct Reader {
-  itk::ImageIOBase::Pointer io;
-  PixelClaim (*read_header)(const std::string& path);
-};
-
-std::optional<Reader> reader_for(const std::string& path) {
-  const std::array<Reader, 3> readers{{{itk::NrrdImageIO::New().GetPointer(), read_nrrd_header},
-                                       {itk::MetaImageIO::New().GetPointer(), read_meta_image_header},
-                                       {itk::NiftiImageIO::New().GetPointer(), read_nifti_header}}};
-  for (const Reader& reader : readers) {
-    if (reader.io->CanReadFile(path.c_str())) return reader;
-  }
-  return std::nullopt;
-}
 
 void check_openable(const std::string& path) {
   std::error_code error;
@@ -77,35 +28,53 @@ void check_openable(const std::string& path) {
   if (!std::ifstream(path, std::ios::binary)) throw FileError(path, "cannot be opened", "check its permissions");
 }
 
-Volume read_file_volume(const Reader& reader, const std::string& path, const ReadVolumeOptions& options) {
-  const PixelClaim claim = reader.read_header(path);
-  check_pixel_file(claim.file, claim.bytes.value_or(0), claim.floats);
-  OpenedImage opened = open_image(reader.io, path);
-  FileImage& image = opened.image;
-  if (options.spacing) image.spacing = *options.spacing;
+VolumeHeader header_of(VolumeFormat format, const std::string& path, const ReadVolumeOptions& options) {
+  switch (format) {
+    case VolumeFormat::nrrd: return read_nrrd_header(path, options);
+    case VolumeFormat::meta_image: return read_meta_image_header(path, options);
+    case VolumeFormat::nifti: return read_nifti_header(path, options);
+  }
+  throw InternalError("a volume format that is none");
+}
+
+/// One voxel thick is no volume, along whichever axis: an image stored on edge is one image, too.
+void check_thickness(const FileImage& image) {
+  if (std::none_of(image.size.begin(), image.size.end(), [](std::size_t n) { return n == 1; })) return;
+  throw InputError("single-slice", in_file(image.source),
+                   fmt::format("its {} x {} x {} voxels are one image, one voxel thick", image.size[0], image.size[1], image.size[2]),
+                   "give at least two slices; a solid lies between them");
+}
+
+Volume read_file_volume(VolumeFormat format, const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
+  VolumeHeader header = header_of(format, path, options);
+  FileImage& image = header.image;
+  const std::size_t voxels = image.size[0] * image.size[1] * image.size[2];
+  check_pixel_files(header.pixels, voxels);
   oriented_grid(image);  // throws what is wrong with it before memory is asked for
-  if (!claim.bytes) check_pixel_file(claim.file, bytes_of_pixels(opened));
-  image.values.resize(image.size[0] * image.size[1] * image.size[2]);
-  read_pixels(opened, image.values.data());
-  return oriented(std::move(image));
+  check_thickness(image);
+  check_memory(path, voxels);
+  image.values = read_pixels(header.pixels, voxels, progress);
+  Volume volume = oriented(std::move(image));
+  volume.labels = std::move(header.labels);
+  volume.remarks = std::move(header.remarks);
+  return volume;
 }
 
 }  // namespace
 
 Volume read_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
   check_openable(path);
-  const Quiet quiet;
   progress.check();
   progress.tell("read", 0);
   Volume volume;
-  if (fs::is_directory(path) || is_dicom_file(path)) {
+  if (fs::is_directory(path)) {
     volume = read_dicom_volume(path, options, progress);
-  } else if (const std::optional<Reader> reader = reader_for(path)) {
-    volume = read_file_volume(*reader, path, options);
+  } else if (const std::optional<VolumeFormat> format = volume_format(path)) {
+    volume = read_file_volume(*format, path, options, progress);
+  } else if (looks_like_dicom(path)) {
+    volume = read_dicom_volume(path, options, progress);
   } else {
-    Place place;
-    place.file = path;
-    throw InputError("unknown-volume-format", place, "it is no volume that can be read here, or its header is damaged",
+    throw InputError("unknown-volume-format", in_file(path), "it is no volume that can be read here, or its header is damaged",
                      "give NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz) or DICOM");
   }
   validate_volume(volume);

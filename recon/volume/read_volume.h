@@ -1,21 +1,21 @@
 #pragma once
-// Volume images from files: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI-1 (.nii, .nii.gz, .hdr + .img) and DICOM
-// (a folder, or one file of a series in its folder), through ITK.
+// Volume images from files: NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI-1 and -2 (.nii, .nii.gz, .hdr + .img) and DICOM (a folder, a DICOMDIR,
+// or one file of a series in its folder; read_volume_dicom.h). What a file is, is told by its content; gzip is unpacked whatever the name.
 //
 // Any integer or floating scalar type is read and kept as float: whole numbers beyond 2^24 are rounded.
 //
-// **Axes.** Coordinates are the patient's as ITK has them: x to the left, y to the back, z up (LPS), millimetres; files
-// in another convention (NIfTI, "right-anterior-superior") are converted. The image's axes are reordered and reversed
-// to run along x, y and z, so every voxel is put where the file says that it lies: a volume that is stored upside down
-// or left-handed comes out as it is, never mirrored. Slices are those across z. A file without orientation is taken as
-// it stands; without spacing (NRRD: nan) it is 1 mm. An oblique image (axes at right angles, but turned against the
-// coordinate axes) is read in its own frame: the nearest axes are taken, the first voxel stays in place, and the turn
-// that is dropped is told in Volume::tilt_degrees. That is a rotation, so shape and handedness are untouched. Axes that
-// are not at right angles (gantry tilt) are refused.
+// **Axes.** Coordinates are the patient's: x to the left, y to the back, z up (LPS), millimetres; files in another convention (NIfTI, the spaces of
+// NRRD) and in other units are converted. The image's axes are reordered and reversed to run along x, y and z, so every voxel is put where the file
+// says that it lies: a volume that is stored upside down or left-handed comes out as it is, never mirrored. Slices are those across z. An oblique
+// image (axes at right angles, but turned against the coordinate axes) is read in its own frame: the nearest axes are taken, the first voxel stays in
+// place, and the turn that is dropped is told in Volume::tilt_degrees. That is a rotation, so shape and handedness are untouched. Axes that are not at
+// right angles (gantry tilt) are refused.
 //
-// Not supported: several data files to one header, colour and vectors, time series, DICOM series with missing or
-// unevenly spaced slices, shear in a NIfTI sform (refused;
-// the little that is within ITK's tolerance is left out).
+// **What a file does not say.** A file without orientation is taken as it stands, one without spacing with 1 mm, one without unit in millimetres; each
+// such assumption is a line of Volume::remarks. Units that are not known, and NRRD's left-handed space, are refused.
+//
+// Not supported: colour and vectors, time series, DICOM series with missing or unevenly spaced slices, shear in a NIfTI sform, NRRD packed by bzip2,
+// DICOM segmentations.
 
 #include <array>
 #include <optional>
@@ -28,20 +28,21 @@ namespace odontoscope {
 
 struct ReadVolumeOptions {
   /// Instead of the header's, along the file's own first, second and third axis (columns, rows, slices), mm. The origin
-  /// stays.
-  std::optional<std::array<double, 3>> spacing;
+  /// stays, unless its unit is unknown: then it is scaled with the first.
+  std::optional<std::array<double, 3>> spacing = {};
+  /// Of several DICOM series the one to read: its number in the list that several-series tells, its UID or its description.
+  std::string series = {};
+  /// Read pixels from a file outside the folder of the NRRD or MetaImage header that names it.
+  bool allow_outside = false;
 };
 
-/// Reads a volume that passes validate_volume. Stage "read".
+/// Reads a volume that passes validate_volume. Stage "read". May be called from several threads at once.
 ///
-/// The header is checked before memory is asked for. Throws FileError (missing, not a file or folder, cannot be
-/// opened); InputError with what validate_volume throws, or unknown-volume-format, unreadable-volume (header or pixels;
-/// ITK's words follow), truncated-volume (the file is too short for its header's sizes), damaged-volume (compressed
-/// pixels), many-data-files, not-scalar, not-3d, pixel-type (complex and the like), sheared-volume; DICOM:
-/// no-dicom-images, several-series, mixed-series (sizes or orientations differ), uneven-slices.
-///
-/// While it runs, std::cerr and ITK's and GDCM's messages are switched off for the whole program, since the libraries
-/// write there as they please: call it from one thread at a time, and do not write to std::cerr meanwhile.
+/// The header is checked before memory is asked for, and memory is taken only as pixels come. Throws FileError (missing, not a file or folder, cannot be
+/// opened; more memory than there is); InputError with what validate_volume throws, or unknown-volume-format, unreadable-volume (header or pixels),
+/// truncated-volume (the file is too short for its header's sizes), damaged-volume (packed pixels), too-well-packed (few bytes that would become more
+/// than a gigabyte), outside-folder, not-scalar, not-3d, pixel-type (complex and the like), unknown-unit, left-handed-space, sheared-volume; for DICOM
+/// also what read_volume_dicom.h lists.
 Volume read_volume(const std::string& path, const ReadVolumeOptions& options = {}, const Progress& progress = {});
 
 }  // namespace odontoscope

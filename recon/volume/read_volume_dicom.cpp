@@ -1,192 +1,118 @@
 #include "recon/volume/read_volume_dicom.h"
 
 #include <fmt/format.h>
-#include <itkGDCMImageIO.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <map>
-#include <vector>
+#include <utility>
 
 #include "recon/core/error.h"
-#include "recon/core/limits.h"
-#include "recon/volume/dicom_header.h"
-#include "recon/volume/read_volume_itk.h"
+#include "recon/volume/byte_source.h"
+#include "recon/volume/dicom_folder.h"
+#include "recon/volume/dicom_pixels.h"
+#include "recon/volume/dicom_stack.h"
 
 namespace odontoscope {
 namespace {
 
 namespace fs = std::filesystem;
 
-Place in_file(const std::string& file) {
-  Place place;
-  place.file = file;
-  return place;
+constexpr std::string_view directory_class = "1.2.840.10008.1.3.10";
+
+struct Found {
+  std::vector<DicomFile> files;
+  std::vector<std::string> remarks;
+};
+
+/// A DICOMDIR lists what lies in its folder and below.
+bool is_directory_file(const DicomFile& file, const std::string& path) {
+  return file.data.text(dicom::class_uid) == directory_class || fs::path(path).filename() == "DICOMDIR";
 }
 
-/// Plain files of a folder that are DICOM images, by series; names sorted.
-std::map<std::string, std::vector<std::string>> images_by_series(const std::string& folder, const Progress& progress) {
-  std::vector<std::string> files;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    std::error_code ignored;
-    if (!at->is_regular_file(ignored) || !is_dicom_file(at->path().string())) continue;
-    files.push_back(at->path().string());
-    if (files.size() > limits::slices) {
-      throw InputError("too-many-voxels", in_file(folder), fmt::format("more than {} DICOM files", limits::slices),
-                       "put the series alone into a folder");
-    }
-  }
-  if (error) throw FileError(folder, "cannot be listed: " + error.message(), "check its permissions");
-  std::sort(files.begin(), files.end());
-  std::map<std::string, std::vector<std::string>> series;
-  for (const std::string& file : files) {
-    progress.check();
-    const DicomHeader header = read_dicom_header(file);
-    if (header.is_image) series[header.series].push_back(file);
-  }
-  return series;
-}
-
-std::vector<std::string> files_of_series(const std::string& path, const Progress& progress) {
-  const bool folder_given = fs::is_directory(path);
+std::string folder_of(const std::string& path) {
   const fs::path parent = fs::path(path).parent_path();
-  const std::string folder = folder_given ? path : parent.empty() ? "." : parent.string();
-  const auto all = images_by_series(folder, progress);
-  if (folder_given) {
-    if (all.empty()) {
-      throw InputError("no-dicom-images", in_file(path), "the folder holds no DICOM image",
-                       "give the folder of a series");
-    }
-    if (all.size() > 1) {
-      throw InputError("several-series", in_file(path),
-                       fmt::format("the folder holds {} series; one begins with {}, another with {}", all.size(),
-                                   all.begin()->second.front(), std::next(all.begin())->second.front()),
-                       "give a file of the wanted series instead of the folder");
-    }
-    return all.begin()->second;
-  }
-  const DicomHeader own = read_dicom_header(path);
-  const auto found = own.is_image ? all.find(own.series) : all.end();
-  if (found == all.end()) {
-    throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image",
-                     "give a file of an image series");
-  }
-  return found->second;
+  return parent.empty() ? "." : parent.string();
 }
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector3 normal_of(const FileImage& image) {
-  const Vector3 &a = image.direction[0], &b = image.direction[1];
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+void tell_unknown(const DicomFolder& folder, Found& found) {
+  for (const DicomFile& file : folder.unknown) found.remarks.push_back(fmt::format("{} is damaged, does not tell its series, and was passed over", file.path));
 }
 
-bool alike(const FileImage& a, const FileImage& b) {
-  bool same = a.size == b.size;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t n = 0; n < 2; ++n) {
-      same = same && std::abs(a.direction[n][axis] - b.direction[n][axis]) <= limits::axes_out_of_square;
-      same = same && std::abs(a.spacing[n] - b.spacing[n]) <= limits::slice_unevenness * a.spacing[n];
-    }
+Found in_folder(const std::string& path, const std::string& folder_path, const ReadVolumeOptions& options, Depth depth, const Progress& progress) {
+  DicomFolder folder = dicom_folder(folder_path, depth, progress);
+  const bool searched_below = depth == Depth::folder_only && folder.series.empty() && folder.unknown.empty();
+  if (searched_below) folder = dicom_folder(folder_path, Depth::below_too, progress);
+  if (folder.series.empty()) {
+    if (!folder.unknown.empty()) throw *folder.unknown.front().trouble;
+    throw InputError("no-dicom-images", in_file(path), "there is no DICOM image in it, nor in folders below it", "give the folder of a series");
   }
-  return same;
+  Found found;
+  std::size_t number = 0;
+  if (!options.series.empty()) {
+    number = chosen_series(folder, options.series, path);
+    tell_unknown(folder, found);
+  } else if (folder.series.size() > 1) {
+    throw InputError("several-series", in_file(path), fmt::format("there are {} series of images in it:\n{}", folder.series.size(), list_of(folder)),
+                     "Choose one by its number (--series N), or give a file of it");
+  } else if (!folder.unknown.empty()) {
+    const InputError& trouble = *folder.unknown.front().trouble;
+    std::string words = trouble.what();
+    words.resize(std::min(words.rfind(". ["), words.size()));
+    throw InputError(trouble.cause(), {}, words, "If it is none of the wanted series, give a file of that one, or --series 1");
+  }
+  found.files = std::move(folder.series[number].files);
+  if (searched_below) found.remarks.push_back(fmt::format("its images lie below it, in {}", folder_of(found.files.front().path)));
+  return found;
 }
 
-void check_alike(const std::vector<OpenedImage>& slices) {
-  const FileImage& first = slices.front().image;
-  for (const OpenedImage& slice : slices) {
-    if (slice.image.size[2] == 1 && alike(first, slice.image)) continue;
-    throw InputError("mixed-series", in_file(slice.image.source),
-                     fmt::format("its size, pixel spacing or orientation differs from that of {}", first.source),
-                     "put the slices of one volume alone into a folder");
+/// The other files of the series that `own` is of.
+Found beside(const std::string& path, DicomFile own, const ReadVolumeOptions& options, const Progress& progress) {
+  if (own.trouble) throw *own.trouble;
+  if (is_directory_file(own, path)) return in_folder(path, folder_of(path), options, Depth::below_too, progress);
+  if (!is_dicom_image(own)) throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image", "give a file of an image series");
+  Found found;
+  const bool whole = own.data.number(dicom::frames).value_or(1) > 1 && own.data.text(dicom::concatenation_uid).empty();
+  const std::string uid = own.data.text(dicom::series_uid), together = own.data.text(dicom::concatenation_uid);
+  if (whole || uid.empty()) {
+    found.files.push_back(std::move(own));
+    return found;
   }
+  DicomFolder folder = dicom_folder(folder_of(path), Depth::folder_only, progress);
+  for (DicomSeries& series : folder.series) {
+    const DicomFile& first = series.files.front();
+    if (series.uid != uid || first.data.text(dicom::concatenation_uid) != together) continue;
+    if ((first.data.number(dicom::frames).value_or(1) > 1) != !together.empty()) continue;
+    found.files = std::move(series.files);
+    break;
+  }
+  tell_unknown(folder, found);
+  return found;
 }
 
-/// Spacing of slices that are sorted along `normal`; checks that each lies straight above the last, at one distance.
-double slice_spacing(const std::vector<OpenedImage>& slices, const Vector3& normal) {
-  const Vector3 first = slices.front().image.origin, last = slices.back().image.origin;
-  const Vector3 way{last[0] - first[0], last[1] - first[1], last[2] - first[2]};
-  const double spacing = dot(way, normal) / static_cast<double>(slices.size() - 1);
-  if (!(spacing > 0)) {
-    throw InputError("uneven-slices", in_file(slices.back().image.source), "all slices lie in one place",
-                     "complete the series, or resample it evenly");
-  }
-  for (std::size_t k = 0; k < slices.size(); ++k) {
-    const FileImage& image = slices[k].image;
-    double sideways = 0, uneven = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double off = image.origin[axis] - first[axis] - static_cast<double>(k) * spacing * normal[axis];
-      uneven += off * normal[axis];
-      sideways += off * off;
-    }
-    sideways = std::sqrt(std::max(0.0, sideways - uneven * uneven));
-    if (!(std::abs(uneven) <= limits::slice_unevenness * spacing)) {
-      throw InputError(
-          "uneven-slices", in_file(image.source),
-          fmt::format("it lies {} mm off the even spacing of {} mm of {} slices: one is missing or doubled", uneven,
-                      spacing, slices.size()),
-          "complete the series, or resample it evenly");
-    }
-    if (!(sideways <= limits::slice_unevenness * spacing)) {
-      throw InputError("sheared-volume", in_file(image.source),
-                       fmt::format("it lies {} mm beside the slice below (a tilted gantry)", sideways),
-                       "resample the series onto a rectangular grid");
-    }
-  }
-  return spacing;
-}
-
-std::vector<OpenedImage> opened_slices(const std::vector<std::string>& files, const Progress& progress) {
-  std::vector<OpenedImage> slices;
-  for (const std::string& file : files) {
-    progress.check();
-    slices.push_back(open_image(itk::GDCMImageIO::New().GetPointer(), file));
-  }
-  check_alike(slices);
-  const Vector3 normal = normal_of(slices.front().image);
-  std::stable_sort(slices.begin(), slices.end(), [&normal](const OpenedImage& a, const OpenedImage& b) {
-    return dot(a.image.origin, normal) < dot(b.image.origin, normal);
-  });
-  return slices;
-}
-
-Volume stacked(const std::vector<OpenedImage>& slices, const std::string& source, const ReadVolumeOptions& options,
-               const Progress& progress) {
-  FileImage image = slices.front().image;
-  image.source = source;
-  image.size[2] = slices.size();
-  image.direction[2] = normal_of(image);
-  if (slices.size() > 1) image.spacing[2] = slice_spacing(slices, image.direction[2]);
-  if (options.spacing) image.spacing = *options.spacing;
-  oriented_grid(image);  // throws what is wrong with it before memory is asked for
-  const std::size_t pixels = image.size[0] * image.size[1];
-  image.values.resize(pixels * slices.size());
-  for (std::size_t k = 0; k < slices.size(); ++k) {
-    progress.check();
-    progress.tell("read", static_cast<double>(k) / static_cast<double>(slices.size()));
-    read_pixels(slices[k], image.values.data() + k * pixels);
-  }
-  return oriented(std::move(image));
+Found files_of(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
+  if (fs::is_directory(path)) return in_folder(path, path, options, options.series.empty() ? Depth::folder_only : Depth::below_too, progress);
+  return beside(path, read_dicom_file(path), options, progress);
 }
 
 }  // namespace
 
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
-  const std::vector<std::string> files = files_of_series(path, progress);
-  if (!fs::is_directory(path) || files.size() == 1) {
-    const std::string& file = fs::is_directory(path) ? files.front() : path;
-    OpenedImage opened = open_image(itk::GDCMImageIO::New().GetPointer(), file);
-    if (opened.image.size[2] > 1) {
-      if (options.spacing) opened.image.spacing = *options.spacing;
-      oriented_grid(opened.image);
-      opened.image.values.resize(opened.image.size[0] * opened.image.size[1] * opened.image.size[2]);
-      read_pixels(opened, opened.image.values.data());
-      return oriented(std::move(opened.image));
-    }
+  Found found = files_of(path, options, progress);
+  std::vector<DicomImage> images;
+  for (DicomFile& file : found.files) {
+    if (auto image = dicom_image(std::move(file))) images.push_back(std::move(*image));
   }
-  return stacked(opened_slices(files, progress), path, options, progress);
+  std::vector<const DicomImage*> all;
+  for (const DicomImage& image : images) all.push_back(&image);
+  DicomStack stack = stack_planes(all, path, options);
+  FileImage& image = stack.image;
+  oriented_grid(image);  // throws what is wrong with it before memory is asked for
+  check_memory(path, image.size[0] * image.size[1] * image.size[2]);
+  image.values = read_planes(stack.planes, progress);
+  Volume volume = oriented(std::move(image));
+  volume.remarks = std::move(found.remarks);
+  volume.remarks.insert(volume.remarks.end(), stack.remarks.begin(), stack.remarks.end());
+  return volume;
 }
 
 }  // namespace odontoscope

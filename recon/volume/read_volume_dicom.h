@@ -1,5 +1,13 @@
 #pragma once
-// A DICOM series as one image. Inner part of read_volume.h, which states what is refused.
+// DICOM images as one volume. Inner part of read_volume.h.
+//
+// `path` is a folder, a DICOMDIR (its folder is searched), or a file of the wanted series in its folder; a file of several frames is a volume of its
+// own. A folder without images of its own is searched below. Whatever else lies there is passed over: files that are no DICOM, objects that are no
+// images, images of other series; damaged ones, too, unless they are of the series that is read, or nothing tells the series they are of and the
+// folder was given and not a file in it.
+//
+// Enhanced and other multi-frame objects: each frame's place, orientation, pixel spacing and rescaling is its own (dicom_image.h); frames may be stored in
+// any order. Parts of a concatenation are put together.
 
 #include <string>
 
@@ -8,8 +16,8 @@
 
 namespace odontoscope {
 
-/// `path` is a folder with one series, or a file of the wanted one in its folder; a file of several frames is a volume
-/// of its own. Files that are no DICOM images are passed over.
+/// Throws what dicom_image.h, dicom_stack.h and dicom_pixels.h list; InputError no-dicom-images, several-series (with the list of them to choose from by
+/// ReadVolumeOptions::series), no-such-series.
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress);
 
 }  // namespace odontoscope

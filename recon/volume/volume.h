@@ -6,12 +6,19 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "recon/core/geometry.h"
 
 namespace odontoscope {
+
+/// What a label map's file calls one of its values.
+struct VolumeLabel {
+  std::int64_t value = 0;
+  std::string name;
+};
 
 struct Volume {
   /// Voxels along x, y and z.
@@ -26,6 +33,10 @@ struct Volume {
   /// How far the image's own axes were turned away from the coordinate axes in the file, degrees. read_volume drops
   /// this turn (see there); the shape is untouched.
   double tilt_degrees = 0;
+  /// By value; only some formats name them.
+  std::vector<VolumeLabel> labels;
+  /// What the file does not say and was assumed, and what was left out: one line each, to be told.
+  std::vector<std::string> remarks;
 
   std::size_t pixels_per_slice() const { return size[0] * size[1]; }
   const float* slice(std::size_t k) const { return values.data() + k * pixels_per_slice(); }

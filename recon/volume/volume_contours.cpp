@@ -8,6 +8,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/lattice.h"
 #include "recon/volume/read_volume.h"
 
 namespace odontoscope {
@@ -91,12 +92,17 @@ VolumeContours contours_from_volume(const std::string& path, const VolumeContour
 VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptions& options, const Progress& progress) {
   const ValueRange range = validate_volume(volume);
   std::vector<LevelTracer> tracers = iso_tracers(volume, range, options.isos);
-  std::vector<LevelTracer> label_ones = label_tracers(volume, options.labels);
+  std::shared_ptr<const SmoothLabels> smooth;
+  if (options.smooth && !options.labels.empty()) smooth = smoothed(volume, options.labels, *options.smooth, progress);
+  std::vector<LevelTracer> label_ones = label_tracers(volume, options.labels, smooth);
   std::move(label_ones.begin(), label_ones.end(), std::back_inserter(tracers));
   TracedContours traced = trace_levels(volume, tracers, options.trace, progress);
 
   VolumeContours result;
-  result.volume = {volume.size, volume.spacing, volume.origin, range, volume.tilt_degrees};
+  const Lattice lattice(volume);
+  result.volume = {volume.size, volume.spacing, volume.origin, range, volume.tilt_degrees, lattice.step(),
+                   lattice.largest_shift()};
+  if (smooth) result.smoothing_shift = smooth->largest_shift();
   result.levels = std::move(traced.levels);
   result.stack = std::move(traced.stack);
   if (options.simplify) {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "recon/contours/simplify_contours.h"
 #include "recon/core/progress.h"
 #include "recon/volume/contour_levels.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/label_contours.h"
-#include "recon/volume/simplify_contours.h"
 #include "recon/volume/volume.h"
 
 namespace odontoscope {
@@ -21,6 +21,8 @@ struct VolumeContourOptions {
   std::vector<IsoLevel> isos;
   std::vector<LabelLevel> labels;
   TraceOptions trace;
+  /// Smooth the labels' borders.
+  std::optional<SmoothLabelsOptions> smooth;
   /// Simplify the contours with this tolerance.
   std::optional<SimplifyContoursOptions> simplify;
   /// Spacing instead of the header's, see ReadVolumeOptions.
@@ -34,6 +36,9 @@ struct VolumeSummary {
   Point3 origin;
   ValueRange range;
   double tilt_degrees = 0;
+  /// What the contours' coordinates are multiples of halves of, and how far a voxel lies from where the file has it,
+  /// at most; mm. See lattice.h.
+  double lattice_step = 0, lattice_shift = 0;
 };
 
 struct VolumeContours {
@@ -46,6 +51,8 @@ struct VolumeContours {
     double largest_deviation = 0;
   };
   std::optional<Simplification> simplification;
+  /// How far smoothing moved a point at most, mm; if it was asked for.
+  std::optional<double> smoothing_shift;
 };
 
 /// Throws what read_volume, iso_contours, label_contours and simplify_contours throw. The stack passes `validate`.

@@ -1,6 +1,7 @@
 // Ctrl-C in the middle of work leaves every file as it was.
 
 #include <signal.h>
+#include <sys/stat.h>
 
 #include <cmath>
 
@@ -36,6 +37,17 @@ TEST_P(Interrupted, ReconstructionWritesNothing) {
   EXPECT_TRUE(ending.complains("stopped; no file was touched")) << ending.err;
   EXPECT_EQ(bytes_of("old.stl"), "what was there");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"long.json", "old.stl"}));
+}
+
+/// Nobody writes to it: a pipe is waited for, but not against a signal.
+TEST_P(Interrupted, WaitingForAPipeIsGivenUpAtTheFirstSignal) {
+  ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"reconstruct", "pipe", "-o", "new.glb"}, {"contours", "pipe", "-o", "new.json"}, {"check", "pipe"}, {"render", "pipe", "-o", "new.png"}, {"web", "pipe", "-o", "new.html"}}) {
+    const Ending ending = run({.arguments = arguments, .folder = folder.path().string(), .signals = {GetParam()}, .says_nothing = true});
+    EXPECT_EQ(ending.exit_code, 130) << arguments[0] << ": " << ending.err;
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"pipe"}));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(BySignal, Interrupted, ::testing::Values(SIGINT, SIGTERM, SIGHUP),

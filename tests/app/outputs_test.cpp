@@ -76,6 +76,22 @@ TEST_F(Outputs, FullStandardOutputIsAFileError) {
   EXPECT_TRUE(ending.complains("standard output")) << ending.err;
 }
 
+TEST_F(Outputs, FullStandardOutputHidesNoFileThatWasWritten) {
+  const Ending ending = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"}, .folder = folder.path().string(), .out_to = "/dev/full"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  EXPECT_TRUE(ending.complains("the files are written")) << ending.err;
+  EXPECT_TRUE(exists("a.stl"));
+}
+
+TEST_F(Outputs, FullStandardErrorEndsNothing) {
+  const Ending good = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"}, .folder = folder.path().string(), .err_to = "/dev/full"});
+  EXPECT_EQ(good.exit_code, 0) << good.out;
+  EXPECT_TRUE(exists("a.stl"));
+  const Ending bad = run({.arguments = {"reconstruct", "nothing.json", "-o", "b.stl"}, .folder = folder.path().string(), .err_to = "/dev/full"});
+  EXPECT_EQ(bad.exit_code, 4) << bad.out;
+  EXPECT_EQ(run({.arguments = {}, .folder = folder.path().string(), .err_to = "/dev/full"}).exit_code, 2);
+}
+
 TEST_F(Outputs, NothingTemporaryIsLeftBehind) {
   EXPECT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "a.glb", "-o", "a.ply", "--report", "a.json"}).exit_code, 0);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.glb", "a.json", "a.ply", "cube.json"}));

@@ -39,6 +39,7 @@ struct Pipe {
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   if (!call.out_to.empty()) out = ::open(call.out_to.c_str(), O_WRONLY);
+  if (!call.err_to.empty()) err = ::open(call.err_to.c_str(), O_WRONLY);
   const int nothing = ::open("/dev/null", O_RDONLY);
   if (::chdir(call.folder.c_str()) == 0 && ::dup2(nothing, 0) == 0 && ::dup2(out, 1) == 1 && ::dup2(err, 2) == 2) {
     // Whoever started the tests may ignore it, and what is ignored stays ignored.
@@ -62,7 +63,9 @@ bool take(int descriptor, std::string& to) {
 /// Sends the next of the signals when its time has come.
 class SignalSender {
  public:
-  SignalSender(const Call& call, pid_t process) : call_(call), process_(process) {}
+  SignalSender(const Call& call, pid_t process) : call_(call), process_(process) {
+    if (call.says_nothing) due_ += call.pause;
+  }
   void look(bool at_work) {
     if (next_ == call_.signals.size() || !at_work || Clock::now() < due_) return;
     ::kill(process_, call_.signals[next_++]);
@@ -87,7 +90,7 @@ void collect(const Call& call, pid_t process, Pipe& out, Pipe& err, Ending& endi
     for (std::size_t i = 0; i < watched.size(); ++i) {
       if (watched[i].fd >= 0 && watched[i].revents != 0 && !take(watched[i].fd, *texts[i])) watched[i].fd = -1;
     }
-    signals.look(!ending.err.empty());
+    signals.look(call.says_nothing || !ending.err.empty());
     if (Clock::now() > deadline) {
       ::kill(process, SIGKILL);
       ADD_FAILURE() << "the program did not end within a minute";

@@ -25,12 +25,14 @@ struct Ending {
 struct Call {
   std::vector<std::string> arguments;
   std::string folder = ".";
-  /// Where standard output goes instead of Ending::out.
-  std::string out_to = {};
+  /// Where standard output goes instead of Ending::out, and standard error instead of Ending::err.
+  std::string out_to = {}, err_to = {};
   /// Set for it; an empty value unsets.
   std::vector<std::pair<std::string, std::string>> environment = {};
   /// Sent once the program has said something on standard error (it is at work then), and again after each pause.
   std::vector<int> signals = {};
+  /// The first one after a pause instead, for a program that waits in silence.
+  bool says_nothing = false;
   std::chrono::milliseconds pause{200};
 };
 

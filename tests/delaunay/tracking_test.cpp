@@ -160,7 +160,7 @@ Scene strewn(std::uint64_t seed, int slices = 8, int islands = 15) {
 
 struct Tracked {
   std::vector<ShapeSlice> slices;
-  std::vector<SlabLinks> slabs;
+  std::vector<KnownLinks> slabs;
   Tracking tracking;
 
   std::size_t count(TrackedBy by) const {
@@ -359,7 +359,7 @@ TEST(Tracking, StrewnIslandsAreNotLinked) {
     const Tracked made = tracked(stack_of_discs(strewn(seed), cut));
     linked += made.count(TrackedBy::drift) + made.count(TrackedBy::entry);
     histories += 2 * (made.links().size() - made.count(TrackedBy::drift) - made.count(TrackedBy::entry));
-    for (const DoubtfulChoice& choice : made.tracking.doubtful) asked += choice.by != TrackedBy::overlap;
+    for (const DoubtfulLink& choice : made.tracking.doubtful) asked += choice.by != TrackedBy::overlap;
   }
   // What the limits promise: so many by chance a stack, and so many for each end of what lies over another island by
   // chance.
@@ -423,7 +423,7 @@ TEST(Tracking, ClosesNoLoopByItself) {
   EXPECT_EQ(made.links().size(), shapes - made.pieces()) << "a forest";
   const auto& doubtful = made.tracking.doubtful;
   EXPECT_TRUE(std::any_of(doubtful.begin(), doubtful.end(),
-                          [](const DoubtfulChoice& d) { return d.doubt == Doubt::may_connect; }));
+                          [](const DoubtfulLink& d) { return d.choice == Choice::may_connect; }));
 }
 
 // ---- doubts
@@ -437,8 +437,8 @@ TEST(Doubts, AClearCanalHasNone) {
 TEST(Doubts, ATouchMayConnect) {
   const Tracked made = tracked(stack_of({{circle(1)}, {circle(1, {1.85, 0})}}));
   ASSERT_EQ(made.tracking.doubtful.size(), 1u);
-  const DoubtfulChoice& choice = made.tracking.doubtful[0];
-  EXPECT_EQ(choice.doubt, Doubt::may_connect);
+  const DoubtfulLink& choice = made.tracking.doubtful[0];
+  EXPECT_EQ(choice.choice, Choice::may_connect);
   EXPECT_EQ(choice.by, TrackedBy::overlap);
   EXPECT_EQ(std::tuple(choice.slab, choice.lower_contour, choice.upper_contour), std::tuple(0u, 0u, 0u));
   EXPECT_NEAR(choice.at.x, 0.925, 1e-9);
@@ -449,14 +449,14 @@ TEST(Doubts, ASmallOverlapMayClose) {
   const Tracked made = tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0})}}));
   ASSERT_EQ(made.count(TrackedBy::overlap), 1u);
   ASSERT_EQ(made.tracking.doubtful.size(), 1u);
-  EXPECT_EQ(made.tracking.doubtful[0].doubt, Doubt::may_close);
+  EXPECT_EQ(made.tracking.doubtful[0].choice, Choice::may_part);
 }
 
 TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {
   // Each canal overlaps a fifth of the other one slice on.
   const Tracked made = tracked(stack_of_discs(parallel_canals(0.7), cut));
-  EXPECT_TRUE(std::any_of(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulChoice& d) {
-    return d.doubt == Doubt::may_connect && d.by == TrackedBy::overlap && d.lower != d.upper;
+  EXPECT_TRUE(std::any_of(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulLink& d) {
+    return d.choice == Choice::may_connect && d.by == TrackedBy::overlap && d.lower != d.upper;
   }));
 }
 

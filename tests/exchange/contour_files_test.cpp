@@ -8,8 +8,10 @@
 #include "recon/core/error.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/exchange/character_set.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/read_csl.h"
+#include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/exchange/repair_contours.h"
@@ -253,7 +255,8 @@ TEST(Rtstruct, WrongFilesAreNamed) {
   EXPECT_EQ(set_cause(made::rtstruct({{"Heart", {wrong}}})), "not-parallel");
   std::string other = made::rtstruct({{"Heart", {square(0)}}});
   for (int i = 0; i < 2; ++i) other = replaced(other, "481.3", "481.5");
-  EXPECT_FALSE(contour_file_kind(other));
+  EXPECT_TRUE(contour_file_kind(other)) << "the modality still says it";
+  EXPECT_FALSE(contour_file_kind(replaced(other, "RTSTRUCT", "RTPLAN  ")));
 }
 
 TEST(Rtstruct, TruncatedAnywhereItIsNamed) {
@@ -311,6 +314,130 @@ FileContours real(const std::string& name, const std::vector<std::string>& struc
 }
 
 bool is_missing(const std::string& name) { return std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(std::string(ODONTOSCOPE_DATA) + "/" + name); }
+
+double enclosed(const Contour& contour) {
+  double twice = 0;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    const Point2 a = contour.points[i], b = contour.points[(i + 1) % contour.points.size()];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return std::abs(twice) / 2;
+}
+
+TEST(Rtstruct, AContourThereTwiceIsKeptOnce) {
+  const std::string data = made::square(0, 0, 1, 10), other_way = "0\\10\\1\\10\\10\\1\\10\\0\\1\\0\\0\\1";
+  const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", {{data}, {other_way}, {made::square(20, 0, 1, 10)}}}}), "file");
+  ASSERT_EQ(read.stack.slices.size(), 1u);
+  ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
+  EXPECT_EQ(enclosed(read.stack.slices[0].contours[0]), 100);
+  EXPECT_EQ(read.remarks.size(), 1u);
+}
+
+TEST(Rtstruct, PlanesAFewMicrometresApartAreOne) {
+  std::vector<made::RoiContour> contours;
+  for (const double z : {0.0, 1.0, 2.0}) {
+    contours.push_back({made::square(0, 0, z, 2)});
+    contours.push_back({made::square(5, 0, z + 0.004, 2)});
+  }
+  const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", contours}}), "file");
+  ASSERT_EQ(read.stack.slices.size(), 3u);
+  for (const Slice& slice : read.stack.slices) EXPECT_EQ(slice.contours.size(), 2u);
+  EXPECT_EQ(read.stack.slices[1].z, 1);
+  ASSERT_EQ(read.remarks.size(), 1u);
+  EXPECT_NE(read.remarks[0].find("0.004 mm apart"), std::string::npos) << read.remarks[0];
+}
+
+TEST(Rtstruct, TruePlanesOfAFineStackStayApart) {
+  std::vector<made::RoiContour> contours;
+  for (const double z : {0.0, 0.01, 0.02, 0.03, 0.04}) contours.push_back({made::square(0, 0, z, 2)});
+  EXPECT_EQ(parse_rtstruct(made::rtstruct({{"Heart", contours}}), "file").stack.slices.size(), 5u);
+}
+
+TEST(Rtstruct, ObliquePlanesAreReadInTheirOwnFrame) {
+  std::vector<made::RoiContour> contours;
+  for (const double n : {0.0, 1.0, 2.0}) {
+    // Across (0, -0.6, 0.8), in the directions (1, 0, 0) and (0, 0.8, 0.6).
+    std::string data;
+    for (const auto& [u, v] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}}) {
+      data += (data.empty() ? "" : "\\") + std::to_string(u) + "\\" + std::to_string(0.8 * v - 0.6 * n) + "\\" + std::to_string(0.6 * v + 0.8 * n);
+    }
+    contours.push_back({data});
+  }
+  const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", contours}}), "file");
+  ASSERT_EQ(read.stack.slices.size(), 3u);
+  for (std::size_t s = 0; s < 3; ++s) {
+    EXPECT_NEAR(read.stack.slices[s].z, static_cast<double>(s), 1e-9);
+    EXPECT_NEAR(enclosed(read.stack.slices[s].contours.at(0)), 100, 1e-9);
+  }
+  EXPECT_EQ(read.remarks.size(), 1u);
+}
+
+TEST(Rtstruct, PreambleAndMarkMayBeMissing) {
+  const std::string bytes = made::rtstruct({{"Heart", {{made::square(0, 0, 1, 10)}}}}).substr(132);
+  EXPECT_EQ(contour_file_kind(bytes), ContourFileKind::rtstruct);
+  EXPECT_EQ(parse_rtstruct(bytes, "file").stack.slices.size(), 1u);
+}
+
+TEST(CharacterSet, NamesBecomeUtf8) {
+  EXPECT_EQ(to_utf8("Z\xe4hne", "ISO_IR 100").utf8, "Z\xc3\xa4hne");
+  EXPECT_EQ(to_utf8("Z\xc3\xa4hne", "ISO_IR 192").utf8, "Z\xc3\xa4hne");
+  EXPECT_EQ(to_utf8("\xb7\xe3\xdf", "ISO_IR 144").utf8, "\xd0\x97\xd1\x83\xd0\xbf");
+  EXPECT_FALSE(to_utf8("Tooth", "").guessed);
+  EXPECT_TRUE(to_utf8("Z\xc3\xa4hne", "").guessed);
+  EXPECT_EQ(to_utf8("a\x1b[2Jb\n", "ISO_IR 192").utf8.find('\x1b'), std::string::npos);
+}
+
+TEST(Csl, AHoleMayComeBeforeItsOwner) {
+  const std::string text = "CSLC\n1 2\n0 8 2 0 0 1 0\n0 0 0\n6 0 0\n6 6 0\n0 6 0\n2 2 0\n4 2 0\n4 4 0\n2 4 0\n";
+  const FileContours read = parse_csl(text + "4h1 0 4 7 6 5\n4 1 0 1 2 3\n", "file");
+  ASSERT_EQ(read.stack.slices.at(0).contours.size(), 2u);
+  EXPECT_EQ(enclosed(read.stack.slices[0].contours[0]), 4);
+  EXPECT_THROW(parse_csl(text + "4h1 0 4 7 6 5\n4h0 1 0 1 2 3\n", "file"), InputError);
+  EXPECT_THROW(parse_csl(text + "4h2 0 4 7 6 5\n4 1 0 1 2 3\n", "file"), InputError);
+}
+
+// --- PyReconstruct -------------------------------------------------------------------------------------------------------
+
+/// Two sections, the second after one that is missing; a square of 4 um with a hole, an open trace, and a turn by 90 degrees as alignment.
+std::string jser(const std::string& alignment = "default") {
+  const std::string look = ",[255,0,0],true,false,false,[\"none\",\"none\"],[]]", open = ",[255,0,0],false,false,false,[\"none\",\"none\"],[]]";
+  const std::string contours = "{\"cell\":[[[0,4,4,0],[0,0,4,4]" + look + ",[[1,2,2,1],[1,1,2,2]" + look + "],\"line\":[[[0,1],[0,1]" + open + "]}";
+  const std::string section = "{\"src\":\"a.tif\",\"mag\":0.00254,\"thickness\":0.05,\"tforms\":{\"default\":[1,0,0,0,1,0],\"turned\":[0,-1,10,1,0,0]},\"contours\":" + contours + "}";
+  return "{\"sections\": [null," + section + ",null," + section + "], \"series\": {\"alignment\": \"" + alignment + "\"}, \"log\": \"\"}";
+}
+
+TEST(Jser, SectionsOfPyReconstruct) {
+  ASSERT_EQ(contour_file_kind(jser()), ContourFileKind::jser);
+  const FileContours read = parse_jser(jser(), "file");
+  EXPECT_NO_THROW(validate(read.stack));
+  ASSERT_EQ(read.stack.slices.size(), 2u);
+  EXPECT_EQ(read.stack.slices[0].z, 0);
+  EXPECT_DOUBLE_EQ(read.stack.slices[1].z, 0.0001);  // two thicknesses of 0.05 um
+  ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
+  EXPECT_EQ(read.stack.slices[0].contours[0].structure, "cell");
+  EXPECT_DOUBLE_EQ(read.stack.slices[0].contours[0].points[1].x, 0.004);
+  EXPECT_EQ(read.remarks.size(), 2u);  // the missing section, the open traces
+  const FileContours turned = parse_jser(jser("turned"), "file");
+  EXPECT_DOUBLE_EQ(turned.stack.slices[0].contours[0].points[1].x, 0.010);
+  EXPECT_DOUBLE_EQ(turned.stack.slices[0].contours[0].points[1].y, 0.004);
+  EXPECT_NO_THROW(parse_jser(jser("no-alignment"), "file"));
+}
+
+TEST(Jser, WrongFilesAreNamed) {
+  const auto cause = [](const std::string& text) { return cause_of([&] { parse_jser(text, "file"); }); };
+  EXPECT_EQ(cause(jser("missing")), "missing-key");
+  EXPECT_EQ(cause(jser().substr(0, 300)), "unparsable");
+  EXPECT_EQ(cause(replaced(jser(), "\"thickness\":0.05", "\"thickness\":0")), "repeated-z");
+  EXPECT_EQ(cause(replaced(jser(), "\"thickness\":0.05", "\"thickness\":1e30")), "too-large");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,4]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,\"4\",0]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[0,4,4,0]", "[0,4,1e9999,0]")), "unparsable");
+  EXPECT_EQ(cause(replaced(jser(), "[1,0,0,0,1,0]", "[1,0,0,0,1]")), "wrong-type");
+  EXPECT_EQ(cause(replaced(jser(), "[1,0,0,0,1,0]", "[1,1,0,1,1,0]")), "bad-transform");
+  EXPECT_EQ(cause("{\"sections\": [null], \"series\": {}}"), "no-sections");
+  EXPECT_EQ(cause("{\"sections\": {}, \"series\": {}}"), "wrong-type");
+  EXPECT_EQ(cause("{\"sections\": []}"), "missing-key");
+}
 
 TEST(RealContours, SeriesOfReconstruct) {
   const std::string name = "reconstruct_series/calibrated_organelle.ser";

@@ -91,10 +91,37 @@ TEST(RepairContours, CrossingContoursAreDifferentByTheirRule) {
   EXPECT_NEAR(area(repaired(squares, {.inside = Inside::positive})), 16 + 16 - 4, 0.01);     // union
 }
 
-TEST(RepairContours, AContourGivenTwiceIsNothingOrItself) {
-  const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
-  EXPECT_TRUE(repaired({square, square}).empty());
+TEST(RepairContours, AContourGivenTwiceIsKeptOnce) {
+  const Points square{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, from_elsewhere_and_back{{4, 4}, {4, 0}, {0, 0}, {0, 4}, {0, 4}};
+  EXPECT_EQ(area(repaired({square, square})), 16);
+  EXPECT_EQ(area(repaired({square, from_elsewhere_and_back, square}, {}, 2)), 16);
   EXPECT_EQ(repaired({square, square}, {.inside = Inside::positive}).size(), 1u);
+}
+
+/// A square of 10 with a hole of 3, drawn in one line: in along a channel of the given width, and out again.
+Points keyhole(double width) {
+  const double low = 5 - width / 2, high = 5 + width / 2;
+  return {{0, 0}, {10, 0}, {10, low}, {6.5, low}, {6.5, 3.5}, {3.5, 3.5}, {3.5, 6.5}, {6.5, 6.5}, {6.5, high}, {8, high}, {10, high}, {10, 10}, {0, 10}};
+}
+
+TEST(RepairContours, AKeyholeWithAChannelOfAFewMicrometresBecomesAHole) {
+  for (const double width : {0.002, 0.00001, 0.009}) {
+    for (const bool turned : {false, true}) {
+      Points points = keyhole(width);
+      if (turned) std::reverse(points.begin(), points.end());
+      const std::vector<Contour> slice = repaired({points});
+      ASSERT_EQ(slice.size(), 2u) << width;
+      EXPECT_NEAR(area(slice), 91, 20 * width);
+      const RepairedContours again = repair_contours(stack_of({slice[0].points, slice[1].points}));
+      EXPECT_TRUE(again.changes.empty());
+    }
+  }
+}
+
+TEST(RepairContours, AChannelThatIsDrawnStays) {
+  EXPECT_TRUE(repair_contours(stack_of({keyhole(0.05)})).changes.empty());
+  // A notch that comes to a point is narrow there, too, but shuts nothing in.
+  EXPECT_TRUE(repair_contours(stack_of({{{0, 0}, {10, 0}, {10, 4.9}, {5, 5}, {10, 5.1}, {10, 10}, {0, 10}}})).changes.empty());
 }
 
 TEST(RepairContours, SharedEdgesMelt) {

@@ -187,7 +187,7 @@ std::vector<Large> mesh_files() {
        }, "truncated"},
       {"ply", "rows of nothing, without end", [] { return std::string("ply\nformat ascii 1.0\nelement e 100000000\nend_header\n"); }, "bad-header"},
       {"obj", "two million objects", [] { return times(2'000'000, "o a\n"); }, "empty-mesh"},
-      {"obj", "a face of five million corners", [] { return "v 0 0 0\nf" + times(5'000'000, " 1") + "\n"; }, "not-triangles"},
+      {"obj", "a face of five million corners", [] { return "v 0 0 0\nf" + times(5'000'000, " 1") + "\n"; }, "too-large"},
       {"obj", "two hundred thousand objects with a triangle", [] { return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + times(200'000, "o a\nf 1 2 3\n"); }, "accepted"},
       {"obj", "a word of fifty megabytes", [] { return std::string(50u << 20, 'v'); }, "unparsable"},
       {"glb", "a million brackets", [] { return glb_of(times(1'000'000, "[")); }, "unparsable"},
@@ -199,7 +199,7 @@ std::vector<Large> mesh_files() {
       {"volume", "a hundred thousand fields", [] { return nrrd("sizes: 2 2 2\n" + numbered(100'000, "key#:=value\n", "")) + std::string(8, '\0'); }, "unreadable-volume"},
       {"volume", "more voxels than there are", [] { return nrrd("sizes: 100000 100000 100000\n"); }, "too-many-voxels"},
       {"volume", "as many voxels as are allowed, without one of them", [] { return nrrd("sizes: 1024 1024 1024\n"); }, "truncated-volume"},
-      {"volume", "pixels in a device that never ends", [] { return nrrd("sizes: 1024 1024 1024\ndata file: /dev/zero\n"); }, "cannot be read"},
+      {"volume", "pixels in a device that never ends", [] { return nrrd("sizes: 1024 1024 1024\ndata file: /dev/zero\n"); }, "outside-folder"},
       {"png", "as large as is allowed, without a pixel", [] { return png_header(16'384, 16'384); }, "not-a-png"},
       {"png", "larger than is allowed", [] { return png_header(0x7fffffff, 0x7fffffff); }, "not-a-png"},
   };

@@ -92,7 +92,7 @@ void read_lesson(const std::string& bytes) {
 void read_tour_text(const std::string& bytes) {
   for (const TourNote& note : parse_tour(bytes, "file").notes) sound(note.camera);
 }
-void read_picture(const std::string& bytes) { from_file(bytes, "file", read_png); }
+void read_picture(const std::string& bytes) { from_file(bytes, "file", [](const std::string& file) { return read_png(file); }); }
 void read_any_volume(const std::string& bytes) {
   for (const float value : from_file(bytes, volume_name(bytes), [](const std::string& file) { return read_volume(file); }).values) finite({value});
 }
@@ -106,7 +106,7 @@ void sniffed(const std::string& bytes) {
 const std::vector<Reader>& readers() {
   static const std::vector<Reader> all{
       {"stack", {"good", "bad"}, true, [](const std::string& bytes) { sound(parse_stack(bytes, "file")); }},
-      {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", read_stack)); }},
+      {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", [](const std::string& file) { return read_stack(file); })); }},
       {"links", {"good_links", "bad_links"}, true, read_links_text},
       {"csl", {"exchange/csl"}, true, [](const std::string& bytes) { sound(parse_csl(bytes, "file").stack); }},
       {"series", {"exchange/series"}, true, [](const std::string& bytes) {

@@ -7,12 +7,14 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <random>
 
 #include "recon/core/error.h"
 #include "recon/mesh/surface_report.h"
 #include "tests/mesh/shapes.h"
+#include "tests/output/temporary_folder.h"
 
 namespace odontoscope {
 namespace {
@@ -98,7 +100,11 @@ TEST(ReadStl, EveryTruncationIsRefused) {
   }
   const std::size_t complete_at = text.size() - std::string(" t\n").size();  // the name may be missing
   for (std::size_t n = std::string("solid").size(); n < complete_at; ++n) {
-    EXPECT_NE(cause_of(parse_stl, text.substr(0, n)), "accepted") << n;
+    const std::string cut = text.substr(0, n);
+    if (cause_of(parse_stl, cut) != "accepted") continue;
+    // Between two facets only the missing end shows, and it is told.
+    EXPECT_TRUE(cut.substr(0, cut.find_last_not_of(" \n") + 1).ends_with("endfacet") || cut.ends_with("endsolid")) << n;
+    EXPECT_EQ(parse_stl(cut, "file").front().remarks.empty(), cut.ends_with("endsolid")) << n;
   }
 }
 
@@ -107,7 +113,7 @@ TEST(ReadStl, WrongFilesAreNamed) {
   EXPECT_EQ(cause_of(parse_stl, ""), "empty-mesh");
   EXPECT_EQ(cause_of(parse_stl, binary_stl({})), "empty-mesh");
   EXPECT_EQ(cause_of(parse_stl, "solid\nendsolid\n"), "empty-mesh");
-  EXPECT_EQ(cause_of(parse_stl, binary + "x"), "trailing-bytes");
+  EXPECT_EQ(parse_stl(binary + "x", "file").front().remarks.size(), 1u);
   std::string lying = binary;
   const std::uint32_t huge = 0xffffffff;
   std::memcpy(lying.data() + 80, &huge, 4);
@@ -157,7 +163,6 @@ TEST(ReadObj, ObjectsWithTheirOwnVertices) {
 TEST(ReadObj, WrongFilesAreNamed) {
   EXPECT_EQ(cause_of(parse_obj, ""), "empty-mesh");
   EXPECT_EQ(cause_of(parse_obj, "v 0 0 0\n"), "empty-mesh");
-  EXPECT_EQ(cause_of(parse_obj, obj_text + " 2"), "not-triangles");
   EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 1 3 4")), "index-out-of-range");  // 4 comes later
   EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "f 1 3 2", "f 0 3 2")), "index-out-of-range");
   EXPECT_EQ(cause_of(parse_obj, replaced(obj_text, "-3 -2 -1", "-5 -2 -1")), "index-out-of-range");
@@ -260,7 +265,6 @@ TEST(ReadPly, WrongFilesAreNamed) {
   EXPECT_EQ(cause("1 0 1 0\n", "1 0 1 0.5\n"), "unparsable");
   EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3 0 2 4 0\n"), "index-out-of-range");
   EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3 0 2 -1 0\n"), "index-out-of-range");
-  EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 4 0 2 1 3 0\n"), "not-triangles");
   EXPECT_EQ(cause("0.5 3 0 2 1 0\n", "0.5 3000000 0 2 1 0\n"), "truncated");
   EXPECT_EQ(cause_of(parse_ply, ply_text + "1"), "trailing-bytes");
   EXPECT_EQ(cause_of(parse_ply, "ply\nformat ascii 1.0\nend_header\n"), "empty-mesh");
@@ -400,7 +404,8 @@ TEST(ReadGlb, WrongFilesAreNamed) {
   EXPECT_EQ(cause("[0,0,0]", "[0,0,1e5]"), "too-large");
   EXPECT_EQ(cause("\"mesh\":0", "\"mesh\":1"), "index-out-of-range");
   EXPECT_EQ(cause("\"mesh\":0", "\"mesh\":0,\"skin\":0"), "unsupported");
-  EXPECT_EQ(cause("\"mode\":4", "\"mode\":5"), "unsupported");
+  EXPECT_EQ(cause("\"mode\":4", "\"mode\":1"), "empty-mesh");
+  EXPECT_EQ(cause("\"mode\":4", "\"mode\":7"), "unparsable");
   EXPECT_EQ(cause("\"count\":8", "\"count\":9"), "truncated");
   EXPECT_EQ(cause("\"count\":8", "\"count\":9007199254740991"), "truncated");
   EXPECT_EQ(cause("\"count\":8", "\"count\":1e300"), "unparsable");
@@ -417,7 +422,7 @@ TEST(ReadGlb, WrongFilesAreNamed) {
   EXPECT_EQ(cause("{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"/etc/passwd\"}"), "unsupported");
   EXPECT_EQ(cause("\"scene\":0", "\"extensionsRequired\":[\"KHR_draco_mesh_compression\"]"), "unsupported");
   std::string bytes = glb(tetrahedron_json, buffer);
-  EXPECT_EQ(cause_of(parse_glb, bytes + "abcd"), "trailing-bytes");
+  EXPECT_EQ(parse_glb(bytes + "abcd", "file").front().remarks.size(), 1u);
   bytes[4] = 1;
   EXPECT_EQ(cause_of(parse_glb, bytes), "bad-header");
   std::string nan = buffer;
@@ -494,6 +499,244 @@ TEST(ReadMesh, DamagedFilesAreReadOrRefusedNeverWorse) {
 TEST(ReadMesh, TheEndingDecides) {
   EXPECT_THROW(read_mesh("tooth.off"), UsageError);
   EXPECT_THROW(read_mesh("/nowhere/tooth.STL"), FileError);
+}
+
+/// A box of 2 x 3 x 4 in OBJ; `ends` behind each line.
+std::string box_of_quads(const std::string& ends) {
+  std::string text;
+  for (const char* line : {"v 0 0 0", "v 2 0 0", "v 2 3 0", "v 0 3 0", "v 0 0 4", "v 2 0 4", "v 2 3 4", "v 0 3 4", "f 1 4 3 2", "f 5 6 7 8",
+                           "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8"}) {
+    text += line + ends;
+  }
+  return text;
+}
+
+void expect_box(const NamedMesh& mesh) {
+  const SurfaceReport report = inspect(mesh.surface);
+  EXPECT_TRUE(report.closed_oriented_manifold());
+  EXPECT_EQ(mesh.surface.triangles.size(), 12u);
+  EXPECT_EQ(mesh.surface.points.size(), 8u);
+}
+
+TEST(ReadObj, PolygonsAreCutHoweverLinesEnd) {
+  for (const char* ends : {"\n", "\r\n", "\r", " # a box\r", "\n\n"}) {
+    const auto meshes = parse_obj(box_of_quads(ends), "file");
+    ASSERT_EQ(meshes.size(), 1u);
+    expect_box(meshes.front());
+    ASSERT_EQ(meshes.front().remarks.size(), 1u);
+    EXPECT_TRUE(meshes.front().remarks.front().starts_with("6 faces")) << meshes.front().remarks.front();
+  }
+}
+
+TEST(ReadObj, ABackslashContinuesTheLine) {
+  expect_box(parse_obj(replaced(box_of_quads("\n"), "f 5 6 7 8", "f 5 6 \\\n7 \\ \n 8"), "file").front());
+}
+
+TEST(ReadObj, APolygonThatTurnsInwardsKeepsItsShape) {
+  // An L: a fan from its first corner would leave it.
+  std::string text;
+  for (const char* z : {" 0\n", " 1\n"}) {
+    for (const char* xy : {"v 2 1", "v 1 1", "v 1 2", "v 0 2", "v 0 0", "v 2 0"}) text += std::string(xy) + z;
+  }
+  text += "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n";
+  for (int i = 1; i <= 6; ++i) text += "f " + std::to_string(i) + " " + std::to_string(i % 6 + 1) + " " + std::to_string(i % 6 + 7) + " " + std::to_string(i + 6) + "\n";
+  const SurfaceMesh mesh = parse_obj(text, "file").front().surface;
+  EXPECT_TRUE(inspect(mesh).closed_oriented_manifold());
+  double area_above = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Point3 a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+    if (a.z != 1 || b.z != 1 || c.z != 1) continue;
+    const double area = ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
+    EXPECT_GT(area, 0);
+    area_above += area;
+  }
+  EXPECT_EQ(area_above, 3);
+}
+
+TEST(ReadObj, SeamsAreJoinedAndSaidButTouchingCornersAreNot) {
+  const auto doubled = [](double shift) {
+    const SurfaceMesh mesh = shapes::tetrahedron();
+    std::string text;
+    for (const Triangle& t : mesh.triangles) {
+      for (const PointIndex v : t) {
+        const Point3& p = mesh.points[v];
+        text += "v " + std::to_string(p.x + shift) + " " + std::to_string(p.y + shift) + " " + std::to_string(p.z + shift) + "\n";
+      }
+      text += "f -3 -2 -1\n";
+    }
+    return text;
+  };
+  const NamedMesh mesh = parse_obj(doubled(0), "file").front();
+  EXPECT_EQ(mesh.surface.points.size(), 4u);
+  EXPECT_TRUE(inspect(mesh.surface).closed_oriented_manifold());
+  ASSERT_EQ(mesh.remarks.size(), 1u);
+  EXPECT_NE(mesh.remarks.front().find("seams joined: 8"), std::string::npos) << mesh.remarks.front();
+  EXPECT_EQ(parse_obj(doubled(0) + doubled(8), "file").front().surface.points.size(), 8u);
+}
+
+TEST(ReadPly, PolygonsStripsAndFacesFirst) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+  const std::string header = "ply\nformat ascii 1.0\n", element = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string strips = header + element + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + vertices + "9 0 1 3 2 0 1 -1 2 2\n";
+  const auto stripped = parse_ply(strips, "file");
+  EXPECT_EQ(stripped.front().surface.triangles.size(), 4u);
+  EXPECT_TRUE(inspect(stripped.front().surface).closed_oriented_manifold());
+  const std::string faces = "element face 4\nproperty list uchar int vertex_indices\n", rows = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  EXPECT_TRUE(inspect(parse_ply(header + faces + element + "end_header\n" + rows + vertices, "file").front().surface).closed_oriented_manifold());
+  EXPECT_EQ(cause_of(parse_ply, header + faces + element + "end_header\n" + replaced(rows, "3 2 0 3", "3 2 0 4") + vertices), "index-out-of-range");
+}
+
+TEST(ReadGlb, ExtensionsThatSayNothingOfShapeMayBeRequired) {
+  const auto cause = [](const std::string& name) {
+    return cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0", "\"scene\":0,\"extensionsRequired\":[\"" + name + "\"]"), tetrahedron_buffer()));
+  };
+  EXPECT_EQ(cause("KHR_materials_unlit"), "accepted");
+  EXPECT_EQ(cause("KHR_texture_transform"), "accepted");
+  EXPECT_EQ(cause("KHR_draco_mesh_compression"), "unsupported");
+  EXPECT_EQ(cause("EXT_of_nobody"), "unsupported");
+}
+
+TEST(ReadObj, AFaceWithAHoleDrawnInOneLineStaysOpenThere) {
+  // A square frame of height 1: its top and bottom go round outside, in over a bridge, round the hole, and back.
+  std::string text;
+  for (const char* z : {" 0\n", " 1\n"}) {
+    for (const char* xy : {"v 0 0", "v 4 0", "v 4 4", "v 0 4", "v 1 1", "v 3 1", "v 3 3", "v 1 3"}) text += std::string(xy) + z;
+  }
+  text += "f 9 10 11 12 9 13 16 15 14 13\nf 1 5 6 7 8 5 1 4 3 2\n";
+  for (int i = 1; i <= 4; ++i) {
+    const int n = i % 4 + 1;
+    text += "f " + std::to_string(i) + " " + std::to_string(n) + " " + std::to_string(n + 8) + " " + std::to_string(i + 8) + "\n";
+    text += "f " + std::to_string(n + 4) + " " + std::to_string(i + 4) + " " + std::to_string(i + 12) + " " + std::to_string(n + 12) + "\n";
+  }
+  const SurfaceReport report = inspect(parse_obj(text, "file").front().surface);
+  EXPECT_TRUE(report.closed_oriented_manifold());
+  ASSERT_EQ(report.shells.size(), 1u);
+  EXPECT_EQ(report.shells[0].genus, 1);
+  EXPECT_DOUBLE_EQ(report.shells[0].volume, 12);
+}
+
+TEST(ReadObj, TwoFacesOnTheSameFourCornersAreCutAlongDifferentDiagonals) {
+  const auto meshes = parse_obj("v 0 0 0\nv 1 0 1\nv 1 1 0\nv 0 1 1\nf 1 2 3 4\nf 4 3 2 1\n", "file");
+  const SurfaceReport report = inspect(meshes.front().surface);
+  EXPECT_TRUE(report.closed_oriented_manifold());
+  EXPECT_EQ(report.triangles, 4u);
+  EXPECT_NE(meshes.front().remarks.at(0).find("2 are not flat, by up to 0.5 mm"), std::string::npos) << meshes.front().remarks[0];
+}
+
+/// A prism over any ring of places, both ends one face, from random numbers: bent, turning inwards, crossing itself.
+TEST(ReadObj, WhateverItsFacesTheBoundaryStaysClosedAndOriented) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 300; ++round) {
+    const int n = 3 + static_cast<int>(random() % 12);
+    std::string text;
+    for (int ring = 0; ring < 2; ++ring) {
+      for (int i = 0; i < n; ++i) {
+        // Of a lattice, so that places repeat and lines are straight.
+        text += "v " + std::to_string(random() % 5) + " " + std::to_string(random() % 5) + " " + std::to_string(static_cast<int>(random() % 3) + 4 * ring) + "\n";
+      }
+    }
+    std::string low = "f", high = "f";
+    for (int i = 1; i <= n; ++i) {
+      const int next = i % n + 1;
+      low += " " + std::to_string(n + 1 - i);
+      high += " " + std::to_string(n + i);
+      text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + n) + " " + std::to_string(i + n) + "\n";
+    }
+    const SurfaceReport report = inspect(parse_obj(text + low + "\n" + high + "\n", "file").front().surface);
+    EXPECT_EQ(report.boundary_edges, 0u) << text;
+    EXPECT_EQ(report.misoriented_edges, 0u) << text;
+    EXPECT_EQ(report.triangles, static_cast<std::size_t>(2 * n + 2 * (n - 2)));
+  }
+}
+
+TEST(ReadObj, FreeFormSurfacesAreRefusedByName) {
+  EXPECT_EQ(cause_of(parse_obj, box_of_quads("\n") + "cstype bspline\ndeg 3 3\n"), "unsupported");
+}
+
+TEST(ReadStl, ASolidWithoutItsEndMayBeFollowedByTheNext) {
+  const std::string first = replaced(ascii_stl(shapes::tetrahedron(), "a"), "endsolid a\n", "");
+  const auto meshes = parse_stl(first + ascii_stl(shapes::cube(), "b"), "file");
+  ASSERT_EQ(meshes.size(), 2u);
+  EXPECT_EQ(meshes[0].remarks.size(), 1u);
+  EXPECT_TRUE(meshes[1].remarks.empty());
+  for (const NamedMesh& mesh : meshes) EXPECT_TRUE(inspect(mesh.surface).closed_oriented_manifold());
+}
+
+TEST(ReadStl, LinesMayEndAsOfOldAndBinaryFilesMayBeginWithSolid) {
+  std::string text = ascii_stl(shapes::tetrahedron(), "t");
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  EXPECT_EQ(parse_stl(text, "file").front().name, "t");
+  const auto meshes = parse_stl(binary_stl(shapes::cube(), "solid but binary") + "\n", "file");
+  EXPECT_EQ(meshes.front().surface.triangles.size(), 12u);
+  EXPECT_EQ(meshes.front().remarks.size(), 1u);
+}
+
+TEST(ReadPly, BehindAHeaderOfOldLineEndsTheFirstByteIsANumber) {
+  std::string bytes = binary_ply(shapes::cube(), false);
+  const std::size_t end = bytes.find("end_header\n") + std::string("end_header\n").size();
+  for (std::size_t i = 0; i < end; ++i) bytes[i] = bytes[i] == '\n' ? '\r' : bytes[i];
+  EXPECT_TRUE(inspect(parse_ply(bytes, "file").front().surface).closed_oriented_manifold());
+  const auto behind = parse_ply(binary_ply(shapes::cube(), false) + "\n", "file");
+  EXPECT_EQ(behind.front().remarks.size(), 1u);
+}
+
+// --- glTF: strips and fans, data beside and inside -----------------------------------------------------------------------
+
+/// The tetrahedron's corners as those of the given primitive, and its vertices.
+std::string with_indices(const std::vector<std::uint16_t>& indices, int mode) {
+  std::string buffer = tetrahedron_buffer().substr(0, 96);
+  for (const std::uint16_t index : indices) add(buffer, index);
+  const std::string count = std::to_string(indices.size()), bytes = std::to_string(2 * indices.size());
+  std::string json = replaced(tetrahedron_json, "\"count\":12", "\"count\":" + count);
+  json = replaced(json, "\"byteLength\":24", "\"byteLength\":" + bytes);
+  json = replaced(json, "\"byteLength\":120", "\"byteLength\":" + std::to_string(buffer.size()));
+  return glb(replaced(json, "\"mode\":4", "\"mode\":" + std::to_string(mode)), buffer);
+}
+
+TEST(ReadGlb, StripsAndFansOfTriangles) {
+  const Triangle t = shapes::tetrahedron().triangles[0];
+  const auto a = static_cast<std::uint16_t>(t[0]), b = static_cast<std::uint16_t>(t[1]), c = static_cast<std::uint16_t>(t[2]);
+  const std::uint16_t d = static_cast<std::uint16_t>(6 - a - b - c);
+  const SurfaceReport strip = inspect(parse_glb(with_indices({a, b, c, d, a, b}, 5), "f").front().surface);
+  EXPECT_TRUE(strip.closed_oriented_manifold());
+  EXPECT_EQ(strip.triangles, 4u);
+  EXPECT_GT(strip.shells[0].volume, 0);
+  const SurfaceReport fan = inspect(parse_glb(with_indices({d, a, c, b, a}, 6), "f").front().surface);
+  EXPECT_EQ(fan.triangles, 3u);
+  EXPECT_EQ(fan.boundary_edges, 3u);
+  EXPECT_EQ(fan.misoriented_edges, 0u);
+}
+
+TEST(ReadGlb, AListCalledAStripIsReadAsAListAndTold) {
+  std::vector<std::uint16_t> list;
+  for (const Triangle& t : shapes::tetrahedron().triangles) {
+    for (const PointIndex corner : t) list.push_back(static_cast<std::uint16_t>(corner));
+  }
+  const auto meshes = parse_glb(with_indices(list, 5), "f");
+  EXPECT_TRUE(inspect(meshes.front().surface).closed_oriented_manifold());
+  EXPECT_EQ(meshes.front().remarks.size(), 1u);
+}
+
+TEST(ReadGltf, DataBesideTheFileOrWithinItsText) {
+  const testing_support::TemporaryFolder folder;
+  const std::string file = (folder / "tooth.gltf").string();
+  std::filesystem::create_directory(folder / "parts");
+  testing_support::put(folder / "parts/a b.bin", tetrahedron_buffer());
+  const auto with_uri = [](const std::string& uri) { return replaced(tetrahedron_json, "{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"" + uri + "\"}"); };
+  const std::vector<Point3> wanted = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "f").front().surface.points;
+  EXPECT_EQ(parse_gltf(with_uri("parts/a%20b.bin"), file).front().surface.points, wanted);
+  EXPECT_EQ(parse_glb(glb(with_uri("parts/a b.bin"), ""), file).front().surface.points, wanted);
+  EXPECT_THROW(parse_gltf(with_uri("parts/none.bin"), file), FileError);
+  for (const char* elsewhere : {"../tooth.bin", "/etc/passwd", "file:///etc/passwd", "http://nobody/a.bin", "", "parts/../../x", "%2e%2e/x", "%2Fetc/passwd"}) {
+    EXPECT_EQ(cause_of(parse_gltf, with_uri(elsewhere)), "unsupported") << elsewhere;
+  }
+  std::filesystem::create_symlink("/etc/passwd", folder / "link.bin");
+  EXPECT_THROW(parse_gltf(with_uri("link.bin"), file), InputError);
+  EXPECT_THROW(parse_gltf(with_uri("parts"), file), FileError);
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:application/octet-stream;base64,AAAA!")), "unparsable");
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:application/octet-stream;base64,AAAA")), "truncated");
+  EXPECT_EQ(cause_of(parse_gltf, with_uri("data:nothing")), "unparsable");
+  EXPECT_EQ(cause_of(parse_gltf, "[]"), "unparsable");
 }
 
 }  // namespace

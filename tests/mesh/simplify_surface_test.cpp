@@ -82,12 +82,47 @@ TEST(Simplify, CavityStaysACavityApartFromTheOutside) {
   EXPECT_EQ(result.report.shells[1].kind, Shell::Kind::cavity);
 }
 
-TEST(Simplify, NearlyTouchingWallsMakeItBeginAnew) {
+TEST(Simplify, NearlyTouchingWallsHoldEachOtherUpOnlyWhereTheyMust) {
   const SurfaceMesh full = shapes::together(shapes::sphere(10, 5), shapes::inside_out(shapes::sphere(9.98, 5)));
   const SimplifiedSurface result = simplified(full, 400);
   expect_sound(full, result);
-  EXPECT_GT(result.restarts, 0u);
-  EXPECT_GT(result.kept_vertices, 0u);
+  EXPECT_LE(result.surface.triangles.size(), full.triangles.size() / 4);
+}
+
+SimplifiedSurfaces together(const std::vector<const SurfaceMesh*>& surfaces, std::size_t triangles) {
+  SimplifyOptions options;
+  options.triangles = triangles;
+  options.distance.samples = 20'000;
+  return simplify(surfaces, options);
+}
+
+TEST(Simplify, ManySurfacesShareTheAimByNeed) {
+  // As many triangles each; shared out by their number, the small one would keep half.
+  const SurfaceMesh ball = shapes::sphere(10, 5), bead = shapes::sphere(1, 5);
+  const SimplifiedSurfaces result = together({&bead, &ball}, 600);
+  EXPECT_TRUE(result.reached);
+  EXPECT_LE(result.triangles, 600u);
+  expect_sound(bead, result.surfaces[0]);
+  expect_sound(ball, result.surfaces[1]);
+  EXPECT_LT(result.surfaces[0].surface.triangles.size(), 60u);
+  EXPECT_GT(result.surfaces[1].surface.triangles.size(), 500u);
+}
+
+TEST(Simplify, SurfacesThatOverlapDoNotHoldEachOtherUp) {
+  const SurfaceMesh one = shapes::sphere(10, 5), other = shapes::moved(one, 0.01, 0, 0);
+  const SimplifiedSurfaces result = together({&one, &other}, 400);
+  EXPECT_TRUE(result.reached);
+  for (const SimplifiedSurface& surface : result.surfaces) expect_sound(one, surface);
+}
+
+TEST(Simplify, SaysWhenTheAimIsOutOfReachAndWhy) {
+  const SurfaceMesh full = shapes::torus(8, 2, 30, 12);
+  const SimplifiedSurfaces result = together({&full}, 8);
+  EXPECT_FALSE(result.reached);
+  EXPECT_EQ(result.triangles, result.surfaces[0].surface.triangles.size());
+  EXPECT_LE(result.triangles, 60u);
+  EXPECT_GT(result.obstacles.topology + result.obstacles.cuts + result.obstacles.shape, 0u);
+  EXPECT_TRUE(together({&full}, 200).reached);
 }
 
 TEST(Simplify, SmallShellsSurvive) {

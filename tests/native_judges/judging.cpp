@@ -12,7 +12,7 @@
 #include "recon/sample/sample_tooth.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/read_volume.h"
-#include "recon/volume/simplify_contours.h"
+#include "recon/contours/simplify_contours.h"
 
 namespace odontoscope::judges {
 namespace {

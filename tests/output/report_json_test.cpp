@@ -17,7 +17,7 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links",
-                                            "cut_links", "seconds", "threads", "certified"}));
+                                            "void_links", "topology", "cut_links", "seconds", "threads", "certified"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
   for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
@@ -64,12 +64,26 @@ TEST(ReportJson, ABrokenSurfaceIsNotCertified) {
 
 TEST(ReportJson, TellsOfSimplifying) {
   ReportOptions options;
-  options.simplifications.push_back({"tooth", 1000, 80, {{0.5, 0.1}, {0.4, 0.2}}, 0, 1, 12});
+  options.simplifications.push_back({"tooth", 1000, 80, {{0.5, 0.1}, {0.4, 0.2}}, 0, 12, 30});
+  options.aim = SimplificationAim{50, 80, {3, 4, 5}, 0};
   const json one = json::parse(report_json(models::tooth_and_enamel(), options))["simplification"].at(0);
   EXPECT_EQ(one["largest_distance"], 0.5);
   EXPECT_EQ(one["mean_distance"], 0.2);
   EXPECT_EQ(one["simplified_to_full"]["mean"], 0.1);
   EXPECT_EQ(one["triangles_before"], 1000);
+  const json aim = json::parse(report_json(models::tooth_and_enamel(), options))["simplification_aim"];
+  EXPECT_EQ(aim["reached"], false);
+  EXPECT_EQ(aim["triangles"], 80);
+  EXPECT_EQ(aim["edges_held_by"]["self_intersection"], 4);
+}
+
+TEST(ReportJson, TellsOfTheVolume) {
+  ReportOptions options;
+  EXPECT_FALSE(json::parse(report_json(models::tooth_and_enamel(), options)).contains("volume"));
+  options.volume = ReportVolume{{{"tooth", 129.5}, {"enamel", 200}}, {"1 mm is assumed"}};
+  const json volume = json::parse(report_json(models::tooth_and_enamel(), options))["volume"];
+  EXPECT_EQ(volume["isos"]["tooth"], 129.5);
+  EXPECT_EQ(volume["remarks"].at(0), "1 mm is assumed");
 }
 
 TEST(ReportJson, TheSameBytesButForTimes) {

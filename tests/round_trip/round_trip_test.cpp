@@ -99,6 +99,7 @@ TEST_P(RoundTrip, PlyAndObjKeepEveryBit) {
 TEST_P(RoundTrip, StlAndGlbKeepFloats) {
   EXPECT_EQ(places_of(parse_stl(bytes_of(model, ".stl"), "model")), places_of(model, as_floats));
   EXPECT_EQ(places_of(parse_glb(bytes_of(model, ".glb"), "model")), places_of(model, as_floats_of_metres));
+  EXPECT_EQ(places_of(parse_gltf(bytes_of(model, ".gltf"), "model")), places_of(model, as_floats_of_metres));
 }
 
 std::string decoded(const std::string& base64) {

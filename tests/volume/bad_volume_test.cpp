@@ -72,21 +72,21 @@ std::vector<Bad> bad_nrrd() {
       {"short.nrrd", cut(Nrrd{}.bytes(), 1), "truncated-volume"},
       {"shortgzip.nrrd", Nrrd{.encoding = "gzip", .pixels = cut(gzip_packed(pixels), 20)}.bytes(), "truncated-volume"},
       {"badgzip.nrrd", Nrrd{.encoding = "gzip", .pixels = std::string(60, 'x')}.bytes(), "damaged-volume"},
-      {"shortascii.nrrd", Nrrd{.encoding = "ascii", .pixels = "1 2 3"}.bytes(), "unreadable-volume"},
+      {"shortascii.nrrd", Nrrd{.encoding = "ascii", .pixels = "1 2 3"}.bytes(), "truncated-volume"},
       {"lying.nrrd", Nrrd{.sizes = "1000 1000 1000"}.bytes(), "truncated-volume"},
       {"lyinggzip.nrrd", Nrrd{.sizes = "1000 1000 1000", .encoding = "gzip", .pixels = gzip_packed(pixels)}.bytes(),
        "truncated-volume"},
       {"huge.nrrd", Nrrd{.sizes = "100000 100000 100000"}.bytes(), "too-many-voxels"},
-      {"overflow.nrrd", Nrrd{.sizes = "4294967296 4294967296 16"}.bytes(), "unreadable-volume"},
+      {"overflow.nrrd", Nrrd{.sizes = "4294967296 4294967296 16"}.bytes(), "too-many-voxels"},
       {"manyslices.nrrd", Nrrd{.sizes = "1 1 30000", .pixels = std::string(30000, 'a')}.bytes(), "too-many-voxels"},
-      {"zero.nrrd", Nrrd{.sizes = "0 4 3"}.bytes(), "unreadable-volume"},
+      {"zero.nrrd", Nrrd{.sizes = "0 4 3"}.bytes(), "empty-volume"},
       {"oneslice.nrrd", Nrrd{.sizes = "5 12 1"}.bytes(), "single-slice"},
       {"flat.nrrd", Nrrd{.sizes = "5 12", .dimension = "2"}.bytes(), "single-slice"},
       {"time.nrrd", Nrrd{.sizes = "5 2 3 2", .dimension = "4"}.bytes(), "not-3d"},
       {"colour.nrrd",
        Nrrd{.sizes = "3 5 2 2", .dimension = "4", .more = "kinds: RGB-color domain domain domain\n"}.bytes(),
        "not-scalar"},
-      {"block.nrrd", Nrrd{.type = "block", .more = "block size: 1\n"}.bytes(), "unreadable-volume"},
+      {"block.nrrd", Nrrd{.type = "block", .more = "block size: 1\n"}.bytes(), "pixel-type"},
       {"nan.nrrd", Nrrd{.type = "float", .pixels = floats_with(nan_value)}.bytes(), "not-finite"},
       {"inf.nrrd", Nrrd{.type = "float", .pixels = floats_with(-std::numeric_limits<float>::infinity())}.bytes(),
        "not-finite"},
@@ -97,8 +97,8 @@ std::vector<Bad> bad_nrrd() {
       {"flatdirection.nrrd", Nrrd{.more = directions("(0,0,0) (0,1,0) (0,0,1)")}.bytes(), "sheared-volume"},
       {"far.nrrd", Nrrd{.more = directions("(1,0,0) (0,1,0) (0,0,1)") + "space origin: (0,0,1e7)\n"}.bytes(),
        "too-large"},
-      {"list.nhdr", Nrrd{.more = "data file: LIST\n", .pixels = "a.raw\n"}.bytes(), "many-data-files"},
-      {"pattern.nhdr", Nrrd{.more = "data file: a%03d.raw 1 3 1\n", .pixels = ""}.bytes(), "many-data-files"}};
+      {"list.nhdr", "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\nencoding: raw\ndata file: LIST\n", "unreadable-volume"},
+      {"pattern.nhdr", Nrrd{.more = "data file: a%03d.raw 3 1 1\n", .pixels = ""}.bytes(), "unreadable-volume"}};
 }
 
 std::vector<Bad> bad_meta_image() {
@@ -122,7 +122,7 @@ std::vector<Bad> bad_meta_image() {
       {"channels.mha", MetaImage{.more = "ElementNumberOfChannels = 3\n"}.bytes(), "not-scalar"},
       {"negativechannels.mha", MetaImage{.more = "ElementNumberOfChannels = -3\n"}.bytes(), "unreadable-volume"},
       {"type.mha", MetaImage{.type = "MET_STRING"}.bytes(), "pixel-type"},
-      {"text.mha", MetaImage{.more = "HeaderSize = 10\n"}.bytes(), "unreadable-volume"},
+      {"headersize.mha", MetaImage{.more = "HeaderSize = 10\n"}.bytes(), "unreadable-volume"},
       {"spacing.mha", MetaImage{.more = "ElementSpacing = 1 0 1\n"}.bytes(), "bad-spacing"},
       {"nanspacing.mha", MetaImage{.more = "ElementSpacing = 1 nan 1\n"}.bytes(), "unreadable-volume"},
       {"matrix.mha", MetaImage{.more = "TransformMatrix = 1 0 0 0 1 0 0 0 inf\n"}.bytes(), "unreadable-volume"},
@@ -131,11 +131,11 @@ std::vector<Bad> bad_meta_image() {
       {"shortpacked.mha", MetaImage{.more = packing(packed.size()), .pixels = cut(packed, 20)}.bytes(),
        "truncated-volume"},
       {"fewpacked.mha", MetaImage{.more = packing(packed.size() - 20), .pixels = packed}.bytes(), "truncated-volume"},
-      {"nopackedsize.mha", MetaImage{.more = "CompressedData = True\n", .pixels = packed}.bytes(), "unreadable-volume"},
+      {"nopackedsize.mha", MetaImage{.more = "CompressedData = True\n", .pixels = cut(packed, 20)}.bytes(), "truncated-volume"},
       {"hugepacked.mha", MetaImage{.more = packing(99999999999999), .pixels = packed}.bytes(), "unreadable-volume"},
       {"badpacked.mha", MetaImage{.more = packing(60)}.bytes(), "damaged-volume"},
-      {"list.mhd", MetaImage{.data_file = "LIST", .pixels = "a.raw\n"}.bytes(), "many-data-files"},
-      {"pattern.mhd", MetaImage{.data_file = "a%d.raw 1 3 1", .pixels = ""}.bytes(), "many-data-files"}};
+      {"list.mhd", MetaImage{.data_file = "LIST", .pixels = ""}.bytes(), "unreadable-volume"},
+      {"pattern.mhd", MetaImage{.data_file = "a%s.raw 1 3 1", .pixels = ""}.bytes(), "unreadable-volume"}};
 }
 
 std::vector<Bad> bad_nifti() {
@@ -160,7 +160,7 @@ std::vector<Bad> bad_nifti() {
       {"faroffset.nii", Nifti{.vox_offset = 1e6}.bytes(), "truncated-volume"},
       {"nansform.nii", Nifti{.sform = 1, .srow = {nan_value, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(),
        "unreadable-volume"},
-      {"shear.nii", Nifti{.sform = 1, .srow = {1, 0.3f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(), "unreadable-volume"},
+      {"shear.nii", Nifti{.sform = 1, .srow = {1, 0.3f, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(), "sheared-volume"},
       {"infsform.nii", Nifti{.sform = 1, .srow = {1, 0, 0, infinite, 0, 1, 0, 0, 0, 0, 1, 0}}.bytes(),
        "unreadable-volume"},
       {"nan.nii", Nifti{.datatype = 16, .bits = 32, .pixels = floats_with(nan_value)}.bytes(), "not-finite"},

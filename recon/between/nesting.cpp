@@ -1,0 +1,134 @@
+#include "recon/between/nesting.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "recon/core/limits.h"
+
+namespace odontoscope::between {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+bool left_of(Point2 p, Point2 a, Point2 b) {
+  return CGAL::orientation(Kernel::Point_2(a.x, a.y), Kernel::Point_2(b.x, b.y), Kernel::Point_2(p.x, p.y)) ==
+         CGAL::LEFT_TURN;
+}
+
+/// Precondition: p is on no edge.
+bool encloses(const std::vector<Point2>& ring, Point2 p) {
+  bool within = false;
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    const Point2 a = ring[n], b = ring[(n + 1) % ring.size()];
+    if ((a.y > p.y) == (b.y > p.y)) continue;
+    if (left_of(p, a, b) == (b.y > a.y)) within = !within;
+  }
+  return within;
+}
+
+/// Areas and moments about the first point, so that far from the origin nothing is lost.
+ContourFacts facts_of(const std::vector<Point2>& ring) {
+  ContourFacts facts;
+  const Point2 base = ring.front();
+  double twice = 0, x = 0, y = 0;
+  for (std::size_t n = 0; n < ring.size(); ++n) {
+    facts.box.take(ring[n]);
+    const Point2 p{ring[n].x - base.x, ring[n].y - base.y};
+    const Point2 next = ring[(n + 1) % ring.size()];
+    const Point2 q{next.x - base.x, next.y - base.y};
+    const double cross = p.x * q.y - p.y * q.x;
+    twice += cross;
+    x += cross * (p.x + q.x);
+    y += cross * (p.y + q.y);
+    facts.perimeter += std::hypot(q.x - p.x, q.y - p.y);
+  }
+  facts.area = twice / 2;
+  facts.centroid = {std::midpoint(facts.box.low.x, facts.box.high.x), std::midpoint(facts.box.low.y, facts.box.high.y)};
+  const Point2 mean{base.x + x / (3 * twice), base.y + y / (3 * twice)};
+  if (std::isfinite(mean.x) && std::isfinite(mean.y)) facts.centroid = mean;
+  return facts;
+}
+
+/// The smallest of the other kind around it; candidates come by ascending area.
+std::size_t parent_of(std::size_t contour, const Outline& outline, const std::vector<ContourFacts>& facts,
+                      const std::vector<std::size_t>& by_area) {
+  for (const std::size_t other : by_area) {
+    if (facts[other].outer() == facts[contour].outer() || !facts[other].box.holds(facts[contour].box)) continue;
+    if (encloses(outline[other], outline[contour].front())) return other;
+  }
+  return ContourFacts::none;
+}
+
+/// 0 for the same place and size; infinite if they cannot be one.
+double unlikeness(const ContourFacts& a, const ContourFacts& b) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double ratio = a.area / b.area;
+  if (!(ratio > 1 / limits::partner_area_ratio && ratio < limits::partner_area_ratio)) return never;
+  const double size = std::sqrt((std::abs(a.area) + std::abs(b.area)) / 2);
+  const double apart = std::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) / size;
+  return apart < limits::partner_distance ? apart + std::abs(std::log(ratio)) / 2 : never;
+}
+
+std::vector<std::size_t> best_of(const std::vector<ContourFacts>& a, const std::vector<ContourFacts>& b) {
+  std::vector<std::size_t> by_x(b.size());
+  std::iota(by_x.begin(), by_x.end(), std::size_t{0});
+  const auto left = [&b](std::size_t m, std::size_t n) { return b[m].centroid.x < b[n].centroid.x; };
+  std::stable_sort(by_x.begin(), by_x.end(), left);
+  std::vector<std::size_t> best(a.size(), ContourFacts::none);
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    const double largest = std::sqrt(std::abs(a[n].area) * (1 + limits::partner_area_ratio) / 2);
+    const double reach = limits::partner_distance * largest;
+    double least = std::numeric_limits<double>::infinity();
+    auto at = std::lower_bound(by_x.begin(), by_x.end(), a[n].centroid.x - reach,
+                               [&b](std::size_t m, double x) { return b[m].centroid.x < x; });
+    for (; at != by_x.end() && b[*at].centroid.x <= a[n].centroid.x + reach; ++at) {
+      const double found = unlikeness(a[n], b[*at]);
+      if (!(found < least)) continue;
+      least = found;
+      best[n] = *at;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+bool Box::holds(const Box& other) const {
+  return low.x <= other.low.x && low.y <= other.low.y && high.x >= other.high.x && high.y >= other.high.y;
+}
+
+void Box::take(Point2 p) {
+  low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+}
+
+void Box::take(const Box& other) {
+  take(other.low);
+  take(other.high);
+}
+
+std::vector<ContourFacts> facts_of(const Outline& outline) {
+  std::vector<ContourFacts> facts;
+  for (const std::vector<Point2>& ring : outline) facts.push_back(facts_of(ring));
+  std::vector<std::size_t> by_area(outline.size());
+  std::iota(by_area.begin(), by_area.end(), std::size_t{0});
+  std::stable_sort(by_area.begin(), by_area.end(), [&facts](std::size_t m, std::size_t n) {
+    return std::abs(facts[m].area) < std::abs(facts[n].area);
+  });
+  for (std::size_t n = 0; n < outline.size(); ++n) facts[n].parent = parent_of(n, outline, facts, by_area);
+  return facts;
+}
+
+std::vector<std::size_t> partners(const std::vector<ContourFacts>& a, const std::vector<ContourFacts>& b) {
+  std::vector<std::size_t> forth = best_of(a, b);
+  const std::vector<std::size_t> back = best_of(b, a);
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    if (forth[n] != ContourFacts::none && back[forth[n]] != n) forth[n] = ContourFacts::none;
+  }
+  return forth;
+}
+
+}  // namespace odontoscope::between

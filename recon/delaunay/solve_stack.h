@@ -1,0 +1,34 @@
+#pragma once
+// One structure's whole stack: slices conformed, regions and voids linked over all slices, each slab solved, plates added, overhangs trimmed.
+// Slabs run in parallel; the result does not depend on how many at once.
+
+#include <tbb/task_arena.h>
+
+#include <string>
+#include <vector>
+
+#include "recon/core/progress.h"
+#include "recon/delaunay/assemble.h"
+#include "recon/input/validate.h"
+
+namespace odontoscope::delaunay {
+
+struct StackTask {
+  const OrderedStack& input;          // validated
+  const std::string& structure;
+  const ReconstructOptions& options;  // links validated
+};
+
+struct SolvedStructure {
+  SolvedStack stack;
+  std::vector<MadeLink> links;
+  std::vector<MadeVoidLink> void_links;
+  std::vector<SlabTopology> topology;   // one a slab; `found` is left to whoever assembles
+  std::vector<Doubt> doubts;            // by slab, lower, upper, material first
+  ReconstructCounts counts;             // all but `slices` and `kept`
+};
+
+/// Throws InputError (too-close, slices-too-close, link-contradiction, link-impossible), Cancelled, InternalError.
+SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
+
+}  // namespace odontoscope::delaunay

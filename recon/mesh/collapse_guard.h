@@ -1,0 +1,66 @@
+#pragma once
+// Watches over the collapse of edges, so that a surface never cuts through itself on its way to fewer triangles. Inner
+// part of simplify_surface.h: needs CGAL's headers.
+//
+// Before each collapse the triangles that it would make are held, by exact predicates, against all others of the same
+// surface and against each other. So what comes out is embedded if what went in was, and a place that is too narrow for
+// one collapse costs that collapse alone. Surfaces that are simplified together (structures of a tooth, which may touch
+// or overlap) are not held against each other.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "recon/mesh/cgal_surface.h"
+#include "recon/mesh/moving_box_tree.h"
+
+namespace odontoscope {
+
+class CollapseGuard {
+ public:
+  using Vertex = HalfEdgeMesh::Vertex_index;
+  using Face = HalfEdgeMesh::Face_index;
+  using Point = ExactKernel::Point_3;
+
+  enum class Refusal {
+    far,     // the new vertex, or one of the old, would lie farther off the surface than the edge is long
+    turned,  // a triangle would turn over
+    flat,    // a triangle would have no area
+    cuts,    // a triangle would cut or touch another
+  };
+
+  /// The star of an edge that is about to be collapsed into one vertex.
+  struct Star {
+    Vertex one, other;
+    /// Triangles that stay, each with its two vertices beside the one that moves, the latter between them.
+    struct Triangle {
+      Vertex before, moved, after;
+    };
+    std::vector<Triangle> triangles;
+  };
+
+  /// `surface_of[v]`: number of the surface that vertex v belongs to. Both must outlive the guard.
+  CollapseGuard(const HalfEdgeMesh& mesh, const std::vector<std::uint32_t>& surface_of);
+
+  /// Nothing if the star's edge may be collapsed into `placed`. May triangles turn over where nothing is cut?
+  std::optional<Refusal> refusal(const Star& star, const Point& placed, bool may_turn) const;
+
+  /// To be told of each collapse: of the faces that vanish, and of the vertex whose faces have changed.
+  void vanished(Face face) { tree_.move(face.idx(), {}); }
+  void moved(Vertex vertex);
+
+ private:
+  Box box_of(Face face) const;
+  bool strays(const Star& star, const Point& placed) const;
+  bool turns(const Star& star, const Point& placed) const;
+  bool flattens(const Star& star, const Point& placed) const;
+  bool cuts_others(const Star& star, const Point& placed) const;
+  bool cuts_itself(const Star& star, const Point& placed) const;
+  bool cuts(const Star::Triangle& made, const Point& placed, Face other) const;
+
+  const HalfEdgeMesh& mesh_;
+  const std::vector<std::uint32_t>& surface_of_;
+  MovingBoxTree tree_;
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+#include "recon/volume/pixel_file.h"
+
+namespace odontoscope {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::infinity();
+
+/// Bytes that Linux thinks can be had without swapping.
+double available_on_machine() {
+  std::ifstream in("/proc/meminfo");
+  for (std::string key, unit; in >> key;) {
+    double kibibytes = 0;
+    in >> kibibytes;
+    if (key == "MemAvailable:") return in ? kibibytes * 1024 : unknown;
+    std::getline(in, unit);
+  }
+  return unknown;
+}
+
+/// What a limit on the address space leaves.
+double left_by_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
+  constexpr double page = 4096;
+  double pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - pages * page);
+}
+
+}  // namespace
+
+void check_memory(const std::string& file, std::size_t voxels) {
+  const double wanted = static_cast<double>(voxels) * sizeof(float);
+  const double there = std::min(available_on_machine(), left_by_limit());
+  if (wanted <= there) return;
+  constexpr double megabyte = 1e6;
+  throw FileError(file, fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", wanted / megabyte, there / megabyte),
+                  "crop it to the tooth, resample it more coarsely, or use a larger machine");
+}
+
+}  // namespace odontoscope
