@@ -137,7 +137,7 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
 
 Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
   ReconstructOptions engine;
-  engine.correspondence = options.correspondence.value_or(Correspondence::medial);
+  engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
   engine.between = options.between.value_or(Between::delaunay);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
@@ -213,8 +213,9 @@ void add_options(CLI::App& parser, Options& options) {
   add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
                              {{"reverse", Correspondence::reverse},
                               {"medial", Correspondence::medial},
-                              {"overlap", Correspondence::overlap}},
-                             "When regions connect: reverse, medial (default) or overlap")
+                              {"overlap", Correspondence::overlap},
+                              {"tracked", Correspondence::tracked}},
+                             "When regions connect: tracked (default), reverse, medial or overlap")
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},

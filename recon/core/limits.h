@@ -108,6 +108,10 @@ inline constexpr double track_overlap = 0.05;
 inline constexpr double track_overlap_clear = 0.15;
 /// Rounds of linking steady lines, each of which leaves fewer ends to choose from; two or three are needed.
 inline constexpr int track_rounds = 16;
+/// Nearest regions of the next slice that are tried as a partner for one that is linked to nothing, and regions of a structure, the first
+/// ones, for which that is done: advice, not work.
+inline constexpr std::size_t remedies_tried = 2;
+inline constexpr std::size_t regions_advised = 8;
 // --- reports ----------------------------------------------------------------------------------------------------
 /// Bins of a quality histogram.
 inline constexpr std::size_t histogram_bins = 10;

@@ -63,6 +63,7 @@ class Reconstructor {
     result_.links.insert(result_.links.end(), solved.links.begin(), solved.links.end());
     result_.void_links.insert(result_.void_links.end(), solved.void_links.begin(), solved.void_links.end());
     result_.doubts.insert(result_.doubts.end(), solved.doubts.begin(), solved.doubts.end());
+    result_.remedies.insert(result_.remedies.end(), solved.remedies.begin(), solved.remedies.end());
     add(solved.counts);
     result_.solids.push_back(assemble_and_certify(solved, structure, label));
   }

@@ -39,7 +39,7 @@ enum class Between {
 };
 
 struct ReconstructOptions {
-  Correspondence correspondence = Correspondence::medial;
+  Correspondence correspondence = Correspondence::tracked;
   Between between = Between::delaunay;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
@@ -110,6 +110,7 @@ struct Reconstruction {
   std::vector<MadeVoidLink> void_links;   // by structure, slice, lower, upper
   std::vector<SlabTopology> topology;     // of every slab that holds material, by structure and slice
   std::vector<Doubt> doubts;              // choices that the slices do not settle; by structure, slab, lower, upper
+  std::vector<Link> remedies;             // tried: each joins a region that is linked to nothing; for the first few of these
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;

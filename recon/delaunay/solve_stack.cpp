@@ -11,6 +11,7 @@
 #include "recon/delaunay/interpolated_slab.h"
 #include "recon/delaunay/overhang.h"
 #include "recon/delaunay/plate.h"
+#include "recon/delaunay/remedy.h"
 #include "recon/delaunay/survey.h"
 #include "recon/delaunay/topology.h"
 
@@ -248,6 +249,7 @@ class StackSolver {
         room = false;
       }
       if (room) count_plates(isolated);
+      if (room) advise(isolated);
     }
     for (std::size_t k = 0; k < slabs_; ++k)
       for (SlabSolid& one : *made[k]) solved_[k].pieces.push_back(std::move(one));
@@ -268,6 +270,27 @@ class StackSolver {
       }
   }
 
+  /// For the first isolated regions, links that would join them.
+  void advise(const std::vector<std::vector<bool>>& isolated) {
+    std::size_t advised = 0;
+    for (std::size_t k = 0; k <= slabs_; ++k)
+      for (std::uint32_t r = 0; r < isolated[k].size(); ++r) {
+        if (!isolated[k][r] || advised++ >= limits::regions_advised) continue;
+        for (const std::size_t slab : {k, k - 1})   // k - 1 wraps round at the first slice, and is no slab
+          if (slab < slabs_ && has_material(slab) && add_remedy(slab, {slab == k, r})) break;
+      }
+  }
+
+  bool add_remedy(std::size_t slab, RegionOfSlab region) {
+    const std::optional<RegionLink> link = remedy(slab_task(slab, Walls::lifted), surveys_[slab].material, region, progress_);
+    if (!link) return false;
+    const Link words{task_.structure, slab, outer_number(slab, link->lower), outer_number(slab + 1, link->upper), true};
+    if (std::find(result_.remedies.begin(), result_.remedies.end(), words) == result_.remedies.end()) result_.remedies.push_back(words);
+    return true;
+  }
+
+  std::size_t outer_number(std::size_t k, std::uint32_t region) const { return slice(k).contour_number[slice(k).outer_contour[region]]; }
+
   // ---- report -------------------------------------------------------------------------------------------------------
 
   std::optional<std::size_t> hole_number(std::size_t k, std::uint32_t number) const {
@@ -276,12 +299,9 @@ class StackSolver {
   }
 
   void report(std::size_t k) {
-    const auto contour = [](const ConformedSlice& slice, std::uint32_t region) {
-      return slice.contour_number[slice.outer_contour[region]];
-    };
     const SolvedSlab& solved = solved_[k];
     for (const RegionLink& link : solved.links)
-      result_.links.push_back({{task_.structure, k, contour(slice(k), link.lower), contour(slice(k + 1), link.upper), true}, link.criterion});
+      result_.links.push_back({{task_.structure, k, outer_number(k, link.lower), outer_number(k + 1, link.upper), true}, link.criterion});
     for (const RegionLink& link : surveys_[k].voids)
       result_.void_links.push_back({task_.structure, k, hole_number(k, link.lower), hole_number(k + 1, link.upper), link.criterion});
     result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k]});
