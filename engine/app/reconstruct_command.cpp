@@ -175,7 +175,7 @@ struct Input {
 
 Made made_by_dt(const ContourStack& stack, const Input& input, const Options& options, Session& session) {
   ReconstructOptions engine;
-  engine.correspondence = options.correspondence.value_or(Correspondence::medial);
+  engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
   engine.between = options.between.value_or(Between::delaunay);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
@@ -268,8 +268,9 @@ void add_options(CLI::App& parser, Options& options) {
   add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
                              {{"reverse", Correspondence::reverse},
                               {"medial", Correspondence::medial},
-                              {"overlap", Correspondence::overlap}},
-                             "When regions connect: reverse, medial (default) or overlap")
+                              {"overlap", Correspondence::overlap},
+                              {"tracked", Correspondence::tracked}},
+                             "When regions connect: tracked (default), reverse, medial or overlap")
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},

@@ -83,7 +83,7 @@ TEST_P(Shape, KeepsItWhenSeenDifferently) {
 }
 
 TEST_P(Shape, IsCertifiedUnderEachCriterion) {
-  for (Correspondence criterion : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap}) {
+  for (Correspondence criterion : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked}) {
     SCOPED_TRACE(name(criterion));
     certified(GetParam().stack, {.correspondence = criterion, .links = {}, .threads = 1});
   }

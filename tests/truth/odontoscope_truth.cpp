@@ -152,8 +152,9 @@ void add_measuring(CLI::App& command, Asked& asked) {
   command.add_flag("--failing", asked.failing, "Print only what DT has wrong though the slices tell of it");
   command.add_option("--threads", asked.threads, "Teeth at a time; all processors if not given");
   const std::map<std::string, Correspondence> criteria{
-      {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap}};
-  command.add_option("--correspondence", asked.measure.engine.correspondence, "reverse, medial or overlap")
+      {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap},
+      {"tracked", Correspondence::tracked}};
+  command.add_option("--correspondence", asked.measure.engine.correspondence, "tracked, reverse, medial or overlap")
       ->transform(CLI::CheckedTransformer(criteria));
   const std::map<std::string, Between> ways{{"blended", Between::blended}, {"delaunay", Between::delaunay}};
   command.add_option("--between", asked.measure.ways, "blended or delaunay, or both; the program's default if not given")
