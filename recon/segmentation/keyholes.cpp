@@ -43,6 +43,9 @@ bool between(const Point2& a, const Point2& b, const Point2& p) { return !less(p
 
 /// Have the two anything in common but ends that both share?
 bool in_the_way(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
+  // Most edges are far away.
+  if (std::max(a.x, b.x) < std::min(p.x, q.x) || std::min(a.x, b.x) > std::max(p.x, q.x)) return false;
+  if (std::max(a.y, b.y) < std::min(p.y, q.y) || std::min(a.y, b.y) > std::max(p.y, q.y)) return false;
   const int pa = turn(p, q, a), pb = turn(p, q, b), ap = turn(a, b, p), aq = turn(a, b, q);
   if (pa * pb < 0 && ap * aq < 0) return true;
   const auto on = [](int sense, const Point2& from, const Point2& to, const Point2& x) { return sense == 0 && !(x == from) && !(x == to) && between(from, to, x); };
