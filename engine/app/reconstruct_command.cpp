@@ -176,7 +176,7 @@ struct Input {
 Made made_by_dt(const ContourStack& stack, const Input& input, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
-  engine.between = options.between.value_or(Between::delaunay);
+  engine.between = options.between.value_or(Between::blended);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
@@ -274,7 +274,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: delaunay (default), or blended where walls lean far")
+                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--link", options.link_words.connect,
