@@ -24,6 +24,14 @@ std::size_t triangles_in(const Reconstruction& reconstruction) {
   return sum;
 }
 
+std::string remedies_in_words(const std::vector<Link>& remedies) {
+  std::vector<std::string> words;
+  for (const Link& link : remedies)
+    words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower, link.structure, link.slice + 1, link.upper));
+  return fmt::format("{} tried, and would join such a region; if meant, say so with --links: {}.",
+                     counted(remedies.size(), "link was", "links were"), fmt::join(words, "; "));
+}
+
 double diagonal_of(const SurfaceMesh& surface) {
   Point3 low = surface.points.front(), high = low;
   for (const Point3& p : surface.points) {
@@ -122,6 +130,11 @@ void tell_model(const Model& model, double seconds, Console& console) {
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
   if (const std::string changes = in_words(made.changes); !changes.empty()) console.say(changes + ".");
+  if (made.counts.isolated_regions > 0) {
+    console.say(fmt::format("{} linked to nothing above or below and became thin plates.",
+                            counted(made.counts.isolated_regions, "region is", "regions are")));
+    if (!made.remedies.empty()) console.say("  " + remedies_in_words(made.remedies));
+  }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
                           model.simplifications.empty() ? "model is" : "full model, before simplification, is"));

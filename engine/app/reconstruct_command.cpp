@@ -16,6 +16,7 @@
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/structure_files.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
 #include "recon/delaunay/reconstruct.h"
@@ -35,6 +36,7 @@ struct Options {
   Method method = Method::dt;
   VolumeWords words;
   ForeignWords foreign;
+  VoxelWords voxels;
   DbWords db;
   std::optional<Correspondence> correspondence;
   std::optional<Between> between;
@@ -81,7 +83,12 @@ void refuse_tetrahedra_of_db(const std::string& output) {
                    fmt::format("Use {}", fmt::join(surface_endings(), ", ")));
 }
 
+void refuse_voxels_of_db(const std::string& output) {
+  throw UsageError(fmt::format("{}: surfaces of the DB method may be open, and have no inside", output), "Use --method dt");
+}
+
 bool is_gltf(const std::string& output) {
+  if (is_structures_file(output)) return false;
   const std::string ending = known_ending(output, model_endings());
   return ending == ".glb" || ending == ".gltf";
 }
@@ -90,6 +97,10 @@ void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
   for (const std::string& output : options.outputs) {
+    if (is_structures_file(output)) {
+      if (options.method == Method::db) refuse_voxels_of_db(output);
+      continue;
+    }
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
@@ -100,6 +111,7 @@ void refuse_senseless(const Options& options) {
   for (const std::string& list : options.together) names_in(list);
   links_from(options.link_words);
   refuse_volume_without_level(options.input, options.words);
+  refuse_senseless(options.voxels, options.outputs, options.words.any_level());
 }
 
 PlannedFiles planned_files(const Options& options) {
@@ -134,7 +146,9 @@ template <class MadeModel>
 Made files_of(const MadeModel& model, const Options& options, Session& session) {
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
-  for (const std::string& output : options.outputs) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
+  for (const std::string& output : options.outputs) {
+    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
+  }
   return made;
 }
 
@@ -144,17 +158,34 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   if (!words.empty()) console.say("Tours: " + words);
 }
 
-Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
+/// Of the full solid, whatever --triangles says.
+std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence, const Options& options, Session& session) {
+  std::vector<FileContent> files;
+  for (const std::string& output : options.outputs) {
+    if (is_structures_file(output)) files.push_back(structures_file(model, stack, output, options.voxels, whence, session));
+  }
+  return files;
+}
+
+/// What is known of the input beside its contours.
+struct Input {
+  std::optional<ReportVolume> volume;
+  Whence whence;
+};
+
+Made made_by_dt(const ContourStack& stack, const Input& input, const Options& options, Session& session) {
   ReconstructOptions engine;
-  engine.correspondence = options.correspondence.value_or(Correspondence::medial);
-  engine.between = options.between.value_or(Between::delaunay);
+  engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
+  engine.between = options.between.value_or(Between::blended);
   engine.links = links_for(stack, options);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
+  std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   Made made = files_of(model->reconstruction, options, session);
+  made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume, .aim = model->aim})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim})});
   }
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
@@ -172,11 +203,11 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
-ContourStack stack_of(const Options& options, Session& session, std::optional<ReportVolume>& volume) {
+ContourStack stack_of(const Options& options, Session& session, Input& input) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
-    return contours_of_input(options.input, options.words, session, &volume);
+    return contours_of_input(options.input, options.words, session, &input.volume, &input.whence);
   }
-  ContourStack stack = converted_told(options.input, options.foreign, session);
+  ContourStack stack = converted_told(options.input, options.foreign, session, &input.whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
@@ -202,10 +233,10 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  std::optional<ReportVolume> volume;
-  ContourStack stack = stack_of(options, session, volume);
+  Input input;
+  ContourStack stack = stack_of(options, session, input);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
-  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, volume, options, session);
+  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, input, options, session);
   session.progress().check();
   if (options.strict && refused_as_strict(made, session.console)) return ExitCode::found_wanting;
   write_all(made.files, session.interrupts);
@@ -237,12 +268,13 @@ void add_options(CLI::App& parser, Options& options) {
   add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
                              {{"reverse", Correspondence::reverse},
                               {"medial", Correspondence::medial},
-                              {"overlap", Correspondence::overlap}},
-                             "When regions connect: reverse, medial (default) or overlap")
+                              {"overlap", Correspondence::overlap},
+                              {"tracked", Correspondence::tracked}},
+                             "When regions connect: tracked (default), reverse, medial or overlap")
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: delaunay (default), or blended where walls lean far")
+                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--link", options.link_words.connect,
@@ -260,6 +292,7 @@ void add_options(CLI::App& parser, Options& options) {
                   "Write nothing if the verdict is amber or --triangles is missed");
   add_volume_options(parser, options.words);
   add_foreign_options(parser, options.foreign);
+  add_voxel_options(parser, options.voxels);
   add_db_options(parser, options.db);
 }
 
@@ -278,11 +311,13 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
       "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
+      "  odontoscope reconstruct molar.json --voxels 0.1,0.1,0.1 -o molar.seg.nrrd\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
       "Surfaces: .glb or .gltf for viewers and the web, .stl for printers, .ply and .obj without loss,\n"
       ".wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for ParaView, .msh for Gmsh, .inp for\n"
-      "CalculiX and Abaqus.\n"
+      "CalculiX and Abaqus. For viewers of images: .dcm (DICOM RTSTRUCT, the contours), .seg.dcm (DICOM SEG) and\n"
+      ".nrrd or .seg.nrrd (label maps), whose voxels are those with their centres in the solid.\n"
       "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
       "written, a warning says why, and the exit code is 1.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -50,6 +51,7 @@ class Look {
       look_at_ends(solid.structure, Strands::Of::voids);
       look_at_loose_pieces(solid, look_at_ends(solid.structure, Strands::Of::material));
     }
+    for (const Doubt& doubt : made_.doubts) look_at_doubt(doubt);
     std::stable_sort(found_.begin(), found_.end(), [&order](const Attention& a, const Attention& b) {
       return std::tuple(a.kind, order[a.structure], a.slice) < std::tuple(b.kind, order[b.structure], b.slice);
     });
@@ -170,6 +172,49 @@ class Look {
       return fmt::format("--correspondence overlap{} joins voids that lie partly over each other.",
                          options_.between == Between::delaunay ? " --between blended" : "");
     return "Links are made between regions, not voids: a slice between the two, with the canal in it, would tell.";
+  }
+
+  // ---- doubts -------------------------------------------------------------------------------------------------------
+
+  void look_at_doubt(const Doubt& doubt) {
+    const bool material = doubt.kind == DoubtKind::may_connect || doubt.kind == DoubtKind::may_part;
+    const bool joined = doubt.kind == DoubtKind::may_part || doubt.kind == DoubtKind::void_may_part;
+    Attention one = item(AttentionKind::choice, doubt.structure, doubt.slab, doubt.slab + 1);
+    one.place = doubt.place;
+    if (!material || !doubt.lower || !doubt.upper) {
+      if (told_there(one)) return;
+      one.seen = joined ? "a void goes on from one to the other, and may be two that end blind."
+                        : "a void ends in one and begins in the other, and may be one canal.";
+      one.remedy = "Links are made between regions, not voids: a slice between the two would tell.";
+      found_.push_back(std::move(one));
+      return;
+    }
+    const Link pair{doubt.structure, doubt.slab, *doubt.lower, *doubt.upper, !joined};
+    if (decided(pair) || told_there(one)) return;
+    one.links.push_back(pair);
+    one.seen = fmt::format("contours {} and {} are {}joined, and may be {}.", *doubt.lower, *doubt.upper,
+                           joined ? "" : "not ", joined ? "two things" : "one thing");
+    Link kept = pair;
+    kept.connect = joined;
+    one.remedy = fmt::format("If so, add {}; if not, {}.", option_for(pair), option_for(kept));
+    found_.push_back(std::move(one));
+  }
+
+  /// Whether the user's own links say what becomes of a pair.
+  bool decided(const Link& pair) const {
+    return std::any_of(options_.links.begin(), options_.links.end(), [&pair](const Link& link) {
+      return std::tie(link.structure, link.slice, link.lower, link.upper) ==
+             std::tie(pair.structure, pair.slice, pair.lower, pair.upper);
+    });
+  }
+
+  /// Whether a gap between the same slices, within its own height, is told already.
+  bool told_there(const Attention& one) const {
+    const double near = one.z_upper - one.z_lower;
+    return std::any_of(found_.begin(), found_.end(), [&](const Attention& other) {
+      return other.structure == one.structure && other.slice == one.slice && other.kind != AttentionKind::topology &&
+             std::hypot(other.place.x - one.place.x, other.place.y - one.place.y) <= near;
+    });
   }
 
   // ---- loose pieces -------------------------------------------------------------------------------------------------

@@ -67,6 +67,8 @@ class Reconstructor {
     watch_.lap("slabs");
     result_.links.insert(result_.links.end(), solved.links.begin(), solved.links.end());
     result_.void_links.insert(result_.void_links.end(), solved.void_links.begin(), solved.void_links.end());
+    result_.doubts.insert(result_.doubts.end(), solved.doubts.begin(), solved.doubts.end());
+    result_.remedies.insert(result_.remedies.end(), solved.remedies.begin(), solved.remedies.end());
     add(solved.counts);
     result_.solids.push_back(assemble_and_certify(solved, structure, label));
   }
@@ -200,6 +202,7 @@ const char* name(Correspondence criterion) {
     case Correspondence::reverse: return "reverse";
     case Correspondence::medial: return "medial";
     case Correspondence::overlap: return "overlap";
+    case Correspondence::tracked: return "tracked";
   }
   return "unknown";
 }
@@ -211,6 +214,17 @@ const char* name(LinkCriterion criterion) {
     case LinkCriterion::overlap: return "overlap";
     case LinkCriterion::user: return "user";
     case LinkCriterion::crossing: return "crossing";
+    case LinkCriterion::tracked: return "tracked";
+  }
+  return "unknown";
+}
+
+const char* name(DoubtKind kind) {
+  switch (kind) {
+    case DoubtKind::may_connect: return "may-connect";
+    case DoubtKind::may_part: return "may-part";
+    case DoubtKind::void_may_connect: return "void-may-connect";
+    case DoubtKind::void_may_part: return "void-may-part";
   }
   return "unknown";
 }

@@ -17,6 +17,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/delaunay/attention.h"
+#include "recon/delaunay/doubt.h"
 #include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
 #include "recon/mesh/meshes.h"
@@ -24,11 +25,12 @@
 
 namespace odontoscope {
 
-/// When are a region and one of the next slice connected? Each criterion includes those before it.
+/// When are a region and one of the next slice connected? Each of the first three includes those before it.
 enum class Correspondence {
   reverse,   // the paper's: a tetrahedron joins an internal, non-contour edge of each
   medial,    // or the circumcentre of an internal triangle of one lies in the other
   overlap,   // or any point of the common Voronoi overlay lies in both
+  tracked,   // as medial; then what hangs free is linked by what the slices before and behind say (track.h)
 };
 
 /// What becomes of the space between two slices?
@@ -38,15 +40,15 @@ enum class Between {
 };
 
 struct ReconstructOptions {
-  Correspondence correspondence = Correspondence::medial;
-  Between between = Between::delaunay;
+  Correspondence correspondence = Correspondence::tracked;
+  Between between = Between::blended;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
 };
 
 /// Why a link was made. `user`: the links file; `crossing`: the two components would otherwise have crossed each other and were
 /// therefore made one.
-enum class LinkCriterion { reverse, medial, overlap, user, crossing };
+enum class LinkCriterion { reverse, medial, overlap, user, crossing, tracked };
 
 struct MadeLink {
   Link link;
@@ -105,6 +107,8 @@ struct Reconstruction {
   std::vector<SlabTopology> topology;     // of every slab that holds material, by structure and slice
   std::vector<SlabChange> changes;        // by structure, slice and kind
   std::vector<Attention> attention;       // where to look, see verdict.h
+  std::vector<Doubt> doubts;              // choices that the slices do not settle; by structure, slab, lower, upper
+  std::vector<Link> remedies;             // tried: each joins a region that is linked to nothing; for the first few of these
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;
