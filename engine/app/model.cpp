@@ -13,6 +13,7 @@
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
 #include "recon/mesh/simplify_surface.h"
+#include "recon/mesh/tetra_report.h"
 
 namespace odontoscope::app {
 namespace {
@@ -85,6 +86,20 @@ void simplify_model(Model& model, std::size_t triangles, const Progress& progres
   model.reconstruction.seconds.push_back({"simplify", taken.count()});
 }
 
+void move_model(Model& model, const RigidMotion& motion) {
+  for (Solid& solid : model.reconstruction.solids) {
+    for (Point3& p : solid.tetrahedra.points) p = motion(p);
+    for (Point3& p : solid.surface.points) p = motion(p);
+    solid.report = inspect(solid.surface);
+    for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
+    const std::size_t flat = inspect(solid.tetrahedra).non_positive;
+    if (flat == 0 && solid.report.closed_oriented_manifold()) continue;
+    throw InputError("turned-flat", {}, fmt::format("{}: {} of {} tetrahedra became flat when the model was turned back, by rounding", solid.structure, grouped(flat),
+                                                    solid.tetrahedra.tetrahedra.size()),
+                     "Leave --as-given out: the report's matrix tells the turn");
+  }
+}
+
 std::string missed_aim_in_words(const SimplificationAim& aim) {
   if (aim.reached()) return {};
   std::vector<std::string> reasons;
@@ -121,9 +136,9 @@ void tell_model(const Model& model, double seconds, Console& console) {
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
   if (made.counts.isolated_regions > 0) {
-    console.say(fmt::format("{} linked to nothing above or below and became thin plates; --correspondence overlap or --links "
+    console.say(fmt::format("{} linked to nothing above or below and became thin plates; {}--links "
                             "may connect them.",
-                            counted(made.counts.isolated_regions, "region is", "regions are")));
+                            counted(made.counts.isolated_regions, "region is", "regions are"), model.by_overlap ? "" : "--correspondence overlap or "));
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,

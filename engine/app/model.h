@@ -8,6 +8,7 @@
 
 #include "engine/app/console.h"
 #include "recon/core/progress.h"
+#include "recon/core/rigid_motion.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/output/report_json.h"
@@ -19,12 +20,18 @@ struct Model {
   /// One for each solid whose surface in `reconstruction` is a simplified one; the tetrahedra stay as they were.
   std::vector<StructureSimplification> simplifications;
   std::optional<SimplificationAim> aim;
+  /// The criterion of correspondence that connects most was used already: no use in advising it.
+  bool by_overlap = false;
 };
 
 /// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next, so
 /// each keeps what its shape needs. Each keeps its topology and does not cut through itself, and therefore may keep
 /// more; `aim` tells. InternalError if a result is no closed oriented manifold.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
+
+/// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over or makes it flat, or
+/// spoils a surface.
+void move_model(Model& model, const RigidMotion& motion);
 
 /// "2,582 triangles are left, not 283: ..."; empty if what was asked for was reached.
 std::string missed_aim_in_words(const SimplificationAim& aim);

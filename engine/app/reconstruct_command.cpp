@@ -17,6 +17,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
+#include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
@@ -41,7 +42,7 @@ struct Options {
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
-  bool tours = false, compress = false;
+  bool tours = false, compress = false, as_given = false;
   std::string report;
 };
 
@@ -81,6 +82,15 @@ bool is_gltf(const std::string& output) {
   return ending == ".glb" || ending == ".gltf";
 }
 
+void refuse_senseless_as_given(const Options& options) {
+  if (!options.words.reshape.upright) throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
+  if (options.method == Method::db) throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
+  for (const std::string& output : options.outputs) {
+    if (known_ending(output, model_endings()) != ".inp") continue;
+    throw UsageError("--as-given: .inp names the nodes of the first and last slice, which would lie aslant", "Leave it out: the report's matrix tells the turn");
+  }
+}
+
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
@@ -91,6 +101,7 @@ void refuse_senseless(const Options& options) {
   if ((options.tours || options.compress) && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
                      "Write one of these too: -o model.glb");
+  if (options.as_given) refuse_senseless_as_given(options);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   refuse_volume_without_level(options.input, options.words);
@@ -104,9 +115,9 @@ PlannedFiles planned_files(const Options& options) {
 }
 
 /// The links file, checked here so that messages name it.
-std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
+std::vector<Link> links_for(const ContourStack& stack, const Options& options, const Session& session) {
   if (options.links.empty()) return {};
-  const std::vector<Link> links = read_links(options.links);
+  const std::vector<Link> links = parse_links(read_file(options.links, limits::file_bytes, session.progress().stop), options.links);
   validate(stack);
   validate_links(links, ordered(stack).stack, options.links);
   return links;
@@ -135,14 +146,18 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   if (!words.empty()) console.say("Tours: " + words);
 }
 
-Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
+Made made_by_dt(const ContourStack& stack, std::optional<ReportVolume> volume, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::medial);
   engine.between = options.between.value_or(Between::delaunay);
-  engine.links = links_for(stack, options);
+  engine.links = links_for(stack, options, session);
   engine.threads = session.threads;
-  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
+  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}, engine.correspondence == Correspondence::overlap});
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
+  if (options.as_given && volume && volume->upright) {
+    move_model(*model, volume->upright->inverse());
+    volume->as_given = true;
+  }
   Made made = files_of(model->reconstruction, options, session);
   if (!options.report.empty()) {
     made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume, .aim = model->aim})});
@@ -229,6 +244,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->check(whole_number_from_one_to(most_triangles));
   parser.add_flag("--strict", options.strict, "Write nothing if --triangles cannot be reached");
   add_volume_options(parser, options.words);
+  parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
   add_foreign_options(parser, options.foreign);
   add_db_options(parser, options.db);
 }

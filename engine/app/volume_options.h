@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/reshape_volume.h"
 #include "recon/input/contour_stack.h"
 #include "recon/output/report_json.h"
 #include "recon/volume/read_volume.h"
@@ -25,6 +26,7 @@ struct VolumeWords {
   bool allow_outside = false;
   std::optional<double> simplify;    // mm
   std::optional<double> smooth;      // mm
+  ReshapeWords reshape;
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };
@@ -51,6 +53,7 @@ struct VolumeRequest {
   std::optional<SmoothLabelsOptions> smooth;
   std::optional<double> simplify;
   std::vector<VolumeLabel> label_names;
+  ReshapeRequest reshape;
 };
 
 void add_volume_options(CLI::App& parser, VolumeWords& words);
