@@ -173,6 +173,9 @@ inline constexpr long largest_label = (1l << 24) - 1;
 inline constexpr double axes_out_of_square = 1e-4;
 /// Turn of a volume's axes, degrees, that is rounding of the header and not worth a word.
 inline constexpr double tilt_unspoken = 0.01;
+/// How much larger the variance along the longest axis must be than along the next for the two to be told apart: lengths that differ by a tenth.
+/// Of real teeth it is 3 and more, of a crown alone it may be less.
+inline constexpr double long_axis = 1.2;
 /// How unevenly DICOM slices may lie, as a part of their spacing: positions are written in thousandths or so.
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
