@@ -65,8 +65,8 @@ struct BlendOptions {
 /// a power of two (2^-30 mm for a tooth). Where the slices are too small for their distance from the origin to be
 /// sampled, the nearer one is returned as it is.
 ///
-/// Preconditions, checked (InternalError): lower and upper are given, heights finite and ascending, shares in (0, 1) and
-/// ascending, links name outer contours and holes respectively.
+/// Preconditions, checked (InternalError): lower and upper are given, heights finite and ascending, shares in (0, 1)
+/// and ascending, links name outer contours and holes respectively.
 ///
 /// Not promised: that the outlines have the topology that the links imply. Walls thinner than a step of the grid may
 /// break.

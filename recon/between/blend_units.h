@@ -26,6 +26,9 @@ struct SliceSet {
   std::array<double, slices_used> z{};
 
   explicit SliceSet(const Surroundings& surroundings);
+
+  /// Of the box around lower and upper.
+  double larger_side() const;
 };
 
 enum class Presence {
@@ -48,6 +51,10 @@ struct BlendPlan {
   std::vector<BlendGroup> groups;
   std::vector<BlendUnit> voids;
 };
+
+/// Throws InternalError unless the surroundings and shares are as blend.h wants them; links are looked at by
+/// blend_plan.
+void require_blendable(const Surroundings& surroundings, std::span<const double> shares);
 
 /// Throws InternalError for links that name no contours, or contours of the wrong kind.
 BlendPlan blend_plan(const SliceSet& slices, const Surroundings& surroundings);

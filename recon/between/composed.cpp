@@ -40,12 +40,6 @@ double travel(const Box& a, const Box& b) {
                    std::abs(a.high.y - b.high.y)});
 }
 
-/// Blended at share of the way: same place, other distance.
-struct Placed {
-  Lattice lattice;
-  std::ptrdiff_t first_i = 0, first_j = 0;
-};
-
 /// The box with room for what a cubic may overshoot.
 Lattice around(const Box& box, double margin, double step, Point2 anchor) {
   const std::ptrdiff_t first_i = whole_below((box.low.x - margin - anchor.x) / step);
@@ -56,6 +50,35 @@ Lattice around(const Box& box, double margin, double step, Point2 anchor) {
   lattice.columns = whole_below((box.high.x + margin - lattice.origin.x) / step) + 2;
   lattice.rows = whole_below((box.high.y + margin - lattice.origin.y) / step) + 2;
   return lattice;
+}
+
+/// Writes rule(value, other's value) into a window where the other one lies on it.
+template <class Rule>
+void combine(Window& window, const Window& other, const Rule& rule) {
+  const std::ptrdiff_t end_i = std::min(window.first_i + window.columns, other.first_i + other.columns);
+  const std::ptrdiff_t end_j = std::min(window.first_j + window.rows, other.first_j + other.rows);
+  for (std::ptrdiff_t j = std::max(window.first_j, other.first_j); j < end_j; ++j) {
+    for (std::ptrdiff_t i = std::max(window.first_i, other.first_i); i < end_i; ++i) {
+      double& value = window.values[window.at(i, j)];
+      value = rule(value, other.values[other.at(i, j)]);
+    }
+  }
+}
+
+/// Far outside, as large as all of them together. Precondition: there is one.
+Window around(const std::vector<Window>& windows) {
+  Window all = windows.front();
+  std::ptrdiff_t end_i = all.first_i + all.columns, end_j = all.first_j + all.rows;
+  for (const Window& window : windows) {
+    all.first_i = std::min(all.first_i, window.first_i);
+    all.first_j = std::min(all.first_j, window.first_j);
+    end_i = std::max(end_i, window.first_i + window.columns);
+    end_j = std::max(end_j, window.first_j + window.rows);
+  }
+  all.columns = end_i - all.first_i;
+  all.rows = end_j - all.first_j;
+  all.values.assign(static_cast<std::size_t>(all.columns * all.rows), far_outside);
+  return all;
 }
 
 bool on_border(std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t columns, std::ptrdiff_t rows) {
@@ -72,10 +95,11 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
     narrow = std::min(narrow, narrowest(slices.facts[slice]));
   }
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y, side = std::max(width, height);
-  const double farthest = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  const double farthest =
+      std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
   if (!(width > 0) || !(height > 0)) return std::nullopt;
   Grid grid;
-  grid.grain = std::max(std::ldexp(side, 0) > 0 ? std::ldexp(1.0, std::ilogb(side) + 1 - limits::blend_digits_of_size) : 0,
+  grid.grain = std::max(std::ldexp(1.0, std::ilogb(side) + 1 - limits::blend_digits_of_size),
                         farthest > 0 ? std::ldexp(1.0, std::ilogb(farthest) + 1 - limits::blend_digits_of_place) : 0);
   const double finest = std::sqrt(width * height / static_cast<double>(most_points));
   const double wanted = std::min(side / limits::blend_columns, narrow / limits::blend_points_across);
@@ -83,6 +107,19 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
   if (!(grid.step > limits::blend_grains_in_step * grid.grain)) return std::nullopt;
   grid.anchor = {grid.step * std::floor(box.low.x / grid.step), grid.step * std::floor(box.low.y / grid.step)};
   return grid;
+}
+
+std::optional<Grid> finer(const Grid& grid, const SliceSet& slices, std::size_t most_points) {
+  Box box;
+  for (const std::size_t slice : {at_lower, at_upper}) {
+    for (const ContourFacts& facts : slices.facts[slice]) box.take(facts.box);
+  }
+  Grid result = grid;
+  result.step /= 2;
+  const double points = (box.high.x - box.low.x) / result.step * ((box.high.y - box.low.y) / result.step);
+  if (points > static_cast<double>(most_points) || !(result.step > limits::blend_grains_in_step * grid.grain))
+    return std::nullopt;
+  return result;
 }
 
 UnitField::UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid)
@@ -113,7 +150,8 @@ void UnitField::measure(const BlendUnit& unit, const SliceSet& slices) {
   first_j_ = static_cast<std::ptrdiff_t>(std::round((lattice_.origin.y - grid_.anchor.y) / grid_.step));
   for (std::size_t n = 0; n < slices_used; ++n) {
     if (unit.presence[n] == Presence::shape) distances_[n] = signed_distances(lattice_, shapes[n]);
-    if (unit.presence[n] == Presence::gone && !slices.outlines[n]->empty()) distances_[n] = distances(lattice_, *slices.outlines[n]);
+    if (unit.presence[n] == Presence::gone && !slices.outlines[n]->empty())
+      distances_[n] = distances(lattice_, *slices.outlines[n]);
   }
   for (const std::size_t n : {at_lower, at_upper}) {  // an empty slice: the unit closes half-way
     if (distances_[n].empty()) distances_[n].assign(lattice_.size(), inradius());
@@ -162,7 +200,8 @@ void UnitField::drop_overshoot(std::vector<double>& values, double share) const 
   };
   for (const std::size_t p : loose) {
     bool attached = false;
-    for_neighbours(p, [&](std::size_t q) { attached = attached || (!beyond(q) && (values[q] < 0) == (values[p] < 0)); });
+    for_neighbours(p,
+                   [&](std::size_t q) { attached = attached || (!beyond(q) && (values[q] < 0) == (values[p] < 0)); });
     if (!attached) continue;
     open[p] = false;
     reached.push_back(p);
@@ -200,7 +239,8 @@ Window UnitField::moved(const std::vector<double>& values, const SliceWeights& w
   const double scale = motion_.scale_at(weights);
   const auto cell_of = [&](double place) { return (place) / grid_.step; };
   Window window;
-  const Point2 low{origin.x + scale * lattice_.origin.x - grid_.anchor.x, origin.y + scale * lattice_.origin.y - grid_.anchor.y};
+  const Point2 low{origin.x + scale * lattice_.origin.x - grid_.anchor.x,
+                   origin.y + scale * lattice_.origin.y - grid_.anchor.y};
   const double width = scale * lattice_.step * static_cast<double>(lattice_.columns - 1);
   const double height = scale * lattice_.step * static_cast<double>(lattice_.rows - 1);
   window.first_i = whole_below(cell_of(low.x)) - 1;
@@ -235,40 +275,17 @@ Composition::Composition(const SliceSet& slices, const BlendPlan& plan, const Gr
 }
 
 Window Composition::at(double share) const {
-  std::vector<Window> voids;
+  std::vector<Window> voids, groups;
   for (const UnitField& field : voids_) voids.push_back(field.at(share));
-  std::vector<Window> groups;
-  Window all;
-  std::ptrdiff_t end_i = std::numeric_limits<std::ptrdiff_t>::min(), end_j = end_i;
-  all.first_i = all.first_j = std::numeric_limits<std::ptrdiff_t>::max();
   for (std::size_t g = 0; g < material_.size(); ++g) {
-    Window& group = groups.emplace_back(material_[g].at(share));
-    all.first_i = std::min(all.first_i, group.first_i);
-    all.first_j = std::min(all.first_j, group.first_j);
-    end_i = std::max(end_i, group.first_i + group.columns);
-    end_j = std::max(end_j, group.first_j + group.rows);
+    groups.push_back(material_[g].at(share));
     for (const std::size_t number : voids_of_[g]) {
-      const Window& hollow = voids[number];
-      for (std::ptrdiff_t j = std::max(group.first_j, hollow.first_j); j < std::min(group.first_j + group.rows, hollow.first_j + hollow.rows); ++j) {
-        for (std::ptrdiff_t i = std::max(group.first_i, hollow.first_i); i < std::min(group.first_i + group.columns, hollow.first_i + hollow.columns); ++i) {
-          double& value = group.values[group.at(i, j)];
-          value = std::max(value, -hollow.values[hollow.at(i, j)]);
-        }
-      }
+      combine(groups.back(), voids[number], [](double solid, double hollow) { return std::max(solid, -hollow); });
     }
   }
   if (groups.empty()) return {};
-  all.columns = end_i - all.first_i;
-  all.rows = end_j - all.first_j;
-  all.values.assign(static_cast<std::size_t>(all.columns * all.rows), far_outside);
-  for (const Window& group : groups) {
-    for (std::ptrdiff_t j = group.first_j; j < group.first_j + group.rows; ++j) {
-      for (std::ptrdiff_t i = group.first_i; i < group.first_i + group.columns; ++i) {
-        double& value = all.values[all.at(i, j)];
-        value = std::min(value, group.values[group.at(i, j)]);
-      }
-    }
-  }
+  Window all = around(groups);
+  for (const Window& group : groups) combine(all, group, [](double a, double b) { return std::min(a, b); });
   return all;
 }
 

@@ -29,6 +29,9 @@ struct Grid {
 /// `most_points`. Empty if doubles are too coarse there for it.
 std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points);
 
+/// With half the step; empty beyond `most_points` or where doubles are too coarse.
+std::optional<Grid> finer(const Grid& grid, const SliceSet& slices, std::size_t most_points);
+
 /// Values at the grid points (first_i + column, first_j + row), row by row; beyond, all is outside.
 struct Window {
   std::ptrdiff_t first_i = 0, first_j = 0, columns = 0, rows = 0;
@@ -61,7 +64,7 @@ class UnitField {
 
   Grid grid_;
   Motion motion_;
-  Lattice lattice_;  // in the unit's frame
+  Lattice lattice_;                           // in the unit's frame
   std::ptrdiff_t first_i_ = 0, first_j_ = 0;  // of the lattice on the grid, unless it moves
   Heights heights_;
   std::array<std::vector<double>, slices_used> distances_;

@@ -268,4 +268,19 @@ inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
 inline constexpr double blend_grains_in_step = 1024;
 /// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
 inline constexpr int blend_thinning_rounds = 3;
+/// Voxels that the searches for a seal may look at in all, over the number of voxels.
+inline constexpr std::size_t join_search_steps = 40;
+/// Times that stray pieces of a region on the grid are turned into what is around them: that may leave others.
+inline constexpr int join_stray_rounds = 8;
+/// Times that what is not needed is given back and what that allows is taken.
+inline constexpr int join_settling_rounds = 2;
+/// How far over the field's zero material is let grow, in steps of the grid, to see whether filling costs less than cutting.
+inline constexpr double join_flood_steps[] = {2, 6};
+/// Where contours of neighbouring layers pass each other within a step of the grid, each keeps to this part of it.
+inline constexpr double join_crosswise = 0.35;
+/// How far, in steps of the grid, material of the next layer keeps off a given contour that it passes and must not overlap.
+inline constexpr double join_room = 0.3;
+/// How far thinning may move a contour whose topology was settled on the grid, in steps of it: less than what crosswise
+/// contours leave between them.
+inline constexpr double join_thinning_steps = 0.1;
 }  // namespace odontoscope::limits

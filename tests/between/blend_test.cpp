@@ -86,8 +86,15 @@ double catmull_rom(const std::array<double, 4>& z, const std::array<double, 4>& 
 }
 
 TEST(Blend, IsPlainCubicInterpolationOfDistancesWhereNothingDrifts) {
-  const Slab slab{{lobed(3, 0.3, 3)}, {lobed(3.5, 0.5, 3)}, {{{0, 0}}, {}}, {lobed(2.8, 0.2, 3)}, {lobed(3.4, 0.4, 3)},
-                  -0.7, 0, 1, 1.6};
+  const Slab slab{{lobed(3, 0.3, 3)},
+                  {lobed(3.5, 0.5, 3)},
+                  {{{0, 0}}, {}},
+                  {lobed(2.8, 0.2, 3)},
+                  {lobed(3.4, 0.4, 3)},
+                  -0.7,
+                  0,
+                  1,
+                  1.6};
   const std::vector<Outline> made = slab.blended();
   for (std::size_t n = 0; n < quarters.size(); ++n) {
     ASSERT_EQ(made[n].size(), 1u);
