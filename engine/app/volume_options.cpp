@@ -172,7 +172,8 @@ VolumeRequest understood(const VolumeWords& words) {
   return request;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts) {
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
+                           Whence* whence) {
   Volume read = read_volume(file, request.read, session.progress());
   Thresholds thresholds;
   if (any_automatic(request)) thresholds = Thresholds(read);
@@ -193,6 +194,7 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
     *facts = ReportVolume{{}, read.remarks};
     for (const IsoLevel& level : options.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
   }
+  if (whence) *whence = {read.patient, VoxelGrid{read.size, read.spacing, read.origin}};
   if (volume) *volume = std::move(read);
   return std::move(found.stack);
 }
@@ -222,9 +224,9 @@ bool named_like_a_volume(const std::string& file) {
   return false;
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts) {
-  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts);
-  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session) : read_stack(file, session.progress().stop);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
+  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
+  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);

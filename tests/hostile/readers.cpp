@@ -12,6 +12,7 @@
 #include "engine/ui/settings.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/read_csl.h"
+#include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/input/links_json.h"
@@ -129,11 +130,13 @@ const std::vector<Reader>& readers() {
          finite({section.thickness});
          sound(section.contours);
        }},
+      {"jser", {"exchange/jser"}, true, [](const std::string& bytes) { sound(parse_jser(bytes, "file").stack); }},
       {"rtstruct", {"exchange/rtstruct"}, false, [](const std::string& bytes) { sound(parse_rtstruct(bytes, "file").stack); }},
       {"stl", {"fuzz/stl"}, false, [](const std::string& bytes) { sound(parse_stl(bytes, "file")); }},
       {"ply", {"fuzz/ply"}, false, [](const std::string& bytes) { sound(parse_ply(bytes, "file")); }},
       {"obj", {"fuzz/obj"}, true, [](const std::string& bytes) { sound(parse_obj(bytes, "file")); }},
       {"glb", {"fuzz/glb"}, false, [](const std::string& bytes) { sound(parse_glb(bytes, "file")); }},
+      {"gltf", {"fuzz/gltf"}, true, [](const std::string& bytes) { sound(parse_gltf(bytes, "no-such-folder/file.gltf")); }},
       {"sniff", {"fuzz/sniff", "fuzz/stl", "fuzz/obj"}, false, sniffed},
       {"volume", {"fuzz/volume"}, false, read_any_volume},
       {"scene", {"fuzz/scene"}, true, [](const std::string& bytes) { sound(scene_from_json(bytes, Scene{}, "file")); }},
