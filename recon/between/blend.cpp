@@ -11,6 +11,8 @@
 
 namespace odontoscope::between {
 
+namespace {
+
 void require_blendable(const Surroundings& s, std::span<const double> shares) {
   const bool given = s.lower && s.upper;
   const bool finite = std::isfinite(s.z_lower) && std::isfinite(s.z_upper);
@@ -24,6 +26,8 @@ void require_blendable(const Surroundings& s, std::span<const double> shares) {
     if (!between) throw InternalError("shares of a slab must lie between 0 and 1 and ascend");
   }
 }
+
+}  // namespace
 
 std::vector<Outline> blend(const Surroundings& surroundings, std::span<const double> shares,
                            const BlendOptions& options) {

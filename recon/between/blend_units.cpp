@@ -56,16 +56,6 @@ class Linked {
   UnionFind sets_;
 };
 
-/// Numbers of contours by descending area, so that each comes after those around it.
-std::vector<std::size_t> outside_in(const std::vector<ContourFacts>& facts) {
-  std::vector<std::size_t> order(facts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&facts](std::size_t a, std::size_t b) {
-    return std::abs(facts[a].area) > std::abs(facts[b].area);
-  });
-  return order;
-}
-
 class Planner {
  public:
   Planner(const SliceSet& slices, const Surroundings& surroundings) : slices_(slices), linked_(slices, surroundings) {

@@ -52,10 +52,6 @@ struct BlendPlan {
   std::vector<BlendUnit> voids;
 };
 
-/// Throws InternalError unless the surroundings and shares are as blend.h wants them; links are looked at by
-/// blend_plan.
-void require_blendable(const Surroundings& surroundings, std::span<const double> shares);
-
 /// Throws InternalError for links that name no contours, or contours of the wrong kind.
 BlendPlan blend_plan(const SliceSet& slices, const Surroundings& surroundings);
 

@@ -29,9 +29,6 @@ struct Grid {
 /// `most_points`. Empty if doubles are too coarse there for it.
 std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points);
 
-/// With half the step; empty beyond `most_points` or where doubles are too coarse.
-std::optional<Grid> finer(const Grid& grid, const SliceSet& slices, std::size_t most_points);
-
 /// Values at the grid points (first_i + column, first_j + row), row by row; beyond, all is outside.
 struct Window {
   std::ptrdiff_t first_i = 0, first_j = 0, columns = 0, rows = 0;
@@ -56,9 +53,17 @@ class UnitField {
   Window at(double share) const;
 
  private:
+  /// The unit shrinks from its inner radius beside one slice to nothing at a share of the way to the other.
+  struct Ending {
+    std::size_t beside = at_lower;
+    double radius = 0, share = 1;
+  };
+
   void measure(const BlendUnit& unit, const SliceSet& slices);
-  double inradius() const;
+  void continue_beyond(const BlendUnit& unit, const SliceSet& slices, std::size_t beyond, std::size_t beside);
+  void find_end(const BlendUnit& unit, const SliceSet& slices);
   std::vector<double> blended(double share) const;
+  double curvature(std::size_t point, double share) const;
   void drop_overshoot(std::vector<double>& values, double share) const;
   Window moved(const std::vector<double>& values, const SliceWeights& weights) const;
 
@@ -68,6 +73,7 @@ class UnitField {
   std::ptrdiff_t first_i_ = 0, first_j_ = 0;  // of the lattice on the grid, unless it moves
   Heights heights_;
   std::array<std::vector<double>, slices_used> distances_;
+  std::optional<Ending> end_;
 };
 
 /// All units of a slab.

@@ -1,6 +1,7 @@
 #include "recon/between/traced.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "recon/contours/simplify_contours.h"
 #include "recon/contours/trace.h"
@@ -14,22 +15,19 @@ using trace::Vertex;
 /// The window as trace::contours asks for it.
 class Field {
  public:
-  Field(const Window& window, const Grid& grid, const TraceRules& rules)
-      : window_(window), grid_(grid), rules_(rules) {}
+  Field(const Window& window, const Grid& grid) : window_(window), grid_(grid) {}
 
   bool inside(Vertex v) const { return in_window(v) && value(v) < 0; }
 
   /// Is the saddle of the bilinear surface over the cell inside? a and b are, c and d are not.
   bool joined(Vertex a, Vertex b, Vertex c, Vertex d) const {
-    if (rules_.diagonals_part || !in_window(c) || !in_window(d)) return false;
+    if (!in_window(c) || !in_window(d)) return false;
     return value(a) * value(b) >= value(c) * value(d);
   }
 
   Point2 crossing(Vertex in, Vertex out) const {
     const double from = value(in), to = in_window(out) ? value(out) : far_outside;
-    double fraction = from / (from - to);
-    if (rules_.crossing && in_window(out)) fraction = rules_.crossing(number(in), number(out), fraction);
-    fraction = std::clamp(fraction, limits::grid_vertex_margin, 1 - limits::grid_vertex_margin);
+    const double fraction = std::clamp(from / (from - to), limits::grid_vertex_margin, 1 - limits::grid_vertex_margin);
     const auto at = [&](std::ptrdiff_t first, std::ptrdiff_t a, std::ptrdiff_t b, double anchor) {
       const double place = static_cast<double>(first + a) + fraction * static_cast<double>(b - a);
       return std::round((anchor + grid_.step * place) / grid_.grain) * grid_.grain;
@@ -39,12 +37,10 @@ class Field {
 
  private:
   bool in_window(Vertex v) const { return v.i >= 0 && v.j >= 0 && v.i < window_.columns && v.j < window_.rows; }
-  std::size_t number(Vertex v) const { return static_cast<std::size_t>(v.j * window_.columns + v.i); }
-  double value(Vertex v) const { return window_.values[number(v)]; }
+  double value(Vertex v) const { return window_.values[static_cast<std::size_t>(v.j * window_.columns + v.i)]; }
 
   const Window& window_;
   const Grid& grid_;
-  const TraceRules& rules_;
 };
 
 std::size_t points_in(const Slice& slice) {
@@ -55,9 +51,9 @@ std::size_t points_in(const Slice& slice) {
 
 }  // namespace
 
-Slice traced(const Window& window, const Grid& grid, const TraceRules& rules) {
+Slice traced(const Window& window, const Grid& grid) {
   Slice slice;
-  trace::contours(Field(window, grid, rules), static_cast<std::size_t>(window.columns),
+  trace::contours(Field(window, grid), static_cast<std::size_t>(window.columns),
                   static_cast<std::size_t>(window.rows), [&slice](std::vector<Point2>&& points) {
                     slice.contours.push_back({"", std::move(points)});
                     return true;
@@ -75,12 +71,6 @@ Outline thinned(const Slice& slice, double tolerance, double largest, std::size_
   Outline outline;
   for (Contour& contour : left.contours) outline.push_back(std::move(contour.points));
   return outline;
-}
-
-GridPoint beside_first_point(const std::vector<Point2>& contour, const Grid& grid, bool in_void) {
-  const double i = std::floor((contour.front().x - grid.anchor.x) / grid.step);
-  const double j = std::round((contour.front().y - grid.anchor.y) / grid.step);
-  return {static_cast<std::ptrdiff_t>(i) + (in_void ? 1 : 0), static_cast<std::ptrdiff_t>(j)};
 }
 
 std::size_t points_in(const Outline& outline) {

@@ -267,20 +267,17 @@ inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
 /// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
 inline constexpr double blend_grains_in_step = 1024;
 /// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
-inline constexpr int blend_thinning_rounds = 3;
-/// Voxels that the searches for a seal may look at in all, over the number of voxels.
-inline constexpr std::size_t join_search_steps = 40;
-/// Times that stray pieces of a region on the grid are turned into what is around them: that may leave others.
-inline constexpr int join_stray_rounds = 8;
-/// Times that what is not needed is given back and what that allows is taken.
-inline constexpr int join_settling_rounds = 2;
-/// How far over the field's zero material is let grow, in steps of the grid, to see whether filling costs less than cutting.
-inline constexpr double join_flood_steps[] = {2, 6};
-/// Where contours of neighbouring layers pass each other within a step of the grid, each keeps to this part of it.
-inline constexpr double join_crosswise = 0.35;
-/// How far, in steps of the grid, material of the next layer keeps off a given contour that it passes and must not overlap.
-inline constexpr double join_room = 0.3;
-/// How far thinning may move a contour whose topology was settled on the grid, in steps of it: less than what crosswise
-/// contours leave between them.
-inline constexpr double join_thinning_steps = 0.1;
+inline constexpr int blend_thinning_rounds = 2;
+/// A slice beyond the slab has a say in a shape if it shares this part of what it and its neighbour in the slab cover.
+inline constexpr double blend_alike = 0.5;
+/// How many times the lesser of the two curvatures that the slices beyond the slab tell of is believed: where one comes from
+/// another shape (a furcation, a roof that closes) it is by far the larger.
+inline constexpr double blend_bend = 2;
+/// What of it is believed in any case, over the change within the slab.
+inline constexpr double blend_bend_of_change = 0.8;
+/// The power of a shape's inner radius that goes down evenly towards its tip: 1 for a cone, 2 for a paraboloid; cusps, horns and
+/// the ends of roots are in between.
+inline constexpr double blend_tip = 1.5;
+/// Where a shape ends at the earliest, over the slab's height.
+inline constexpr double blend_least_end = 0.05;
 }  // namespace odontoscope::limits

@@ -6,7 +6,6 @@
 #include <numeric>
 #include <set>
 
-#include "recon/core/union_find.h"
 #include "recon/input/validate.h"
 
 namespace odontoscope::test {
@@ -116,10 +115,8 @@ Links overlap_links(const Outline& lower, const Outline& upper) {
   for (std::size_t p = 0; p < below.innermost.size(); ++p) {
     const std::size_t a = below.innermost[p], b = above.innermost[p];
     if (is_void(lower, a) != is_void(upper, b)) continue;
-    if (!is_void(lower, a))
-      material.insert({a, b});
-    else if (a != between::outside || b != between::outside)
-      voids.insert({a, b});
+    if (!is_void(lower, a)) material.insert({a, b});
+    else if (a != between::outside || b != between::outside) voids.insert({a, b});
   }
   Links links;
   for (const auto& [a, b] : material) links.material.push_back({a, b});
@@ -139,8 +136,7 @@ double area(const Outline& outline) {
   return sum;
 }
 
-double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side,
-                     int columns) {
+double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns) {
   const Picture made = picture(outline, low, side, columns);
   std::size_t wrong = 0;
   for (int j = 0; j < columns; ++j) {
@@ -152,69 +148,6 @@ double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& 
     }
   }
   return static_cast<double>(wrong) * made.step * made.step;
-}
-
-between::LayerTopology glued_topology(const std::vector<Outline>& layers, int columns) {
-  Point2 low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const Outline& outline : layers) {
-    for (const Ring& ring : outline) {
-      for (const Point2 p : ring) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-      }
-    }
-  }
-  const double extent = std::max(high.x - low.x, high.y - low.y), side = 1.05 * extent;
-  low = {low.x - 0.0233 * extent, low.y - 0.0271 * extent};
-  const int count = static_cast<int>(layers.size());
-  std::vector<char> solid;
-  for (const Outline& outline : layers) {
-    for (const std::size_t c : picture(outline, low, side, columns).innermost)
-      solid.push_back(c != between::outside && signed_area(outline[c]) > 0);
-  }
-  const auto at = [&](int i, int j, int k) { return static_cast<std::size_t>((k * columns + j) * columns + i); };
-  const auto filled = [&](int i, int j, int k) {
-    return i >= 0 && j >= 0 && i < columns && j < columns && k < count && solid[at(i, j, k)] != 0;
-  };
-  UnionFind sets(solid.size());
-  std::ptrdiff_t euler = 0;
-  for (int k = 0; k < count; ++k) {
-    for (int j = 0; j < columns; ++j) {
-      for (int i = 0; i < columns; ++i) {
-        for (int to = 0; to < 27; ++to) {
-          const int x = i + to % 3 - 1, y = j + to / 3 % 3 - 1, z = k + to / 9 - 1;
-          if (x < 0 || y < 0 || z < 0 || x >= columns || y >= columns || z >= count || at(x, y, z) <= at(i, j, k))
-            continue;
-          const int apart = std::abs(x - i) + std::abs(y - j) + std::abs(z - k);
-          if (filled(x, y, z) != filled(i, j, k) || (filled(i, j, k) && apart > 1)) continue;
-          sets.join(static_cast<std::uint32_t>(at(i, j, k)), static_cast<std::uint32_t>(at(x, y, z)));
-        }
-        for (int cell = 0; cell < 8; ++cell) {  // the cell from here along some of the axes
-          bool whole = true;
-          for (int corner = 0; corner < 8; ++corner) {
-            if ((corner & cell) != corner) continue;
-            whole = whole && filled(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
-          }
-          const int dimension = (cell & 1) + (cell >> 1 & 1) + (cell >> 2);
-          if (whole) euler += dimension % 2 == 0 ? 1 : -1;
-        }
-      }
-    }
-  }
-  between::LayerTopology found;
-  std::set<std::uint32_t> open;
-  const std::size_t layer = static_cast<std::size_t>(columns * columns);
-  for (std::size_t v = 0; v < solid.size(); ++v) {
-    if (!solid[v] && (v < layer || v >= solid.size() - layer)) open.insert(sets.find(static_cast<std::uint32_t>(v)));
-  }
-  std::ptrdiff_t bubbles = 0;
-  for (std::uint32_t v = 0; v < solid.size(); ++v) {
-    if (sets.find(v) != v) continue;
-    ++(solid[v] ? found.pieces : found.voids);
-    bubbles += !solid[v] && !open.contains(v);
-  }
-  found.loops = static_cast<std::ptrdiff_t>(found.pieces) - euler + bubbles;
-  return found;
 }
 
 std::size_t points_in(const Outline& outline) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "recon/between/joined.h"
+#include "recon/between/blend.h"
 #include "tests/support/shapes.h"
 
 namespace odontoscope::test {
@@ -19,8 +19,7 @@ Outline moved(Outline outline, Point2 by);
 /// The outline of one structure, outer contours counter-clockwise, holes clockwise.
 Outline outline_of(const Slice& slice, const std::string& structure);
 
-/// For each point of a lattice of `columns` x `columns` over the box the innermost contour that it lies in, or
-/// `outside`.
+/// For each point of a lattice of `columns` x `columns` over the box the innermost contour that it lies in, or `outside`.
 struct Picture {
   Point2 low;
   double step = 0;
@@ -44,12 +43,7 @@ double distance(const Outline& outline, Point2 at);
 double area(const Outline& outline);
 
 /// Area in which the outline and a shape (true inside) differ, counted on a lattice of points.
-double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side,
-                     int columns);
-
-/// Pieces of material, pieces of void and independent loops of material of thick layers that are joined where they
-/// overlap: counted on a raster of `columns` x `columns`, material by faces, void by corners too.
-between::LayerTopology glued_topology(const std::vector<Outline>& layers, int columns);
+double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns);
 
 std::size_t points_in(const Outline& outline);
 
