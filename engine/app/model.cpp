@@ -14,6 +14,7 @@
 #include "recon/core/limits.h"
 #include "recon/delaunay/verdict.h"
 #include "recon/mesh/simplify_surface.h"
+#include "recon/mesh/tetra_report.h"
 
 namespace odontoscope::app {
 namespace {
@@ -92,6 +93,20 @@ void simplify_model(Model& model, std::size_t triangles, const Progress& progres
   model.aim = SimplificationAim{triangles, simple.triangles, simple.obstacles, simple.restarts};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   model.reconstruction.seconds.push_back({"simplify", taken.count()});
+}
+
+void move_model(Model& model, const RigidMotion& motion) {
+  for (Solid& solid : model.reconstruction.solids) {
+    for (Point3& p : solid.tetrahedra.points) p = motion(p);
+    for (Point3& p : solid.surface.points) p = motion(p);
+    solid.report = inspect(solid.surface);
+    for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
+    const std::size_t flat = inspect(solid.tetrahedra).non_positive;
+    if (flat == 0 && solid.report.closed_oriented_manifold()) continue;
+    throw InputError("turned-flat", {}, fmt::format("{}: {} of {} tetrahedra became flat when the model was turned back, by rounding", solid.structure, grouped(flat),
+                                                    solid.tetrahedra.tetrahedra.size()),
+                     "Leave --as-given out: the report's matrix tells the turn");
+  }
 }
 
 std::string missed_aim_in_words(const SimplificationAim& aim) {

@@ -19,6 +19,7 @@
 #include "engine/app/structure_files.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
+#include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/delaunay/verdict.h"
 #include "recon/input/links_json.h"
@@ -46,7 +47,7 @@ struct Options {
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
-  bool tours = false, compress = false;
+  bool tours = false, compress = false, as_given = false;
   std::string report;
 };
 
@@ -93,6 +94,15 @@ bool is_gltf(const std::string& output) {
   return ending == ".glb" || ending == ".gltf";
 }
 
+void refuse_senseless_as_given(const Options& options) {
+  if (!options.words.reshape.upright) throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
+  if (options.method == Method::db) throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
+  for (const std::string& output : options.outputs) {
+    if (known_ending(output, model_endings()) != ".inp") continue;
+    throw UsageError("--as-given: .inp names the nodes of the first and last slice, which would lie aslant", "Leave it out: the report's matrix tells the turn");
+  }
+}
+
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
@@ -107,6 +117,8 @@ void refuse_senseless(const Options& options) {
   if ((options.tours || options.compress) && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
                      "Write one of these too: -o model.glb");
+  if (options.as_given) refuse_senseless_as_given(options);
+  if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   links_from(options.link_words);
@@ -122,10 +134,10 @@ PlannedFiles planned_files(const Options& options) {
 }
 
 /// The links file, checked here so that messages name it.
-std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
+std::vector<Link> links_for(const ContourStack& stack, const Options& options, const Session& session) {
   std::vector<Link> links = links_from(options.link_words);
   if (options.links.empty()) return links;
-  const std::vector<Link> in_file = read_links(options.links);
+  const std::vector<Link> in_file = parse_links(read_file(options.links, limits::file_bytes, session.progress().stop), options.links);
   validate(stack);
   validate_links(in_file, ordered(stack).stack, options.links);
   links.insert(links.end(), in_file.begin(), in_file.end());
@@ -173,15 +185,19 @@ struct Input {
   Whence whence;
 };
 
-Made made_by_dt(const ContourStack& stack, const Input& input, const Options& options, Session& session) {
+Made made_by_dt(const ContourStack& stack, Input input, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
   engine.between = options.between.value_or(Between::blended);
-  engine.links = links_for(stack, options);
+  engine.links = links_for(stack, options, session);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
+  if (options.as_given && input.volume && input.volume->upright) {
+    move_model(*model, input.volume->upright->inverse());
+    input.volume->as_given = true;
+  }
   Made made = files_of(model->reconstruction, options, session);
   made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
   if (!options.report.empty()) {
@@ -291,6 +307,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_flag("--strict", options.strict,
                   "Write nothing if the verdict is amber or --triangles is missed");
   add_volume_options(parser, options.words);
+  parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
   add_foreign_options(parser, options.foreign);
   add_voxel_options(parser, options.voxels);
   add_db_options(parser, options.db);

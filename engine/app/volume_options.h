@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/reshape_volume.h"
 #include "engine/app/structure_files.h"
 #include "recon/input/contour_stack.h"
 #include "recon/output/report_json.h"
@@ -26,6 +27,7 @@ struct VolumeWords {
   bool allow_outside = false;
   std::optional<double> simplify;    // mm
   std::optional<double> smooth;      // mm
+  ReshapeWords reshape;
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };
@@ -52,6 +54,7 @@ struct VolumeRequest {
   std::optional<SmoothLabelsOptions> smooth;
   std::optional<double> simplify;
   std::vector<VolumeLabel> label_names;
+  ReshapeRequest reshape;
 };
 
 void add_volume_options(CLI::App& parser, VolumeWords& words);

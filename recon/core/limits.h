@@ -173,6 +173,9 @@ inline constexpr long largest_label = (1l << 24) - 1;
 inline constexpr double axes_out_of_square = 1e-4;
 /// Turn of a volume's axes, degrees, that is rounding of the header and not worth a word.
 inline constexpr double tilt_unspoken = 0.01;
+/// How much larger the variance along the longest axis must be than along the next for the two to be told apart: lengths that differ by a tenth.
+/// Of real teeth it is 3 and more, of a crown alone it may be less.
+inline constexpr double long_axis = 1.2;
 /// How unevenly DICOM slices may lie, as a part of their spacing: positions are written in thousandths or so.
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.
@@ -264,5 +267,17 @@ inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
 /// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
 inline constexpr double blend_grains_in_step = 1024;
 /// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
-inline constexpr int blend_thinning_rounds = 3;
+inline constexpr int blend_thinning_rounds = 2;
+/// A slice beyond the slab has a say in a shape if it shares this part of what it and its neighbour in the slab cover.
+inline constexpr double blend_alike = 0.5;
+/// How many times the lesser of the two curvatures that the slices beyond the slab tell of is believed: where one comes from
+/// another shape (a furcation, a roof that closes) it is by far the larger.
+inline constexpr double blend_bend = 2;
+/// What of it is believed in any case, over the change within the slab.
+inline constexpr double blend_bend_of_change = 0.8;
+/// The power of a shape's inner radius that goes down evenly towards its tip: 1 for a cone, 2 for a paraboloid; cusps, horns and
+/// the ends of roots are in between.
+inline constexpr double blend_tip = 1.5;
+/// Where a shape ends at the earliest, over the slab's height.
+inline constexpr double blend_least_end = 0.05;
 }  // namespace odontoscope::limits

@@ -246,6 +246,9 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
     Json isos = Json::object();
     for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
     report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
+    if (const auto& motion = options.volume->upright) {
+      report["volume"]["upright"] = {{"matrix", motion->matrix()}, {"degrees", motion->degrees()}, {"as_given", options.volume->as_given}};
+    }
   }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
   report["surface"] = json_of(surfaces);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "recon/core/rigid_motion.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/simplify_surface.h"
@@ -37,6 +38,10 @@ struct ReportVolume {
   std::vector<std::pair<std::string, double>> isos;
   /// What was assumed and left out, see Volume::remarks.
   std::vector<std::string> remarks;
+  /// From the file's coordinates to those of the contours, if it was stood upright.
+  std::optional<RigidMotion> upright = {};
+  /// The model was put back to where the file has it.
+  bool as_given = false;
 };
 
 struct ReportOptions {

@@ -219,6 +219,7 @@ class Walk {
     const bool wanted_sequence = is_wanted_sequence(head.tag);
     const bool is_sequence = head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
     if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
+    if (is_sequence) refuse_odd(head);
     if (!is_sequence) {
       if (!is_wanted(head.tag)) return skip(head.length, end);
       keep({head.tag, head.vr, big_endian_, value(head, end), {}}, data);
@@ -234,6 +235,12 @@ class Walk {
       while (at_ < own_end) take_item(next(inner_implicit, own_end), inner_implicit, own_end, depth + 1, items);
     }
     if (wanted_sequence) keep(std::move(sequence), data);
+  }
+
+  /// PS3.5, 7.1.1: lengths are even. A value that is not may be a careless writer's; where a whole item is not, its end and all that follows may be misread.
+  void refuse_odd(const Head& head) const {
+    if (head.is_undefined() || head.length % 2 == 0) return;
+    refuse(fmt::format("an item or sequence has an odd number of bytes ({}), which DICOM does not allow: where it ends is not sure", head.length));
   }
 
   static bool is_wanted_sequence(std::uint32_t tag) {
@@ -256,6 +263,7 @@ class Walk {
 
   void take_item(const Head& head, bool implicit_vr, std::uint64_t end, int depth, std::vector<DicomDataSet>* items) {
     if (head.tag != item_tag) refuse("a sequence holds something else than items");
+    refuse_odd(head);
     if (depth > limits::dicom_nesting) refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
     if (!head.is_undefined()) require(head.length, end);
     const std::uint64_t own_end = head.is_undefined() ? end : at_ + head.length;

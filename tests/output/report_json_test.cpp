@@ -127,6 +127,14 @@ TEST(ReportJson, TellsOfTheVolume) {
   const json volume = json::parse(report_json(models::tooth_and_enamel(), options))["volume"];
   EXPECT_EQ(volume["isos"]["tooth"], 129.5);
   EXPECT_EQ(volume["remarks"].at(0), "1 mm is assumed");
+  EXPECT_FALSE(volume.contains("upright"));
+  options.volume->upright = turn_to_z({0.6, 0, 0.8}, {1, 2, 3});
+  options.volume->as_given = true;
+  const json upright = json::parse(report_json(models::tooth_and_enamel(), options))["volume"]["upright"];
+  EXPECT_EQ(upright["matrix"][0], json({0.8, 0.0, -0.6, 2.0}));   // 1 - (0.8 * 1 - 0.6 * 3)
+  EXPECT_EQ(upright["matrix"][3], json({0.0, 0.0, 0.0, 1.0}));
+  EXPECT_NEAR(upright["degrees"], 36.8699, 1e-4);
+  EXPECT_EQ(upright["as_given"], true);
 }
 
 TEST(ReportJson, TheSameBytesButForTimes) {
