@@ -40,10 +40,34 @@ std::vector<Ring> sorted(std::vector<Ring> rings) {
   return rings;
 }
 
+/// Edges of all lines that cross another, or have a point of another in their middle: bridges that run where they may not.
+int crossings(const std::vector<Ring>& lines) {
+  std::vector<std::pair<Point2, Point2>> edges;
+  for (const Ring& line : lines)
+    for (std::size_t i = 0; i < line.size(); ++i) edges.emplace_back(line[i], line[(i + 1) % line.size()]);
+  const auto turn = [](const Point2& a, const Point2& b, const Point2& c) {
+    const double sine = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    return sine > 1e-12 ? 1 : sine < -1e-12 ? -1 : 0;
+  };
+  const auto in_middle = [&](const Point2& a, const Point2& b, const Point2& p) {
+    return turn(a, b, p) == 0 && (p.x - a.x) * (p.x - b.x) + (p.y - a.y) * (p.y - b.y) < -1e-12;
+  };
+  int count = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      const auto& [a, b] = edges[i];
+      const auto& [c, d] = edges[j];
+      count += turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+      count += in_middle(a, b, c) || in_middle(c, d, a);
+    }
+  return count;
+}
+
 void expect_same_again(const std::vector<Ring>& rings, std::size_t lines_wanted) {
   const std::vector<Ring> lines = with_keyholes(rings);
   EXPECT_EQ(lines.size(), lines_wanted);
   EXPECT_NEAR(area_of(lines), area_of(rings), 1e-9);
+  EXPECT_EQ(crossings(lines), 0);
   EXPECT_EQ(sorted(parted(lines)), sorted(rings));   // to the bit
 }
 
