@@ -12,6 +12,7 @@
 #include "recon/core/error.h"
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/mesh/simplify_surface.h"
 
 namespace odontoscope::app {
@@ -120,14 +121,11 @@ void tell_model(const Model& model, double seconds, Console& console) {
   console.say(fmt::format("In all {} and {}, in {} s on {}.", counted(triangles_in(made), "triangle"),
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
-  if (made.counts.isolated_regions > 0) {
-    console.say(fmt::format("{} linked to nothing above or below and became thin plates; --correspondence overlap or --links "
-                            "may connect them.",
-                            counted(made.counts.isolated_regions, "region is", "regions are")));
-  }
+  if (const std::string changes = in_words(made.changes); !changes.empty()) console.say(changes + ".");
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
                           model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+  console.say(headline(made) + ".");
 }
 
 void tell_model(const DbReconstruction& model, double seconds, Console& console) {

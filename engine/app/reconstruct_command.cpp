@@ -12,12 +12,14 @@
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
 #include "engine/app/foreign_input.h"
+#include "engine/app/link_words.h"
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
@@ -37,6 +39,7 @@ struct Options {
   std::optional<Correspondence> correspondence;
   std::optional<Between> between;
   std::string links;
+  LinkWords link_words;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
   bool strict = false;
@@ -63,9 +66,11 @@ void refuse_other_methods_options(const Options& options) {
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
   if (options.triangles || options.strict) throw UsageError("--triangles and --strict are about the DT method", "Use --decimate with --method db");
-  if (!options.correspondence && !options.between && options.links.empty()) return;
-  throw UsageError("--correspondence, --between and --links are about the DT method; DB connects whatever overlaps",
-                   "Leave them out, or part slices with --split");
+  if (!options.correspondence && !options.between && options.links.empty() && !options.link_words.any()) return;
+  throw UsageError(
+      "--correspondence, --between, --links, --link and --unlink are about the DT method; DB connects whatever "
+      "overlaps",
+      "Leave them out, or part slices with --split");
 }
 
 void refuse_tetrahedra_of_db(const std::string& output) {
@@ -93,6 +98,7 @@ void refuse_senseless(const Options& options) {
                      "Write one of these too: -o model.glb");
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
+  links_from(options.link_words);
   refuse_volume_without_level(options.input, options.words);
 }
 
@@ -105,10 +111,12 @@ PlannedFiles planned_files(const Options& options) {
 
 /// The links file, checked here so that messages name it.
 std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
-  if (options.links.empty()) return {};
-  const std::vector<Link> links = read_links(options.links);
+  std::vector<Link> links = links_from(options.link_words);
+  if (options.links.empty()) return links;
+  const std::vector<Link> in_file = read_links(options.links);
   validate(stack);
-  validate_links(links, ordered(stack).stack, options.links);
+  validate_links(in_file, ordered(stack).stack, options.links);
+  links.insert(links.end(), in_file.begin(), in_file.end());
   return links;
 }
 
@@ -118,6 +126,7 @@ struct Made {
   std::function<void(double seconds, Console& console)> tell;
   std::vector<CameraPath> paths;
   std::string missed, absurd;   // of --triangles: what to warn of, or empty
+  std::vector<std::string> look_here;  // an amber verdict's places
 };
 
 /// The model in each format that was asked for. `Made::tell` is left to the caller.
@@ -149,6 +158,7 @@ Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& vo
   }
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
+  for (const Attention& item : model->reconstruction.attention) made.look_here.push_back(in_words(item));
   made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
   return made;
 }
@@ -170,6 +180,21 @@ ContourStack stack_of(const Options& options, Session& session, std::optional<Re
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
+/// The first of an amber verdict's places, or all.
+void warn_to_look(const std::vector<std::string>& places, std::size_t most, Console& console) {
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i) console.complain("warning: " + places[i]);
+  if (places.size() > most)
+    console.complain(fmt::format("and {} more in the report (--report FILE.json)", places.size() - most));
+}
+
+/// What --strict does not let pass: said, and nothing is written.
+bool refused_as_strict(const Made& made, Console& console) {
+  if (!made.missed.empty()) console.complain(made.missed + ". Nothing was written, as --strict asks.");
+  warn_to_look(made.look_here, made.look_here.size(), console);
+  if (!made.look_here.empty()) console.complain("the verdict is amber. Nothing was written, as --strict asks.");
+  return !made.missed.empty() || !made.look_here.empty();
+}
+
 ExitCode make_model(const Options& options, Session& session) {
   refuse_senseless(options);
   if (options.words.any_level()) understood(options.words);
@@ -182,10 +207,7 @@ ExitCode make_model(const Options& options, Session& session) {
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
   const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, volume, options, session);
   session.progress().check();
-  if (options.strict && !made.missed.empty()) {
-    session.console.complain(made.missed + ". Nothing was written, as --strict asks.");
-    return ExitCode::found_wanting;
-  }
+  if (options.strict && refused_as_strict(made, session.console)) return ExitCode::found_wanting;
   write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   made.tell(taken.count(), session.console);
@@ -194,6 +216,8 @@ ExitCode make_model(const Options& options, Session& session) {
   for (const std::string& warning : {made.missed, made.absurd}) {
     if (!warning.empty()) session.console.complain("warning: " + warning + ".");
   }
+  constexpr std::size_t most_places_told = 8;
+  warn_to_look(made.look_here, most_places_told, session.console);
   return made.missed.empty() ? ExitCode::done : ExitCode::found_wanting;
 }
 
@@ -221,13 +245,19 @@ void add_options(CLI::App& parser, Options& options) {
                                      "Between slices: delaunay (default), or blended where walls lean far")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
+  repeatable(parser.add_option("--link", options.link_words.connect,
+                               "One such choice: contour B of slice N connects to U of N + 1"))
+      ->type_name("NAME:N:B-U");
+  repeatable(parser.add_option("--unlink", options.link_words.apart, "One such choice: the two are kept apart"))
+      ->type_name("NAME:N:B-U");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
   constexpr int most_triangles = 100'000'000;
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
-  parser.add_flag("--strict", options.strict, "Write nothing if --triangles cannot be reached");
+  parser.add_flag("--strict", options.strict,
+                  "Write nothing, exit 1, if the verdict is amber or --triangles is not reached");
   add_volume_options(parser, options.words);
   add_foreign_options(parser, options.foreign);
   add_db_options(parser, options.db);
@@ -246,6 +276,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
+      "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
@@ -255,6 +286,8 @@ Command reconstruct_command(CLI::App& root) {
       "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
       "written, a warning says why, and the exit code is 1.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"
+      "The verdict is green, or amber: certified, but warnings name places where the data leave a choice, with\n"
+      "the option that decides it. See docs/reconstruction.md.\n"
       "DB models are written as marching cubes makes them, cracks and all, with exit code 0; the last\n"
       "line and the report say what is wrong with them.\n");
   return {parser, [options](Session& session) { return make_model(*options, session); }};

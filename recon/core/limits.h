@@ -79,6 +79,14 @@ inline constexpr double overhang = 4;
 /// raise_height, so that there is room beside raised pieces.
 inline constexpr double plate_height = 0.25;
 inline constexpr int plate_halvings = 60;
+
+// --- what a person should look at --------------------------------------------------------------------------------
+/// Gap between two ends that face each other across a slab, seen from above, over the width (root of the area) of the smaller: a slanted canal
+/// that moves by more than its own width and another between two slices is not told from two.
+inline constexpr double facing_gap = 1;
+/// Slices that a loose piece has at most: what more of them hold is no accident of one slice.
+inline constexpr std::size_t loose_slices = 3;
+
 // --- reports ----------------------------------------------------------------------------------------------------
 /// Bins of a quality histogram.
 inline constexpr std::size_t histogram_bins = 10;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "recon/core/progress.h"
+#include "recon/delaunay/attention.h"
 #include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
 #include "recon/mesh/meshes.h"
@@ -60,20 +61,15 @@ struct MadeVoidLink {
   LinkCriterion criterion = LinkCriterion::medial;
 };
 
-/// Betti numbers of a solid.
-struct Topology {
-  long pieces = 0;    // connected components
-  long handles = 0;   // independent loops
-  long bubbles = 0;   // voids that are shut in
-  friend bool operator==(const Topology&, const Topology&) = default;
-};
-
 /// One structure's solid between two slices: what its contours and links imply (docs/reconstruction.md), and what was counted.
 struct SlabTopology {
   std::string structure;
   std::size_t slice = 0;            // the lower one
   Topology implied, found;
   std::size_t interpolated = 0;     // slices that were put between the two
+  bool raised = false;              // see ReconstructCounts::raised_slabs
+  std::optional<Topology> untrimmed;   // what it was before overhangs were trimmed in it; empty: none were
+  Point3 place;                     // if not as implied: about where
   bool as_implied() const { return implied == found; }
 };
 
@@ -107,6 +103,8 @@ struct Reconstruction {
   std::vector<MadeLink> links;   // by structure, slice, lower, upper
   std::vector<MadeVoidLink> void_links;   // by structure, slice, lower, upper
   std::vector<SlabTopology> topology;     // of every slab that holds material, by structure and slice
+  std::vector<SlabChange> changes;        // by structure, slice and kind
+  std::vector<Attention> attention;       // where to look, see verdict.h
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;

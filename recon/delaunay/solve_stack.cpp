@@ -44,7 +44,7 @@ class StackSolver {
     add_plates();
     for (std::size_t k = 0; k < slabs_; ++k) report(k);
     for (std::size_t k = 0; k < slabs_; ++k) result_.stack.slabs.push_back(std::move(solved_[k].pieces));
-    result_.counts.trimmed = trim_overhangs(result_.stack);
+    trim();
     return std::move(result_);
   }
 
@@ -265,6 +265,16 @@ class StackSolver {
       }
   }
 
+  void trim() {
+    for (const TrimmedSlab& trimmed : trim_overhangs(result_.stack)) {
+      const std::size_t k = trimmed.slab;
+      result_.counts.trimmed += trimmed.tetrahedra;
+      result_.topology[k].untrimmed = trimmed.before;
+      result_.changes.push_back({SlabChange::Kind::trimmed, task_.structure, k, slice(k).z, slice(k + 1).z,
+                                 trimmed.place, trimmed.volume, trimmed.tetrahedra});
+    }
+  }
+
   // ---- report -------------------------------------------------------------------------------------------------------
 
   std::optional<std::size_t> hole_number(std::size_t k, std::uint32_t number) const {
@@ -281,7 +291,7 @@ class StackSolver {
       result_.links.push_back({{task_.structure, k, contour(slice(k), link.lower), contour(slice(k + 1), link.upper), true}, link.criterion});
     for (const RegionLink& link : surveys_[k].voids)
       result_.void_links.push_back({task_.structure, k, hole_number(k, link.lower), hole_number(k + 1, link.upper), link.criterion});
-    result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k]});
+    result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k], solved_[k].raised, {}, {}});
     ReconstructCounts& counts = result_.counts;
     counts.cut_links += solved.cut_links;
     counts.raised_slabs += solved.raised;

@@ -24,6 +24,7 @@ struct SolvedStructure {
   std::vector<MadeLink> links;
   std::vector<MadeVoidLink> void_links;
   std::vector<SlabTopology> topology;   // one a slab; `found` is left to whoever assembles
+  std::vector<SlabChange> changes;      // what was trimmed
   ReconstructCounts counts;             // all but `slices` and `kept`
 };
 
