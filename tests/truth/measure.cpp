@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "recon/core/error.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/surface_distance.h"
 #include "recon/mesh/vector.h"
-#include "recon/sample/trace.h"
 #include "shape_based.h"
 #include "visible.h"
 
@@ -83,22 +81,6 @@ std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
   return points;
 }
 
-/// A region that is linked to nothing, of which the program warns.
-bool any_isolated(const ContourStack& stack, const std::string& structure, const std::vector<MadeLink>& links) {
-  std::set<std::pair<std::size_t, std::size_t>> linked;  // slice, contour
-  for (const MadeLink& made : links) {
-    if (made.link.structure != structure) continue;
-    linked.insert({made.link.slice, made.link.lower});
-    linked.insert({made.link.slice + 1, made.link.upper});
-  }
-  for (std::size_t i = 0; i < stack.slices.size(); ++i) {
-    const std::vector<Contour>& contours = stack.slices[i].contours;
-    for (std::size_t c = 0; c < contours.size(); ++c)
-      if (contours[c].structure == structure && sample::signed_area(contours[c].points) > 0 && !linked.contains({i, c})) return true;
-  }
-  return false;
-}
-
 class Measuring {
  public:
   Measuring(const ContourStack& stack, const Truth& truth, const MeasureOptions& options)
@@ -127,12 +109,10 @@ class Measuring {
     try {
       const Reconstruction made = reconstruct(stack_, engine);
       for (const Solid& solid : made.solids) take_surface(method, solid.structure, solid.surface, solid.report);
-      for (const SlabTopology& slab : made.topology) {
+      for (const Attention& item : made.attention) {
         for (std::size_t s = 0; s < truth_.names.size(); ++s)
-          if (truth_.names[s] == slab.structure && !slab.as_implied()) of(method)[s].warned = true;
+          if (truth_.names[s] == item.structure) of(method)[s].warned = true;
       }
-      for (std::size_t s = 0; s < truth_.names.size(); ++s)
-        if (any_isolated(stack_, truth_.names[s], made.links)) of(method)[s].warned = true;
     } catch (const Error& error) {
       for (MethodResult& result : of(method)) result.refused = error.what();
     }

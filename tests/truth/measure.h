@@ -32,8 +32,7 @@ struct Truth {
 
 struct MethodResult {
   std::optional<Topology> topology;
-  // The program says: a slab has not the topology that its contours and links imply, or a region is linked to nothing.
-  bool warned = false;
+  bool warned = false;  // the verdict is amber for the sake of this structure
   std::string refused;  // the message, if it came to nothing
   double wrong_area = 0, own_area = 0;  // summed over planes at a quarter, half and three quarters of every slab, mm^2
   double worst_area = 0;                // of one slab, mm^2 over the same three planes

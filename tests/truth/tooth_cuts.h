@@ -9,9 +9,13 @@
 
 namespace odontoscope::test {
 
-/// Contours of all structures on planes `spacing` apart: marching squares with interpolation on a grid of `step`, then
-/// simplified within 0.006 mm. Passes `validate`.
-ContourStack contours_of(const TurnedTooth& tooth, double spacing, double step = 0.05);
+struct Fineness {
+  double step = 0.05;        // mm; of the grid on which contours are traced
+  double deviation = 0.006;  // mm; by which they are simplified then
+};
+
+/// Contours of all structures on planes `spacing` apart, by marching squares with interpolation. Passes `validate`.
+ContourStack contours_of(const TurnedTooth& tooth, double spacing, const Fineness& fineness = {});
 
 /// Voxels of a label map, mm: dyadic ones are exact in binary, decimal ones (0.1, 0.15) are not.
 struct VoxelSize {
@@ -24,7 +28,8 @@ VoxelSize voxel_size(const RandomTooth& tooth, double spacing);
 Volume label_map(const TurnedTooth& tooth, const VoxelSize& voxel);
 
 /// Contours of that label map, as `odontoscope contours --label 1=enamel --label 2=dentine --label 3=pulp` has them, with
-/// --smooth if it is given (mm): on the volume's lattice.
-ContourStack label_map_contours(const TurnedTooth& tooth, double spacing, std::optional<double> smooth = {});
+/// --smooth and --simplify if they are given (mm): on the volume's lattice.
+ContourStack label_map_contours(const TurnedTooth& tooth, double spacing, std::optional<double> smooth = {},
+                                std::optional<double> simplify = {});
 
 }  // namespace odontoscope::test

@@ -12,7 +12,7 @@ namespace {
 bool is_delaunay(const std::string& method) { return method.starts_with("DT"); }
 
 std::string verdict(const MethodResult& result, const Topology& truth, bool visible) {
-  if (is_right(result, truth)) return "right";
+  if (is_right(result, truth)) return result.warned ? "right, warned" : "right";
   return std::string("wrong") + (result.warned ? ", warned" : "") + (visible ? "" : ", hidden from these slices");
 }
 
@@ -55,6 +55,7 @@ void Summary::add(double spacing, const Truth& truth, const Results& results) {
         ++cell.visible;
         cell.right += right;
         cell.warned += !right && result.warned;
+        cell.false_alarms += right && result.warned;
       } else {
         ++cell.hidden;
         cell.hidden_right += right;
@@ -144,8 +145,8 @@ std::string Summary::markdown() const {
   std::string text = table("Right pieces, handles and bubbles, of those that the slices can tell of:", [](const Cell& cell) {
     return fmt::format("{} of {}", cell.right, cell.visible);
   });
-  text += table("Wrong, and the report says so:", [](const Cell& cell) {
-    return fmt::format("{} of {}", cell.warned, cell.visible - cell.right);
+  text += table("Amber where it is wrong; amber where it is right:", [](const Cell& cell) {
+    return fmt::format("{} of {}; {} of {}", cell.warned, cell.visible - cell.right, cell.false_alarms, cell.right);
   });
   text += table("Hidden from the slices, of all, and right none the less:", [](const Cell& cell) {
     return fmt::format("{} of {}, {}", cell.hidden, cell.all(), cell.hidden_right);

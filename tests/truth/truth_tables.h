@@ -30,7 +30,8 @@ class Summary {
 
  private:
   struct Cell {
-    std::size_t visible = 0, right = 0, warned = 0, refused = 0;  // right and warned: of those visible
+    std::size_t visible = 0, right = 0, warned = 0, false_alarms = 0;  // warned: wrong; false alarms: right, and warned
+    std::size_t refused = 0;
     std::size_t hidden = 0, hidden_right = 0;
     double wrong = 0, own = 0, mean = 0, largest = 0, triangles = 0;
     std::size_t measured = 0;
