@@ -39,7 +39,7 @@ std::vector<ContourStack> around(const std::vector<Contour>& narrow) {
 
 void expect_certified(const std::vector<Contour>& narrow, std::size_t most_added) {
   for (const ContourStack& stack : around(narrow)) {
-    const Reconstruction made = certified(stack, {.correspondence = Correspondence::overlap, .links = {}, .threads = 1});
+    const Reconstruction made = certified(stack, {.correspondence = Correspondence::overlap, .between = Between::delaunay, .links = {}, .threads = 1});
     EXPECT_LE(made.counts.steiner_points, most_added);
   }
 }
