@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/delaunay/engine_checks.h"
 
 namespace odontoscope::test {
@@ -19,17 +17,6 @@ std::vector<Contour> walls(double gap) {
   return {{"tooth", {{1, -1}, {1, 1}, {-1, 1}}}, {"tooth", {{1 + gap, -1.03}, {2.5, 1.95}, {1 + gap, 1.95}}}};
 }
 
-/// A ring of n corners as thin as `width`.
-std::vector<Contour> thin_ring(int n, double width) {
-  std::vector<Contour> ring(2, {"tooth", {}});
-  for (int i = 0; i < n; ++i)
-    for (int inner = 0; inner < 2; ++inner) {
-      const double radius = 1.5 - inner * width, angle = 6.25 * i / n;
-      ring[inner].points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
-    }
-  return ring;
-}
-
 /// The slice under a square, above it, and between two.
 std::vector<ContourStack> around(const std::vector<Contour>& narrow) {
   const auto flat = [](double z) { return Slice{z, {square}}; };
@@ -38,8 +25,9 @@ std::vector<ContourStack> around(const std::vector<Contour>& narrow) {
 }
 
 void expect_certified(const std::vector<Contour>& narrow, std::size_t most_added) {
+  const ReconstructOptions options{.correspondence = Correspondence::overlap, .between = Between::delaunay, .links = {}, .threads = 1};
   for (const ContourStack& stack : around(narrow)) {
-    const Reconstruction made = certified(stack, {.correspondence = Correspondence::overlap, .links = {}, .threads = 1});
+    const Reconstruction made = certified(stack, options);
     EXPECT_LE(made.counts.steiner_points, most_added);
   }
 }
@@ -50,10 +38,6 @@ TEST(Narrow, NeedlesAreBuilt) {
 
 TEST(Narrow, WallsThatAllButTouchAreBuilt) {
   for (double gap : {1e-4, 1e-9, 1e-13}) expect_certified(walls(gap), 1000);
-}
-
-TEST(Narrow, ThinRingsAreBuilt) {
-  for (double width : {1e-4, 1e-9, 1e-11}) expect_certified(thin_ring(7, width), 2000);
 }
 
 }  // namespace
