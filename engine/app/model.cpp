@@ -12,6 +12,7 @@
 #include "recon/core/error.h"
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/mesh/simplify_surface.h"
 #include "recon/mesh/tetra_report.h"
 
@@ -22,6 +23,14 @@ std::size_t triangles_in(const Reconstruction& reconstruction) {
   std::size_t sum = 0;
   for (const Solid& solid : reconstruction.solids) sum += solid.surface.triangles.size();
   return sum;
+}
+
+std::string remedies_in_words(const std::vector<Link>& remedies) {
+  std::vector<std::string> words;
+  for (const Link& link : remedies)
+    words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower, link.structure, link.slice + 1, link.upper));
+  return fmt::format("{} tried, and would join such a region; if meant, say so with --links: {}.",
+                     counted(remedies.size(), "link was", "links were"), fmt::join(words, "; "));
 }
 
 double diagonal_of(const SurfaceMesh& surface) {
@@ -135,14 +144,16 @@ void tell_model(const Model& model, double seconds, Console& console) {
   console.say(fmt::format("In all {} and {}, in {} s on {}.", counted(triangles_in(made), "triangle"),
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
+  if (const std::string changes = in_words(made.changes); !changes.empty()) console.say(changes + ".");
   if (made.counts.isolated_regions > 0) {
-    console.say(fmt::format("{} linked to nothing above or below and became thin plates; {}--links "
-                            "may connect them.",
-                            counted(made.counts.isolated_regions, "region is", "regions are"), model.by_overlap ? "" : "--correspondence overlap or "));
+    console.say(fmt::format("{} linked to nothing above or below and became thin plates.",
+                            counted(made.counts.isolated_regions, "region is", "regions are")));
+    if (!made.remedies.empty()) console.say("  " + remedies_in_words(made.remedies));
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
                           model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+  console.say(headline(made) + ".");
 }
 
 void tell_model(const DbReconstruction& model, double seconds, Console& console) {

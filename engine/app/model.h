@@ -20,8 +20,6 @@ struct Model {
   /// One for each solid whose surface in `reconstruction` is a simplified one; the tetrahedra stay as they were.
   std::vector<StructureSimplification> simplifications;
   std::optional<SimplificationAim> aim;
-  /// The criterion of correspondence that connects most was used already: no use in advising it.
-  bool by_overlap = false;
 };
 
 /// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next, so

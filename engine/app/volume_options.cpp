@@ -175,7 +175,8 @@ VolumeRequest understood(const VolumeWords& words) {
   return request;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts) {
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
+                           Whence* whence) {
   Volume read = read_volume(file, request.read, session.progress());
   tell_volume(file, read, session.console);
   crop_told(read, request.reshape, session.console);
@@ -199,6 +200,7 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
     *facts = ReportVolume{{}, read.remarks, motion, false};
     for (const IsoLevel& level : options.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
   }
+  if (whence) *whence = {read.patient, VoxelGrid{read.size, read.spacing, read.origin}};
   if (volume) *volume = std::move(read);
   return std::move(found.stack);
 }
@@ -230,14 +232,20 @@ bool named_like_a_volume(const std::string& file) {
   return false;
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts) {
-  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts);
-  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session) : read_stack(file, session.progress().stop);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
+  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
+  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);
   }
   return stack;
+}
+
+void refuse_upright_structures(const VolumeWords& words, const std::vector<std::string>& outputs) {
+  const auto file = std::find_if(outputs.begin(), outputs.end(), is_structures_file);
+  if (!words.reshape.upright || file == outputs.end()) return;
+  throw UsageError(fmt::format("{} must lie where its images do, and --upright turns what is in it", *file), "Leave --upright out");
 }
 
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {

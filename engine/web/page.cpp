@@ -19,7 +19,10 @@ std::string element_id(std::size_t model) { return fmt::format("model-{}", model
 
 Json json_of(const WebCertificate& certificate) {
   Json findings = Json::array();
-  for (const WebCertificate::Finding& finding : certificate.findings) findings.push_back({{"good", finding.good}, {"words", finding.words}});
+  for (const WebCertificate::Finding& finding : certificate.findings) {
+    findings.push_back({{"mark", finding.mark}, {"words", finding.words}});
+    if (finding.at_mm) findings.back()["at_mm"] = {finding.at_mm->x, finding.at_mm->y, finding.at_mm->z};
+  }
   return {{"verdict", certificate.verdict}, {"headline", certificate.headline}, {"findings", findings}};
 }
 

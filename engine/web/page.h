@@ -18,10 +18,11 @@ namespace odontoscope {
 /// Is the surface what it should be? In words for a person; see Certificate in engine/ui.
 struct WebCertificate {
   struct Finding {
-    bool good = true;
+    std::string mark = "good";  // "good", "look" or "bad"
     std::string words;
+    std::optional<Point3> at_mm = {};  // where to look
   };
-  std::string verdict;    // "certified", "sound" or "wanting"
+  std::string verdict;  // "certified", "amber" (certified, but some places want a look), "sound" or "wanting"
   std::string headline;
   std::vector<Finding> findings;
 };

@@ -51,11 +51,12 @@ struct ReportOptions {
   std::optional<SimplificationAim> aim;
 };
 
-/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra, surface, structures, resampling,
-/// links, void_links, topology, cut_links, simplification_aim and simplification (only if there was one), seconds, threads, certified. `certified` is true if the
-/// reconstruction is and every surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in
-/// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between
-/// two runs on the same input.
+/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra,
+/// surface, structures, resampling, links, void_links, topology, changes, attention, cut_links, simplification_aim and
+/// simplification (only if there was one), seconds, threads, certified, verdict (see recon/delaunay/verdict.h).
+/// `certified` is true if the reconstruction is and every surface in it, as it now is, is a closed oriented manifold.
+/// Lengths in mm, volumes in mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and
+/// `threads` differ between two runs on the same input.
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
 
 /// The same of a DB model: method, input, db (grid, field, cases, decimation), surface, structures, resampling, seconds, threads,

@@ -67,14 +67,17 @@ constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syn
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 42> wanted{
+constexpr std::array<std::uint32_t, 56> wanted{
     dicom::image_type, dicom::class_uid, dicom::instance_uid, dicom::modality, dicom::series_description, dicom::slice_thickness,
     dicom::spacing_between_slices, dicom::frame_time, dicom::frame_time_vector, dicom::magnification, dicom::imager_spacing,
     dicom::slice_location_vector, dicom::nominal_spacing, dicom::series_uid, dicom::instance_number, dicom::position, dicom::orientation,
     dicom::frame_content, dicom::plane_position, dicom::plane_orientation, dicom::temporal_index, dicom::concatenation_uid, dicom::samples,
     dicom::photometric, dicom::frames, dicom::frame_increment, dicom::rows, dicom::columns, dicom::pixel_spacing, dicom::bits_allocated,
     dicom::bits_stored, dicom::high_bit, dicom::is_signed, dicom::intercept, dicom::slope, dicom::modality_table, dicom::pixel_measures,
-    dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups};
+    dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups,
+    dicom::character_set, dicom::study_date, dicom::study_time, dicom::accession, dicom::referring, dicom::study_description, dicom::patient_name,
+    dicom::patient_id, dicom::patient_birth, dicom::patient_sex, dicom::study_uid, dicom::study_id, dicom::frame_of_reference,
+    dicom::position_indicator};
 
 bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
 

@@ -23,7 +23,7 @@ json lines() { return json::parse(std::ifstream(folder / "expected.json")); }
 ReconstructOptions options_of(const json& line) {
   ReconstructOptions options;
   const std::string criterion = line.value("correspondence", "medial");
-  for (Correspondence c : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap})
+  for (Correspondence c : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked})
     if (criterion == name(c)) options.correspondence = c;
   for (const json& link : line.value("links", json::array()))
     options.links.push_back({link.value("structure", "tooth"), link.at("slice"), link.at("lower"), link.at("upper"),

@@ -21,8 +21,8 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 }
 
 ReconstructOptions options_for(std::uint64_t seed) {
-  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::reverse};
-  return {.correspondence = all[seed / 5 % 3], .links = {}, .threads = 1};
+  constexpr Correspondence all[] = {Correspondence::tracked, Correspondence::medial, Correspondence::overlap, Correspondence::reverse};
+  return {.correspondence = all[seed / 5 % 4], .links = {}, .threads = 1};
 }
 
 /// Empty if all is well with this stack; else what is wrong, in words that do not depend on its size.

@@ -17,7 +17,8 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links",
-                                            "void_links", "topology", "cut_links", "seconds", "threads", "certified"}));
+                                            "void_links", "topology", "changes", "attention", "cut_links", "seconds",
+                                            "threads", "certified", "verdict"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
   for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
@@ -60,6 +61,48 @@ TEST(ReportJson, ABrokenSurfaceIsNotCertified) {
   Reconstruction model = models::tooth_and_enamel();
   model.solids[1] = models::solid("enamel", shapes::holed(shapes::cube()));
   EXPECT_EQ(json::parse(report_json(model))["certified"], false);
+}
+
+TEST(ReportJson, TellsTheVerdictAndWhereToLook) {
+  Reconstruction model = models::tooth_and_enamel();
+  EXPECT_EQ(json::parse(report_json(model))["verdict"], "green");
+  model.attention.push_back({.kind = AttentionKind::gap,
+                             .structure = "tooth",
+                             .slice = 1,
+                             .last_slice = 2,
+                             .z_lower = 0.5,
+                             .z_upper = 1,
+                             .place = {1, 2, 0.75},
+                             .expected = {2, 0, 0},
+                             .found = {2, 1, 0},
+                             .seen = "a piece ends.",
+                             .links = {{"tooth", 1, 0, 3, true}},
+                             .remedy = "Join them."});
+  model.changes.push_back({SlabChange::Kind::trimmed, "enamel", 2, 1, 1.5, {4, 5, 1.25}, 0.125, 7});
+  model.changes.push_back({SlabChange::Kind::interpolated, "enamel", 3, 1.5, 2, {4, 5, 1.75}, 8, 3});
+  const json report = json::parse(report_json(model));
+  EXPECT_EQ(report["verdict"], "amber");
+  const json& item = report["attention"].at(0);
+  EXPECT_EQ(item["kind"], "gap");
+  EXPECT_EQ(item["slice"], 1);
+  EXPECT_EQ(item["last_slice"], 2);
+  EXPECT_EQ(item["z"], (json{0.5, 1.0}));
+  EXPECT_EQ(item["at"], (json{1.0, 2.0, 0.75}));
+  EXPECT_EQ(item["expected"]["euler"], 2);
+  EXPECT_EQ(item["found"]["euler"], 1);
+  EXPECT_EQ(item["remedy"], "Join them.");
+  EXPECT_EQ(item["links"],
+            (json{{{"structure", "tooth"}, {"slice", 1}, {"lower", 0}, {"upper", 3}, {"connect", true}}}));
+  EXPECT_EQ(report["changes"].at(0), (json{{"kind", "trimmed"},
+                                           {"structure", "enamel"},
+                                           {"slice", 2},
+                                           {"z", {1.0, 1.5}},
+                                           {"at", {4.0, 5.0, 1.25}},
+                                           {"volume", 0.125},
+                                           {"tetrahedra", 7}}));
+  EXPECT_EQ(report["changes"].at(1)["slices"], 3);
+  model.solids[1] = models::solid("enamel", shapes::holed(shapes::cube()));
+  EXPECT_EQ(json::parse(report_json(model))["verdict"], "red");
 }
 
 TEST(ReportJson, TellsOfSimplifying) {
