@@ -45,7 +45,7 @@ void refuse_senseless(const Options& options) {
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.foreign, options.words.any_level());
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
-  refuse_upright_structures(options.words, options.outputs);
+  if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (options.words.any_level()) understood(options.words);
   refuse_unwritable({.inputs = {options.input}, .outputs = options.outputs});
 }

@@ -118,12 +118,12 @@ void refuse_senseless(const Options& options) {
     throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
                      "Write one of these too: -o model.glb");
   if (options.as_given) refuse_senseless_as_given(options);
+  if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
   links_from(options.link_words);
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
-  refuse_upright_structures(options.words, options.outputs);
 }
 
 PlannedFiles planned_files(const Options& options) {
@@ -185,24 +185,23 @@ struct Input {
   Whence whence;
 };
 
-Made made_by_dt(const ContourStack& stack, const Input& input, const Options& options, Session& session) {
-  std::optional<ReportVolume> volume = input.volume;
+Made made_by_dt(const ContourStack& stack, Input input, const Options& options, Session& session) {
   ReconstructOptions engine;
   engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
-  engine.between = options.between.value_or(Between::delaunay);
+  engine.between = options.between.value_or(Between::blended);
   engine.links = links_for(stack, options, session);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
-  if (options.as_given && volume && volume->upright) {
-    move_model(*model, volume->upright->inverse());
-    volume->as_given = true;
+  if (options.as_given && input.volume && input.volume->upright) {
+    move_model(*model, input.volume->upright->inverse());
+    input.volume->as_given = true;
   }
   Made made = files_of(model->reconstruction, options, session);
   made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume, .aim = model->aim})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim})});
   }
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
@@ -291,7 +290,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: delaunay (default), or blended where walls lean far")
+                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
   repeatable(parser.add_option("--link", options.link_words.connect,

@@ -138,6 +138,14 @@ void refuse_senseless(const VoxelWords& words, const std::vector<std::string>& o
   if (words.size.empty() && !of_volume) throw UsageError(fmt::format("{}: nothing says how large its voxels are", *voxels), "Give --voxels X,Y,Z, in mm");
 }
 
+void refuse_reshaped(const std::vector<std::string>& outputs) {
+  for (const std::string& output : outputs) {
+    if (!is_structures_file(output)) continue;
+    throw UsageError(fmt::format("{} refers to the volume as the file has it, and --crop, --resample and --upright change that", output),
+                     "Leave them out, or write contours (.json) or a model");
+  }
+}
+
 FileContent structures_file(const ContourStack& stack, const std::string& file, const VoxelWords& words, const Whence& whence, Session& session) {
   const StructuresFormat format = *structures_format(file);
   if (format == StructuresFormat::rtstruct) return {file, rtstruct_told(stack, file, whence, session)};

@@ -35,6 +35,9 @@ bool is_structures_file(const std::string& file);
 /// UsageError for words about voxels without a file that is made of them, or such a file where neither words nor a volume say how large voxels are.
 void refuse_senseless(const VoxelWords& words, const std::vector<std::string>& outputs, bool of_volume);
 
+/// UsageError for such a file of a volume that was cropped, resampled or turned: it would refer to slices that are no longer there.
+void refuse_reshaped(const std::vector<std::string>& outputs);
+
 /// `file`, not yet written, and tells what is worth knowing of it. Slices become the slices of voxels: UsageError where --voxels says another distance, InputError
 /// uneven-slices. Precondition: `validate` passed.
 FileContent structures_file(const ContourStack& stack, const std::string& file, const VoxelWords& words, const Whence& whence, Session& session);

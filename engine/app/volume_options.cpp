@@ -242,12 +242,6 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
   return stack;
 }
 
-void refuse_upright_structures(const VolumeWords& words, const std::vector<std::string>& outputs) {
-  const auto file = std::find_if(outputs.begin(), outputs.end(), is_structures_file);
-  if (!words.reshape.upright || file == outputs.end()) return;
-  throw UsageError(fmt::format("{} must lie where its images do, and --upright turns what is in it", *file), "Leave --upright out");
-}
-
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {
   if (words.smooth && words.labels.empty()) {
     throw UsageError("--smooth is about label maps", "Add --label N, or leave it out: --iso lies between voxels already");

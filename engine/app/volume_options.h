@@ -82,9 +82,6 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
 /// UsageError for a volume, or words about one, without a word on where its surface lies.
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words);
 
-/// UsageError for files that must lie where their images do, of what --upright has turned.
-void refuse_upright_structures(const VolumeWords& words, const std::vector<std::string>& outputs);
-
 /// Does the name look like a volume's: a folder, or an ending that read_volume knows?
 bool named_like_a_volume(const std::string& file);
 

@@ -15,6 +15,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/tooth_axis.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/append.h"
@@ -98,8 +99,8 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
   if (cavities.empty()) return {};
   std::vector<WebTour> tours;
   try {
-    for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals) {
-      tours.push_back({canal.name, {}});
+    for (const CentreLine& canal : centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress()).canals) {
+      tours.push_back({canal.name, {}, canal.length_to_wall()});
       for (const CentrePoint& point : canal.points) tours.back().points.push_back(point.at);
     }
   } catch (const UsageError&) {

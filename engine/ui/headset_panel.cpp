@@ -107,7 +107,7 @@ void canals(Visit& visit, const VisitWorld& world) {
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CentreLine& line = *lines[i];
-    const double length = line.points.back().along - line.points[std::min(line.orifice, line.points.size() - 1)].along;
+    const double length = line.length_to_wall();
     if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(), visit.tour && visit.tour->line == i)) visit.tour_asked = i;
   }
 }

@@ -45,10 +45,11 @@ struct WebLook {
   int depth = 0;          // what lies deeper is drawn first where it is seen through others
 };
 
-/// A way through a canal, from its orifice to its end. Millimetres, in the model's coordinates.
+/// A way through a canal, from the chamber to its end. Millimetres, in the model's coordinates.
 struct WebTour {
   std::string name;
   std::vector<Point3> points;
+  double length_mm = 0;   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
 };
 
 struct WebPage {

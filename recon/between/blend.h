@@ -7,12 +7,13 @@
 // 1990), here
 // - cubic over four slices at their true heights (Catmull-Rom; a parabola where one neighbour is missing or unlike,
 //   a straight line where both are);
+//   how far it bends is bounded where the slices beyond the slab disagree;
 // - contour by contour: what the links join one to one is blended as a filled shape of its own, and the shapes are put
 //   together afterwards, outer contours minus holes. So a ring that drifts by more than its width stays a ring;
 // - with motion: linked shapes that hardly overlap are moved (and scaled) onto each other before they are blended, on a
 //   smooth path through all four slices. So a slanted canal stays a canal. Shapes that overlap well are not moved.
-// Contours that merge or split are blended as a union; a region or hole with no partner shrinks against the distance to
-// the other slice's nearest contour.
+// Contours that merge or split are blended as a union; a region or hole with no partner ends where its course beyond
+// the slab says; where that says nothing, it shrinks against the distance to the other slice's nearest contour.
 //
 // Units are millimetres. Same input, same bytes. Not thread-parallel by itself; slabs are independent of each other.
 
@@ -53,9 +54,9 @@ struct Surroundings {
 };
 
 struct BlendOptions {
-  /// How far thinning may move a contour, over the larger side of the slab's bounding box: 0.004 mm for a tooth of
+  /// How far thinning may move a contour, over the larger side of the slab's bounding box: 0.002 mm for a tooth of
   /// 10 mm.
-  double thinning = 4e-4;
+  double thinning = 2e-4;
   /// Largest number of grid points. The step follows from the narrowest contour and wall; this bounds time and memory.
   std::size_t most_grid_points = 90'000;
 };
@@ -65,8 +66,8 @@ struct BlendOptions {
 /// a power of two (2^-30 mm for a tooth). Where the slices are too small for their distance from the origin to be
 /// sampled, the nearer one is returned as it is.
 ///
-/// Preconditions, checked (InternalError): lower and upper are given, heights finite and ascending, shares in (0, 1) and
-/// ascending, links name outer contours and holes respectively.
+/// Preconditions, checked (InternalError): lower and upper are given, heights finite and ascending, shares in (0, 1)
+/// and ascending, links name outer contours and holes respectively.
 ///
 /// Not promised: that the outlines have the topology that the links imply. Walls thinner than a step of the grid may
 /// break.

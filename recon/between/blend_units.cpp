@@ -22,8 +22,10 @@ class Linked {
         lower_(slices.outlines[at_lower]->size()),
         upper_(slices.outlines[at_upper]->size()),
         sets_(lower_ + upper_ + 1) {
-    for (const ContourLink& link : surroundings.material) sets_.join(outer(at_lower, link.lower), outer(at_upper, link.upper));
-    for (const ContourLink& link : surroundings.voids) sets_.join(hole(at_lower, link.lower), hole(at_upper, link.upper));
+    for (const ContourLink& link : surroundings.material)
+      sets_.join(outer(at_lower, link.lower), outer(at_upper, link.upper));
+    for (const ContourLink& link : surroundings.voids)
+      sets_.join(hole(at_lower, link.lower), hole(at_upper, link.upper));
   }
 
   std::uint32_t root(std::size_t slice, std::size_t contour) { return sets_.find(number(slice, contour)); }
@@ -36,7 +38,8 @@ class Linked {
   }
   std::uint32_t outer(std::size_t slice, std::size_t contour) const {
     if (contour >= slices_.facts[slice].size() || !slices_.facts[slice][contour].outer()) {
-      throw InternalError("a link of material names contour " + std::to_string(contour) + ", which is no outer contour");
+      throw InternalError("a link of material names contour " + std::to_string(contour) +
+                          ", which is no outer contour");
     }
     return number(slice, contour);
   }
@@ -52,16 +55,6 @@ class Linked {
   std::size_t lower_, upper_;
   UnionFind sets_;
 };
-
-/// Numbers of contours by descending area, so that each comes after those around it.
-std::vector<std::size_t> outside_in(const std::vector<ContourFacts>& facts) {
-  std::vector<std::size_t> order(facts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&facts](std::size_t a, std::size_t b) {
-    return std::abs(facts[a].area) > std::abs(facts[b].area);
-  });
-  return order;
-}
 
 class Planner {
  public:
@@ -105,7 +98,8 @@ class Planner {
         members_[root].push_back({slice, c});
         if (slices_.facts[slice][c].outer()) continue;
         is_void_[root] = true;
-        if (slices_.facts[slice][c].parent == ContourFacts::none) throw InternalError("a hole lies in no outer contour");
+        if (slices_.facts[slice][c].parent == ContourFacts::none)
+          throw InternalError("a hole lies in no outer contour");
         const std::uint32_t owner = linked_.root(slice, slices_.facts[slice][c].parent);
         owners_[root].insert(owner);
         if (root != linked_.outside_root()) voids_of_[owner].insert(root);
@@ -171,9 +165,9 @@ class Planner {
   const SliceSet& slices_;
   Linked linked_;
   std::array<std::vector<std::size_t>, slices_used> order_, partners_;
-  std::vector<std::vector<Member>> members_;                  // by root
-  std::vector<bool> is_void_;                                 // by root
-  std::vector<std::set<std::uint32_t>> owners_, voids_of_;    // by root of voids, of material
+  std::vector<std::vector<Member>> members_;                // by root
+  std::vector<bool> is_void_;                               // by root
+  std::vector<std::set<std::uint32_t>> owners_, voids_of_;  // by root of voids, of material
 };
 
 }  // namespace
@@ -185,6 +179,14 @@ SliceSet::SliceSet(const Surroundings& surroundings)
     if (!outlines[n]) outlines[n] = &no_contours;
     facts[n] = facts_of(*outlines[n]);
   }
+}
+
+double SliceSet::larger_side() const {
+  Box box;
+  for (const std::size_t slice : {at_lower, at_upper}) {
+    for (const ContourFacts& contour : facts[slice]) box.take(contour.box);
+  }
+  return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
 }
 
 BlendPlan blend_plan(const SliceSet& slices, const Surroundings& surroundings) {

@@ -26,6 +26,9 @@ struct SliceSet {
   std::array<double, slices_used> z{};
 
   explicit SliceSet(const Surroundings& surroundings);
+
+  /// Of the box around lower and upper.
+  double larger_side() const;
 };
 
 enum class Presence {

@@ -53,18 +53,27 @@ class UnitField {
   Window at(double share) const;
 
  private:
+  /// The unit shrinks from its inner radius beside one slice to nothing at a share of the way to the other.
+  struct Ending {
+    std::size_t beside = at_lower;
+    double radius = 0, share = 1;
+  };
+
   void measure(const BlendUnit& unit, const SliceSet& slices);
-  double inradius() const;
+  void continue_beyond(const BlendUnit& unit, const SliceSet& slices, std::size_t beyond, std::size_t beside);
+  void find_end(const BlendUnit& unit, const SliceSet& slices);
   std::vector<double> blended(double share) const;
+  double curvature(std::size_t point, double share) const;
   void drop_overshoot(std::vector<double>& values, double share) const;
   Window moved(const std::vector<double>& values, const SliceWeights& weights) const;
 
   Grid grid_;
   Motion motion_;
-  Lattice lattice_;  // in the unit's frame
+  Lattice lattice_;                           // in the unit's frame
   std::ptrdiff_t first_i_ = 0, first_j_ = 0;  // of the lattice on the grid, unless it moves
   Heights heights_;
   std::array<std::vector<double>, slices_used> distances_;
+  std::optional<Ending> end_;
 };
 
 /// All units of a slab.

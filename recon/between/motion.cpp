@@ -66,9 +66,8 @@ double overlap(const Outline& a, const Outline& b, double step) {
 
 /// 1 without overlap, 0 with a good one, smooth in between.
 double amount_of_motion(double overlapping) {
-  const double share = std::clamp((limits::blend_good_overlap - overlapping) /
-                                      (limits::blend_good_overlap - limits::blend_poor_overlap),
-                                  0.0, 1.0);
+  const double share = std::clamp(
+      (limits::blend_good_overlap - overlapping) / (limits::blend_good_overlap - limits::blend_poor_overlap), 0.0, 1.0);
   return share * share * (3 - 2 * share);
 }
 
@@ -84,7 +83,8 @@ Motion full_motion(const std::array<Moments, slices_used>& moments, const BlendU
 }
 
 double overlap_moved(const BlendUnit& unit, const Motion& motion, double step) {
-  return overlap(in_frame(unit.shapes[at_lower], motion, at_lower), in_frame(unit.shapes[at_upper], motion, at_upper), step);
+  return overlap(in_frame(unit.shapes[at_lower], motion, at_lower), in_frame(unit.shapes[at_upper], motion, at_upper),
+                 step);
 }
 
 }  // namespace

@@ -122,6 +122,15 @@ std::vector<ContourFacts> facts_of(const Outline& outline) {
   return facts;
 }
 
+std::vector<std::size_t> outside_in(const std::vector<ContourFacts>& facts) {
+  std::vector<std::size_t> order(facts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&facts](std::size_t a, std::size_t b) {
+    return std::abs(facts[a].area) > std::abs(facts[b].area);
+  });
+  return order;
+}
+
 std::vector<std::size_t> partners(const std::vector<ContourFacts>& a, const std::vector<ContourFacts>& b) {
   std::vector<std::size_t> forth = best_of(a, b);
   const std::vector<std::size_t> back = best_of(b, a);

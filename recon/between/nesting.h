@@ -33,6 +33,9 @@ struct ContourFacts {
 
 std::vector<ContourFacts> facts_of(const Outline& outline);
 
+/// Numbers of contours by descending area, so that each comes after those around it.
+std::vector<std::size_t> outside_in(const std::vector<ContourFacts>& facts);
+
 /// For each contour of a the one of b that it continues in, or none: of the same kind, at most four times as large or
 /// small, near for their size, and each the other's best.
 std::vector<std::size_t> partners(const std::vector<ContourFacts>& a, const std::vector<ContourFacts>& b);

@@ -267,5 +267,17 @@ inline constexpr int blend_digits_of_size = 34, blend_digits_of_place = 50;
 /// Grains of the coordinates in a step of the grid: contours keep a 64th of the step off its points, many grains.
 inline constexpr double blend_grains_in_step = 1024;
 /// Times that the tolerance of thinning may be doubled for a virtual slice to have no more points than the given ones.
-inline constexpr int blend_thinning_rounds = 3;
+inline constexpr int blend_thinning_rounds = 2;
+/// A slice beyond the slab has a say in a shape if it shares this part of what it and its neighbour in the slab cover.
+inline constexpr double blend_alike = 0.5;
+/// How many times the lesser of the two curvatures that the slices beyond the slab tell of is believed: where one comes from
+/// another shape (a furcation, a roof that closes) it is by far the larger.
+inline constexpr double blend_bend = 2;
+/// What of it is believed in any case, over the change within the slab.
+inline constexpr double blend_bend_of_change = 0.8;
+/// The power of a shape's inner radius that goes down evenly towards its tip: 1 for a cone, 2 for a paraboloid; cusps, horns and
+/// the ends of roots are in between.
+inline constexpr double blend_tip = 1.5;
+/// Where a shape ends at the earliest, over the slab's height.
+inline constexpr double blend_least_end = 0.05;
 }  // namespace odontoscope::limits

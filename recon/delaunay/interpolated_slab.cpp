@@ -102,6 +102,8 @@ class ThroughSlices {
             v = v < in_lower ? first_point[i] + v : v < in_lower + in_upper ? first_point[i + 1] + (v - in_lower) : first_added + (v - in_lower - in_upper);
           all.tetrahedra.push_back(tet);
         }
+        all.reach.insert(all.reach.end(), piece.reach.begin(), piece.reach.end());
+        all.reach.resize(all.tetrahedra.size());   // plates reach nowhere
         all.restored += piece.restored;
         all.largest_sideways = std::max(all.largest_sideways, piece.largest_sideways);
       }

@@ -86,8 +86,15 @@ double catmull_rom(const std::array<double, 4>& z, const std::array<double, 4>& 
 }
 
 TEST(Blend, IsPlainCubicInterpolationOfDistancesWhereNothingDrifts) {
-  const Slab slab{{lobed(3, 0.3, 3)}, {lobed(3.5, 0.5, 3)}, {{{0, 0}}, {}}, {lobed(2.8, 0.2, 3)}, {lobed(3.4, 0.4, 3)},
-                  -0.7, 0, 1, 1.6};
+  const Slab slab{{lobed(3, 0.3, 3)},
+                  {lobed(3.5, 0.5, 3)},
+                  {{{0, 0}}, {}},
+                  {lobed(2.8, 0.2, 3)},
+                  {lobed(3.4, 0.4, 3)},
+                  -0.7,
+                  0,
+                  1,
+                  1.6};
   const std::vector<Outline> made = slab.blended();
   for (std::size_t n = 0; n < quarters.size(); ++n) {
     ASSERT_EQ(made[n].size(), 1u);
@@ -111,10 +118,10 @@ TEST(Blend, IsLinearWithoutNeighbours) {
 
 TEST(Blend, IsTheParabolaWithOneNeighbour) {
   Slab slab = overlapping({circle(2)}, {circle(2.5)});
-  slab.after = {circle(4)};  // 2 + t^2 / 2
+  slab.after = {circle(3.2)};  // 2 + 0.4 t + 0.1 t^2
   for (std::size_t n = 0; const Outline& made : slab.blended()) {
     const double t = quarters[n++];
-    EXPECT_NEAR(std::sqrt(area(made) / pi), 2 + t * t / 2, 0.006);
+    EXPECT_NEAR(std::sqrt(area(made) / pi), 2 + 0.4 * t + 0.1 * t * t, 0.006);
   }
 }
 
@@ -122,6 +129,44 @@ TEST(Blend, LeavesOutANeighbourThatIsUnlike) {
   Slab slab = overlapping({circle(2)}, {circle(3)});
   slab.after = {circle(0.5, {-2, 0}), circle(0.5, {2, 0})};
   EXPECT_EQ(slab.blended(), overlapping({circle(2)}, {circle(3)}).blended());
+}
+
+/// The part of a disc to the right of x = gap / 2, and its mirror image.
+Outline halves(double radius, double gap) {
+  Ring right;
+  const double x = gap / 2, end = std::acos(x / radius);
+  for (int n = 0; n <= 100; ++n) {
+    const double angle = end * (n / 50.0 - 1);
+    right.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  Ring left;
+  for (const Point2 p : right) left.push_back({-p.x, -p.y});
+  return {right, left};
+}
+
+TEST(Blend, HearsAllPiecesThatAShapeSplitsIntoBeyondTheSlab) {
+  Slab split = overlapping({circle(2)}, {circle(2.3)}), whole = split;
+  split.before = whole.before = {circle(1.9)};
+  split.after = halves(2.4, 0.05);
+  whole.after = {circle(2.4)};
+  const std::vector<Outline> made = split.blended(), wanted = whole.blended();
+  for (std::size_t n = 0; n < made.size(); ++n) {
+    for (const Point2 p : made[n][0]) {
+      if (std::abs(p.x) > 0.3) {
+        EXPECT_NEAR(distance(wanted[n], p), 0, 0.005);
+      }
+    }
+  }
+}
+
+TEST(Blend, ClosesAHoleWhereItsCourseSays) {
+  Slab slab = overlapping({circle(5), hole(circle(0.5))}, {circle(5)});
+  slab.before = {circle(5), hole(circle(1))};
+  const std::vector<Outline> made = slab.blended();
+  ASSERT_EQ(made[0].size(), 2u);
+  EXPECT_GT(std::sqrt(-area({made[0][1]}) / pi), 0.25);
+  EXPECT_LT(std::sqrt(-area({made[0][1]}) / pi), 0.42);
+  EXPECT_EQ(made[2].size(), 1u);
 }
 
 TEST(Blend, CarriesARingThatDriftsByTwiceItsWidth) {

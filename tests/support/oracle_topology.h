@@ -45,6 +45,7 @@ struct JudgedSlab {
   std::size_t slab = 0;              // number of its lower slice
   SlabCount expected, found;
   bool manifold = true;              // by itself; a slab that overhangs were trimmed from may be pinched although the whole solid is not
+  bool unlinked_hole = false;        // a region that is linked to nothing, and has a hole, carries something
   std::vector<std::string> faults;   // empty: as implied
 };
 
@@ -58,7 +59,8 @@ struct TopologyVerdict {
   /// Slabs that are not as their links imply, "tooth, slab 3: has a handle too many".
   std::vector<std::string> not_as_implied;
   /// Where what the result says of itself (Reconstruction::topology) is not so: a slab is missing, or another count was found (of slabs that are
-  /// manifolds by themselves), or fewer or more is implied.
+  /// manifolds by themselves), or fewer or more is implied. Through interpolated slices a region that is linked to nothing may end in a roof over its
+  /// holes, or open: then what is implied is not compared.
   std::vector<std::string> untrue;
 };
 

@@ -49,6 +49,7 @@ const std::vector<NamedMaker>& outline_makers();
 const std::vector<NamedMaker>& number_makers();
 const std::vector<NamedMaker>& crowd_makers();
 const std::vector<NamedMaker>& label_makers();
+const std::vector<NamedMaker>& attack_makers();
 
 }  // namespace odontoscope::test
 

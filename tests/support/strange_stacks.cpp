@@ -155,7 +155,7 @@ ContourStack medley(RandomNumbers& random, int points) {
 const std::vector<NamedMaker>& all_makers() {
   static const std::vector<NamedMaker> all = [] {
     std::vector<NamedMaker> makers;
-    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers()})
+    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers()})
       makers.insert(makers.end(), some->begin(), some->end());
     makers.push_back({"medley", medley});
     return makers;

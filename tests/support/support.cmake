@@ -11,5 +11,6 @@ target_link_libraries(odontoscope_test_support
   PRIVATE odontoscope_options CGAL::CGAL nlohmann_json::nlohmann_json)
 # Strange stacks: apart, since label maps are made into contours by the library's own code and so need its volumes.
 add_library(odontoscope_test_strange STATIC EXCLUDE_FROM_ALL
-  ${here}/strange_stacks.cpp ${here}/strange_outlines.cpp ${here}/strange_numbers.cpp ${here}/strange_crowds.cpp ${here}/strange_labels.cpp)
+  ${here}/strange_stacks.cpp ${here}/strange_outlines.cpp ${here}/strange_numbers.cpp ${here}/strange_crowds.cpp ${here}/strange_labels.cpp
+  ${here}/strange_attacks.cpp)
 target_link_libraries(odontoscope_test_strange PUBLIC odontoscope_test_support odontoscope_volume PRIVATE odontoscope_options)

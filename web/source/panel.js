@@ -92,7 +92,7 @@ function cutSection(viewer) {
 
 function insideSection(viewer) {
   const tours = viewer.tours.map((tour, index) =>
-    element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}`));
+    element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}${tour.canalLength > 0 ? `   ${tour.canalLength.toFixed(1)} mm` : ''}`));
   const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, viewer.hasInside ? 'Fly inside' : 'Fly');
   return element('section', {'aria-label': 'Inside'}, element('h2', {}, 'Inside'),
     tours.length > 0 ? element('p', {class: 'quiet'}, 'Tours through the canals, from the chamber to the tip:') : null,
