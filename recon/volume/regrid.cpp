@@ -31,6 +31,7 @@ Volume like(const Volume& volume) {
   Volume other;
   other.source = volume.source;
   other.tilt_degrees = volume.tilt_degrees;
+  other.patient = volume.patient;
   other.labels = volume.labels;
   other.remarks = volume.remarks;
   return other;
