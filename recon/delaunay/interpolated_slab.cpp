@@ -73,6 +73,10 @@ class ThroughSlices {
     std::vector<std::uint32_t> least(first.back(), none);
     for (const std::uint32_t r : given)
       if (least[found.find(r)] == none) least[found.find(r)] = r;
+    // What no given region is joined with would be a ghost.
+    for (std::size_t i = 0; i < solved_.size(); ++i)
+      for (const RegionLink& link : solved_[i].links)
+        if (least[found.find(first[i] + link.lower)] == none) return false;
     return std::all_of(given.begin(), given.end(), [&](std::uint32_t r) {
       const std::uint32_t companion = least[found.find(r)];
       return asked.find(companion) == asked.find(r) && found.find(asked.find(r)) == found.find(r);
