@@ -26,7 +26,6 @@ enum class AttentionKind {
   gap,           // pieces of one structure end, facing each other, on neighbouring slices: a bead, or two things
   void_gap,      // the same of voids: a canal or a chamber with a wall of one slab's height in it
   topology,      // a slab's solid has other pieces, handles or bubbles than its contours and links imply
-  trimmed,       // the same, but only since trimming an overhang moved them into the slab beside it
   loose_piece,   // a piece that only few slices hold
 };
 

@@ -80,23 +80,14 @@ class Look {
   void look_at_slabs(const std::string& structure) {
     for (const SlabTopology& slab : made_.topology) {
       if (slab.structure != structure || slab.as_implied()) continue;
-      const bool by_trimming = slab.untrimmed && *slab.untrimmed == slab.implied;
-      Attention one =
-          item(by_trimming ? AttentionKind::trimmed : AttentionKind::topology, structure, slab.slice, slab.slice + 1);
-      one.place = by_trimming ? trimmed_at(slab) : slab.place;
-      one.seen = fmt::format("the solid between the two has {}.", difference_in_words(slab.implied, slab.found));
-      if (by_trimming) one.seen += " An overhang was trimmed here; the model as a whole keeps its pieces and handles.";
+      Attention one = item(AttentionKind::topology, structure, slab.slice, slab.slice + 1);
+      one.place = slab.place;
+      one.found = slab.untrimmed.value_or(slab.found);
+      one.seen = fmt::format("the solid between the two has {}.", difference_in_words(slab.implied, one.found));
       one.remedy = options_.between == Between::delaunay ? "--between blended looks for the solid that they imply."
                                                          : "A slice between the two would tell.";
       found_.push_back(std::move(one));
     }
-  }
-
-  Point3 trimmed_at(const SlabTopology& slab) const {
-    for (const SlabChange& change : made_.changes)
-      if (change.kind == SlabChange::Kind::trimmed && change.structure == slab.structure && change.slice == slab.slice)
-        return change.place;
-    return slab.place;
   }
 
   // ---- ends ---------------------------------------------------------------------------------------------------------

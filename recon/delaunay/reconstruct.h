@@ -72,7 +72,8 @@ struct SlabTopology {
   bool raised = false;              // see ReconstructCounts::raised_slabs
   std::optional<Topology> untrimmed;   // what it was before overhangs were trimmed in it; empty: none were
   Point3 place;                     // if not as implied: about where
-  bool as_implied() const { return implied == found; }
+  /// Trimming leaves a region flat in its slice and keeps the topology of the whole (overhang.h), so what it was before counts.
+  bool as_implied() const { return implied == untrimmed.value_or(found); }
 };
 
 struct StageTime {

@@ -40,8 +40,6 @@ const char* name(AttentionKind kind) {
       return "void-gap";
     case AttentionKind::topology:
       return "topology";
-    case AttentionKind::trimmed:
-      return "trimmed";
     case AttentionKind::loose_piece:
       return "loose-piece";
   }

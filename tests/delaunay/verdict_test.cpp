@@ -67,10 +67,10 @@ TEST(Verdict, OfSampleTeethIsGreen) {
   }
 }
 
-TEST(Verdict, OfASampleToothThatIsTrimmedSaysWhere) {
+TEST(Verdict, IsGreenWhereOverhangsWereTrimmed) {
   const Reconstruction made = made_of(sample_tooth(ToothKind::molar));
-  EXPECT_EQ(verdict_of(made), Verdict::amber);
-  for (const Attention& item : made.attention) EXPECT_EQ(item.kind, AttentionKind::trimmed) << in_words(item);
+  ASSERT_GT(made.counts.trimmed, 0u);
+  EXPECT_EQ(verdict_of(made), Verdict::green) << told(made);
 }
 
 TEST(Verdict, IsGreenWhereNothingIsOpen) {
@@ -188,7 +188,7 @@ TEST(LookHere, APieceThatFewSlicesHold) {
   }
 }
 
-TEST(LookHere, WhereTrimmingMovedWhatTheContoursImply) {
+TEST(Changes, TellWhereOverhangsWereTrimmed) {
   const Reconstruction made = made_of(ring_over_crescent());
   ASSERT_GT(made.counts.trimmed, 0u);
   std::size_t trimmed = 0;
@@ -200,9 +200,6 @@ TEST(LookHere, WhereTrimmingMovedWhatTheContoursImply) {
     EXPECT_LE(change.place.z, change.z_upper);
   }
   EXPECT_EQ(trimmed, made.counts.trimmed);
-  for (const SlabTopology& slab : made.topology)
-    if (slab.untrimmed && *slab.untrimmed == slab.implied && !slab.as_implied())
-      EXPECT_EQ(kinds(made), std::vector{AttentionKind::trimmed}) << told(made);
 }
 
 /// Unit cubes of a block, each cut into six tetrahedra about a diagonal.
