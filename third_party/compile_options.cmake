@@ -26,4 +26,7 @@ function(odontoscope_room name)
   endforeach()
   target_link_libraries(odontoscope_${name} PUBLIC ${ROOM_PACKAGES} PRIVATE ${ROOM_PRIVATE_PACKAGES})
   set_property(GLOBAL APPEND PROPERTY ODONTOSCOPE_ROOMS odontoscope_${name})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
+  string(REPLACE ";" " " links "${ROOM_ROOMS}")
+  set_property(GLOBAL APPEND PROPERTY ODONTOSCOPE_ROOM_LINKS "${folder}: ${links}")   # for tests/house
 endfunction()

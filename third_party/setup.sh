@@ -2,9 +2,10 @@
 # Shared by ./run and ./test: the packages that are missing, then a configured build folder. Bash alone; it must work
 # before anything else is installed. Messages go to stderr, so that the output of the program itself stays clean.
 #
-#   install_packages            what third_party/packages.debian lists and the machine lacks
+#   install_packages LIST ...   what these lists of third_party/ name and the machine lacks
 #   build PRESET FOLDER TARGET  configures FOLDER by the preset unless it is, then builds TARGET
 
+newly_installed=no
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '%s\n' "$*" >&2; }
@@ -20,11 +21,11 @@ quietly() {
 # A line "PACKAGE unless COMMAND VERSION" asks for a package only where that command is missing or older: whoever has a newer one
 # from elsewhere keeps it.
 listed_packages() {
-  local package word command oldest
+  local package word command oldest lists=("${@/#/$root/third_party/}")
   while read -r package word command oldest; do
     if [[ $word == unless ]] && has_command "$command" "$oldest"; then continue; fi
     echo "$package"
-  done < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "$root/third_party/packages.debian")
+  done < <(sed -e 's/#.*//' -e 's/[[:space:]]*$//' -e '/^$/d' "${lists[@]}")
 }
 
 # Whether COMMAND is there and says a version whose first number is VERSION or higher.
@@ -36,7 +37,7 @@ has_command() {
 
 missing_packages() {
   local wanted installed
-  wanted=$(listed_packages)
+  wanted=$(listed_packages "$@")
   # dpkg-query complains about packages it never heard of; those are missing all the same.
   # shellcheck disable=SC2086
   installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | sed -n 's/ installed$//p')
@@ -47,12 +48,12 @@ install_packages() {
   if [[ -n ${ODONTOSCOPE_SKIP_PACKAGES:-} ]]; then return; fi
   if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     say "This is no Debian, so nothing can be installed for you. Odontoscope needs what these Debian packages hold:"
-    say "  $(listed_packages | tr '\n' ' ')"
+    say "  $(listed_packages "$@" | tr '\n' ' ')"
     say "Install their counterparts (README.md, \"Other systems\"), then run again with ODONTOSCOPE_SKIP_PACKAGES=1."
     exit 1
   fi
   local missing
-  missing=$(missing_packages | tr '\n' ' ')
+  missing=$(missing_packages "$@" | tr '\n' ' ')
   if [[ -z ${missing// /} ]]; then return; fi
 
   local as_root=(env)
@@ -66,6 +67,7 @@ install_packages() {
   # shellcheck disable=SC2086
   quietly "apt-get could not install the packages. The list is written for Debian 12." "${as_root[@]}" \
     DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
+  newly_installed=yes
 }
 
 # One job for each processor, but no more than the free memory carries: a file with CGAL's triangulations takes 1 GB.
@@ -80,11 +82,14 @@ jobs_that_fit() {
   echo $((processors < fit ? processors : fit))
 }
 
-# A folder that was configured somewhere else, or only half, starts afresh.
+# A folder that was configured somewhere else, or only half, starts afresh. One from before packages came looks for them again.
 configure() {
   local preset=$1 folder=$2 home
   home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$folder/CMakeCache.txt" 2>/dev/null || true)
-  if [[ -f $folder/build.ninja && $home == "$root" ]]; then return; fi
+  if [[ -f $folder/build.ninja && $home == "$root" ]]; then
+    if [[ $newly_installed == yes ]]; then quietly "CMake failed." cmake --preset "$preset"; fi
+    return
+  fi
   local launcher=()
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   say "Configuring $folder"

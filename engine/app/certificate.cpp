@@ -21,23 +21,53 @@ std::string typeset(std::string words) {
   return words;
 }
 
+using Mark = Certificate::Mark;
+
+Mark mark_of(bool good) { return good ? Mark::good : Mark::bad; }
+
 void add_shells(const std::string& structure, const SurfaceReport& report, Certificate& certificate) {
   const std::vector<std::string> defects = defects_in_words(report);
-  if (!defects.empty()) certificate.findings.push_back({false, fmt::format("{}: {}", structure, fmt::join(defects, ", "))});
+  if (!defects.empty())
+    certificate.findings.push_back({Mark::bad, fmt::format("{}: {}", structure, fmt::join(defects, ", "))});
   for (std::size_t i = 0; i < std::min(report.shells.size(), most_shells_told); ++i) {
     const Shell& shell = report.shells[i];
-    certificate.findings.push_back({defects.empty() && shell.kind != Shell::Kind::open, fmt::format("{}: {}", structure, typeset(shell_in_words(shell)))});
+    certificate.findings.push_back({mark_of(defects.empty() && shell.kind != Shell::Kind::open),
+                                    fmt::format("{}: {}", structure, typeset(shell_in_words(shell)))});
   }
   if (report.shells.size() > most_shells_told)
-    certificate.findings.push_back({defects.empty(), fmt::format("{}: {} more", structure, counted(report.shells.size() - most_shells_told, "surface"))});
+    certificate.findings.push_back(
+        {mark_of(defects.empty()),
+         fmt::format("{}: {} more", structure, counted(report.shells.size() - most_shells_told, "surface"))});
+}
+
+Certificate::Verdict verdict_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::green:
+      return Certificate::Verdict::certified;
+    case Verdict::amber:
+      return Certificate::Verdict::look_here;
+    case Verdict::red:
+      break;
+  }
+  return Certificate::Verdict::wanting;
 }
 
 }  // namespace
 
 Certificate certificate_of(const Shown::Proven& facts) {
-  Certificate certificate{Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};
-  certificate.findings.push_back({true, fmt::format("Every one of the {} has positive volume, and each face belongs to at most two.", counted(facts.tetrahedra, "tetrahedron", "tetrahedra"))});
-  certificate.findings.push_back({true, fmt::format("Cut at each of the {}, the model is exactly the contours given.", counted(facts.slices, "slice"))});
+  Certificate certificate{verdict_of(facts.verdict), facts.headline, {}};
+  for (const Attention& item : facts.attention)
+    certificate.findings.push_back(
+        {Mark::look, typeset(in_words(item)), glm::dvec3(item.place.x, item.place.y, item.place.z)});
+  if (facts.verdict != Verdict::red)
+    certificate.findings.push_back({Mark::good, "Every surface is closed, manifold and faces outwards."});
+  certificate.findings.push_back(
+      {Mark::good, fmt::format("Every one of the {} has positive volume, and each face belongs to at most two.",
+                               counted(facts.tetrahedra, "tetrahedron", "tetrahedra"))});
+  certificate.findings.push_back(
+      {Mark::good,
+       fmt::format("Cut at each of the {}, the model is exactly the contours given.", counted(facts.slices, "slice"))});
+  if (!facts.changes.empty()) certificate.findings.push_back({Mark::good, typeset(facts.changes) + "."});
   for (std::size_t i = 0; i < facts.reports.size(); ++i) add_shells(facts.structures[i], facts.reports[i], certificate);
   return certificate;
 }

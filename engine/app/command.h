@@ -44,6 +44,7 @@ Command compare_command(CLI::App& root);
 Command canal_command(CLI::App& root);
 Command figures_command(CLI::App& root);
 Command anatomy_command(CLI::App& root);
+Command corpus_command(CLI::App& root);
 Command compare_images_command(CLI::App& root);
 
 }  // namespace odontoscope::app

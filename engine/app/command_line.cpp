@@ -1,8 +1,10 @@
 #include "engine/app/command_line.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -11,6 +13,7 @@
 #include <new>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "engine/app/command.h"
@@ -59,7 +62,7 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
 std::vector<Command> add_commands(CLI::App& root) {
   std::vector<Command> commands;
   for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command, view_command, web_command,
-                          compare_command, canal_command, anatomy_command, figures_command, compare_images_command}) {
+                          compare_command, canal_command, anatomy_command, figures_command, corpus_command, compare_images_command}) {
     commands.push_back(make(root));
     // --quiet and --threads may stand behind the subcommand too.
     commands.back().parser->fallthrough();
@@ -159,6 +162,21 @@ int run_command(const Command& command, Session& session) try {
   return static_cast<int>(error.exit_code());
 }
 
+/// A program that was started with standard output closed would give its number to the next file that it opens, and write its words into a model.
+/// What stands there instead takes no words, so that Console::finish tells of their loss.
+void occupy_closed_descriptors() {
+  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(standard, F_GETFD) < 0) (void)!::open("/dev/null", O_RDONLY);
+  }
+}
+
+/// The system refuses memory in several ways: a thread that cannot be started is one.
+bool tells_of_memory(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  return system != nullptr && (system->code() == std::errc::not_enough_memory || system->code() == std::errc::resource_unavailable_try_again);
+}
+
 int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** argv) {
   CLI::App root(purpose, "odontoscope");
   root.footer(first_steps);
@@ -176,25 +194,29 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
 }  // namespace
 
 int run(int argc, char** argv) {
+  occupy_closed_descriptors();
   std::signal(SIGPIPE, SIG_IGN);  // a reader that went away makes a write fail, and does not end the program in the middle of its files
-  Interrupts interrupts;
+  std::signal(SIGXFSZ, SIG_IGN);  // so does a limit on the size of files
+  std::optional<Interrupts> interrupts;
   Console console;
   const auto end = [&console](ExitCode code, std::string_view message) {
     console.complain(message);
     return static_cast<int>(code);
   };
   try {
-    return parse_and_run(console, interrupts, argc, argv);
+    interrupts.emplace();   // starts a thread, for which there may be no memory
+    return parse_and_run(console, *interrupts, argc, argv);
   } catch (const Cancelled&) {
     console.complain("stopped; no file was touched.");
     return interrupted_exit_code;
   } catch (const Error& error) {
     return end(error.exit_code(), error.what());
-  } catch (const std::bad_alloc&) {
-    return end(ExitCode::file,
-               "this machine has not enough memory for that input. Make it smaller: fewer slices, contours --simplify "
-               "or a larger --min-area. [out-of-memory]");
   } catch (const std::exception& error) {
+    if (tells_of_memory(error)) {
+      return end(ExitCode::file,
+                 "this machine has not enough memory for that input. Make it smaller: fewer slices, contours --simplify, a larger --min-area; "
+                 "of a volume --crop or --resample. [out-of-memory]");
+    }
     return end(ExitCode::internal, InternalError(error.what()).what());
   } catch (...) {
     return end(ExitCode::internal, InternalError("an unknown exception").what());

@@ -2,10 +2,13 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "engine/app/command.h"
 #include "engine/app/foreign_input.h"
+#include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/structure_files.h"
 #include "engine/app/volume_options.h"
 #include "engine/app/words.h"
 #include "recon/input/stack_json.h"
@@ -17,35 +20,49 @@ struct Options {
   std::string input;
   VolumeWords words;
   ForeignWords foreign;
-  std::string output;
+  VoxelWords voxels;
+  std::vector<std::string> outputs;
   bool histogram = false;
 };
 
-ContourStack stack_of(const Options& options, Session& session) {
-  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session);
-  ContourStack stack = converted_told(options.input, options.foreign, session);
+ContourStack stack_of(const Options& options, Session& session, Whence& whence) {
+  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session, nullptr, nullptr, &whence);
+  ContourStack stack = converted_told(options.input, options.foreign, session, &whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
 ExitCode show_histogram(const Options& options, Session& session) {
-  if (!options.output.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
+  if (!options.outputs.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
   tell_histogram(options.input, understood(options.words), session);
   return ExitCode::done;
 }
 
-ExitCode make_contours(const Options& options, Session& session) {
-  if (options.histogram) return show_histogram(options, session);
-  if (options.output.empty()) throw UsageError("-o is missing: nothing says where to write the contours", "Give -o FILE.json, or look at a volume's values with --histogram");
-  known_ending(options.output, {".json"});
+void refuse_senseless(const Options& options) {
+  if (options.outputs.empty()) throw UsageError("-o is missing: nothing says where to write the contours", "Give -o FILE.json, or look at a volume's values with --histogram");
+  for (const std::string& output : options.outputs) {
+    if (!is_structures_file(output)) known_ending(output, {".json", ".dcm", ".seg.dcm", ".seg.nrrd"});
+  }
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.foreign, options.words.any_level());
+  refuse_senseless(options.voxels, options.outputs, options.words.any_level());
+  if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (options.words.any_level()) understood(options.words);
-  refuse_unwritable({.inputs = {options.input}, .outputs = {options.output}});
-  const ContourStack stack = stack_of(options, session);
-  const std::string text = to_json(stack);
+  refuse_unwritable({.inputs = {options.input}, .outputs = options.outputs});
+}
+
+ExitCode make_contours(const Options& options, Session& session) {
+  if (options.histogram) return show_histogram(options, session);
+  refuse_senseless(options);
+  Whence whence;
+  const ContourStack stack = stack_of(options, session, whence);
+  std::vector<FileContent> files;
+  for (const std::string& output : options.outputs) {
+    if (is_structures_file(output)) files.push_back(structures_file(stack, output, options.voxels, whence, session));
+    else files.push_back({output, to_json(stack)});
+  }
   session.progress().check();
-  write_all({{options.output, text}}, session.interrupts);
-  session.console.say(fmt::format("{}: {}", options.output, stack_in_words(stack)));
+  write_all(files, session.interrupts);
+  for (const std::string& output : options.outputs) session.console.say(fmt::format("{}: {}", output, stack_in_words(stack)));
   return ExitCode::done;
 }
 
@@ -60,10 +77,11 @@ Command contours_command(CLI::App& root) {
                    "Volume, mesh, or other program's contours; see below")
       ->required()
       ->type_name("");
-  parser->add_option("-o,--output", options->output, "The contour stack to write")->type_name("FILE.json");
+  repeatable(parser->add_option("-o,--output", options->outputs, "File to write; its ending tells the format; repeatable"))->type_name("FILE");
   parser->add_flag("--histogram", options->histogram, "Show the values of a volume and where they part, and write nothing")->group("Volumes");
   add_volume_options(*parser, options->words);
   add_foreign_options(*parser, options->foreign);
+  add_voxel_options(*parser, options->voxels);
   parser->footer(
       "Examples:\n"
       "  odontoscope contours tooth.nrrd --iso 120 -o tooth.json\n"
@@ -76,9 +94,12 @@ Command contours_command(CLI::App& root) {
       "  odontoscope section molar.glb --at 4.5 --at 12 -o two.json\n"
       "  odontoscope contours series.ser --structure Cell -o cell.json\n"
       "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
+      "  odontoscope contours DICOM --iso 120 -o tooth.dcm -o tooth.seg.dcm -o tooth.seg.nrrd\n"
       "\n"
       "INPUT is a volume (NRRD, NIfTI, MetaImage, DICOM file or folder), a mesh (glTF, STL, PLY, OBJ), contours of\n"
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
+      "Written are contour stacks (.json), DICOM structure sets (RTSTRUCT, .dcm) and segmentations (SEG,\n"
+      ".seg.dcm), and label maps with names (.seg.nrrd); they refer to the DICOM series that was read.\n"
       "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves, and\n"
       "small gaps of meshes, and lists every change; without it such input is refused. section is another name for\n"
       "this subcommand.\n");

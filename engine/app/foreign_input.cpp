@@ -161,7 +161,7 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
   return kind != FileKind::unknown || kind_of(read_file(file), file) == FileKind::stl;
 }
 
-ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session) {
+ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session, Whence* whence) {
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   const auto contour_kind = contour_file_kind(bytes);
   if (contour_kind || kind_of(bytes, file) == FileKind::contour_stack) refuse_planes(file, words);
@@ -169,6 +169,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
     FileContours read = read_contour_file(*contour_kind, bytes, file, words.structures);
     session.console.say(fmt::format("{}: {}", file, stack_in_words(read.stack)));
     for (const std::string& remark : read.remarks) session.console.say("  " + remark);
+    if (whence) *whence = {read.patient, std::nullopt};
     return checked(std::move(read.stack), words, session);
   }
   const FileKind kind = kind_of(bytes, file);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/structure_files.h"
 #include "recon/input/contour_stack.h"
 
 namespace odontoscope::app {
@@ -35,7 +36,7 @@ bool is_contour_file(const std::string& file);
 bool needs_conversion(const std::string& file, const ForeignWords& words);
 
 /// Contours of a mesh, of another program's contour file, or of a stack of ours, repaired if `words` say so; tells what was found, left out
-/// and changed. Valid. UsageError for a mesh without planes, and for a volume.
-ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session);
+/// and changed. Valid. `whence`, if not null, is told whose structure set it was. UsageError for a mesh without planes, and for a volume.
+ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session, Whence* whence = nullptr);
 
 }  // namespace odontoscope::app

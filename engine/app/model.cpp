@@ -12,7 +12,9 @@
 #include "recon/core/error.h"
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/mesh/simplify_surface.h"
+#include "recon/mesh/tetra_report.h"
 
 namespace odontoscope::app {
 namespace {
@@ -21,6 +23,14 @@ std::size_t triangles_in(const Reconstruction& reconstruction) {
   std::size_t sum = 0;
   for (const Solid& solid : reconstruction.solids) sum += solid.surface.triangles.size();
   return sum;
+}
+
+std::string remedies_in_words(const std::vector<Link>& remedies) {
+  std::vector<std::string> words;
+  for (const Link& link : remedies)
+    words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower, link.structure, link.slice + 1, link.upper));
+  return fmt::format("{} tried, and would join such a region; if meant, say so with --links: {}.",
+                     counted(remedies.size(), "link was", "links were"), fmt::join(words, "; "));
 }
 
 double diagonal_of(const SurfaceMesh& surface) {
@@ -85,6 +95,20 @@ void simplify_model(Model& model, std::size_t triangles, const Progress& progres
   model.reconstruction.seconds.push_back({"simplify", taken.count()});
 }
 
+void move_model(Model& model, const RigidMotion& motion) {
+  for (Solid& solid : model.reconstruction.solids) {
+    for (Point3& p : solid.tetrahedra.points) p = motion(p);
+    for (Point3& p : solid.surface.points) p = motion(p);
+    solid.report = inspect(solid.surface);
+    for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
+    const std::size_t flat = inspect(solid.tetrahedra).non_positive;
+    if (flat == 0 && solid.report.closed_oriented_manifold()) continue;
+    throw InputError("turned-flat", {}, fmt::format("{}: {} of {} tetrahedra became flat when the model was turned back, by rounding", solid.structure, grouped(flat),
+                                                    solid.tetrahedra.tetrahedra.size()),
+                     "Leave --as-given out: the report's matrix tells the turn");
+  }
+}
+
 std::string missed_aim_in_words(const SimplificationAim& aim) {
   if (aim.reached()) return {};
   std::vector<std::string> reasons;
@@ -120,14 +144,16 @@ void tell_model(const Model& model, double seconds, Console& console) {
   console.say(fmt::format("In all {} and {}, in {} s on {}.", counted(triangles_in(made), "triangle"),
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
+  if (const std::string changes = in_words(made.changes); !changes.empty()) console.say(changes + ".");
   if (made.counts.isolated_regions > 0) {
-    console.say(fmt::format("{} linked to nothing above or below and became thin plates; --correspondence overlap or --links "
-                            "may connect them.",
+    console.say(fmt::format("{} linked to nothing above or below and became thin plates.",
                             counted(made.counts.isolated_regions, "region is", "regions are")));
+    if (!made.remedies.empty()) console.say("  " + remedies_in_words(made.remedies));
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
                           model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+  console.say(headline(made) + ".");
 }
 
 void tell_model(const DbReconstruction& model, double seconds, Console& console) {

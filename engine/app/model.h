@@ -8,6 +8,7 @@
 
 #include "engine/app/console.h"
 #include "recon/core/progress.h"
+#include "recon/core/rigid_motion.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/output/report_json.h"
@@ -25,6 +26,10 @@ struct Model {
 /// each keeps what its shape needs. Each keeps its topology and does not cut through itself, and therefore may keep
 /// more; `aim` tells. InternalError if a result is no closed oriented manifold.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
+
+/// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over or makes it flat, or
+/// spoils a surface.
+void move_model(Model& model, const RigidMotion& motion);
 
 /// "2,582 triangles are left, not 283: ..."; empty if what was asked for was reached.
 std::string missed_aim_in_words(const SimplificationAim& aim);

@@ -35,6 +35,7 @@ void refuse_unwritable(const PlannedFiles& files) {
       throw UsageError(fmt::format("{} is both input and output", output), "Give the output another name");
     }
   }
+  for (const std::string& output : files.outputs) remove_leftovers(fs::path(output).parent_path());
   // Opening what comes before a rename, and dropping it, is the surest test of whether it will open later.
   for (const std::string& output : files.outputs) AtomicFile trial{output};
 }

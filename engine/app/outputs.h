@@ -11,7 +11,7 @@
 namespace odontoscope::app {
 
 /// Refuses what could only fail later. UsageError: two outputs are one file, or an output is also an input.
-/// FileError: an output cannot be written.
+/// FileError: an output cannot be written. Removes what killed runs left in the outputs' folders.
 struct PlannedFiles {
   std::vector<std::string> inputs;
   std::vector<std::string> outputs;

@@ -12,12 +12,16 @@
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
 #include "engine/app/foreign_input.h"
+#include "engine/app/link_words.h"
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/structure_files.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
+#include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
@@ -33,15 +37,17 @@ struct Options {
   Method method = Method::dt;
   VolumeWords words;
   ForeignWords foreign;
+  VoxelWords voxels;
   DbWords db;
   std::optional<Correspondence> correspondence;
   std::optional<Between> between;
   std::string links;
+  LinkWords link_words;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
-  bool tours = false, compress = false;
+  bool tours = false, compress = false, as_given = false;
   std::string report;
 };
 
@@ -63,9 +69,11 @@ void refuse_other_methods_options(const Options& options) {
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
   if (options.triangles || options.strict) throw UsageError("--triangles and --strict are about the DT method", "Use --decimate with --method db");
-  if (!options.correspondence && !options.between && options.links.empty()) return;
-  throw UsageError("--correspondence, --between and --links are about the DT method; DB connects whatever overlaps",
-                   "Leave them out, or part slices with --split");
+  if (!options.correspondence && !options.between && options.links.empty() && !options.link_words.any()) return;
+  throw UsageError(
+      "--correspondence, --between, --links, --link and --unlink are about the DT method; DB connects whatever "
+      "overlaps",
+      "Leave them out, or part slices with --split");
 }
 
 void refuse_tetrahedra_of_db(const std::string& output) {
@@ -76,24 +84,46 @@ void refuse_tetrahedra_of_db(const std::string& output) {
                    fmt::format("Use {}", fmt::join(surface_endings(), ", ")));
 }
 
+void refuse_voxels_of_db(const std::string& output) {
+  throw UsageError(fmt::format("{}: surfaces of the DB method may be open, and have no inside", output), "Use --method dt");
+}
+
 bool is_gltf(const std::string& output) {
+  if (is_structures_file(output)) return false;
   const std::string ending = known_ending(output, model_endings());
   return ending == ".glb" || ending == ".gltf";
+}
+
+void refuse_senseless_as_given(const Options& options) {
+  if (!options.words.reshape.upright) throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
+  if (options.method == Method::db) throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
+  for (const std::string& output : options.outputs) {
+    if (known_ending(output, model_endings()) != ".inp") continue;
+    throw UsageError("--as-given: .inp names the nodes of the first and last slice, which would lie aslant", "Leave it out: the report's matrix tells the turn");
+  }
 }
 
 void refuse_senseless(const Options& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
   for (const std::string& output : options.outputs) {
+    if (is_structures_file(output)) {
+      if (options.method == Method::db) refuse_voxels_of_db(output);
+      continue;
+    }
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
   if ((options.tours || options.compress) && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
                      "Write one of these too: -o model.glb");
+  if (options.as_given) refuse_senseless_as_given(options);
+  if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
+  links_from(options.link_words);
   refuse_volume_without_level(options.input, options.words);
+  refuse_senseless(options.voxels, options.outputs, options.words.any_level());
 }
 
 PlannedFiles planned_files(const Options& options) {
@@ -104,11 +134,13 @@ PlannedFiles planned_files(const Options& options) {
 }
 
 /// The links file, checked here so that messages name it.
-std::vector<Link> links_for(const ContourStack& stack, const Options& options) {
-  if (options.links.empty()) return {};
-  const std::vector<Link> links = read_links(options.links);
+std::vector<Link> links_for(const ContourStack& stack, const Options& options, const Session& session) {
+  std::vector<Link> links = links_from(options.link_words);
+  if (options.links.empty()) return links;
+  const std::vector<Link> in_file = parse_links(read_file(options.links, limits::file_bytes, session.progress().stop), options.links);
   validate(stack);
-  validate_links(links, ordered(stack).stack, options.links);
+  validate_links(in_file, ordered(stack).stack, options.links);
+  links.insert(links.end(), in_file.begin(), in_file.end());
   return links;
 }
 
@@ -118,6 +150,7 @@ struct Made {
   std::function<void(double seconds, Console& console)> tell;
   std::vector<CameraPath> paths;
   std::string missed, absurd;   // of --triangles: what to warn of, or empty
+  std::vector<std::string> look_here;  // an amber verdict's places
 };
 
 /// The model in each format that was asked for. `Made::tell` is left to the caller.
@@ -125,7 +158,9 @@ template <class MadeModel>
 Made files_of(const MadeModel& model, const Options& options, Session& session) {
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
-  for (const std::string& output : options.outputs) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
+  for (const std::string& output : options.outputs) {
+    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
+  }
   return made;
 }
 
@@ -135,20 +170,42 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   if (!words.empty()) console.say("Tours: " + words);
 }
 
-Made made_by_dt(const ContourStack& stack, const std::optional<ReportVolume>& volume, const Options& options, Session& session) {
+/// Of the full solid, whatever --triangles says.
+std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence, const Options& options, Session& session) {
+  std::vector<FileContent> files;
+  for (const std::string& output : options.outputs) {
+    if (is_structures_file(output)) files.push_back(structures_file(model, stack, output, options.voxels, whence, session));
+  }
+  return files;
+}
+
+/// What is known of the input beside its contours.
+struct Input {
+  std::optional<ReportVolume> volume;
+  Whence whence;
+};
+
+Made made_by_dt(const ContourStack& stack, Input input, const Options& options, Session& session) {
   ReconstructOptions engine;
-  engine.correspondence = options.correspondence.value_or(Correspondence::medial);
-  engine.between = options.between.value_or(Between::delaunay);
-  engine.links = links_for(stack, options);
+  engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
+  engine.between = options.between.value_or(Between::blended);
+  engine.links = links_for(stack, options, session);
   engine.threads = session.threads;
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
+  std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
+  if (options.as_given && input.volume && input.volume->upright) {
+    move_model(*model, input.volume->upright->inverse());
+    input.volume->as_given = true;
+  }
   Made made = files_of(model->reconstruction, options, session);
+  made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = volume, .aim = model->aim})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim})});
   }
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
+  for (const Attention& item : model->reconstruction.attention) made.look_here.push_back(in_words(item));
   made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
   return made;
 }
@@ -162,12 +219,27 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
-ContourStack stack_of(const Options& options, Session& session, std::optional<ReportVolume>& volume) {
+ContourStack stack_of(const Options& options, Session& session, Input& input) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
-    return contours_of_input(options.input, options.words, session, &volume);
+    return contours_of_input(options.input, options.words, session, &input.volume, &input.whence);
   }
-  ContourStack stack = converted_told(options.input, options.foreign, session);
+  ContourStack stack = converted_told(options.input, options.foreign, session, &input.whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
+}
+
+/// The first of an amber verdict's places, or all.
+void warn_to_look(const std::vector<std::string>& places, std::size_t most, Console& console) {
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i) console.complain("warning: " + places[i]);
+  if (places.size() > most)
+    console.complain(fmt::format("and {} more in the report (--report FILE.json)", places.size() - most));
+}
+
+/// What --strict does not let pass: said, and nothing is written.
+bool refused_as_strict(const Made& made, Console& console) {
+  if (!made.missed.empty()) console.complain(made.missed + ". Nothing was written, as --strict asks.");
+  warn_to_look(made.look_here, made.look_here.size(), console);
+  if (!made.look_here.empty()) console.complain("the verdict is amber. Nothing was written, as --strict asks.");
+  return !made.missed.empty() || !made.look_here.empty();
 }
 
 ExitCode make_model(const Options& options, Session& session) {
@@ -177,15 +249,12 @@ ExitCode make_model(const Options& options, Session& session) {
   refuse_unwritable(planned_files(options));
 
   const auto start = std::chrono::steady_clock::now();
-  std::optional<ReportVolume> volume;
-  ContourStack stack = stack_of(options, session, volume);
+  Input input;
+  ContourStack stack = stack_of(options, session, input);
   for (const std::string& list : options.together) stack = together(stack, names_in(list));
-  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, volume, options, session);
+  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, input, options, session);
   session.progress().check();
-  if (options.strict && !made.missed.empty()) {
-    session.console.complain(made.missed + ". Nothing was written, as --strict asks.");
-    return ExitCode::found_wanting;
-  }
+  if (options.strict && refused_as_strict(made, session.console)) return ExitCode::found_wanting;
   write_all(made.files, session.interrupts);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   made.tell(taken.count(), session.console);
@@ -194,6 +263,8 @@ ExitCode make_model(const Options& options, Session& session) {
   for (const std::string& warning : {made.missed, made.absurd}) {
     if (!warning.empty()) session.console.complain("warning: " + warning + ".");
   }
+  constexpr std::size_t most_places_told = 8;
+  warn_to_look(made.look_here, most_places_told, session.console);
   return made.missed.empty() ? ExitCode::done : ExitCode::found_wanting;
 }
 
@@ -213,23 +284,32 @@ void add_options(CLI::App& parser, Options& options) {
   add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
                              {{"reverse", Correspondence::reverse},
                               {"medial", Correspondence::medial},
-                              {"overlap", Correspondence::overlap}},
-                             "When regions connect: reverse, medial (default) or overlap")
+                              {"overlap", Correspondence::overlap},
+                              {"tracked", Correspondence::tracked}},
+                             "When regions connect: tracked (default), reverse, medial or overlap")
       ->type_name("NAME");
   add_choice<std::optional<Between>>(parser, "--between", options.between,
                                      {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: delaunay (default), or blended where walls lean far")
+                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME");
   parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
+  repeatable(parser.add_option("--link", options.link_words.connect,
+                               "One such choice: contour B of slice N connects to U of N + 1"))
+      ->type_name("NAME:N:B-U");
+  repeatable(parser.add_option("--unlink", options.link_words.apart, "One such choice: the two are kept apart"))
+      ->type_name("NAME:N:B-U");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
   constexpr int most_triangles = 100'000'000;
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
-  parser.add_flag("--strict", options.strict, "Write nothing if --triangles cannot be reached");
+  parser.add_flag("--strict", options.strict,
+                  "Write nothing if the verdict is amber or --triangles is missed");
   add_volume_options(parser, options.words);
+  parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
   add_foreign_options(parser, options.foreign);
+  add_voxel_options(parser, options.voxels);
   add_db_options(parser, options.db);
 }
 
@@ -246,15 +326,20 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
+      "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
+      "  odontoscope reconstruct molar.json --voxels 0.1,0.1,0.1 -o molar.seg.nrrd\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
       "Surfaces: .glb or .gltf for viewers and the web, .stl for printers, .ply and .obj without loss,\n"
       ".wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for ParaView, .msh for Gmsh, .inp for\n"
-      "CalculiX and Abaqus.\n"
+      "CalculiX and Abaqus. For viewers of images: .dcm (DICOM RTSTRUCT, the contours), .seg.dcm (DICOM SEG) and\n"
+      ".nrrd or .seg.nrrd (label maps), whose voxels are those with their centres in the solid.\n"
       "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
       "written, a warning says why, and the exit code is 1.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"
+      "The verdict is green, or amber: certified, but warnings name places where the data leave a choice, with\n"
+      "the option that decides it. See docs/reconstruction.md.\n"
       "DB models are written as marching cubes makes them, cracks and all, with exit code 0; the last\n"
       "line and the report say what is wrong with them.\n");
   return {parser, [options](Session& session) { return make_model(*options, session); }};

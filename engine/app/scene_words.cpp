@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/app/options.h"
+#include "engine/app/plain_input.h"
 #include "engine/picture/image.h"
 #include "engine/scene/scene_json.h"
 #include "recon/core/error.h"
@@ -239,8 +240,10 @@ void refuse_senseless(const SceneWords& words) {
   if (!words.back_faces.empty()) culling_from(words.back_faces);
   for (const std::string& text : words.overlays) refuse_unknown_overlay(text);
   if (!words.background.empty()) background_from(words.background);
-  for (const std::string& file : {words.scene_file, words.camera_file})
+  for (const std::string& file : {words.scene_file, words.camera_file}) {
+    refuse_pipe(file);
     if (!file.empty()) read_scene(file, Scene{});
+  }
 }
 
 PixelSize size_from(const std::string& text) {

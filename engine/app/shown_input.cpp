@@ -39,11 +39,9 @@ Found found_in(ContourStack stack, Session& session) {
   Reconstruction made = reconstruct(stack, engine, session.progress());
   Found found;
   found.overlays.contours = std::move(stack);
-  found.proven = Shown::Proven{{}, {}, made.counts.kept, made.slices_checked};
+  found.proven = proven_by(made);
   for (Solid& solid : made.solids) {
     add_shells(solid.structure, solid.surface, solid.report, found.surfaces);
-    found.proven->structures.push_back(solid.structure);
-    found.proven->reports.push_back(std::move(solid.report));
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
   }
   return found;
@@ -117,6 +115,22 @@ Found found_in(const std::string& file, const VolumeWords& words, Session& sessi
 }
 
 }  // namespace
+
+Shown::Proven proven_by(const Reconstruction& made) {
+  Shown::Proven proven{{},
+                       {},
+                       made.counts.kept,
+                       made.slices_checked,
+                       verdict_of(made),
+                       headline(made),
+                       made.attention,
+                       in_words(made.changes)};
+  for (const Solid& solid : made.solids) {
+    proven.structures.push_back(solid.structure);
+    proven.reports.push_back(solid.report);
+  }
+  return proven;
+}
 
 Shown shown_from(const std::string& file, const VolumeWords& words, Session& session) {
   Found found = found_in(file, words, session);

@@ -12,6 +12,7 @@
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/value_grid.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope::app {
@@ -29,9 +30,16 @@ struct Shown {
     std::vector<std::string> structures;
     std::vector<SurfaceReport> reports;   // one a structure
     std::size_t tetrahedra = 0, slices = 0;
+    Verdict verdict = Verdict::green;
+    std::string headline;
+    std::vector<Attention> attention;
+    std::string changes;  // in words; empty: none
   };
   std::optional<Proven> proven;
 };
+
+/// What a reconstruction proved, with the reports that it holds now.
+Shown::Proven proven_by(const Reconstruction& made);
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
 /// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do.

@@ -27,6 +27,9 @@ struct Thresholds {
 /// Size, spacing, turn, and each of its remarks.
 void tell_volume(const std::string& file, const Volume& volume, Console& console);
 
+/// From where to where its voxels' centres lie: for a box to crop it to.
+void tell_place(const Volume& volume, Console& console);
+
 void tell_thresholds(const Thresholds& thresholds, Console& console);
 
 /// That --iso runs between labels, and which there are.

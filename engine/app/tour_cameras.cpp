@@ -5,6 +5,7 @@
 #include "engine/app/whole_structures.h"
 #include "engine/navigate/camera_path.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/tooth_axis.h"
 
 namespace odontoscope::app {
 namespace {
@@ -27,7 +28,7 @@ std::vector<CameraPath> tour_cameras(const WrittenModel& model, Session& session
   const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
   if (cavities.empty()) throw UsageError("--tours: there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
   std::vector<CameraPath> paths;
-  for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals)
+  for (const CentreLine& canal : centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress()).canals)
     paths.push_back(camera_path(Tour(canal), canal.name, diagonal(model)));
   if (paths.empty()) throw UsageError("--tours: the void has no canal", "Leave it out.");
   return paths;

@@ -9,6 +9,7 @@
 #include "engine/app/whole_structures.h"
 #include "engine/navigate/seen_within.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/tooth_axis.h"
 #include "recon/core/lower_case.h"
 
 namespace odontoscope::app {
@@ -61,7 +62,7 @@ Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
     throw UsageError(fmt::format("--void {}: there {} {} inside", number, cavities.size() == 1 ? "is" : "are", cavities.size() == 1 ? "one void" : fmt::format("{} voids", cavities.size())),
                      "The largest is 1.");
   const Cavity& cavity = cavities[number - 1];
-  const CentreLines lines = centre_lines(cavity, {}, session.progress());
+  const CentreLines lines = centre_lines(cavity, {tooth_axis(looked_at(whole)).along}, session.progress());
   std::string names;
   for (const NamedLine& line : named_lines(lines)) {
     if (typed(wanted.line) == line.name || typed(wanted.line) == line.number) {

@@ -11,6 +11,7 @@
 
 #include "engine/app/foreign_input.h"
 #include "engine/app/options.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/tell_volume.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
@@ -105,7 +106,7 @@ std::int64_t label_called(const std::string& name, const std::vector<VolumeLabel
                    "Give a number (--label N=NAME), or a file of names (--label-names FILE)");
 }
 
-/// Numbers for what depended on the volume.
+/// Numbers for what depended on the volume. The least area depends on the grid, too, which may change yet.
 VolumeContourOptions resolved(const VolumeRequest& request, const Volume& volume, const Thresholds& thresholds) {
   VolumeContourOptions options;
   const std::vector<VolumeLabel>& names = request.label_names.empty() ? volume.labels : request.label_names;
@@ -120,7 +121,6 @@ VolumeContourOptions resolved(const VolumeRequest& request, const Volume& volume
     options.labels.push_back(*level.label);
   }
   refuse_two_of_one_name(levels);
-  options.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : volume.spacing[0] * volume.spacing[1]);
   options.smooth = request.smooth;
   if (request.simplify) options.simplify = SimplifyContoursOptions{*request.simplify};
   return options;
@@ -153,6 +153,7 @@ void add_volume_options(CLI::App& parser, VolumeWords& words) {
   parser.add_flag("--allow-outside", words.allow_outside, "Let a header name a file of pixels outside its own folder")->group(group);
   parser.add_option("--smooth", words.smooth, "Smooth the borders of labels, by MM and half a voxel at most")
       ->type_name("MM")->check(at_least_zero())->group(group);
+  add_reshape_options(parser, words.reshape);
   parser.add_option("--simplify", words.simplify, "Fewer points: contours may move by up to E mm, and stay disjoint")
       ->type_name("E")->check(at_least_zero());
 }
@@ -167,19 +168,25 @@ VolumeRequest understood(const VolumeWords& words) {
   understand_min_area(words.min_area, request);
   if (words.smooth) request.smooth = SmoothLabelsOptions{*words.smooth};
   request.simplify = words.simplify;
+  request.reshape = understood(words.reshape);
   refuse_two_of_one_name(request.levels);
+  refuse_pipe(words.label_names);
   if (!words.label_names.empty()) request.label_names = read_label_names(words.label_names);
   return request;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts) {
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
+                           Whence* whence) {
   Volume read = read_volume(file, request.read, session.progress());
+  tell_volume(file, read, session.console);
+  crop_told(read, request.reshape, session.console);
   Thresholds thresholds;
   if (any_automatic(request)) thresholds = Thresholds(read);
-  const VolumeContourOptions options = resolved(request, read, thresholds);
-  tell_volume(file, read, session.console);
+  VolumeContourOptions options = resolved(request, read, thresholds);
   if (any_automatic(request)) tell_thresholds(thresholds, session.console);
   if (!options.isos.empty() && looks_like_labels(read)) tell_label_map(read, session.console);
+  const std::optional<RigidMotion> motion = reshape_told(read, request.reshape, options, session);
+  options.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : read.spacing[0] * read.spacing[1]);
   VolumeContours found = contours_of_volume(read, options, session.progress());
   tell_levels(found.levels, read, options, session.console);
   if (found.smoothing_shift) {
@@ -190,16 +197,19 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
     tell_simplification(simpler->points_before, simpler->points_after, simpler->largest_deviation, session.console);
   }
   if (facts) {
-    *facts = ReportVolume{{}, read.remarks};
+    *facts = ReportVolume{{}, read.remarks, motion, false};
     for (const IsoLevel& level : options.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
   }
+  if (whence) *whence = {read.patient, VoxelGrid{read.size, read.spacing, read.origin}};
   if (volume) *volume = std::move(read);
   return std::move(found.stack);
 }
 
 void tell_histogram(const std::string& file, const VolumeRequest& request, Session& session) {
-  const Volume read = read_volume(file, request.read, session.progress());
+  Volume read = read_volume(file, request.read, session.progress());
   tell_volume(file, read, session.console);
+  tell_place(read, session.console);
+  crop_told(read, request.reshape, session.console);
   const Thresholds thresholds(read);
   tell_thresholds(thresholds, session.console);
   for (const std::string& line : histogram_lines(thresholds.histogram, thresholds.all_of(4))) session.console.say(line);
@@ -222,9 +232,9 @@ bool named_like_a_volume(const std::string& file) {
   return false;
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts) {
-  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts);
-  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session) : read_stack(file, session.progress().stop);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
+  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
+  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);
@@ -237,8 +247,10 @@ void refuse_volume_without_level(const std::string& file, const VolumeWords& wor
     throw UsageError("--smooth is about label maps", "Add --label N, or leave it out: --iso lies between voxels already");
   }
   if (words.any_level()) return;
-  if (!words.min_area.empty() || !words.spacing.empty() || !words.series.empty() || !words.label_names.empty() || words.allow_outside) {
-    throw UsageError("--min-area, --spacing, --series, --label-names and --allow-outside are about volumes, and nothing says where in a volume the surface lies",
+  const bool any_other = !words.min_area.empty() || !words.spacing.empty() || !words.series.empty() || !words.label_names.empty() || words.allow_outside;
+  if (any_other || words.reshape.any()) {
+    throw UsageError("--min-area, --spacing, --series, --label-names, --allow-outside, --crop, --resample and --upright are about volumes, "
+                     "and nothing says where in a volume the surface lies",
                      "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }
   if (named_like_a_volume(file)) {

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/reshape_volume.h"
+#include "engine/app/structure_files.h"
 #include "recon/input/contour_stack.h"
 #include "recon/output/report_json.h"
 #include "recon/volume/read_volume.h"
@@ -25,6 +27,7 @@ struct VolumeWords {
   bool allow_outside = false;
   std::optional<double> simplify;    // mm
   std::optional<double> smooth;      // mm
+  ReshapeWords reshape;
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };
@@ -51,6 +54,7 @@ struct VolumeRequest {
   std::optional<SmoothLabelsOptions> smooth;
   std::optional<double> simplify;
   std::vector<VolumeLabel> label_names;
+  ReshapeRequest reshape;
 };
 
 void add_volume_options(CLI::App& parser, VolumeWords& words);
@@ -60,8 +64,9 @@ void add_volume_options(CLI::App& parser, VolumeWords& words);
 VolumeRequest understood(const VolumeWords& words);
 
 /// The volume's contours, and tells what it found, assumed and left out. `volume`, if not null, is given the volume itself, `facts` what a
-/// report says of it.
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume = nullptr, std::optional<ReportVolume>* facts = nullptr);
+/// report says of it, `whence` its grid and the patient that it lies in.
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume = nullptr, std::optional<ReportVolume>* facts = nullptr,
+                           Whence* whence = nullptr);
 
 /// Tells the volume's size and values with a bar each, and the thresholds that --iso auto would take.
 void tell_histogram(const std::string& file, const VolumeRequest& request, Session& session);
@@ -71,7 +76,8 @@ ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOpti
 
 /// From a volume if `words` say where its surface lies, otherwise from a contour stack, simplified if they ask for it. Throws as the
 /// readers do.
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts = nullptr);
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts = nullptr,
+                               Whence* whence = nullptr);
 
 /// UsageError for a volume, or words about one, without a word on where its surface lies.
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words);

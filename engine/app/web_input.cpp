@@ -15,6 +15,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/tooth_axis.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/append.h"
@@ -32,12 +33,40 @@ struct Inspected {
   SurfaceReport report;
 };
 
+const char* name(Certificate::Verdict verdict) {
+  switch (verdict) {
+    case Certificate::Verdict::certified:
+      return "certified";
+    case Certificate::Verdict::look_here:
+      return "amber";
+    case Certificate::Verdict::sound:
+      return "sound";
+    case Certificate::Verdict::wanting:
+      break;
+  }
+  return "wanting";
+}
+
+const char* name(Certificate::Mark mark) {
+  switch (mark) {
+    case Certificate::Mark::good:
+      return "good";
+    case Certificate::Mark::look:
+      return "look";
+    case Certificate::Mark::bad:
+      break;
+  }
+  return "bad";
+}
+
 WebCertificate in_web_words(const Certificate& certificate) {
-  using Verdict = Certificate::Verdict;
   WebCertificate web;
-  web.verdict = certificate.verdict == Verdict::certified ? "certified" : certificate.verdict == Verdict::sound ? "sound" : "wanting";
+  web.verdict = name(certificate.verdict);
   web.headline = certificate.headline;
-  for (const Certificate::Finding& finding : certificate.findings) web.findings.push_back({finding.good, finding.words});
+  for (const Certificate::Finding& finding : certificate.findings) {
+    web.findings.push_back({name(finding.mark), finding.words, {}});
+    if (finding.at) web.findings.back().at_mm = Point3{finding.at->x, finding.at->y, finding.at->z};
+  }
   return web;
 }
 
@@ -70,8 +99,8 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
   if (cavities.empty()) return {};
   std::vector<WebTour> tours;
   try {
-    for (const CentreLine& canal : centre_lines(cavities.front(), {}, session.progress()).canals) {
-      tours.push_back({canal.name, {}});
+    for (const CentreLine& canal : centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress()).canals) {
+      tours.push_back({canal.name, {}, canal.length_to_wall()});
       for (const CentrePoint& point : canal.points) tours.back().points.push_back(point.at);
     }
   } catch (const UsageError&) {
@@ -89,19 +118,16 @@ WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& 
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
   session.progress().tell("page", 0.2);
-  Shown::Proven facts{{}, {}, made.reconstruction.counts.kept, made.reconstruction.slices_checked};
-  for (const Solid& solid : made.reconstruction.solids) {
-    facts.structures.push_back(solid.structure);
-    facts.reports.push_back(solid.report);
-  }
-  Certificate certificate = certificate_of(facts);
+  Certificate certificate = certificate_of(proven_by(made.reconstruction));
   for (const std::string& warning : {made.aim ? missed_aim_in_words(*made.aim) : "", absurd_distance_in_words(made.simplifications)}) {
     if (warning.empty()) continue;
     session.console.complain("warning: " + warning + ".");
-    certificate.findings.push_back({false, warning + "."});
+    certificate.findings.push_back({Certificate::Mark::bad, warning + "."});
   }
   if (!made.simplifications.empty())
-    certificate.findings.push_back({true, "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
+    certificate.findings.push_back(
+        {Certificate::Mark::good,
+         "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
   WebModel model = web_model(made.reconstruction, certificate);
   model.name = "DT";
   model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";

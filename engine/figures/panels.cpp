@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "engine/figures/papers_way.h"
 #include "engine/scene/shells.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/core/grouped.h"
@@ -110,7 +111,7 @@ SurfaceMesh shrunk(const std::vector<Point3>& points, const std::vector<Tetrahed
 }
 
 std::vector<NamedSurface> dt_surfaces(const ContourStack& stack, const std::vector<Link>& links) {
-  ReconstructOptions options;
+  ReconstructOptions options = papers_way();
   options.links = links;
   std::vector<NamedSurface> surfaces;
   for (Solid& solid : reconstruct(stack, options).solids) surfaces.push_back({solid.structure, std::move(solid.surface), solid.structure});

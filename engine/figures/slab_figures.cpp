@@ -8,6 +8,7 @@
 #include "engine/figures/contour_sets.h"
 #include "engine/figures/makers.h"
 #include "engine/figures/panels.h"
+#include "engine/figures/papers_way.h"
 #include "engine/figures/slab_steps.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/core/grouped.h"
@@ -118,7 +119,7 @@ Figure slab_volume(ToothModels&) {
   Figure figure;
   figure.aspect = landscape;
   const ContourStack contours = roots_and_trunk();
-  const Reconstruction made = reconstruct(contours);
+  const Reconstruction made = reconstruct(contours, papers_way());
   const Solid& solid = made.solids.front();
   const TetraMesh& mesh = solid.tetrahedra;
   figure.caption = fmt::format(

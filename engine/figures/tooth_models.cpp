@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/figures/papers_way.h"
 #include "engine/scene/shells.h"
 #include "recon/sample/sample_tooth.h"
 
@@ -15,7 +16,7 @@ ToothModel counted(std::vector<NamedSurface> surfaces) {
 }
 
 ToothModel by_delaunay(const ContourStack& stack, int threads, const Progress& progress) {
-  ReconstructOptions options;
+  ReconstructOptions options = papers_way();
   options.threads = threads;
   std::vector<NamedSurface> surfaces;
   for (const Solid& solid : reconstruct(stack, options, progress).solids) add_shells(solid.structure, solid.surface, solid.report, surfaces);

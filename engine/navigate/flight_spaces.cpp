@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "recon/cavity/tooth_axis.h"
 #include "recon/core/error.h"
 #include "recon/mesh/surface_report.h"
 
@@ -18,9 +19,9 @@ constexpr std::size_t most_cavities = 32;
 /// How far outside the wall one comes out, in clearances.
 constexpr double outdoors_ahead = 40;
 
-CentreLines lines_of(const Cavity& cavity, const Progress& progress) {
+CentreLines lines_of(const Cavity& cavity, const ToothAxis& axis, const Progress& progress) {
   try {
-    return centre_lines(cavity, {}, progress);
+    return centre_lines(cavity, {axis.along}, progress);
   } catch (const UsageError&) {
     return {};   // one can fly without
   }
@@ -45,6 +46,7 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
     spaces.bodies.emplace_back(named.surface);
   }
   spaces.outside = Walls(outer);
+  const ToothAxis axis = tooth_axis(structures);
   for (const Cavity& cavity : cavities_in(structures)) {
     if (spaces.cavities.size() == most_cavities) break;
     progress.check();
@@ -57,7 +59,7 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
     space.middle = roomiest->at;
     space.room_mm = roomiest->clearance;
     space.body = cavity.body;
-    space.lines = lines_of(cavity, progress);
+    space.lines = lines_of(cavity, axis, progress);
     spaces.cavities.push_back(std::move(space));
   }
   return spaces;

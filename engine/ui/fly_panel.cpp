@@ -35,7 +35,7 @@ void flight_section(ViewerState& state, const Interface& interface) {
 void canal_buttons(FlyState& fly, const std::vector<const CentreLine*>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const bool here = fly.ride && fly.ride->line == i;
-    const double length = lines[i]->points.back().along - lines[i]->points[std::min(lines[i]->orifice, lines[i]->points.size() - 1)].along;
+    const double length = lines[i]->length_to_wall();
     const std::string words = fly.on && i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1) : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
     if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
   }

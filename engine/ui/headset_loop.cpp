@@ -143,7 +143,10 @@ class HeadsetVisit {
     constexpr double pulse_seconds = 0.04;
     for (std::size_t i = 0; i < 2; ++i)
       if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);
-    sheet_.update(visit_, frame.input, world, {loaded_->title, lab_->possible(), lab_->in_words()}, frame.seconds);
+    sheet_.update(visit_, frame.input, world,
+                  {loaded_->title, lab_->possible(), lab_->in_words(), loaded_->certificate.headline,
+                   mark_of(loaded_->certificate.verdict)},
+                  frame.seconds);
     if (frame.draw) {
       depths = painter_->draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden);
       const PixelSize size = window_.size();

@@ -60,7 +60,8 @@ void section_rows(Visit& visit) {
   if (visit.scene.section) button(visit, "Cut away the other side", VisitAction::flip_section);
 }
 
-void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words) {
+void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface) {
+  if (!words.certificate.empty()) widgets::marked(interface, words.mark, words.certificate);
   structures(visit);
   int method = visit.db ? 1 : 0;
   if (words.db_possible && widgets::choice("method", method, {"DT", "DB"})) ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
@@ -106,7 +107,7 @@ void canals(Visit& visit, const VisitWorld& world) {
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CentreLine& line = *lines[i];
-    const double length = line.points.back().along - line.points[std::min(line.orifice, line.points.size() - 1)].along;
+    const double length = line.length_to_wall();
     if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(), visit.tour && visit.tour->line == i)) visit.tour_asked = i;
   }
 }
@@ -152,7 +153,8 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
   switch (page) {
     case HeadsetPage::tooth:
       if (visit.cavity) where(visit, world, words);
-      else outside(visit, world, words);
+      else
+        outside(visit, world, words, interface);
       break;
     case HeadsetPage::canals: canals(visit, world); break;
     case HeadsetPage::measure: measure(visit, interface); break;

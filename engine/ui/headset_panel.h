@@ -6,6 +6,7 @@
 
 #include "engine/headset/visit.h"
 #include "engine/ui/interface.h"
+#include "engine/ui/loading.h"
 
 namespace odontoscope {
 
@@ -16,6 +17,8 @@ struct HeadsetPanelWords {
   std::string title;
   bool db_possible = false;
   std::string db;          // how far DB is, or what is wrong with it
+  std::string certificate;  // its headline
+  Certificate::Mark mark = Certificate::Mark::good;
 };
 
 /// In the upper left of the sheet, `width` by `height` pixels.

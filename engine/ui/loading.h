@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <future>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -29,15 +30,25 @@ struct LoadRequest {
 
 /// Is the surface what it should be? In words for a person.
 struct Certificate {
-  enum class Verdict { certified, sound, wanting };   // proven with its solid; closed, oriented and manifold; neither
+  /// Proven with its solid, which is as its contours imply; proven, but some places want a look; closed, oriented and
+  /// manifold; not even that.
+  enum class Verdict { certified, look_here, sound, wanting };
+  enum class Mark { good, look, bad };
   struct Finding {
-    bool good = true;
+    Mark mark = Mark::good;
     std::string words;
+    std::optional<glm::dvec3> at = {};  // mm: where to look
   };
   Verdict verdict = Verdict::wanting;
   std::string headline;
   std::vector<Finding> findings;
 };
+
+/// The sign that goes with a verdict.
+inline Certificate::Mark mark_of(Certificate::Verdict verdict) {
+  if (verdict == Certificate::Verdict::wanting) return Certificate::Mark::bad;
+  return verdict == Certificate::Verdict::look_here ? Certificate::Mark::look : Certificate::Mark::good;
+}
 
 /// All that the viewer knows of what it shows.
 struct LoadedModel {

@@ -188,6 +188,18 @@ void draw_length(const ViewPane& pane, const glm::dvec3& from, const glm::dvec3&
 
 }  // namespace
 
+void draw_place(const ViewPane& pane, const glm::dvec3& place_mm, float scale) {
+  const auto place = place_of(pane.camera, place_mm);
+  if (!place) return;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.PushClipRect(vec(pane.area.left, pane.area.top),
+                    vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));
+  const ImVec2 middle = vec(pixel_of(pane.area, *place));
+  list.AddCircle(middle, 16 * scale, theme::mark_outline, 48, 5 * scale);
+  list.AddCircle(middle, 16 * scale, theme::amber, 48, 2.4f * scale);
+  list.PopClipRect();
+}
+
 void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(vec(pane.area.left, pane.area.top), vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));

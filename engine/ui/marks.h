@@ -35,6 +35,9 @@ void draw_section_handle(const ViewPane& pane, const Section& section, float sca
 /// Points, lines and lengths that were measured.
 void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale);
 
+/// A ring round a place that one was led to.
+void draw_place(const ViewPane& pane, const glm::dvec3& place_mm, float scale);
+
 /// The canal that was clicked from outside: its line over the picture, its name, and how to get in.
 void draw_canal(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale);
 /// "mesiobuccal canal", or "pulp chamber" before its orifice.

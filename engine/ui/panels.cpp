@@ -83,30 +83,64 @@ bool looks_are_usual(const ViewerState& state) {
 
 }  // namespace
 
-void report_section(const ViewerState& state, const Interface& interface) {
-  if (!state.shown) return;
-  const Certificate& certificate = state.shown->certificate;
-  const bool good = certificate.verdict != Certificate::Verdict::wanting;
+namespace {
+
+struct VerdictLook {
+  Certificate::Mark mark;
+  ImU32 edge, ground;
+};
+
+VerdictLook look_of(Certificate::Verdict verdict) {
+  switch (verdict) {
+    case Certificate::Verdict::certified:
+    case Certificate::Verdict::sound:
+      return {Certificate::Mark::good, theme::good, theme::good_back};
+    case Certificate::Verdict::look_here:
+      return {Certificate::Mark::look, theme::amber, theme::amber_back};
+    case Certificate::Verdict::wanting:
+      break;
+  }
+  return {Certificate::Mark::bad, theme::bad, theme::bad_back};
+}
+
+void headline(const Certificate& certificate, const VerdictLook& look, const Interface& interface) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, inset = scaled(12);
   const float wrap = width - 2 * inset - scaled(20);
   ImGui::PushFont(interface.bold);
   const float height = ImGui::CalcTextSize(certificate.headline.c_str(), nullptr, false, wrap).y + 2 * scaled(9);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, good ? theme::rgb(0x1f3a2e) : theme::rgb(0x45262a), scaled(6));
-  list.AddRectFilled(corner, {corner.x + scaled(4), corner.y + height}, good ? theme::good : theme::bad, scaled(6), ImDrawFlags_RoundCornersLeft);
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, look.ground, scaled(6));
+  list.AddRectFilled(corner, {corner.x + scaled(4), corner.y + height}, look.edge, scaled(6),
+                     ImDrawFlags_RoundCornersLeft);
   ImGui::SetCursorScreenPos({corner.x + inset, corner.y + scaled(9)});
   ImGui::BeginGroup();
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width - 2 * inset);
-  widgets::marked(interface, good, certificate.headline);
+  widgets::marked(interface, look.mark, certificate.headline);
   ImGui::PopTextWrapPos();
   ImGui::EndGroup();
   ImGui::PopFont();
   ImGui::SetCursorScreenPos({corner.x, corner.y + height});
   ImGui::Dummy({width, 0});
-  if (!widgets::section(interface, "Report", !good)) return;
+}
+
+}  // namespace
+
+void report_section(ViewerState& state, const Interface& interface) {
+  if (!state.shown) return;
+  const Certificate& certificate = state.shown->certificate;
+  const VerdictLook look = look_of(certificate.verdict);
+  headline(certificate, look, interface);
+  if (!widgets::section(interface, "Report", look.mark != Certificate::Mark::good)) return;
   ImGui::PushFont(interface.small);
-  for (const Certificate::Finding& finding : certificate.findings) widgets::marked(interface, finding.good, finding.words);
+  std::size_t number = 0;
+  for (const Certificate::Finding& finding : certificate.findings) {
+    if (!finding.at) {
+      widgets::marked(interface, finding.mark, finding.words);
+    } else if (widgets::marked_button(fmt::format("place {}", number++).c_str(), finding.mark, finding.words)) {
+      state.look_at = finding.at;
+    }
+  }
   ImGui::PopFont();
 }
 

@@ -9,7 +9,7 @@ namespace odontoscope {
 /// All of it, in `area` of the picture.
 void draw_panel(ViewerState& state, const Interface& interface, const Area& area);
 
-void report_section(const ViewerState& state, const Interface& interface);
+void report_section(ViewerState& state, const Interface& interface);
 void structures_section(ViewerState& state, const Interface& interface);
 void faces_section(ViewerState& state, const Interface& interface);
 void overlays_section(ViewerState& state, const Interface& interface);

@@ -119,6 +119,30 @@ const char* word_for(Value value, std::initializer_list<std::pair<const char*, V
   return "";
 }
 
+/// What is written is what is read again: both keep to these. A window is as narrow as its user and the desktop like.
+constexpr int smallest_window_side = 64, largest_window_side = 16384, least_picture_side = 16, most_samples_a_side = 4;
+constexpr float smallest_text_scale = 0.7f, largest_text_scale = 2.5f;
+constexpr double narrowest_view_deg = 40, widest_view_deg = 110, slowest_limit = 0.5, fastest_limit = 24;
+
+/// NaN becomes the least.
+template <class Number>
+void keep_within(Number& value, Number least, Number most) {
+  value = value >= least ? std::min(value, most) : least;
+}
+
+Settings within_limits(Settings settings) {
+  keep_within(settings.window.width, smallest_window_side, largest_window_side);
+  keep_within(settings.window.height, smallest_window_side, largest_window_side);
+  keep_within(settings.text_scale, smallest_text_scale, largest_text_scale);
+  keep_within(settings.picture.width, least_picture_side, most_picture_side);
+  keep_within(settings.picture.height, least_picture_side, most_picture_side);
+  keep_within(settings.picture.side, 1, most_samples_a_side);
+  keep_within(settings.comfort.field_of_view_deg, narrowest_view_deg, widest_view_deg);
+  keep_within(settings.comfort.speed_limit, slowest_limit, fastest_limit);
+  for (RememberedLook& look : settings.looks) keep_within(look.opacity, 0.0f, 1.0f);
+  return settings;
+}
+
 Json parsed(const std::string& text) {
   const Json::parser_callback_t shallow = [](int depth, Json::parse_event_t, Json&) {
     if (depth > deepest) throw std::length_error("too deep");
@@ -161,7 +185,8 @@ void apply_remembered(const Settings& settings, Scene& scene) {
     }
 }
 
-std::string to_json(const Settings& settings) {
+std::string to_json(const Settings& wanted) {
+  const Settings settings = within_limits(wanted);
   Json json{{"format", format_name},
                   {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
                   {"panel", settings.panel},
@@ -195,22 +220,22 @@ ReadSettings settings_from_json(const std::string& text) {
   const Reader reader(json, read.complaint);
   Settings& settings = read.settings;
   const Reader window = reader.inside("window");
-  window.read("width", settings.window.width, 640, 16384);
-  window.read("height", settings.window.height, 420, 16384);
+  window.read("width", settings.window.width, smallest_window_side, largest_window_side);
+  window.read("height", settings.window.height, smallest_window_side, largest_window_side);
   reader.read("panel", settings.panel);
-  reader.read("text_scale", settings.text_scale, 0.7f, 2.5f);
+  reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);
   reader.read("backdrop", settings.backdrop, backdrop_words);
   const Reader picture = reader.inside("picture");
-  picture.read("width", settings.picture.width, 16, most_picture_side);
-  picture.read("height", settings.picture.height, 16, most_picture_side);
+  picture.read("width", settings.picture.width, least_picture_side, most_picture_side);
+  picture.read("height", settings.picture.height, least_picture_side, most_picture_side);
   picture.read("as_seen", settings.picture.as_seen);
-  picture.read("samples_a_side", settings.picture.side, 1, 4);
+  picture.read("samples_a_side", settings.picture.side, 1, most_samples_a_side);
   picture.read("transparent", settings.picture.transparent);
   const Reader flight = reader.inside("flight");
-  flight.read("field_of_view_deg", settings.comfort.field_of_view_deg, 40, 110);
-  flight.read("speed_limit", settings.comfort.speed_limit, 0.5, 24);
+  flight.read("field_of_view_deg", settings.comfort.field_of_view_deg, narrowest_view_deg, widest_view_deg);
+  flight.read("speed_limit", settings.comfort.speed_limit, slowest_limit, fastest_limit);
   flight.read("vignette", settings.comfort.vignette);
   flight.read("reduced_motion", settings.comfort.reduced_motion);
   reader.read("looks", settings.looks);
@@ -248,6 +273,7 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
   if (error) throw FileError(file.parent_path().string(), fmt::format("the folder cannot be made ({})", error.message()), "The settings are not remembered.");
+  remove_leftovers(file.parent_path());
   AtomicFile written(file);
   written.write(to_json(settings));
   written.commit();

@@ -68,6 +68,7 @@ struct ReadSettings {
   std::string complaint;      // empty if all was well or there was no file
 };
 
+/// Numbers beyond what settings_from_json takes are moved to the nearest that it takes: what is written can always be read.
 std::string to_json(const Settings& settings);
 /// Never throws for what the text holds.
 ReadSettings settings_from_json(const std::string& text);

@@ -95,6 +95,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
     react(event);
   }
   for (const Action action : std::exchange(state_.todo, {})) perform(action);
+  if (const auto place = std::exchange(state_.look_at, {})) lead_to(*place);
   if (const auto line = std::exchange(state_.fly.ride_asked, {})) begin_ride(*line);
   tend_notes();
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
@@ -168,6 +169,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   state_.section_put_away.reset();
   state_.tool = Tool::look;
   state_.measured = {};
+  state_.looked_at.reset();
   state_.under_pointer.reset();
   state_.canal.reset();
   state_.canal_under_pointer.reset();
@@ -192,6 +194,18 @@ void Viewer::advance(double seconds) {
 }
 
 void Viewer::go_to(const Camera& camera, double seconds) { transition_.emplace(state_.scene.camera, camera, seconds); }
+
+/// From where one looks now, a few millimetres of the model round the place.
+void Viewer::lead_to(const glm::dvec3& place) {
+  if (!state_.shown || state_.fly.on) return;
+  constexpr double seen = 0.4;  // half the picture's height, over the radius of the model
+  Camera goal = transition_ ? transition_->goal() : state_.scene.camera;
+  goal.position += place - goal.target;
+  goal.target = place;
+  const double half = half_height_at(goal, depth_of(goal, place)), wanted = seen * state_.shown->model.radius_mm;
+  go_to(within_reach(zoom(goal, half / wanted, place), state_.shown->model));
+  state_.looked_at = place;
+}
 
 void Viewer::perform(Action action) {
   ViewerState& state = state_;
@@ -269,6 +283,8 @@ void Viewer::escape() {
   else if (state_.canal) state_.canal.reset();
   else if (state_.lab.lesson) state_.lab.lesson.reset();
   else if (state_.lab.artefact) put_artefact_away();
+  else if (state_.looked_at)
+    state_.looked_at.reset();
   else state_.measured = {};
 }
 
@@ -347,6 +363,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
       if (first) draw_scale_bar(pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
+      if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
       if (last) draw_compass(pane, interface_, scale_, hovered_compass_);
       if (pane.seen && !first) continue;   // over the same place as the other half

@@ -83,6 +83,7 @@ class Viewer {
   void toggle_section();
   void escape();
   void go_to(const Camera& camera, double seconds = transition_seconds);
+  void lead_to(const glm::dvec3& place);
   void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
 
   // viewer_lab.cpp: DB mode

@@ -2,6 +2,7 @@
 // What the viewer's panels read and change: plain values. What takes the viewer's help to do is asked for as an action.
 
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,8 @@ struct ViewerState {
   Settings settings;
   Tool tool = Tool::look;
   Measured measured;
+  std::optional<glm::dvec3> look_at;    // a place that was asked for, mm: the camera goes there
+  std::optional<glm::dvec3> looked_at;  // and that is marked
   std::optional<Hit> under_pointer;
   std::optional<CanalPick> canal;                 // that was clicked from outside,
   std::optional<CanalPick> canal_under_pointer;   // and that could be

@@ -227,14 +227,17 @@ bool wide_button(const char* words, bool strong) {
   return pressed;
 }
 
-void marked(const Interface&, bool good, const std::string& words) {
+void marked(const Interface&, Certificate::Mark mark, const std::string& words) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight(), s = scaled(4.5f);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle(corner.x + scaled(6), corner.y + line / 2);
-  if (good) {
+  if (mark == Certificate::Mark::good) {
     const ImVec2 tick[] = {{middle.x - s, middle.y}, {middle.x - s * 0.2f, middle.y + s * 0.8f}, {middle.x + s, middle.y - s * 0.8f}};
     list.AddPolyline(tick, 3, theme::good, 0, scaled(2));
+  } else if (mark == Certificate::Mark::look) {
+    list.AddLine({middle.x, middle.y - s * 1.2f}, {middle.x, middle.y + s * 0.3f}, theme::amber, scaled(2.4f));
+    list.AddCircleFilled({middle.x, middle.y + s * 1.1f}, scaled(1.5f), theme::amber, 12);
   } else {
     list.AddLine({middle.x - s, middle.y - s}, {middle.x + s, middle.y + s}, theme::bad, scaled(2));
     list.AddLine({middle.x - s, middle.y + s}, {middle.x + s, middle.y - s}, theme::bad, scaled(2));
@@ -243,6 +246,25 @@ void marked(const Interface&, bool good, const std::string& words) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopTextWrapPos();
+}
+
+bool marked_button(const char* id, Certificate::Mark mark, const std::string& words) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, inset = scaled(4);
+  const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, width - scaled(20) - inset);
+  const float height = text.y + 2 * inset;
+  const bool pressed = area(id, {width, height});
+  const bool near = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + width, corner.y + height},
+                                            held   ? theme::pressed
+                                            : near ? theme::hovered
+                                                   : theme::raised,
+                                            scaled(4));
+  ImGui::SetCursorScreenPos({corner.x + inset, corner.y + inset});
+  marked(interface_now(), mark, words);
+  ImGui::SetCursorScreenPos(below);
+  return pressed;
 }
 
 }  // namespace odontoscope::widgets

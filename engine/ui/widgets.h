@@ -8,6 +8,7 @@
 
 #include "engine/scene/colour.h"
 #include "engine/ui/interface.h"
+#include "engine/ui/loading.h"
 
 namespace odontoscope::widgets {
 
@@ -40,8 +41,10 @@ bool swatch(const char* id, Colour& colour);
 /// A button over the whole width; `strong`: in the accent's colour.
 bool wide_button(const char* words, bool strong = false);
 
-/// A coloured dot, then words.
-void marked(const Interface& interface, bool good, const std::string& words);
+/// A coloured sign (tick, exclamation mark or cross), then words.
+void marked(const Interface& interface, Certificate::Mark mark, const std::string& words);
+/// The same as a button. true: pressed.
+bool marked_button(const char* id, Certificate::Mark mark, const std::string& words);
 
 float scaled(float size);   // by the letters' size, so by the screen's scale
 

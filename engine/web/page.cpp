@@ -19,14 +19,17 @@ std::string element_id(std::size_t model) { return fmt::format("model-{}", model
 
 Json json_of(const WebCertificate& certificate) {
   Json findings = Json::array();
-  for (const WebCertificate::Finding& finding : certificate.findings) findings.push_back({{"good", finding.good}, {"words", finding.words}});
+  for (const WebCertificate::Finding& finding : certificate.findings) {
+    findings.push_back({{"mark", finding.mark}, {"words", finding.words}});
+    if (finding.at_mm) findings.back()["at_mm"] = {finding.at_mm->x, finding.at_mm->y, finding.at_mm->z};
+  }
   return {{"verdict", certificate.verdict}, {"headline", certificate.headline}, {"findings", findings}};
 }
 
 Json json_of(const WebTour& tour) {
   Json points = Json::array();
   for (const Point3& p : tour.points) points.push_back({p.x, p.y, p.z});
-  return {{"name", tour.name}, {"points_mm", points}};
+  return {{"name", tour.name}, {"length_mm", tour.length_mm}, {"points_mm", points}};
 }
 
 Json description_of(const WebPage& page) {

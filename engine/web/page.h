@@ -18,10 +18,11 @@ namespace odontoscope {
 /// Is the surface what it should be? In words for a person; see Certificate in engine/ui.
 struct WebCertificate {
   struct Finding {
-    bool good = true;
+    std::string mark = "good";  // "good", "look" or "bad"
     std::string words;
+    std::optional<Point3> at_mm = {};  // where to look
   };
-  std::string verdict;    // "certified", "sound" or "wanting"
+  std::string verdict;  // "certified", "amber" (certified, but some places want a look), "sound" or "wanting"
   std::string headline;
   std::vector<Finding> findings;
 };
@@ -44,10 +45,11 @@ struct WebLook {
   int depth = 0;          // what lies deeper is drawn first where it is seen through others
 };
 
-/// A way through a canal, from its orifice to its end. Millimetres, in the model's coordinates.
+/// A way through a canal, from the chamber to its end. Millimetres, in the model's coordinates.
 struct WebTour {
   std::string name;
   std::vector<Point3> points;
+  double length_mm = 0;   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
 };
 
 struct WebPage {

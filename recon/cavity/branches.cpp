@@ -223,7 +223,11 @@ Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long h
   double widths = 0;
   for (const MedialCanal& one : found) widths = std::max(widths, median_radius(graph, one.path));
   for (const Handle& handle : found_handles) widths = std::max(widths, median_radius(graph, handle.loop()));
-  if (found.size() <= 2) result.has_chamber = widths > 0 && result.root_radius > limits::chamber_over_tube * widths;
+  if (found.size() <= 2) {
+    // An incisor's chamber has no floor, and is wider than what leads from it both ways.
+    const bool both_ways = found.size() == 2 && std::min(found[0].beyond, found[1].beyond) > limits::chamber_arms * result.root_radius;
+    result.has_chamber = widths > 0 && result.root_radius > (both_ways ? limits::chamber_over_arms : limits::chamber_over_tube) * widths;
+  }
   if (!result.has_chamber) std::fill(chamber.inside.begin(), chamber.inside.end(), 0);
   if (!result.has_chamber && found.size() == 2) {
     const auto [upper, lower] = ends_of_tube(graph, found[0].path, found[1].path, axis);

@@ -23,7 +23,7 @@ class Weaver {
  public:
   explicit Weaver(const CentreLines& lines) : lines_(lines) {
     if (lines.canals.empty()) return;
-    graph_.nodes.push_back(lines.has_chamber ? lines.chamber : lines.canals.front().points.front().at);
+    graph_.nodes.push_back(lines.has_chamber ? lines.chamber : lines.canals.front().start);
     for (std::size_t canal = 0; canal < lines.canals.size(); ++canal) weave(canal);
   }
 

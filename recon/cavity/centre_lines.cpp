@@ -11,6 +11,7 @@
 
 #include "recon/cavity/branches.h"
 #include "recon/cavity/centring.h"
+#include "recon/cavity/forks.h"
 #include "recon/cavity/limits.h"
 #include "recon/cavity/names.h"
 #include "recon/cavity/orifice.h"
@@ -34,8 +35,28 @@ bool shorter_than_wide(const CentreLine& line) {
   double sum = 0;
   for (std::size_t i = line.orifice; i < line.points.size(); ++i) sum += line.points[i].radius;
   const double mean_width = 2 * sum / static_cast<double>(line.points.size() - line.orifice);
-  const CentrePoint& last = line.points.back();
-  return last.along - line.points[line.orifice].along + length(line.end - last.at) < mean_width;
+  return line.length_to_wall() < mean_width;
+}
+
+/// Short branches that are canals, the longest first: the next may leave one of them.
+void take_forks(CentreLines& lines, const WallTree& tree, const Direction& crown) {
+  std::vector<CentreLine> left = std::move(lines.others);
+  std::stable_sort(left.begin(), left.end(), [](const CentreLine& a, const CentreLine& b) { return a.points.back().along > b.points.back().along; });
+  lines.others.clear();
+  for (CentreLine& branch : left) {
+    if (!cavity::is_fork(branch, lines.canals, tree, crown)) {
+      lines.others.push_back(std::move(branch));
+      continue;
+    }
+    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree);
+    const CentreLine& parent = lines.canals[shape.parent];
+    const Point3& orifice = parent.points[parent.orifice].at;   // they share their way to the chamber
+    if (lines.has_chamber) {
+      const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) { return length(a.at - orifice) < length(b.at - orifice); };
+      branch.orifice = static_cast<std::size_t>(std::min_element(branch.points.begin(), branch.points.begin() + static_cast<std::ptrdiff_t>(shape.leaves) + 1, nearer) - branch.points.begin());
+    }
+    lines.canals.push_back(std::move(branch));
+  }
 }
 
 void order(std::vector<CentreLine>& lines, const char* kind) {
@@ -47,6 +68,11 @@ void order(std::vector<CentreLine>& lines, const char* kind) {
 }
 
 }  // namespace
+
+double CentreLine::length_to_wall() const {
+  const CentrePoint &first = points[std::min(orifice, points.size() - 1)], &last = points.back();
+  return last.along - first.along + length(end - last.at) + (orifice == 0 ? length(first.at - start) : 0);
+}
 
 CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options, const Progress& progress) {
   progress.tell(stage, 0);
@@ -90,6 +116,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
       }
     }
   }
+  if (crown) take_forks(lines, tree, *crown);
   std::vector<CentreLine> isthmuses;
   for (const std::vector<Point3>& way : found.isthmuses) isthmuses.push_back(cavity::centred(way, tree, cavity::LineEnd::joined));
   for (const std::vector<Point3>& loop : found.loops) lines.loops.push_back(cavity::centred(loop, tree, cavity::LineEnd::closed));

@@ -28,6 +28,7 @@ struct CentrePoint {
   Point3 at;
   double radius = 0;  // clearance: distance to the nearest place of the wall's triangles
   double along = 0;   // length of the line from its start
+  double ball = 0;    // of the widest ball in the cross-section beside it: a smooth line cuts corners, where `radius` is a little less
 };
 
 /// Points are evenly spaced, at least two. Straight lines between them stay in the void.
@@ -38,6 +39,12 @@ struct CentreLine {
   /// within one radius; without a distinct floor (an incisor) where the line leaves the chamber's ball.
   std::size_t orifice = 0;
   Point3 end;  // on the wall, where the line meets it if carried on straight
+  Point3 start;  // the same of a line that begins at a blind end; else its first point
+
+  /// What is called a canal's length everywhere: along the line from the orifice (of a tube without a chamber, from the wall at its beginning) to the wall
+  /// at its end.
+  double length_to_wall() const;
+  bool starts_blind() const { return !(start == points.front().at); }
 };
 
 struct CentreLines {
@@ -49,7 +56,7 @@ struct CentreLines {
   /// through everything: where canals join and part again, which of the upper goes on to which of the lower is a choice.
   std::vector<CentreLine> canals;
   /// Branches towards the crown ("horn 1", ...), and those that are too short to be canals, against the longest or their own
-  /// width ("branch 1", ...); ordered alike. Last, what joins two canals
+  /// width ("branch 1", ...), but for short forks (see forks.h); ordered alike. Last, what joins two canals
   /// that both go on ("isthmus 1", ...): from the chamber down the one and through, to where it meets the other.
   std::vector<CentreLine> horns, others;
   /// Of a void with handles the lines round each that is half as wide as a canal: closed, the last point is the first ("loop 1", ...).

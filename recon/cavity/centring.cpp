@@ -96,9 +96,30 @@ class Centring {
 
   void turn() { std::reverse(line_.begin(), line_.end()); }
 
-  /// On towards the wall, and where it is hit.
+  /// Without its last points where the way only leads into the corner between the wall and an end cut off flat: there clearance falls about as
+  /// fast as the way is long.
+  void cut_corner() {
+    std::size_t widest = line_.size() - 1;
+    double gone = 0, radius = tree_.clearance(line_.back());
+    for (std::size_t i = line_.size() - 1; i-- > 1;) {
+      gone += length(line_[i + 1] - line_[i]);
+      const double here = tree_.clearance(line_[i]);
+      if (here - limits::corner_fall * gone > radius) {
+        radius = here;
+        gone = 0;
+        widest = i;
+      }
+      if (gone > 2 * radius) break;
+    }
+    if (widest >= 4) line_.resize(widest + 1);
+  }
+
+  /// On towards the wall, the way of the last radius and a half, and where it is hit.
   Point3 extend() {
-    const std::size_t last = line_.size() - 1, before = last - std::min<std::size_t>(last, 4);
+    const std::size_t last = line_.size() - 1;
+    std::size_t before = last - std::min<std::size_t>(last, 4);
+    const double straight = 1.5 * std::max(tree_.clearance(line_[last]), 0.0);
+    while (before > 1 && length(line_[last] - line_[before]) < straight) --before;
     const Direction way = line_[last] - line_[before];
     const Direction ahead = (1 / length(way)) * way;
     const double radius = std::max(tree_.clearance(line_[last]), 0.0);
@@ -129,12 +150,14 @@ class Centring {
     while (line_.size() > 2 && line_.size() > first + 1 && tree_.clearance(line_.back()) < limits::tip_gap * widest) line_.pop_back();
   }
 
-  std::vector<CentrePoint> points() const {
+  std::vector<CentrePoint> points() {
     std::vector<CentrePoint> made;
     double along = 0;
     for (std::size_t i = 0; i < line_.size(); ++i) {
       along += i > 0 ? length(line_[i] - line_[i - 1]) : 0;
-      made.push_back({line_[i], std::max(tree_.clearance(line_[i]), 0.0), along});
+      const double radius = std::max(tree_.clearance(line_[i]), 0.0);
+      const double widest = tree_.clearance(widest_near(line_[i], tangent(i), 0.16, 0.04));
+      made.push_back({line_[i], radius, along, std::max(radius, widest)});
     }
     return made;
   }
@@ -255,15 +278,18 @@ CentreLine centred(std::vector<Point3> path, const WallTree& tree, LineEnd end) 
   CentreLine made;
   if (end == LineEnd::both_blind) {
     line.turn();
-    line.extend();
+    line.cut_corner();
+    made.start = line.extend();
     line.turn();
   }
   if (end == LineEnd::blind || end == LineEnd::both_blind) {
+    line.cut_corner();
     made.end = line.extend();
     line.cut_gap();
   }
   line.spread_evenly();
   made.points = line.points();
+  if (end != LineEnd::both_blind) made.start = made.points.front().at;
   if (end == LineEnd::closed || end == LineEnd::joined) made.end = made.points.back().at;
   return made;
 }

@@ -18,6 +18,8 @@ inline constexpr double cap_inset = 1e-3;
 inline constexpr double chamber_share = 0.5;
 /// A void with two ends whose widest place is no more than this many times as wide as its median has no chamber.
 inline constexpr double chamber_over_tube = 1.5;
+/// Where both ends are farther from its widest place than so many of its radii, it is enough that it is so many times as wide: a taper is widest at an end.
+inline constexpr double chamber_arms = 3, chamber_over_arms = 1.2;
 /// A branch of the void counts if it protrudes from what is known by this many times its own mean radius: a corner of the chamber
 /// or a bump of a scan protrudes by about one.
 inline constexpr double branch_slenderness = 2.5;
@@ -33,6 +35,12 @@ inline constexpr double handle_width = 0.5;
 inline constexpr double join_reach = 5;
 /// A canal is at least this share as long as the longest one, from the chamber on; shorter branches are `others`.
 inline constexpr double canal_share = 0.25;
+/// A shorter one is a canal all the same if it runs towards the apex beside another one with material in between, so many times its mean width
+/// long, and is this share as wide as the canal that it leaves. The tip of a fin is neither.
+inline constexpr double fork_length = 2, fork_width = 0.5;
+/// A connection of two canals up to this share as wide as the narrower one is hair-thin; a canal extends towards another one if it reaches so many
+/// radii from its middle.
+inline constexpr double isthmus_thin = 0.25, isthmus_reach = 2;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.
 inline constexpr double branch_cover = 1.6;
 /// A tip that reaches farther ahead than the ball before it by less than this share of that ball's radius adds nothing but a corner.
@@ -41,6 +49,9 @@ inline constexpr double tip_reach = 0.2;
 inline constexpr double together = 0.5;
 /// A line goes on straight beyond its last such ball, towards the wall, as long as it keeps this share of that ball's radius.
 inline constexpr double tip_clearance = 0.35;
+/// Where clearance falls by more than this a millimetre towards a blind end, the way leads into a corner: a taper that steep, 33 degrees, would
+/// be no canal.
+inline constexpr double corner_fall = 0.3;
 /// It ends where the void has closed to a gap of this share of the widest ball within three median radii before.
 inline constexpr double tip_gap = 0.2;
 /// A canal begins where the section across its line shrinks most within one radius, if by this factor or more.
@@ -61,5 +72,18 @@ inline constexpr double known_end = 0.6;
 /// Distance of a line's points, over its median radius, and the most points of a line.
 inline constexpr double line_step = 0.25;
 inline constexpr std::size_t line_points = 4000;
+/// What is no farther from the outside than this share of the tooth's size touches it: coordinates in single precision differ by less.
+inline constexpr double opening = 1e-6;
+/// A tooth is measured along its own axis if its mass is spread so many times as far along it as across, and it leans by more than this: roots spread
+/// to one side turn an upright tooth's axis by some degrees.
+inline constexpr double axis_ratio = 1.25, axis_tilt_deg = 10;
+/// A bend is told of stretches at least this many mean widths long.
+inline constexpr double bend_stretch = 2;
+/// A line is known to this many times what short stretches are off their circles, within these shares of the mean width.
+inline constexpr double bend_noise = 4, bend_finest = 0.005, bend_coarsest = 0.03;
+/// What bows no more than this many times as much is straight.
+inline constexpr double bend_bow = 5;
+/// All stretches of so many points are tried: some ten thousand.
+inline constexpr std::size_t bend_points = 160;
 
 }  // namespace odontoscope::limits

@@ -2,12 +2,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
+#include <mutex>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -27,6 +32,45 @@ namespace fs = std::filesystem;
 fs::path temporary_name(const fs::path& folder) {
   static std::atomic<unsigned> count{0};
   return folder / fmt::format(".odontoscope-{}-{}.tmp", ::getpid(), count++);
+}
+
+/// The process that a temporary file's name tells; nothing if it is none of ours.
+std::optional<pid_t> owner_of(std::string_view name) {
+  constexpr std::string_view begin = ".odontoscope-", end = ".tmp";
+  if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size()) return std::nullopt;
+  name = name.substr(begin.size(), name.size() - begin.size() - end.size());
+  pid_t process = 0;
+  unsigned count = 0;
+  const char* const last = name.data() + name.size();
+  const auto [dash, wrong] = std::from_chars(name.data(), last, process);
+  if (wrong != std::errc{} || dash == last || *dash != '-' || process <= 0) return std::nullopt;
+  const auto [rest, wrong_too] = std::from_chars(dash + 1, last, count);
+  if (wrong_too != std::errc{} || rest != last) return std::nullopt;
+  return process;
+}
+
+/// Held while a temporary file comes into being and is not locked yet, and while leftovers are looked for.
+std::mutex& making() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+/// Best effort: a file system without locks is no reason to write nothing.
+void lock_in_use(int descriptor) { (void)!::flock(descriptor, LOCK_SH | LOCK_NB); }
+
+bool is_still_named(int descriptor, const fs::path& file) {
+  struct stat opened {}, named {};
+  return ::fstat(descriptor, &opened) == 0 && ::lstat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
+}
+
+void remove_if_left(const fs::path& file, pid_t owner) {
+  if (owner != ::getpid() && (::kill(owner, 0) == 0 || errno != ESRCH)) return;
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return;
+  struct stat status {};
+  const bool is_file = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  if (is_file && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_still_named(descriptor, file)) ::unlink(file.c_str());
+  ::close(descriptor);
 }
 
 /// Where `file` really lies, links followed; checks that something regular, or nothing, is there.
@@ -57,10 +101,17 @@ fs::path folder_of(const fs::path& target) {
 
 AtomicFile::AtomicFile(fs::path target) : asked_for_(std::move(target)), target_(resolved_target(asked_for_)) {
   constexpr mode_t everyone_as_umask_allows = 0666;
-  do {
-    temporary_ = temporary_name(folder_of(target_));
-    descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everyone_as_umask_allows);
-  } while (descriptor_ < 0 && errno == EEXIST);
+  {
+    const std::lock_guard guard(making());
+    do {
+      temporary_ = temporary_name(folder_of(target_));
+      descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everyone_as_umask_allows);
+    } while (descriptor_ < 0 && errno == EEXIST);
+    if (descriptor_ >= 0) {
+      lock_in_use(descriptor_);
+      lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);   // keeps the lock when the descriptor is closed before the rename
+    }
+  }
   if (descriptor_ < 0) {
     cannot_write(asked_for_, std::strerror(errno), "Check that its folder exists and that you may write there");
   }
@@ -78,6 +129,7 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   target_ = std::move(other.target_);
   temporary_ = std::exchange(other.temporary_, {});
   descriptor_ = std::exchange(other.descriptor_, -1);
+  lock_ = std::exchange(other.lock_, -1);
   return *this;
 }
 
@@ -88,6 +140,8 @@ void AtomicFile::abandon() noexcept {
   descriptor_ = -1;
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
   temporary_.clear();
+  if (lock_ >= 0) ::close(lock_);
+  lock_ = -1;
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -113,6 +167,17 @@ void AtomicFile::commit() {
   close();
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(asked_for_, std::strerror(errno));
   temporary_.clear();
+  abandon();
+}
+
+void remove_leftovers(const fs::path& folder) noexcept try {
+  const std::lock_guard guard(making());
+  std::error_code error;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end; entry.increment(error)) {
+    const fs::path file = entry->path();
+    if (const auto owner = owner_of(file.filename().native())) remove_if_left(file, *owner);
+  }
+} catch (...) {   // no memory for a name: they stay
 }
 
 namespace {
@@ -123,12 +188,15 @@ class Rollback {
   explicit Rollback(fs::path target) : target_(std::move(target)) {
     std::error_code error;
     if (!fs::exists(fs::symlink_status(target_, error))) return;
+    const std::lock_guard guard(making());
     backup_ = temporary_name(folder_of(target_));
     fs::create_hard_link(target_, backup_, error);
-    if (!error) return;
     // Some file systems know no hard links.
-    fs::copy_file(target_, backup_, fs::copy_options::none, error);
-    if (!error) return;
+    if (error) fs::copy_file(target_, backup_, fs::copy_options::none, error);
+    if (!error) {
+      lock_backup();
+      return;
+    }
     std::error_code ignored;
     fs::remove(backup_, ignored);
     cannot_write(target_, fmt::format("what it holds now cannot be kept safe ({})", error.message()));
@@ -136,6 +204,7 @@ class Rollback {
   Rollback(Rollback&& other) noexcept
       : target_(std::move(other.target_)),
         backup_(std::exchange(other.backup_, {})),
+        lock_(std::exchange(other.lock_, -1)),
         replaced_(std::exchange(other.replaced_, false)) {}
   Rollback& operator=(Rollback&&) = delete;
   ~Rollback() {
@@ -143,13 +212,20 @@ class Rollback {
     if (replaced_ && backup_.empty()) fs::remove(target_, ignored);
     if (replaced_ && !backup_.empty()) fs::rename(backup_, target_, ignored);
     if (!backup_.empty()) fs::remove(backup_, ignored);  // renaming a link onto itself leaves both names
+    if (lock_ >= 0) ::close(lock_);
   }
 
   void target_was_replaced() { replaced_ = true; }
   void release() { replaced_ = false; }
 
  private:
+  void lock_backup() {
+    lock_ = ::open(backup_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (lock_ >= 0) lock_in_use(lock_);
+  }
+
   fs::path target_, backup_;
+  int lock_ = -1;
   bool replaced_ = false;
 };
 

@@ -79,6 +79,47 @@ inline constexpr double overhang = 4;
 /// raise_height, so that there is room beside raised pieces.
 inline constexpr double plate_height = 0.25;
 inline constexpr int plate_halvings = 60;
+
+// --- what a person should look at --------------------------------------------------------------------------------
+/// Gap between two ends that face each other across a slab, seen from above, over the width (root of the area) of the smaller: a slanted canal
+/// that moves by more than its own width and another between two slices is not told from two.
+inline constexpr double facing_gap = 1;
+/// Slices that a loose piece has at most: what more of them hold is no accident of one slice.
+inline constexpr std::size_t loose_slices = 3;
+
+// --- following shapes over several slices --------------------------------------------------------------------------
+/// How far apart two sections of one thing may lie: so many times the sum of their radii, and this much over the height between them.
+/// Circles shifted by three radii are within, and a hair-thin canal at 45 degrees; beyond, anything could be meant.
+inline constexpr double track_reach_sizes = 2;
+inline constexpr double track_reach_slope = 1;
+/// Times that a section's radius may change from one slice to the next and still be taken for the same thing.
+inline constexpr double track_size_ratio = 2;
+/// Ends within reach of one end beyond which it stands in a clutter where nothing is told apart.
+inline constexpr std::size_t track_candidates = 16;
+/// Expected number of lines as steady, or of hits as near, among shapes strewn by chance: below the first it is no chance, below the second
+/// a line is worth asking about. A link whose chance is not well below the first is doubtful.
+inline constexpr double track_chance = 0.05;
+inline constexpr double track_chance_doubtful = 0.2;
+inline constexpr double track_chance_clear = 0.02;
+/// A miss smaller than this share of the reach says no more than one of this size: contours are drawn no better.
+inline constexpr double track_precision = 0.1;
+/// A miss larger than this share of the reach is a bend that no steady thing makes.
+inline constexpr double track_bend = 0.5;
+/// Share of a section that, moved on by its drift, must lie in a region for the two to be joined; and beyond which that is clear.
+inline constexpr double track_entry = 0.5;
+inline constexpr double track_entry_clear = 0.75;
+inline constexpr double track_entry_doubtful = 0.25;
+/// Area that a section is bound to have in the next slice, over its own, below which it is running out: tips and apices do.
+inline constexpr double track_taper = 0.5;
+/// Share of the smaller of two sections that must overlap: what a circle moved by 1.75 radii still covers; and beyond which that is clear.
+inline constexpr double track_overlap = 0.05;
+inline constexpr double track_overlap_clear = 0.15;
+/// Rounds of linking steady lines, each of which leaves fewer ends to choose from; two or three are needed.
+inline constexpr int track_rounds = 16;
+/// Nearest regions of the next slice that are tried as a partner for one that is linked to nothing, and regions of a structure, the first
+/// ones, for which that is done: advice, not work.
+inline constexpr std::size_t remedies_tried = 2;
+inline constexpr std::size_t regions_advised = 8;
 // --- reports ----------------------------------------------------------------------------------------------------
 /// Bins of a quality histogram.
 inline constexpr std::size_t histogram_bins = 10;
@@ -132,6 +173,9 @@ inline constexpr long largest_label = (1l << 24) - 1;
 inline constexpr double axes_out_of_square = 1e-4;
 /// Turn of a volume's axes, degrees, that is rounding of the header and not worth a word.
 inline constexpr double tilt_unspoken = 0.01;
+/// How much larger the variance along the longest axis must be than along the next for the two to be told apart: lengths that differ by a tenth.
+/// Of real teeth it is 3 and more, of a crown alone it may be less.
+inline constexpr double long_axis = 1.2;
 /// How unevenly DICOM slices may lie, as a part of their spacing: positions are written in thousandths or so.
 inline constexpr double slice_unevenness = 0.02;
 /// Most that the compressions of volume files shrink data (deflate: 1032 times); a header that asks for more than that lies.

@@ -86,14 +86,26 @@ Vertex encroacher(const Cdt& cdt, Face face, int i) {
   return nearest;
 }
 
-/// Splits contour edges until all are Gabriel. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
+/// What is asked of each contour edge. Delaunay is less: of the two triangles beside the edge neither has the other's corner in its circumcircle.
+/// It can be had wherever two numbers lie in a gap, while Gabriel edges along a gap must end opposite each other to within its width squared over
+/// their length, which for needles is below the last place.
+enum class Fineness { gabriel, delaunay };
+
+bool is_delaunay(const Cdt& cdt, Face face, int i) {
+  const Face other = face->neighbor(i);
+  if (cdt.is_infinite(face) || cdt.is_infinite(other)) return true;
+  return CGAL::side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                                       other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
+}
+
+/// Splits contour edges until all are Gabriel, or Delaunay. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
 /// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
 /// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever. Edges along a narrow
 /// gap are split opposite each other's points, which takes a few points; halving them would take one for each gap's width.
 class Conformer {
  public:
-  Conformer(const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
-      : slice_(slice), number_(number), source_(source), progress_(progress) {}
+  Conformer(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
+      : fineness_(fineness), slice_(slice), number_(number), source_(source), progress_(progress) {}
 
   /// Refines `rings` and leaves its triangulation in `cdt`, points numbered as in `rings`.
   void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
@@ -139,12 +151,13 @@ class Conformer {
     }
   }
 
-  /// For each point: a point within the diametral circle of the contour edge that starts there, because of which it must be split.
-  static std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) {
+  /// For each point: a point within the diametral circle of the contour edge that starts there, if because of it the edge must be split.
+  std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) const {
     const std::vector<std::uint32_t> next = rings.next();
     std::vector<std::uint32_t> within(rings.points.size(), none);
     for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge) {
       if (!edge->first->is_constrained(edge->second)) continue;
+      if (fineness_ == Fineness::delaunay && is_delaunay(cdt, edge->first, edge->second)) continue;
       const Vertex point = encroacher(cdt, edge->first, edge->second);
       if (point == Vertex()) continue;
       const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
@@ -201,11 +214,13 @@ class Conformer {
   }
 
   /// Is `foot` on the edge from a to b, opposite a point v with neighbours w and x, the place to split? Only where the gap is narrow for the
-  /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone.
-  static bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) {
+  /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone
+  /// (for Delaunay edges a rounding beside that place does no harm).
+  bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) const {
     const auto distance = [](Point2 p, Point2 q) { return std::hypot(p.x - q.x, p.y - q.y); };
     const double gap = distance(foot, v);
     if (gap * limits::narrow_gap > distance(a, b) || distance(a, foot) < gap || distance(foot, b) < gap) return false;
+    if (fineness_ == Fineness::delaunay) return true;
     const auto clear = [](Point2 from, Point2 at, Point2 to) {
       const auto point = [](Point2 p) { return Kernel::Point_2(p.x, p.y); };
       return CGAL::angle(point(from), point(at), point(to)) != CGAL::OBTUSE;
@@ -240,6 +255,7 @@ class Conformer {
                      "Move them apart, or drop points that crowd together (simplify the contours)");
   }
 
+  Fineness fineness_;
   const Slice& slice_;
   std::size_t number_;
   const std::string& source_;
@@ -331,7 +347,13 @@ ConformedSlice conform(const Slice& slice, const std::string& structure, std::si
   const std::size_t given = rings.points.size();
   Cdt cdt;
   std::vector<std::uint32_t> order;
-  Conformer(slice, number, source, progress).run(rings, cdt, order);
+  const Rings as_given = rings;
+  try {
+    Conformer(Fineness::gabriel, slice, number, source, progress).run(rings, cdt, order);
+  } catch (const InputError&) {
+    rings = as_given;
+    Conformer(Fineness::delaunay, slice, number, source, progress).run(rings, cdt, order);
+  }
   result.steiner_points = rings.points.size() - given;
   result.first_point = rings.first_point;
 

@@ -5,6 +5,10 @@
 // With Gabriel edges the Voronoi cell of a contour point meets no contour but its own two edges; that is what lets the slab walk
 // decide "inside a region?" exactly, with one orientation test. Points are added on contours only, and
 // rounded, so off the input edge by at most the last digits of a coordinate.
+//
+// Where a gap is so narrow that no double is near enough to where a Gabriel edge would have to end (needles, contours that all but touch), the
+// slice's edges are only made Delaunay. All that is proven of a model holds then, too; but which regions lie over each other may be
+// misjudged beside such a gap, by about its width, and so may a link that hangs on it.
 
 #include <cstddef>
 #include <string>
@@ -28,12 +32,12 @@ struct ConformedSlice {
 };
 
 /// Preconditions: `slice` is validated and ordered (outer contours counter-clockwise, holes clockwise).
-/// Throws InputError too-close where contours run so near to each other that the refinement passes limits::steiner_factor, or
-/// nearer than double precision can hold apart. `number` and `source` name the slice in messages.
+/// Throws InputError too-close where contours run nearer to each other than double precision can hold apart, or so near, in so many places,
+/// that even the refinement to Delaunay edges passes limits::steiner_factor. `number` and `source` name the slice in messages.
 ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
                        const Progress& progress);
 
-/// The triangulation of the chosen regions' points alone; edges stay Gabriel, and the regions' own triangles are the same as in
+/// The triangulation of the chosen regions' points alone; edges stay Gabriel or Delaunay, and the regions' own triangles are the same as in
 /// `whole`. `chosen[r]` says whether region r is in. Regions keep their numbers.
 Planar part_of(const Planar& whole, const std::vector<bool>& chosen);
 

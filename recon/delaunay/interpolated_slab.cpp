@@ -73,6 +73,10 @@ class ThroughSlices {
     std::vector<std::uint32_t> least(first.back(), none);
     for (const std::uint32_t r : given)
       if (least[found.find(r)] == none) least[found.find(r)] = r;
+    // What no given region is joined with would be a ghost.
+    for (std::size_t i = 0; i < solved_.size(); ++i)
+      for (const RegionLink& link : solved_[i].links)
+        if (least[found.find(first[i] + link.lower)] == none) return false;
     return std::all_of(given.begin(), given.end(), [&](std::uint32_t r) {
       const std::uint32_t companion = least[found.find(r)];
       return asked.find(companion) == asked.find(r) && found.find(asked.find(r)) == found.find(r);
@@ -102,6 +106,8 @@ class ThroughSlices {
             v = v < in_lower ? first_point[i] + v : v < in_lower + in_upper ? first_point[i + 1] + (v - in_lower) : first_added + (v - in_lower - in_upper);
           all.tetrahedra.push_back(tet);
         }
+        all.reach.insert(all.reach.end(), piece.reach.begin(), piece.reach.end());
+        all.reach.resize(all.tetrahedra.size());   // plates reach nowhere
         all.restored += piece.restored;
         all.largest_sideways = std::max(all.largest_sideways, piece.largest_sideways);
       }

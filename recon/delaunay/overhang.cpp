@@ -7,8 +7,11 @@
 #include <optional>
 #include <tuple>
 
+#include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/face_table.h"
+#include "recon/delaunay/topology.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -90,19 +93,21 @@ class Trimmer {
  public:
   explicit Trimmer(SolvedStack& stack) : stack_(stack), numbering_(stack), slabs_(stack.slabs.size()) {}
 
-  std::size_t run() {
+  std::vector<TrimmedSlab> run() {
     std::deque<Place> waiting = overhanging();
     while (!waiting.empty()) {
       const Place place = waiting.front();
       waiting.pop_front();
       if (tet(place).gone || !removable(place)) continue;
       tet(place).gone = true;
-      ++gone_;
       for (std::uint32_t i = 0; i < 4; ++i)   // what was covered by it may be free now
         if (const auto next = across(place, i); next && reaches(*next)) waiting.push_back(*next);
     }
-    if (gone_ > 0) take_out();
-    return gone_;
+    std::vector<TrimmedSlab> trimmed;
+    for (std::size_t k = 0; k < slabs_.size(); ++k)
+      if (auto one = told(k)) trimmed.push_back(*one);
+    if (!trimmed.empty()) take_out();
+    return trimmed;
   }
 
  private:
@@ -198,6 +203,50 @@ class Trimmer {
     return v[top] >= numbering_.added_begin.front();
   }
 
+  Point3 point(std::size_t slab, std::uint32_t v) const {
+    for (const std::size_t k : {slab, slab + 1})
+      if (v < numbering_.slice_begin[k + 1]) {
+        const Point2 p = stack_.slices[k].planar.points[v - numbering_.slice_begin[k]];
+        return {p.x, p.y, stack_.slices[k].z};
+      }
+    std::size_t number = v - numbering_.added_begin[slab];
+    for (const SlabSolid& piece : stack_.slabs[slab]) {
+      if (number < piece.added.size()) return piece.added[number];
+      number -= piece.added.size();
+    }
+    throw InternalError("a tetrahedron has a point of no slice and no piece");
+  }
+
+  /// What goes from a slab, if anything. Before take_out.
+  std::optional<TrimmedSlab> told(std::size_t k) const {
+    if (!slabs_[k]) return std::nullopt;
+    TrimmedSlab trimmed;
+    trimmed.slab = k;
+    double largest = 0;
+    for (const SlabFaces::Tet& one : slabs_[k]->tets) {
+      if (!one.gone) continue;
+      const std::vector<Point3> corners{point(k, one.v[0]), point(k, one.v[1]), point(k, one.v[2]), point(k, one.v[3])};
+      const Mass mass = mass_of(corners, {{0, 1, 2, 3}});
+      ++trimmed.tetrahedra;
+      trimmed.volume += mass.volume;
+      if (mass.volume <= largest) continue;
+      largest = mass.volume;
+      trimmed.place = mass.centre;
+    }
+    if (trimmed.tetrahedra == 0) return std::nullopt;
+    trimmed.before = topology_before(k);
+    return trimmed;
+  }
+
+  Topology topology_before(std::size_t k) const {
+    const std::vector<Tetrahedron> all = assembled_tetrahedra(stack_, numbering_, k);
+    std::vector<Triangle> boundary;
+    each_outer_face(all, [&](const Triangle& face) { boundary.push_back(face); });
+    return counted_topology(all, boundary,
+                            {numbering_.slice_begin[k], numbering_.slice_begin[k + 2], numbering_.added_begin[k],
+                             numbering_.added_begin[k + 1]});
+  }
+
   void take_out() {
     for (std::size_t k = 0; k < slabs_.size(); ++k) {
       if (!slabs_[k]) continue;
@@ -217,7 +266,6 @@ class Trimmer {
   SolvedStack& stack_;
   Numbering numbering_;
   std::vector<std::unique_ptr<SlabFaces>> slabs_;
-  std::size_t gone_ = 0;
 };
 
 }  // namespace
@@ -234,8 +282,8 @@ double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Plan
   return over_material || !std::isfinite(ratio) ? 0 : ratio;
 }
 
-std::size_t trim_overhangs(SolvedStack& stack) {
-  if (stack.slabs.empty()) return 0;
+std::vector<TrimmedSlab> trim_overhangs(SolvedStack& stack) {
+  if (stack.slabs.empty()) return {};
   return Trimmer(stack).run();
 }
 

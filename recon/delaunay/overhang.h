@@ -8,8 +8,10 @@
 // so every section stays exact.
 
 #include <cstddef>
+#include <vector>
 
 #include "recon/delaunay/assemble.h"
+#include "recon/delaunay/attention.h"
 #include "recon/delaunay/slab.h"
 
 namespace odontoscope::delaunay {
@@ -19,8 +21,18 @@ namespace odontoscope::delaunay {
 /// lies over material does not hang over.
 double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper);
 
-/// Takes out tetrahedra that reach farther than limits::overhang, from the free ends on. The order depends on the stack alone.
-/// Returns how many went. Precondition: pieces and slices as from solve_slab and add_plates.
-std::size_t trim_overhangs(SolvedStack& stack);
+/// What went from one slab.
+struct TrimmedSlab {
+  std::size_t slab = 0;
+  std::size_t tetrahedra = 0;
+  double volume = 0;  // mm^3
+  Point3 place;       // middle of the largest one
+  Topology before;    // of the slab's solid
+};
+
+/// Takes out tetrahedra that reach farther than limits::overhang, from the free ends on. The order depends on the stack
+/// alone. Returns the slabs that lost some, ascending. Precondition: pieces and slices as from solve_slab and
+/// add_plates.
+std::vector<TrimmedSlab> trim_overhangs(SolvedStack& stack);
 
 }  // namespace odontoscope::delaunay

@@ -8,9 +8,12 @@
 #include <thread>
 
 #include "recon/core/limits.h"
+#include "recon/core/parallel.h"
 #include "recon/delaunay/assemble.h"
 #include "recon/delaunay/certify.h"
-#include "recon/core/parallel.h"
+#include "recon/delaunay/difference_place.h"
+#include "recon/delaunay/look_here.h"
+#include "recon/delaunay/ring.h"
 #include "recon/delaunay/solve_stack.h"
 #include "recon/delaunay/topology.h"
 #include "recon/input/validate.h"
@@ -53,6 +56,8 @@ class Reconstructor {
     for (std::size_t s = 0; s < structures.size(); ++s) reconstruct_structure(structures[s], static_cast<Label>(s + 1));
     result_.slices_checked = input_.stack.slices.size();
     result_.certified = true;
+    result_.attention = places_to_look_at(result_, input_.stack, options_);
+    watch_.lap("certify");
     return std::move(result_);
   }
 
@@ -62,6 +67,8 @@ class Reconstructor {
     watch_.lap("slabs");
     result_.links.insert(result_.links.end(), solved.links.begin(), solved.links.end());
     result_.void_links.insert(result_.void_links.end(), solved.void_links.begin(), solved.void_links.end());
+    result_.doubts.insert(result_.doubts.end(), solved.doubts.begin(), solved.doubts.end());
+    result_.remedies.insert(result_.remedies.end(), solved.remedies.begin(), solved.remedies.end());
     add(solved.counts);
     result_.solids.push_back(assemble_and_certify(solved, structure, label));
   }
@@ -92,15 +99,51 @@ class Reconstructor {
   }
 
   /// Counts what each slab's solid is like, beside what it should be.
-  void count_topology(std::vector<SlabTopology>& topology, const std::vector<AssembledSlab>& slabs, const Numbering& numbering) {
+  void count_topology(std::vector<SlabTopology>& topology, const std::vector<AssembledSlab>& slabs,
+                      const Numbering& numbering, const std::vector<Point3>& points) {
     for_each(slabs.size(), arena_, "certify", progress_, [&](std::size_t k) {
       std::vector<Triangle> boundary = slabs[k].sides;
       boundary.insert(boundary.end(), slabs[k].floor.begin(), slabs[k].floor.end());
       boundary.insert(boundary.end(), slabs[k].ceiling.begin(), slabs[k].ceiling.end());
       topology[k].found = counted_topology(slabs[k].tetrahedra, boundary, {numbering.slice_begin[k], numbering.slice_begin[k + 2],
                                                                            numbering.added_begin[k], numbering.added_begin[k + 1]});
+      if (topology[k].as_implied()) return;
+      topology[k].place =
+          place_of_difference({points, slabs[k].tetrahedra, boundary, holes_beside(k, topology[k].structure)},
+                              topology[k].implied, topology[k].found);
     });
     result_.topology.insert(result_.topology.end(), topology.begin(), topology.end());
+  }
+
+  /// Holes of a structure in the slices of a slab.
+  std::vector<Ring> holes_beside(std::size_t slab, const std::string& structure) const {
+    std::vector<Ring> holes;
+    for (const std::size_t k : {slab, slab + 1})
+      for (const Contour& contour : input_.stack.slices[k].contours)
+        if (contour.structure == structure && signed_area(contour.points) < 0) holes.push_back(contour.points);
+    return holes;
+  }
+
+  /// Adds slabs that were raised or interpolated to what was trimmed.
+  void tell_changes(SolvedStructure& solved, const std::vector<AssembledSlab>& slabs,
+                    const std::vector<Point3>& points) {
+    std::vector<SlabChange> changes = std::move(solved.changes);
+    for (std::size_t k = 0; k < slabs.size(); ++k) {
+      const SlabTopology& slab = solved.topology[k];
+      if (!slab.raised && slab.interpolated == 0) continue;
+      const Mass mass = mass_of(points, slabs[k].tetrahedra);
+      const SlabChange change{SlabChange::Kind::raised,     slab.structure, k,           input_.stack.slices[k].z,
+                              input_.stack.slices[k + 1].z, mass.centre,    mass.volume, 0};
+      if (slab.raised) changes.push_back(change);
+      if (slab.interpolated == 0) continue;
+      changes.push_back(change);
+      changes.back().kind = SlabChange::Kind::interpolated;
+      changes.back().count = slab.interpolated;
+    }
+    std::stable_sort(changes.begin(), changes.end(), [](const SlabChange& a, const SlabChange& b) {
+      return std::pair(a.slice, a.kind) < std::pair(b.slice, b.kind);
+    });
+    result_.changes.insert(result_.changes.end(), changes.begin(), changes.end());
   }
 
   Solid assemble_and_certify(SolvedStructure& solved, const std::string& structure, Label label) {
@@ -119,7 +162,8 @@ class Reconstructor {
                            [&] { certify_sections(stack, numbering, slabs, assembly.tetrahedra); });
     });
     certify_surface(solid.report, structure);
-    count_topology(solved.topology, slabs, numbering);
+    tell_changes(solved, slabs, assembly.tetrahedra.points);
+    count_topology(solved.topology, slabs, numbering, assembly.tetrahedra.points);
     for (Shell& shell : solid.report.shells) shell.structure = structure;
     result_.counts.kept += assembly.tetrahedra.tetrahedra.size();
     solid.tetrahedra = std::move(assembly.tetrahedra);
@@ -158,6 +202,7 @@ const char* name(Correspondence criterion) {
     case Correspondence::reverse: return "reverse";
     case Correspondence::medial: return "medial";
     case Correspondence::overlap: return "overlap";
+    case Correspondence::tracked: return "tracked";
   }
   return "unknown";
 }
@@ -169,6 +214,17 @@ const char* name(LinkCriterion criterion) {
     case LinkCriterion::overlap: return "overlap";
     case LinkCriterion::user: return "user";
     case LinkCriterion::crossing: return "crossing";
+    case LinkCriterion::tracked: return "tracked";
+  }
+  return "unknown";
+}
+
+const char* name(DoubtKind kind) {
+  switch (kind) {
+    case DoubtKind::may_connect: return "may-connect";
+    case DoubtKind::may_part: return "may-part";
+    case DoubtKind::void_may_connect: return "void-may-connect";
+    case DoubtKind::void_may_part: return "void-may-part";
   }
   return "unknown";
 }

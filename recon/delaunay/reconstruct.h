@@ -16,6 +16,8 @@
 #include <vector>
 
 #include "recon/core/progress.h"
+#include "recon/delaunay/attention.h"
+#include "recon/delaunay/doubt.h"
 #include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
 #include "recon/mesh/meshes.h"
@@ -23,11 +25,12 @@
 
 namespace odontoscope {
 
-/// When are a region and one of the next slice connected? Each criterion includes those before it.
+/// When are a region and one of the next slice connected? Each of the first three includes those before it.
 enum class Correspondence {
   reverse,   // the paper's: a tetrahedron joins an internal, non-contour edge of each
   medial,    // or the circumcentre of an internal triangle of one lies in the other
   overlap,   // or any point of the common Voronoi overlay lies in both
+  tracked,   // as medial; then what hangs free is linked by what the slices before and behind say (track.h)
 };
 
 /// What becomes of the space between two slices?
@@ -37,15 +40,15 @@ enum class Between {
 };
 
 struct ReconstructOptions {
-  Correspondence correspondence = Correspondence::medial;
-  Between between = Between::delaunay;
+  Correspondence correspondence = Correspondence::tracked;
+  Between between = Between::blended;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
 };
 
 /// Why a link was made. `user`: the links file; `crossing`: the two components would otherwise have crossed each other and were
 /// therefore made one.
-enum class LinkCriterion { reverse, medial, overlap, user, crossing };
+enum class LinkCriterion { reverse, medial, overlap, user, crossing, tracked };
 
 struct MadeLink {
   Link link;
@@ -60,21 +63,17 @@ struct MadeVoidLink {
   LinkCriterion criterion = LinkCriterion::medial;
 };
 
-/// Betti numbers of a solid.
-struct Topology {
-  long pieces = 0;    // connected components
-  long handles = 0;   // independent loops
-  long bubbles = 0;   // voids that are shut in
-  friend bool operator==(const Topology&, const Topology&) = default;
-};
-
 /// One structure's solid between two slices: what its contours and links imply (docs/reconstruction.md), and what was counted.
 struct SlabTopology {
   std::string structure;
   std::size_t slice = 0;            // the lower one
   Topology implied, found;
   std::size_t interpolated = 0;     // slices that were put between the two
-  bool as_implied() const { return implied == found; }
+  bool raised = false;              // see ReconstructCounts::raised_slabs
+  std::optional<Topology> untrimmed;   // what it was before overhangs were trimmed in it; empty: none were
+  Point3 place;                     // if not as implied: about where
+  /// Trimming leaves a region flat in its slice and keeps the topology of the whole (overhang.h), so what it was before counts.
+  bool as_implied() const { return implied == untrimmed.value_or(found); }
 };
 
 struct StageTime {
@@ -107,6 +106,10 @@ struct Reconstruction {
   std::vector<MadeLink> links;   // by structure, slice, lower, upper
   std::vector<MadeVoidLink> void_links;   // by structure, slice, lower, upper
   std::vector<SlabTopology> topology;     // of every slab that holds material, by structure and slice
+  std::vector<SlabChange> changes;        // by structure, slice and kind
+  std::vector<Attention> attention;       // where to look, see verdict.h
+  std::vector<Doubt> doubts;              // choices that the slices do not settle; by structure, slab, lower, upper
+  std::vector<Link> remedies;             // tried: each joins a region that is linked to nothing; for the first few of these
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;

@@ -26,7 +26,8 @@ struct SlabTetrahedron {
   bool dual_in_lower = false, dual_in_upper = false;   // does the dual point lie in a region of that slice?
 };
 
-/// Precondition: both triangulations are non-empty, with Gabriel contour edges. Linear in the size of input and output on
+/// Precondition: both triangulations are non-empty, with Gabriel contour edges (with Delaunay ones `dual_in_lower` and `dual_in_upper`
+/// may be wrong beside narrow gaps, all else holds). Linear in the size of input and output on
 /// well-spread points. The order of the result depends on the input alone.
 std::vector<SlabTetrahedron> triangulate_slab(const Planar& lower, const Planar& upper);
 

@@ -3,22 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <tuple>
 
 #include "recon/core/limits.h"
 #include "recon/core/parallel.h"
+#include "recon/core/union_find.h"
 #include "recon/delaunay/interpolated_slab.h"
 #include "recon/delaunay/overhang.h"
 #include "recon/delaunay/plate.h"
+#include "recon/delaunay/remedy.h"
+#include "recon/delaunay/survey.h"
 #include "recon/delaunay/topology.h"
-#include "recon/delaunay/voids.h"
 
 namespace odontoscope::delaunay {
 namespace {
-
-/// Which regions and voids of a slab are linked.
-struct SlabSurvey {
-  std::vector<RegionLink> material, voids;
-};
 
 Nesting nesting_of(const ConformedSlice& slice, const SliceVoids& voids) {
   Nesting nesting;
@@ -43,8 +41,9 @@ class StackSolver {
     for_each(slabs_, arena_, "slabs", progress_, [&](std::size_t k) { solve(k, Walls::lifted); });
     add_plates();
     for (std::size_t k = 0; k < slabs_; ++k) report(k);
+    report_doubts();
     for (std::size_t k = 0; k < slabs_; ++k) result_.stack.slabs.push_back(std::move(solved_[k].pieces));
-    result_.counts.trimmed = trim_overhangs(result_.stack);
+    trim();
     return std::move(result_);
   }
 
@@ -78,14 +77,19 @@ class StackSolver {
     implied_.resize(slabs_);
     interpolated_.assign(slabs_, 0);
     for_each(slabs_, arena_, "links", progress_, [&](std::size_t k) {
-      if (!has_material(k)) return;
-      const Planar& lower = slice(k).planar;
-      const Planar& upper = slice(k + 1).planar;
-      const std::vector<SlabTetrahedron> tetrahedra = walked_slab(lower, upper);
-      surveys_[k].material = witnessed_links(tetrahedra, lower, upper, task_.options.correspondence);
-      surveys_[k].voids = witnessed_void_links(tetrahedra, lower, upper, voids_in(lower, slice(k), voids_[k]),
-                                               voids_in(upper, slice(k + 1), voids_[k + 1]), task_.options.correspondence);
+      surveys_[k] = survey_slab(slice(k), slice(k + 1), voids_[k], voids_[k + 1], task_.options.correspondence);
     });
+    if (task_.options.correspondence == Correspondence::tracked) follow();
+  }
+
+  void follow() {
+    std::vector<Choices> chosen;
+    std::vector<Place> places;
+    for (std::size_t k = 0; k < slabs_; ++k) {
+      chosen.push_back(choices(k));
+      places.push_back(place(k));
+    }
+    doubts_ = track_stack(result_.stack.slices, voids_, chosen, places, surveys_);
   }
 
   Place place(std::size_t k) const {
@@ -245,6 +249,7 @@ class StackSolver {
         room = false;
       }
       if (room) count_plates(isolated);
+      if (room) advise(isolated);
     }
     for (std::size_t k = 0; k < slabs_; ++k)
       for (SlabSolid& one : *made[k]) solved_[k].pieces.push_back(std::move(one));
@@ -265,6 +270,37 @@ class StackSolver {
       }
   }
 
+  void trim() {
+    for (const TrimmedSlab& trimmed : trim_overhangs(result_.stack)) {
+      const std::size_t k = trimmed.slab;
+      result_.counts.trimmed += trimmed.tetrahedra;
+      result_.topology[k].untrimmed = trimmed.before;
+      result_.changes.push_back({SlabChange::Kind::trimmed, task_.structure, k, slice(k).z, slice(k + 1).z,
+                                 trimmed.place, trimmed.volume, trimmed.tetrahedra});
+    }
+  }
+
+  /// For the first isolated regions, links that would join them.
+  void advise(const std::vector<std::vector<bool>>& isolated) {
+    std::size_t advised = 0;
+    for (std::size_t k = 0; k <= slabs_; ++k)
+      for (std::uint32_t r = 0; r < isolated[k].size(); ++r) {
+        if (!isolated[k][r] || advised++ >= limits::regions_advised) continue;
+        for (const std::size_t slab : {k, k - 1})   // k - 1 wraps round at the first slice, and is no slab
+          if (slab < slabs_ && has_material(slab) && add_remedy(slab, {slab == k, r})) break;
+      }
+  }
+
+  bool add_remedy(std::size_t slab, RegionOfSlab region) {
+    const std::optional<RegionLink> link = remedy(slab_task(slab, Walls::lifted), surveys_[slab].material, region, progress_);
+    if (!link) return false;
+    const Link words{task_.structure, slab, outer_number(slab, link->lower), outer_number(slab + 1, link->upper), true};
+    if (std::find(result_.remedies.begin(), result_.remedies.end(), words) == result_.remedies.end()) result_.remedies.push_back(words);
+    return true;
+  }
+
+  std::size_t outer_number(std::size_t k, std::uint32_t region) const { return slice(k).contour_number[slice(k).outer_contour[region]]; }
+
   // ---- report -------------------------------------------------------------------------------------------------------
 
   std::optional<std::size_t> hole_number(std::size_t k, std::uint32_t number) const {
@@ -273,15 +309,12 @@ class StackSolver {
   }
 
   void report(std::size_t k) {
-    const auto contour = [](const ConformedSlice& slice, std::uint32_t region) {
-      return slice.contour_number[slice.outer_contour[region]];
-    };
     const SolvedSlab& solved = solved_[k];
     for (const RegionLink& link : solved.links)
-      result_.links.push_back({{task_.structure, k, contour(slice(k), link.lower), contour(slice(k + 1), link.upper), true}, link.criterion});
+      result_.links.push_back({{task_.structure, k, outer_number(k, link.lower), outer_number(k + 1, link.upper), true}, link.criterion});
     for (const RegionLink& link : surveys_[k].voids)
       result_.void_links.push_back({task_.structure, k, hole_number(k, link.lower), hole_number(k + 1, link.upper), link.criterion});
-    result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k]});
+    result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k], solved_[k].raised, {}, {}});
     ReconstructCounts& counts = result_.counts;
     counts.cut_links += solved.cut_links;
     counts.raised_slabs += solved.raised;
@@ -290,6 +323,32 @@ class StackSolver {
       if (piece.restored > 0) counts.lifted_points += piece.added.size();
       counts.largest_sideways = std::max(counts.largest_sideways, piece.largest_sideways);
     }
+  }
+
+  /// Regions that are parts of one piece already have nothing to decide.
+  void report_doubts() {
+    for (const DoubtfulLink& link : doubts_.material) {
+      const bool may_connect = link.choice == Choice::may_connect;
+      if (may_connect == one_piece(link)) continue;   // others joined it, or it could not be built
+      add_doubt(link, may_connect ? DoubtKind::may_connect : DoubtKind::may_part);
+    }
+    for (const DoubtfulLink& link : doubts_.voids)
+      add_doubt(link, link.choice == Choice::may_connect ? DoubtKind::void_may_connect : DoubtKind::void_may_part);
+    std::stable_sort(result_.doubts.begin(), result_.doubts.end(), [](const Doubt& a, const Doubt& b) {
+      return std::tie(a.slab, a.lower, a.upper) < std::tie(b.slab, b.lower, b.upper);
+    });
+  }
+
+  void add_doubt(const DoubtfulLink& link, DoubtKind kind) {
+    const auto number = [](std::size_t contour) { return contour == no_contour ? std::nullopt : std::optional(contour); };
+    result_.doubts.push_back({task_.structure, link.slab, link.at, kind, number(link.lower_contour), number(link.upper_contour)});
+  }
+
+  bool one_piece(const DoubtfulLink& link) const {
+    const auto lower = static_cast<std::uint32_t>(slice(link.slab).regions());
+    UnionFind pieces(lower + slice(link.slab + 1).regions());
+    for (const RegionLink& made : solved_[link.slab].links) pieces.join(made.lower, lower + made.upper);
+    return pieces.find(link.lower) == pieces.find(lower + link.upper);
   }
 
   const StackTask& task_;
@@ -301,6 +360,7 @@ class StackSolver {
   std::vector<SliceVoids> voids_;
   std::vector<Nesting> nesting_;
   std::vector<SlabSurvey> surveys_;
+  StackDoubts doubts_;
   std::vector<SolvedSlab> solved_;
   std::vector<Topology> implied_;
   std::vector<std::size_t> interpolated_;

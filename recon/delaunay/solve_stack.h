@@ -24,6 +24,9 @@ struct SolvedStructure {
   std::vector<MadeLink> links;
   std::vector<MadeVoidLink> void_links;
   std::vector<SlabTopology> topology;   // one a slab; `found` is left to whoever assembles
+  std::vector<SlabChange> changes;      // what was trimmed
+  std::vector<Doubt> doubts;            // by slab, lower, upper, material first
+  std::vector<Link> remedies;           // tried
   ReconstructCounts counts;             // all but `slices` and `kept`
 };
 

@@ -73,8 +73,10 @@ SliceVoids voids_of(const ConformedSlice& slice) {
   for (std::uint32_t c = 0; c < outer.size(); ++c)
     if (!outer[c]) voids.hole_contour.push_back(c);
   const PlanarVoids planar = voids_in(slice.planar, slice, voids);
-  // All points of a contour have the same void beside them; those on the hull with no triangle there say "outside", which then is so.
-  for (std::uint32_t c = 0; c < outer.size(); ++c) voids.of_contour.push_back(planar.beside_point[slice.first_point[c]]);
+  // All points of a contour have the same void beside them; those on the hull with no triangle there say "outside",
+  // which then is so.
+  for (std::uint32_t c = 0; c < outer.size(); ++c)
+    voids.of_contour.push_back(planar.beside_point[slice.first_point[c]]);
   return voids;
 }
 

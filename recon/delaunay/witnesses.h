@@ -31,7 +31,7 @@ class Witnesses {
  private:
   using Map = std::map<std::pair<std::uint32_t, std::uint32_t>, LinkCriterion>;
   Map strictest_;
-  Map::value_type* last_ = nullptr;   // witnesses of one pair come in long runs
+  Map::value_type* last_ = nullptr;  // witnesses of one pair come in long runs
 };
 
 }  // namespace odontoscope::delaunay

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "recon/input/contour_stack.h"
+#include "recon/input/patient_origin.h"
 
 namespace odontoscope {
 
@@ -22,6 +23,8 @@ struct FileContours {
   ContourStack stack;
   /// What was left out or is worth knowing, in words.
   std::vector<std::string> remarks;
+  /// Of structure sets.
+  PatientOrigin patient = {};
 };
 
 enum class ContourFileKind { series, jser, csl, rtstruct };

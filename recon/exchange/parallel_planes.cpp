@@ -168,9 +168,10 @@ Levels levels_of(const std::vector<Outline>& outlines, const Vector& normal) {
 
 }  // namespace
 
-std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole, std::vector<std::string>& remarks) {
+std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole, std::vector<std::string>& remarks, PatientFrame& patient) {
   if (outlines.empty()) return {};
   const Frame frame = common_frame(outlines, whole, remarks);
+  patient.axes = {frame.u, frame.v, frame.n};
   Levels levels = levels_of(outlines, frame.n);
   const double jitter = jitter_of(levels.heights);
   const std::vector<std::size_t> firsts = firsts_of_planes(levels.heights, jitter);

@@ -23,6 +23,7 @@ struct Outline {
 ///     their distance; then limits::plane_thickness holds. The slice has the height that most of its outlines have.
 /// Slices come by ascending height; within them, outlines in their order. What was assumed is added to `remarks`. Throws InputError not-parallel, and the counts
 /// of counts.h; `whole` is the place of them all.
-std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole, std::vector<std::string>& remarks);
+/// `frame` is how the slices lie among the outlines.
+std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole, std::vector<std::string>& remarks, PatientFrame& frame);
 
 }  // namespace odontoscope

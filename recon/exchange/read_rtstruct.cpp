@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include "recon/core/limits.h"
@@ -15,6 +17,7 @@
 #include "recon/exchange/limits.h"
 #include "recon/exchange/parallel_planes.h"
 #include "recon/exchange/repeated_contours.h"
+#include "recon/exchange/unbridge.h"
 #include "recon/input/counts.h"
 #include "recon/mesh/parsing.h"
 
@@ -31,6 +34,13 @@ constexpr std::uint32_t roi_sequence = 0x30060020, roi_number = 0x30060022, roi_
 constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042, point_count = 0x30060046,
                         contour_data = 0x30060050, referenced_roi = 0x30060084;
 
+// Whose structures they are, and of which images.
+constexpr std::uint32_t frame_uid = 0x00200052, frame_indicator = 0x00201040, study_uid = 0x0020000d, series_uid = 0x0020000e, frames_referred = 0x30060010,
+                        studies_referred = 0x30060012, series_referred = 0x30060014, images_referred = 0x30060016, class_referred = 0x00081150,
+                        instance_referred = 0x00081155, frame_referred = 0x00081160, roi_frame_uid = 0x30060024;
+constexpr std::array<std::uint32_t, 10> identity{0x00080020, 0x00080030, 0x00080050, 0x00080090, 0x00081030,
+                                                 0x00100010, 0x00100020, 0x00100030, 0x00100040, 0x00200010};
+
 struct Roi {
   std::string name;
   std::map<std::string, std::size_t> left_out;  // types, and how many contours of them
@@ -45,6 +55,7 @@ class Reader {
 
   FileContours read() {
     read_names();
+    read_origin();
     read_outlines();
     refuse_unknown();
     result_.stack.source = whole_.file;
@@ -66,6 +77,40 @@ class Reader {
       if (rois_.size() > limits::structures) refuse("too-many-structures", whole_, fmt::format("more than {} regions", limits::structures), {});
     }
     if (rois_.empty()) refuse("unreadable-structure-set", whole_, "it names no region of interest", "Check that it is the file you mean");
+  }
+
+  void read_origin() {
+    const DicomSet::DataSet top = set_.top();
+    for (const std::uint32_t tag : identity) {
+      if (const std::string_view text = set_.text(top, tag); !text.empty()) origin_->identity.emplace(tag, text);
+    }
+    origin_->character_set = set_.text(top, character_set);
+    origin_->study = set_.text(top, study_uid);
+    origin_->position_indicator = set_.text(top, frame_indicator);
+    origin_->frame_of_reference = set_.text(top, frame_uid);
+    for (const DicomSet::DataSet& frame : set_.items(top, frames_referred)) {
+      if (const std::string_view uid = set_.text(frame, frame_uid); !uid.empty()) origin_->frame_of_reference = uid;
+      for (const DicomSet::DataSet& study : set_.items(frame, studies_referred)) {
+        for (const DicomSet::DataSet& series : set_.items(study, series_referred)) {
+          if (origin_->series.empty()) origin_->series = set_.text(series, series_uid);
+        }
+      }
+    }
+    for (const DicomSet::DataSet& roi : set_.items(top, roi_sequence)) {
+      if (origin_->frame_of_reference.empty()) origin_->frame_of_reference = set_.text(roi, roi_frame_uid);
+    }
+    result_.patient.dicom = origin_;
+  }
+
+  /// The images that a contour was drawn on; the first contour of each tells where it lies.
+  void add_instances(const DicomSet::DataSet& item, const Point3& at) {
+    for (const DicomSet::DataSet& image : set_.items(item, images_referred)) {
+      DicomInstance instance{std::string(set_.text(image, class_referred)), std::string(set_.text(image, instance_referred)), 0, std::array{at.x, at.y, at.z}};
+      double frame = 0;
+      constexpr double most = 1e6;
+      if (parse_number(set_.text(image, frame_referred), frame) && frame >= 1 && frame <= most) instance.frame = static_cast<std::uint32_t>(frame);
+      if (!instance.uid.empty() && known_instances_.emplace(instance.uid, instance.frame).second) origin_->instances.push_back(std::move(instance));
+    }
   }
 
   /// In UTF-8, cut at a whole character.
@@ -128,7 +173,9 @@ class Reader {
     }
     check_point_count(points_ += outline.points.size(), whole_);
     check_contour_count(outlines_.size() + 1, whole_);
-    if (!outline.points.empty()) outlines_.push_back(std::move(outline));
+    if (outline.points.empty()) return;
+    add_instances(item, outline.points.front());
+    outlines_.push_back(std::move(outline));
   }
 
   /// Separated by backslashes.
@@ -164,13 +211,34 @@ class Reader {
   }
 
   void make_slices() {
-    result_.stack.slices = slices_of(outlines_, whole_, result_.remarks);
+    result_.stack.slices = slices_of(outlines_, whole_, result_.remarks, result_.patient.frame);
+    origin_->normal = result_.patient.frame.axes[2];
+    std::size_t keyholes = 0;
+    for (Slice& slice : result_.stack.slices) keyholes += part_keyholes(slice);
+    if (keyholes > 0) result_.remarks.push_back(keyholes == 1 ? "1 contour that goes along a bridge and comes back on it (a keyhole) was parted into outline and holes"
+                                                              : fmt::format("{} contours that go along a bridge and come back on it (keyholes) were parted into outlines and holes", keyholes));
     std::map<std::string, Repeats> of_structure;
     for (Slice& slice : result_.stack.slices) drop_repeats(slice, of_structure);
     for (const auto& [structure, repeats] : of_structure) {
       const std::string count = repeats.count == 1 ? "a contour was" : fmt::format("{} contours were", repeats.count);
       result_.remarks.push_back(fmt::format("{}: {} there again, the first at z = {:.6g}; each is kept once", structure, count, repeats.first_z));
     }
+  }
+
+  static std::size_t part_keyholes(Slice& slice) {
+    std::size_t keyholes = 0;
+    std::vector<Contour> parted;
+    for (Contour& contour : slice.contours) {
+      std::vector<std::vector<Point2>> rings = without_bridges(contour.points);
+      if (rings.size() < 2) {
+        parted.push_back(std::move(contour));
+        continue;
+      }
+      ++keyholes;
+      for (std::vector<Point2>& ring : rings) parted.push_back({contour.structure, std::move(ring)});
+    }
+    slice.contours = std::move(parted);
+    return keyholes;
   }
 
   struct Repeats {
@@ -221,6 +289,8 @@ class Reader {
   std::vector<Outline> outlines_;
   std::size_t points_ = 0;
   bool guess_told_ = false;
+  std::shared_ptr<DicomOrigin> origin_ = std::make_shared<DicomOrigin>();
+  std::set<std::pair<std::string, std::uint32_t>> known_instances_;
   FileContours result_;
 };
 

@@ -3,7 +3,7 @@
 //
 // Each region of interest (ROI) with contours becomes a structure of its name. Contours of type CLOSED_PLANAR and CLOSEDPLANAR_XOR are
 // taken, points and open lines are left out and counted in the remarks. A hole is a contour within another, or a keyhole: one line that goes in
-// along a bridge and comes back along it (repair_contours makes a hole of that). Numbers are millimetres in the patient's axes.
+// along a bridge and comes back along the very same points (parted here, unbridge.h, and told); where points differ, repair_contours may mend it. Numbers are millimetres in the patient's axes.
 //
 // Planes must be parallel; parallel_planes.h says how they become slices. A contour that its slice has already is left out and told. Names
 // become UTF-8 (character_set.h). The preamble and the mark of DICOM may be missing.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "recon/delaunay/verdict.h"
 #include "recon/mesh/tetra_report.h"
 #include "recon/output/json_values.h"
 
@@ -84,8 +85,52 @@ Json void_links_json(const std::vector<MadeVoidLink>& links) {
 }
 
 Json json_of(const Topology& topology) {
-  return {{"pieces", topology.pieces}, {"handles", topology.handles}, {"bubbles", topology.bubbles},
-          {"euler", topology.pieces - topology.handles + topology.bubbles}};
+  return {{"pieces", topology.pieces},
+          {"handles", topology.handles},
+          {"bubbles", topology.bubbles},
+          {"euler", topology.euler()}};
+}
+
+Json json_of(const Point3& place) { return {place.x, place.y, place.z}; }
+
+Json attention_json(const std::vector<Attention>& items) {
+  Json list = Json::array();
+  for (const Attention& item : items) {
+    Json links = Json::array();
+    for (const Link& link : item.links)
+      links.push_back({{"structure", link.structure},
+                       {"slice", link.slice},
+                       {"lower", link.lower},
+                       {"upper", link.upper},
+                       {"connect", link.connect}});
+    list.push_back({{"kind", name(item.kind)},
+                    {"structure", item.structure},
+                    {"slice", item.slice},
+                    {"last_slice", item.last_slice},
+                    {"z", {item.z_lower, item.z_upper}},
+                    {"at", json_of(item.place)},
+                    {"seen", item.seen},
+                    {"expected", json_of(item.expected)},
+                    {"found", json_of(item.found)},
+                    {"remedy", item.remedy},
+                    {"links", std::move(links)}});
+  }
+  return list;
+}
+
+Json changes_json(const std::vector<SlabChange>& changes) {
+  Json list = Json::array();
+  for (const SlabChange& change : changes) {
+    list.push_back({{"kind", name(change.kind)},
+                    {"structure", change.structure},
+                    {"slice", change.slice},
+                    {"z", {change.z_lower, change.z_upper}},
+                    {"at", json_of(change.place)},
+                    {"volume", change.volume}});
+    if (change.kind == SlabChange::Kind::trimmed) list.back()["tetrahedra"] = change.count;
+    if (change.kind == SlabChange::Kind::interpolated) list.back()["slices"] = change.count;
+  }
+  return list;
 }
 
 /// Slabs that are as their contours and links imply are counted; the others are listed.
@@ -201,6 +246,9 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
     Json isos = Json::object();
     for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
     report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
+    if (const auto& motion = options.volume->upright) {
+      report["volume"]["upright"] = {{"matrix", motion->matrix()}, {"degrees", motion->degrees()}, {"as_given", options.volume->as_given}};
+    }
   }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);
   report["surface"] = json_of(surfaces);
@@ -210,12 +258,15 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   report["links"] = links_json(reconstruction.links);
   report["void_links"] = void_links_json(reconstruction.void_links);
   report["topology"] = topology_json(reconstruction.topology);
+  report["changes"] = changes_json(reconstruction.changes);
+  report["attention"] = attention_json(reconstruction.attention);
   report["cut_links"] = reconstruction.counts.cut_links;
   if (options.aim) report["simplification_aim"] = json_of(*options.aim);
   if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
   report["seconds"] = seconds_json(reconstruction.seconds);
   report["threads"] = reconstruction.threads;
   report["certified"] = reconstruction.certified && manifold;
+  report["verdict"] = name(verdict_of(reconstruction));
   return text_of(report);
 }
 

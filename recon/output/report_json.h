@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "recon/core/rigid_motion.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/simplify_surface.h"
@@ -37,6 +38,10 @@ struct ReportVolume {
   std::vector<std::pair<std::string, double>> isos;
   /// What was assumed and left out, see Volume::remarks.
   std::vector<std::string> remarks;
+  /// From the file's coordinates to those of the contours, if it was stood upright.
+  std::optional<RigidMotion> upright = {};
+  /// The model was put back to where the file has it.
+  bool as_given = false;
 };
 
 struct ReportOptions {
@@ -46,11 +51,12 @@ struct ReportOptions {
   std::optional<SimplificationAim> aim;
 };
 
-/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra, surface, structures, resampling,
-/// links, void_links, topology, cut_links, simplification_aim and simplification (only if there was one), seconds, threads, certified. `certified` is true if the
-/// reconstruction is and every surface in it, as it now is, is a closed oriented manifold. Lengths in mm, volumes in
-/// mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and `threads` differ between
-/// two runs on the same input.
+/// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra,
+/// surface, structures, resampling, links, void_links, topology, changes, attention, cut_links, simplification_aim and
+/// simplification (only if there was one), seconds, threads, certified, verdict (see recon/delaunay/verdict.h).
+/// `certified` is true if the reconstruction is and every surface in it, as it now is, is a closed oriented manifold.
+/// Lengths in mm, volumes in mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and
+/// `threads` differ between two runs on the same input.
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
 
 /// The same of a DB model: method, input, db (grid, field, cases, decimation), surface, structures, resampling, seconds, threads,

@@ -67,14 +67,17 @@ constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syn
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 42> wanted{
+constexpr std::array<std::uint32_t, 56> wanted{
     dicom::image_type, dicom::class_uid, dicom::instance_uid, dicom::modality, dicom::series_description, dicom::slice_thickness,
     dicom::spacing_between_slices, dicom::frame_time, dicom::frame_time_vector, dicom::magnification, dicom::imager_spacing,
     dicom::slice_location_vector, dicom::nominal_spacing, dicom::series_uid, dicom::instance_number, dicom::position, dicom::orientation,
     dicom::frame_content, dicom::plane_position, dicom::plane_orientation, dicom::temporal_index, dicom::concatenation_uid, dicom::samples,
     dicom::photometric, dicom::frames, dicom::frame_increment, dicom::rows, dicom::columns, dicom::pixel_spacing, dicom::bits_allocated,
     dicom::bits_stored, dicom::high_bit, dicom::is_signed, dicom::intercept, dicom::slope, dicom::modality_table, dicom::pixel_measures,
-    dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups};
+    dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups,
+    dicom::character_set, dicom::study_date, dicom::study_time, dicom::accession, dicom::referring, dicom::study_description, dicom::patient_name,
+    dicom::patient_id, dicom::patient_birth, dicom::patient_sex, dicom::study_uid, dicom::study_id, dicom::frame_of_reference,
+    dicom::position_indicator};
 
 bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
 
@@ -216,6 +219,7 @@ class Walk {
     const bool wanted_sequence = is_wanted_sequence(head.tag);
     const bool is_sequence = head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
     if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
+    if (is_sequence) refuse_odd(head);
     if (!is_sequence) {
       if (!is_wanted(head.tag)) return skip(head.length, end);
       keep({head.tag, head.vr, big_endian_, value(head, end), {}}, data);
@@ -231,6 +235,12 @@ class Walk {
       while (at_ < own_end) take_item(next(inner_implicit, own_end), inner_implicit, own_end, depth + 1, items);
     }
     if (wanted_sequence) keep(std::move(sequence), data);
+  }
+
+  /// PS3.5, 7.1.1: lengths are even. A value that is not may be a careless writer's; where a whole item is not, its end and all that follows may be misread.
+  void refuse_odd(const Head& head) const {
+    if (head.is_undefined() || head.length % 2 == 0) return;
+    refuse(fmt::format("an item or sequence has an odd number of bytes ({}), which DICOM does not allow: where it ends is not sure", head.length));
   }
 
   static bool is_wanted_sequence(std::uint32_t tag) {
@@ -253,6 +263,7 @@ class Walk {
 
   void take_item(const Head& head, bool implicit_vr, std::uint64_t end, int depth, std::vector<DicomDataSet>* items) {
     if (head.tag != item_tag) refuse("a sequence holds something else than items");
+    refuse_odd(head);
     if (depth > limits::dicom_nesting) refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
     if (!head.is_undefined()) require(head.length, end);
     const std::uint64_t own_end = head.is_undefined() ? end : at_ + head.length;

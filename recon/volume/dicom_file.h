@@ -111,8 +111,16 @@ inline constexpr std::uint32_t
     bits_allocated = tag(0x0028, 0x0100), bits_stored = tag(0x0028, 0x0101), high_bit = tag(0x0028, 0x0102), is_signed = tag(0x0028, 0x0103),
     intercept = tag(0x0028, 0x1052), slope = tag(0x0028, 0x1053), modality_table = tag(0x0028, 0x3000), pixel_measures = tag(0x0028, 0x9110),
     value_transformation = tag(0x0028, 0x9145), grid_offsets = tag(0x3004, 0x000c), dose_scaling = tag(0x3004, 0x000e),
+    character_set = tag(0x0008, 0x0005), study_date = tag(0x0008, 0x0020), study_time = tag(0x0008, 0x0030), accession = tag(0x0008, 0x0050),
+    referring = tag(0x0008, 0x0090), study_description = tag(0x0008, 0x1030), patient_name = tag(0x0010, 0x0010), patient_id = tag(0x0010, 0x0020),
+    patient_birth = tag(0x0010, 0x0030), patient_sex = tag(0x0010, 0x0040), study_uid = tag(0x0020, 0x000d), study_id = tag(0x0020, 0x0010),
+    frame_of_reference = tag(0x0020, 0x0052), position_indicator = tag(0x0020, 0x1040),
     shared_groups = tag(0x5200, 0x9229), frame_groups = tag(0x5200, 0x9230), float_pixels = tag(0x7fe0, 0x0008), double_pixels = tag(0x7fe0, 0x0009),
     pixel_data = tag(0x7fe0, 0x0010);
+
+/// What tells whose image it is, and of which study: kept for files that are written back.
+inline constexpr std::array<std::uint32_t, 10> identity{study_date,   study_time, accession,     referring,   study_description,
+                                                        patient_name, patient_id, patient_birth, patient_sex, study_id};
 }  // namespace dicom
 
 }  // namespace odontoscope

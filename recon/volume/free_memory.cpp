@@ -45,7 +45,7 @@ void check_memory(const std::string& file, std::size_t voxels) {
   if (wanted <= there) return;
   constexpr double megabyte = 1e6;
   throw FileError(file, fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", wanted / megabyte, there / megabyte),
-                  "crop it to the tooth, resample it more coarsely, or use a larger machine");
+                  "crop it to the tooth or resample it more coarsely (with another program, if this one cannot even read it), or use a larger machine");
 }
 
 }  // namespace odontoscope

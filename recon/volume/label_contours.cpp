@@ -8,6 +8,7 @@
 #include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/lattice_crossing.h"
 
 namespace odontoscope {
 namespace {

@@ -94,6 +94,30 @@ Found files_of(const std::string& path, const ReadVolumeOptions& options, const 
   return beside(path, read_dicom_file(path), options, progress);
 }
 
+/// Whose images they are, and which.
+std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
+  auto origin = std::make_shared<DicomOrigin>();
+  const DicomImage& first = *stack.planes.front().image;
+  const DicomDataSet& data = first.file.data;
+  for (const std::uint32_t tag : dicom::identity) {
+    if (std::string text = data.text(tag); !text.empty()) origin->identity.emplace(tag, std::move(text));
+  }
+  origin->character_set = data.text(dicom::character_set);
+  origin->frame_of_reference = data.text(dicom::frame_of_reference);
+  origin->position_indicator = data.text(dicom::position_indicator);
+  origin->study = data.text(dicom::study_uid);
+  origin->series = first.series;
+  const Vector3& normal = stack.image.direction[2];
+  for (const DicomPlane& plane : stack.planes) {
+    const DicomImage& image = *plane.image;
+    DicomInstance instance{image.file.data.text(dicom::class_uid), image.instance, 0, image.frames[plane.frame].position};
+    if (image.frames.size() > 1) instance.frame = static_cast<std::uint32_t>(plane.frame + 1);
+    if (instance.position) origin->normal = normal;
+    origin->instances.push_back(std::move(instance));
+  }
+  return origin;
+}
+
 }  // namespace
 
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
@@ -110,6 +134,7 @@ Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& optio
   check_memory(path, image.size[0] * image.size[1] * image.size[2]);
   image.values = read_planes(stack.planes, progress);
   Volume volume = oriented(std::move(image));
+  volume.patient.dicom = origin_of(stack);
   volume.remarks = std::move(found.remarks);
   volume.remarks.insert(volume.remarks.end(), stack.remarks.begin(), stack.remarks.end());
   return volume;

@@ -19,8 +19,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "recon/core/progress.h"
 #include "recon/contours/trace.h"
+#include "recon/core/progress.h"
+#include "recon/volume/lattice_crossing.h"
 #include "recon/volume/volume.h"
 
 namespace odontoscope {

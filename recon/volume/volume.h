@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/input/patient_origin.h"
 
 namespace odontoscope {
 
@@ -33,6 +34,8 @@ struct Volume {
   /// How far the image's own axes were turned away from the coordinate axes in the file, degrees. read_volume drops
   /// this turn (see there); the shape is untouched.
   double tilt_degrees = 0;
+  /// The turn itself, and the DICOM series that it came from.
+  PatientOrigin patient;
   /// By value; only some formats name them.
   std::vector<VolumeLabel> labels;
   /// What the file does not say and was assumed, and what was left out: one line each, to be told.

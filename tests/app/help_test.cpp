@@ -45,7 +45,7 @@ TEST_P(HelpOf, TeachesByExample) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare", "canal", "anatomy", "figures"),
+INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare", "canal", "anatomy", "figures", "corpus"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

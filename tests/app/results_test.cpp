@@ -53,6 +53,91 @@ TEST_F(Results, QuietSaysNothing) {
   EXPECT_TRUE(exists("cube.stl"));
 }
 
+/// Square pillars of five slices each, the upper ones beside the lower one.
+std::string pillars(const std::vector<double>& upper_left) {
+  std::string slices;
+  for (int k = 0; k < 10; ++k) {
+    std::string contours;
+    for (const double left : k < 5 ? std::vector{0.0} : upper_left) {
+      const double right = left + 1;
+      contours += (contours.empty() ? "" : ",") +
+                  ("{\"structure\":\"root canal\",\"points\":[[" + std::to_string(left) + ",0],[" +
+                   std::to_string(right) + ",0],[" + std::to_string(right) + ",1],[" + std::to_string(left) + ",1]]}");
+    }
+    slices += (k > 0 ? "," : "") + ("{\"z\":" + std::to_string(k) + ",\"contours\":[" + contours + "]}");
+  }
+  return "{\"format\":\"odontoscope.contours\",\"version\":1,\"unit\":\"mm\",\"slices\":[" + slices + "]}";
+}
+
+std::vector<std::string> options_in(const std::string& words, const std::string& option) {
+  std::vector<std::string> values;
+  for (std::size_t at = words.find(option + " '"); at != words.npos; at = words.find(option + " '", at + 1)) {
+    const std::size_t begin = at + option.size() + 2;
+    values.push_back(words.substr(begin, words.find('\'', begin) - begin));
+  }
+  return values;
+}
+
+TEST_F(Results, AnAmberVerdictWarnsAndItsOwnOptionEndsThat) {
+  given("canal.json", pillars({1.5, -1.5}));
+  const Ending amber = odontoscope(
+      {"reconstruct", "canal.json", "--correspondence", "medial", "-o", "amber.ply", "--report", "amber.json"});
+  EXPECT_EQ(amber.exit_code, 0) << amber.err;
+  EXPECT_TRUE(amber.says("Amber: certified, but look at 1 place.")) << amber.out;
+  EXPECT_TRUE(amber.complains("warning: root canal, slices 4 and 5 (z 4 to 5 mm)")) << amber.err;
+  EXPECT_TRUE(exists("amber.ply"));
+  EXPECT_EQ(nlohmann::json::parse(bytes_of("amber.json")).at("verdict"), "amber");
+  const std::vector<std::string> links = options_in(amber.err, "--link");
+  ASSERT_EQ(links.size(), 2u) << amber.err;
+  for (const std::string& link : links) {
+    const Ending green = odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "green.ply",
+                                      "--link", link, "--report", "green.json", "--strict"});
+    EXPECT_EQ(green.exit_code, 0) << green.err;
+    EXPECT_FALSE(green.complains("warning")) << green.err;
+    EXPECT_TRUE(green.says("Green: ")) << green.out;
+    EXPECT_EQ(nlohmann::json::parse(bytes_of("green.json")).at("verdict"), "green");
+  }
+}
+
+TEST_F(Results, StrictWritesNoAmberModel) {
+  given("canal.json", pillars({1.5}));
+  const Ending strict =
+      odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "canal.ply", "--strict"});
+  EXPECT_EQ(strict.exit_code, 1) << strict.err;
+  EXPECT_TRUE(strict.complains("warning: root canal")) << strict.err;
+  EXPECT_TRUE(strict.complains("Nothing was written")) << strict.err;
+  EXPECT_FALSE(exists("canal.ply"));
+  const std::vector<std::string> apart = options_in(strict.err, "--unlink");
+  ASSERT_EQ(apart.size(), 1u) << strict.err;
+  EXPECT_EQ(odontoscope({"reconstruct", "canal.json", "--correspondence", "medial", "-o", "canal.ply", "--strict",
+                         "--unlink", apart.front()})
+                .exit_code,
+            0);
+  EXPECT_TRUE(exists("canal.ply"));
+}
+
+TEST_F(Results, OnlyTheFirstPlacesAreToldOnTheTerminal) {
+  std::string many;  // specks, each in one slice, beside a pillar
+  for (int k = 0; k < 12; ++k) {
+    const std::string x = std::to_string(3 + 4 * (k % 5));
+    const std::string speck = k % 2 == 0 ? "" : ",{\"points\":[[" + x + ",9],[" + x + ".5,9],[" + x + ".5,9.5]]}";
+    many +=
+        (k > 0 ? "," : "") + ("{\"z\":" + std::to_string(k) + ",\"contours\":[{\"points\":[[0,0],[1,0],[1,1],[0,1]]}" +
+                              speck + ",{\"points\":[[" + x + ",-9],[" + x + ".5,-9],[" + x + ".5,-8.5]]}]}");
+  }
+  given("specks.json", "{\"format\":\"odontoscope.contours\",\"version\":1,\"unit\":\"mm\",\"slices\":[" + many + "]}");
+  const Ending ending = odontoscope({"reconstruct", "specks.json", "--correspondence", "medial", "-o", "specks.ply",
+                                     "--report", "specks-report.json"});
+  EXPECT_EQ(ending.exit_code, 0) << ending.err;
+  std::size_t warnings = 0;
+  for (std::size_t at = ending.err.find("warning: "); at != std::string::npos;
+       at = ending.err.find("warning: ", at + 1))
+    ++warnings;
+  EXPECT_EQ(warnings, 8u) << ending.err;
+  EXPECT_TRUE(ending.complains("and 10 more in the report")) << ending.err;
+  EXPECT_EQ(nlohmann::json::parse(bytes_of("specks-report.json")).at("attention").size(), 18u);
+}
+
 TEST_F(Results, LogHoldsNoTerminalCodes) {
   given("cube.json", cube_stack());
   const Ending logged = odontoscope({"reconstruct", "cube.json", "-o", "cube.stl"});

@@ -17,11 +17,11 @@ stand_in() {
   chmod +x "$tools/$1"
 }
 
-# Runs install_packages; leaves what was said in $said, the exit code in $code and the calls of apt-get in $calls.
+# Runs install_packages with the lists given, by default that of the program; leaves what was said in $said, the exit code in $code and the calls of apt-get in $calls.
 install() {
   : >"$scratch/calls"
   code=0
-  said=$(PATH=$tools "$tools/bash" -c 'set -euo pipefail; source "$1/third_party/setup.sh"; install_packages' x "$repository" 2>&1) ||
+  said=$(PATH=$tools "$tools/bash" -c 'set -euo pipefail; source "$1/third_party/setup.sh"; install_packages "${@:2}"' x "$repository" "${@:-packages.debian}" 2>&1) ||
     code=$?
   calls=$(cat "$scratch/calls")
 }
@@ -87,5 +87,12 @@ expect "in place of one that is too old, too" [ "${calls##*--no-install-recommen
 stand_in node 'echo v22.1.0'
 install
 expect "and one from elsewhere is kept" [ -z "$calls" ]
+
+# Only tests ask for what they alone need.
+stand_in dpkg-query 'shift 3; for name; do case $name in chromium | gmsh) ;; *) echo "$name installed" ;; esac; done'
+install
+expect "the program needs no browser" [ -z "$calls" ]
+install packages.debian test_packages.debian
+expect "its tests do" [ "${calls##*--no-install-recommends }" = "gmsh chromium" ]
 
 echo "$passed passed, 0 failed"

@@ -9,7 +9,8 @@
 namespace odontoscope::test {
 
 /// One structure's slices by ascending z.
-inline std::vector<delaunay::ConformedSlice> conformed(const ContourStack& stack, const std::string& structure = "tooth") {
+inline std::vector<delaunay::ConformedSlice> conformed(const ContourStack& stack,
+                                                       const std::string& structure = "tooth") {
   validate(stack);
   const OrderedStack input = ordered(stack);
   std::vector<delaunay::ConformedSlice> slices;

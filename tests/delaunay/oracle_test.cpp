@@ -191,10 +191,23 @@ TEST(Oracle, ComparesLinksWithPieces) {
   Reconstruction result;
   result.solids = {prism()};
   result.certified = true;
+  result.topology = {{"tooth", 0, {2, 0, 0}, {1, 0, 0}, 0}};
   EXPECT_EQ(faults_of(result, prism_stack), (std::vector<std::string>{
       "tooth: regions that no link joins lie in one piece, 1 times, first: slices 0, 1, contours 0, 0"}));
   result.links = {{{"tooth", 0, 0, 0, true}, LinkCriterion::medial}};
+  result.topology[0].implied.pieces = 1;
   EXPECT_EQ(faults_of(result, prism_stack), std::vector<std::string>{});
+}
+
+TEST(Oracle, ComparesTopologyWithWhatIsTold) {
+  Reconstruction result;
+  result.solids = {prism()};
+  result.certified = true;
+  result.links = {{{"tooth", 0, 0, 0, true}, LinkCriterion::medial}};
+  const auto untrue = [&] { return faults_of(result, prism_stack); };
+  EXPECT_EQ(untrue(), std::vector<std::string>{"untrue topology, tooth, slab 0: the result does not tell its topology"});
+  result.topology = {{"tooth", 0, {1, 0, 0}, {1, 1, 0}, 0}};
+  EXPECT_EQ(untrue(), std::vector<std::string>{"untrue topology, tooth, slab 0: found 1 pieces, 0 handles, 0 bubbles, told are 1 pieces, 1 handles, 0 bubbles"});
 }
 
 }  // namespace

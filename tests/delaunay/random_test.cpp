@@ -21,15 +21,19 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 }
 
 ReconstructOptions options_for(std::uint64_t seed) {
-  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::reverse};
-  return {.correspondence = all[seed / 5 % 3], .links = {}, .threads = 1};
+  constexpr Correspondence all[] = {Correspondence::tracked, Correspondence::medial, Correspondence::overlap, Correspondence::reverse};
+  return {.correspondence = all[seed / 5 % 4], .between = Between::delaunay, .links = {}, .threads = 1};
 }
 
-/// Empty if all is well with this stack; else what is wrong, in words that do not depend on its size.
+/// Empty if all is well with this stack; else what is wrong, in words that do not depend on its size. Turned copies must come out alike where
+/// the two slices alone decide; a raster between them does not turn with them.
 std::string trouble_with(const ContourStack& stack, std::uint64_t seed, bool general_position) {
   const ReconstructOptions options = options_for(seed);
   const Outcome usual = outcome_of(stack, options);
   if (!usual.failure.empty()) return usual.failure;
+  ReconstructOptions blended = options;
+  blended.between = Between::blended;
+  if (const Outcome seen = outcome_of(stack, blended); !seen.failure.empty()) return "blended: " + seen.failure;
   for (const Variant& variant : variants_of(stack, seed)) {
     const Outcome seen = outcome_of(variant.stack, options);
     if (!seen.failure.empty()) return std::string(variant.name) + ": " + seen.failure;

@@ -1,5 +1,7 @@
 // Void regions and their links, against points looked up in the polygons themselves.
 
+#include "recon/delaunay/voids.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <optional>
 #include <set>
 
-#include "recon/delaunay/voids.h"
 #include "tests/delaunay/conformed.h"
 #include "tests/support/random_stacks.h"
 #include "tests/support/shapes.h"
@@ -19,7 +20,8 @@ using namespace delaunay;
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 Ring ring_of(const ConformedSlice& slice, std::uint32_t contour) {
-  return {slice.planar.points.begin() + slice.first_point[contour], slice.planar.points.begin() + slice.first_point[contour + 1]};
+  return {slice.planar.points.begin() + slice.first_point[contour],
+          slice.planar.points.begin() + slice.first_point[contour + 1]};
 }
 
 double area_of(const Ring& ring) {
@@ -51,9 +53,10 @@ double distance_to(const Ring& ring, Point2 p) {
   return least;
 }
 
-/// By the innermost of the chosen regions' contours that encloses p: the void there; none in material. Empty where p is too near to a
-/// contour for plain doubles.
-std::optional<std::uint32_t> void_at(const ConformedSlice& slice, const SliceVoids& voids, const std::vector<bool>& chosen, Point2 p) {
+/// By the innermost of the chosen regions' contours that encloses p: the void there; none in material. Empty where p
+/// is too near to a contour for plain doubles.
+std::optional<std::uint32_t> void_at(const ConformedSlice& slice, const SliceVoids& voids,
+                                     const std::vector<bool>& chosen, Point2 p) {
   double least = INFINITY;
   std::optional<std::uint32_t> innermost;
   for (std::uint32_t c = 0; c < slice.contour_number.size(); ++c) {
@@ -194,7 +197,7 @@ TEST(Voids, AnIslandAloneStandsOutside) {
   const ConformedSlice slice = conformed(islands_nested_four_deep()).front();
   std::vector<bool> chosen(slice.regions(), false);
   const SliceVoids voids = voids_of(slice);
-  std::uint32_t island = 0;   // the region whose outer contour has a hole's void beside it
+  std::uint32_t island = 0;  // the region whose outer contour has a hole's void beside it
   while (voids.of_contour[slice.outer_contour[island]] == outside) ++island;
   chosen[island] = true;
   const Planar alone = part_of(slice.planar, chosen);
@@ -239,8 +242,8 @@ TEST(VoidLinks, EachCriterionIncludesTheOneBefore) {
     const auto slices = conformed(random_stack(seed).stack);
     for (std::size_t k = 0; k + 1 < slices.size(); ++k) {
       const VoidSlab slab(slices[k], slices[k + 1]);
-      const Pairs reverse = pairs_of(slab.links(Correspondence::reverse)), medial = pairs_of(slab.links(Correspondence::medial)),
-                  overlap = pairs_of(slab.links());
+      const Pairs reverse = pairs_of(slab.links(Correspondence::reverse)),
+                  medial = pairs_of(slab.links(Correspondence::medial)), overlap = pairs_of(slab.links());
       EXPECT_TRUE(std::includes(medial.begin(), medial.end(), reverse.begin(), reverse.end())) << seed;
       EXPECT_TRUE(std::includes(overlap.begin(), overlap.end(), medial.begin(), medial.end())) << seed;
       EXPECT_TRUE(reverse.contains({outside, outside})) << seed;
@@ -253,10 +256,11 @@ TEST(VoidLinks, OfMaterialAndVoidChangePlacesInAFrame) {
   const double radius = 1;
   for (double radii : {0.2, 0.9, 1.5, 2.5}) {
     const Ring frame = rectangle({-6, -6}, {9, 6}), below = circle(radius), above = circle(radius, {radii * radius, 0});
-    const auto holes = conformed(stack_of({{frame, below}, {frame, above}})), discs = conformed(stack_of({{below}, {above}}));
+    const auto holes = conformed(stack_of({{frame, below}, {frame, above}})),
+               discs = conformed(stack_of({{below}, {above}}));
     const auto of_void = VoidSlab(holes[0], holes[1]).links();
-    const auto of_disc = witnessed_links(triangulate_slab(discs[0].planar, discs[1].planar), discs[0].planar, discs[1].planar,
-                                         Correspondence::overlap);
+    const auto of_disc = witnessed_links(triangulate_slab(discs[0].planar, discs[1].planar), discs[0].planar,
+                                         discs[1].planar, Correspondence::overlap);
     EXPECT_EQ(pairs_of(of_void).contains({1, 1}), pairs_of(of_disc).contains({0, 0})) << radii;
   }
 }

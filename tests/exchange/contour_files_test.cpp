@@ -225,14 +225,15 @@ TEST(Rtstruct, PlanesAcrossAnotherAxis) {
   EXPECT_EQ(read.stack.slices[1].contours.at(0).points[2], (Point2{4, 3}));
 }
 
-TEST(Rtstruct, AKeyholeIsSaidAndMended) {
+TEST(Rtstruct, AKeyholeIsPartedAndSaid) {
   const std::string keyhole = "0\\0\\0\\8\\0\\0\\8\\8\\0\\0\\8\\0\\0\\4\\0\\2\\4\\0\\2\\6\\0\\6\\6\\0\\6\\2\\0\\2\\2\\0\\2\\4\\0\\0\\4\\0";
   const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", {{keyhole, "12", "CLOSED_PLANAR"}, square(3, 8)}}}), "file");
-  EXPECT_EQ(cause_of([&] { validate(read.stack); }), "repeated-point");
-  const RepairedContours repaired = repair_contours(read.stack);
-  EXPECT_NO_THROW(validate(repaired.stack));
-  EXPECT_EQ(repaired.stack.slices[0].contours.size(), 2u);
-  EXPECT_EQ(repaired.changes.size(), 1u);
+  EXPECT_NO_THROW(validate(read.stack));
+  ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
+  EXPECT_EQ(read.stack.slices[0].contours[0].points.size(), 5u);   // the bridge began in a point of its own
+  EXPECT_EQ(read.stack.slices[0].contours[1].points.size(), 5u);
+  ASSERT_FALSE(read.remarks.empty());
+  EXPECT_NE(read.remarks[0].find("1 contour that goes along a bridge"), std::string::npos) << read.remarks[0];
 }
 
 TEST(Rtstruct, WrongFilesAreNamed) {

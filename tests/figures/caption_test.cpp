@@ -9,6 +9,7 @@
 
 #include "engine/figures/contour_sets.h"
 #include "engine/figures/figures.h"
+#include "engine/figures/papers_way.h"
 #include "engine/figures/slab_steps.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/mesh/surface_report.h"
@@ -143,7 +144,7 @@ TEST(Figure9, DtSeparatesWhatOverlapsSlightlyOrNotAtAll) {
 TEST(Figure10, DtConnectsOnTheUsersWordAndOnlyThen) {
   EXPECT_EQ(solids(figure(10).panels[0]), 1u);
   EXPECT_EQ(solids(figure(10).panels[1]), 1u);
-  const Reconstruction alone = reconstruct(shifted_stumps(1.88));
+  const Reconstruction alone = reconstruct(shifted_stumps(1.88), papers_way());
   EXPECT_EQ(alone.solids[0].report.shells.size(), 2u) << "left to itself";
 }
 
@@ -155,11 +156,11 @@ TEST(Figure11, DbConnectsSlightOverlapUnlessAnEmptyLayerParts) {
 
 TEST(Figure12, DbStaysConnectedAsOverlapShrinks) {
   for (const Panel& panel : figure(12).panels) EXPECT_EQ(solids(panel), 1u) << panel.caption;
-  for (const double shift : {1.68, 1.78, 1.88}) EXPECT_EQ(reconstruct(shifted_stumps(shift)).solids[0].report.shells.size(), 2u) << "DT at " << shift;
+  for (const double shift : {1.68, 1.78, 1.88}) EXPECT_EQ(reconstruct(shifted_stumps(shift), papers_way()).solids[0].report.shells.size(), 2u) << "DT at " << shift;
 }
 
 TEST(Figures13And14, TheFurcationIsSingularAndBothCloseIt) {
-  const Reconstruction dt = reconstruct(molar_furcation());
+  const Reconstruction dt = reconstruct(molar_furcation(), papers_way());
   EXPECT_GT(dt.counts.restored, 0u) << "else there was no singularity to mend";
   EXPECT_EQ(solids(figure(13).panels[0]), 1u);
   EXPECT_EQ(solids(figure(13).panels[1]), 1u);
@@ -204,7 +205,7 @@ TEST(Figure17, StandsInTheCavityWhoseDtWallIsSoundAndDbWallIsNot) {
 
 TEST(Figure18, TheTetrahedraFillTheirBoundary) {
   const auto& panels = figure(18).panels;
-  const Reconstruction made = reconstruct(roots_and_trunk());
+  const Reconstruction made = reconstruct(roots_and_trunk(), papers_way());
   EXPECT_EQ(panels[0].surfaces[0].surface.triangles.size(), 4 * made.solids[0].tetrahedra.tetrahedra.size());
   EXPECT_EQ(solids(panels[2]), 1u);
   EXPECT_EQ(report(panels[2]).shells[0].genus, 3) << "two canals into one chamber, and the chamber open above: three handles";

@@ -1,9 +1,10 @@
-// Any bytes as a DICOM structure set.
+// Any bytes as a DICOM structure set, mended where that can be done.
 #include "recon/exchange/read_rtstruct.h"
+#include "recon/exchange/repair_contours.h"
 #include "tests/fuzz/fuzz_bytes.h"
 
 using namespace odontoscope;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  return fuzz::refused_or_read([&] { parse_rtstruct(fuzz::text(data, size), "fuzz"); });
+  return fuzz::refused_or_read([&] { repair_contours(parse_rtstruct(fuzz::text(data, size), "fuzz").stack); });
 }

@@ -146,7 +146,7 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
   click("Canals", {"page"});
   const auto lines = rideable(world.cavities[0].lines);
   ASSERT_FALSE(lines.empty());
-  const double length = lines[0]->points.back().along - lines[0]->points[std::min(lines[0]->orifice, lines[0]->points.size() - 1)].along;
+  const double length = lines[0]->length_to_wall();
   char button[80];
   std::snprintf(button, sizeof button, "%s   %.1f mm", lines[0]->name.c_str(), length);
   click(button);

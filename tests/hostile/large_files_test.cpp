@@ -128,6 +128,12 @@ std::vector<Large> contour_files() {
       {"section", "a name of fifty megabytes", [] { return section_with("<Contour closed=\"true\" points=\"\" name=\"" + std::string(50u << 20, 'a') + "\"/>"); }, "bad-name"},
       {"section", "an index of a million numbers", [] { return "<Section thickness=\"1\" index=\"" + times(1'000'000, "1 ") + "\"/>"; }, "unparsable"},
       {"series", "three million elements", [] { return "<Series units=\"mm\" defaultThickness=\"1\">" + times(3'000'000, "<a/>") + "</Series>"; }, "accepted"},
+      {"jser", "a million brackets", [] { return "{\"sections\":" + times(1'000'000, "["); }, "unparsable"},
+      {"jser", "two million points in a trace", [] {
+         const std::string numbers = "[" + times(2'000'000, "1", ",") + "]";
+         return "{\"sections\":[{\"thickness\":1,\"contours\":{\"a\":[[" + numbers + "," + numbers + ",[0,0,0],true,false,false,[],[]]]}}],\"series\":{}}";
+       }, "accepted"},
+      {"jser", "seventy million values", [] { return "{\"sections\":[" + times(70'000'000, "0", ",") + "]}"; }, "file-too-large"},
       {"rtstruct", "sequences a hundred thousand deep", [] { return nested_sequences(100'000); }, "unreadable-structure-set"},
       {"rtstruct", "too many regions", [] { return set_of(limits::structures + 1, 1, {}); }, "too-many-structures"},
       {"rtstruct", "too many contours in a plane", [] { return set_of(3, 5'000, {}); }, "too-many-contours"},
@@ -160,6 +166,22 @@ std::string one_triangle_drawn_by(const std::string& nodes) {
 
 std::string stl_facet() { return "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"; }
 
+/// There and back between two rows of so many vertices each: teeth of a comb, and its back.
+std::string comb(int teeth) {
+  std::string corners;
+  for (int i = 1; i <= teeth; ++i) corners += " " + std::to_string(i + (i % 2 == 0 ? teeth : 0));
+  return corners + " " + std::to_string(2 * teeth) + " " + std::to_string(teeth + 1);
+}
+
+/// A face back and forth between as many vertices, no three of which lie on a line.
+std::string scribble(int corners, int vertices) {
+  std::string text;
+  for (int i = 0; i < vertices; ++i) text += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+  text += "f";
+  for (int i = 0; i < corners; ++i) text += " " + std::to_string(1 + i * 7919 % vertices);
+  return text;
+}
+
 std::string big_endian(std::uint32_t number) {
   const std::string bytes = little_endian(number);
   return {bytes.rbegin(), bytes.rend()};
@@ -188,6 +210,15 @@ std::vector<Large> mesh_files() {
       {"ply", "rows of nothing, without end", [] { return std::string("ply\nformat ascii 1.0\nelement e 100000000\nend_header\n"); }, "bad-header"},
       {"obj", "two million objects", [] { return times(2'000'000, "o a\n"); }, "empty-mesh"},
       {"obj", "a face of five million corners", [] { return "v 0 0 0\nf" + times(5'000'000, " 1") + "\n"; }, "too-large"},
+      {"obj", "a comb of twenty thousand corners", [] { return numbered(20'000, "v # 0 0\n", "") + numbered(20'000, "v # -9 0\n", "") + "f" + comb(20'000) + "\n"; }, "accepted"},
+      {"obj", "a scribble of ninety thousand corners", [] { return scribble(90'000, 300) + "\n"; }, "accepted"},
+      {"obj", "a line that goes on a million times", [] { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + times(1'000'000, "\\\n") + "3\n"; }, "accepted"},
+      {"ply", "a strip of three million corners", [] {
+         return "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+                "0 0 0\n1 0 0\n0 1 0\n3000000 " + times(1'000'000, "0 1 2 ");
+       }, "accepted"},
+      {"gltf", "a million brackets", [] { return times(1'000'000, "["); }, "unparsable"},
+      {"gltf", "a buffer of fifty megabytes that nobody asks for", [] { return "{\"buffers\":[{\"byteLength\":1,\"uri\":\"data:;base64," + std::string(50u << 20, 'A') + "\"}]}"; }, "empty-mesh"},
       {"obj", "two hundred thousand objects with a triangle", [] { return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + times(200'000, "o a\nf 1 2 3\n"); }, "accepted"},
       {"obj", "a word of fifty megabytes", [] { return std::string(50u << 20, 'v'); }, "unparsable"},
       {"glb", "a million brackets", [] { return glb_of(times(1'000'000, "[")); }, "unparsable"},

@@ -12,6 +12,7 @@
 #include "engine/ui/settings.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/read_csl.h"
+#include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/input/links_json.h"
@@ -77,12 +78,22 @@ void sound(const Settings& settings) {
   if (settings.window.width < 1 || settings.picture.width < 1) throw Unsound("a picture without width");
 }
 
-/// For readers that want a file.
+/// One for all files: to make and remove a folder for each takes longer than to read it.
+const TemporaryFolder& folder_of_files() {
+  static const TemporaryFolder folder;
+  return folder;
+}
+
+/// For readers that want a file. It is alone in its folder, since readers of volumes look at what lies beside.
 template <class Read>
 auto from_file(const std::string& bytes, const std::string& name, Read read) {
-  const TemporaryFolder folder;
-  put(folder / name, bytes);
-  return read((folder / name).string());
+  const std::filesystem::path file = folder_of_files() / name;
+  struct Removed {
+    const std::filesystem::path& path;
+    ~Removed() { std::filesystem::remove(path); }
+  } const removed{file};
+  put(file, bytes);
+  return read(file.string());
 }
 
 void read_links_text(const std::string& bytes) { parse_links(bytes, "file"); }
@@ -104,6 +115,7 @@ void sniffed(const std::string& bytes) {
 }  // namespace
 
 const std::vector<Reader>& readers() {
+  folder_of_files();   // made here, in the process that will remove it, before others are forked from it
   static const std::vector<Reader> all{
       {"stack", {"good", "bad"}, true, [](const std::string& bytes) { sound(parse_stack(bytes, "file")); }},
       {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", [](const std::string& file) { return read_stack(file); })); }},
@@ -118,11 +130,13 @@ const std::vector<Reader>& readers() {
          finite({section.thickness});
          sound(section.contours);
        }},
+      {"jser", {"exchange/jser"}, true, [](const std::string& bytes) { sound(parse_jser(bytes, "file").stack); }},
       {"rtstruct", {"exchange/rtstruct"}, false, [](const std::string& bytes) { sound(parse_rtstruct(bytes, "file").stack); }},
       {"stl", {"fuzz/stl"}, false, [](const std::string& bytes) { sound(parse_stl(bytes, "file")); }},
       {"ply", {"fuzz/ply"}, false, [](const std::string& bytes) { sound(parse_ply(bytes, "file")); }},
       {"obj", {"fuzz/obj"}, true, [](const std::string& bytes) { sound(parse_obj(bytes, "file")); }},
       {"glb", {"fuzz/glb"}, false, [](const std::string& bytes) { sound(parse_glb(bytes, "file")); }},
+      {"gltf", {"fuzz/gltf"}, true, [](const std::string& bytes) { sound(parse_gltf(bytes, "no-such-folder/file.gltf")); }},
       {"sniff", {"fuzz/sniff", "fuzz/stl", "fuzz/obj"}, false, sniffed},
       {"volume", {"fuzz/volume"}, false, read_any_volume},
       {"scene", {"fuzz/scene"}, true, [](const std::string& bytes) { sound(scene_from_json(bytes, Scene{}, "file")); }},

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, test} from 'node:test';
-import {browser, made, modules, needPackages, openedIn, pageOrSkip} from './support.mjs';
+import {browser, made, modules, needPackages, odontoscope, openedIn, pageOrSkip, writeBrokenPillar} from './support.mjs';
 
 needPackages();
 const chromium = await browser();
@@ -45,6 +45,18 @@ test('axe finds nothing on a phone, light', async () => {
   const two = await openedIn(chromium, made('access.html'), {size: phone, context: {...onPhone, colorScheme: 'light'}});
   await look(two, 'light');
   await two.close();
+});
+
+test('axe finds nothing on an amber certificate, dark and light', async () => {
+  writeBrokenPillar('pillar.json');
+  odontoscope('web', 'pillar.json', '-o', 'pillar.html');
+  for (const colorScheme of ['dark', 'light']) {
+    const two = await openedIn(chromium, made('pillar.html'), {size: desk, context: {colorScheme}});
+    await two.page.evaluate(axe);
+    assert.ok(await two.page.locator('.places button').isVisible());
+    assert.deepEqual(await complaints(two.page), [], colorScheme);
+    await two.close();
+  }
 });
 
 test('this would be noticed: grey on grey, a button without a name, a small target', async () => {

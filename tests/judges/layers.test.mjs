@@ -60,7 +60,7 @@ await page.evaluate(() => {
   /// Pixels whose rays meet several things, well apart: {place, hits}, no more than `count`.
   globalThis.pixelsWithLayers = (camera, count) => {
     const {width, height} = viewer.canvas, found = [];
-    for (let k = 0; k < 800 && found.length < count; ++k) {
+    for (let k = 0; k < 6000 && found.length < count; ++k) {
       const place = {x: Math.floor(width * (0.2 + 0.6 * ((0.5 + k * 0.7548776662) % 1))), y: Math.floor(height * (0.1 + 0.8 * ((0.5 + k * 0.5698402910) % 1)))};
       const hits = hitsAt(camera, place);
       if (hits.length < 3 || !hits.every((hit, i) => i === 0 || hit.deep - hits[i - 1].deep > 0.05)) continue;

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, test} from 'node:test';
-import {browser, made, modules, needPackages, odontoscope, openedIn, pageOrSkip} from './support.mjs';
+import {browser, made, modules, needPackages, odontoscope, openedIn, pageOrSkip, writeBrokenPillar} from './support.mjs';
 
 needPackages();
 const chromium = await browser();
@@ -45,7 +45,7 @@ after(() => one.close());
 test('it loads from disk, asks the network for nothing and complains of nothing', async () => {
   assert.equal(await one.page.title(), 'Sample molar');
   assert.equal(await one.page.textContent('h1'), 'Sample molar');
-  assert.match(await one.page.textContent('.verdict'), /Certified/);
+  assert.match(await one.page.textContent('.verdict'), /ertified/);
   assert.deepEqual(one.watched, []);
   assert.ok(readFileSync(made('page.html')).length > 500_000);
 });
@@ -55,6 +55,28 @@ test('a request would be stopped, and noticed', async () => {
   const stopped = await two.page.evaluate(() => fetch('http://example.invalid/').then(() => 'came through', error => error.name));
   assert.equal(stopped, 'TypeError');
   assert.ok(two.watched.some(words => words.includes('Content Security Policy')), two.watched.join('\n'));
+  await two.close();
+});
+
+test('an amber certificate says so with a sign and words, and its places lead there', async () => {
+  writeBrokenPillar('pillar.json');
+  odontoscope('web', 'pillar.json', '-o', 'pillar.html');
+  const two = await opened(made('pillar.html'));
+  assert.match(await two.page.textContent('.verdict'), /^! Amber: certified, but look at 1 place/);
+  assert.ok(await two.page.evaluate(() => document.querySelector('.verdict').classList.contains('amber')));
+  const place = two.page.locator('.places button');
+  assert.match(await place.textContent(), /slices 4 and 5 .*link tooth:4:0-0/);
+  const before = await two.page.evaluate(() => viewer.orbit.controls.target.toArray());
+  await place.click();
+  const after = await two.page.evaluate(() => {
+    for (let i = 0; i < 60; ++i) viewer.frame(0.02);
+    viewer.draw();
+    const ring = document.querySelector('#labels .ring');
+    return {target: viewer.orbit.controls.target.toArray(), ring: [ring.style.display, Number(ring.getAttribute('cx')), Number(ring.getAttribute('cy'))], middle: [viewer.canvas.clientWidth / 2, viewer.canvas.clientHeight / 2]};
+  });
+  for (const [i, at] of [1.25, 0.5, 4.5].entries()) assert.ok(Math.abs(after.target[i] - at) < 1e-6, `${before} to ${after.target}`);
+  assert.equal(after.ring[0], '');
+  assert.ok(Math.abs(after.ring[1] - after.middle[0]) < 1 && Math.abs(after.ring[2] - after.middle[1]) < 1, JSON.stringify(after));
   await two.close();
 });
 
@@ -72,7 +94,7 @@ test('structures, section, faces and method change the picture', async () => {
   }));
   assert.equal(changes.nothing, 0);
   for (const what of ['hidden', 'back', 'clear', 'cut', 'moved', 'whole', 'db', 'dt']) assert.ok(changes[what] > 0.004, `${what}: ${changes[what]}`);
-  assert.match(await one.page.textContent('.verdict'), /Certified/);
+  assert.match(await one.page.textContent('.verdict'), /ertified/);
   await one.page.getByRole('button', {name: 'DB', exact: true}).click();
   assert.match(await one.page.textContent('.verdict'), /Found wanting/);
   await one.page.getByRole('button', {name: 'DT', exact: true}).click();

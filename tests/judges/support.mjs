@@ -1,6 +1,6 @@
 // What the judges have in common: the program, models made by it, packages, and the browser.
 import {execFileSync} from 'node:child_process';
-import {existsSync, mkdtempSync, readFileSync, rmSync} from 'node:fs';
+import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -79,6 +79,13 @@ export function pageOrSkip(...words) {
     if (String(error.stderr).includes('built without its web page')) skip('this odontoscope was built without its web page');
     throw error;
   }
+}
+
+/// A stack of two square pillars, one over and beside the other: whether they are one is open, so its certificate is amber.
+export function writeBrokenPillar(name) {
+  const square = left => ({points: [[left, 0], [left + 1, 0], [left + 1, 1], [left, 1]]});
+  const slices = Array.from({length: 10}, (_, k) => ({z: k, contours: [square(k < 5 ? 0 : 1.5)]}));
+  writeFileSync(made(name), JSON.stringify({format: 'odontoscope.contours', version: 1, unit: 'mm', slices}));
 }
 
 /// The page, opened from disk, with the model there. `watched` fills with what went wrong and what was asked of the network.

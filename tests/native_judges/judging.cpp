@@ -51,7 +51,7 @@ void Judge::need(const std::string& program) {
     GTEST_SKIP() << "the CT molar is not there; set the CMake variable ODONTOSCOPE_DATA";
   }
   if (run("command -v " + program).exit_code != 0) {
-    GTEST_SKIP() << program << " is not installed; third_party/packages.debian lists it under \"judges\"";
+    GTEST_SKIP() << program << " is not installed; third_party/test_packages.debian lists it under \"judges\"";
   }
 }
 

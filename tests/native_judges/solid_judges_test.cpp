@@ -53,7 +53,7 @@ class Meshio : public Judge {
     need("/usr/bin/python3");  // another python may shadow the system's, which has meshio
     if (IsSkipped()) return;
     if (std::system("/usr/bin/python3 -c 'import meshio' >/dev/null 2>&1") != 0) {
-      GTEST_SKIP() << "python3-meshio is not installed; third_party/packages.debian lists it under \"judges\"";
+      GTEST_SKIP() << "python3-meshio is not installed; third_party/test_packages.debian lists it under \"judges\"";
     }
     testing_support::put(folder / "measure.py", measure_mesh);
   }

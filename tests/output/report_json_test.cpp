@@ -17,7 +17,8 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{"input", "tetrahedra", "surface", "structures", "resampling", "links",
-                                            "void_links", "topology", "cut_links", "seconds", "threads", "certified"}));
+                                            "void_links", "topology", "changes", "attention", "cut_links", "seconds",
+                                            "threads", "certified", "verdict"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
   for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
@@ -62,6 +63,48 @@ TEST(ReportJson, ABrokenSurfaceIsNotCertified) {
   EXPECT_EQ(json::parse(report_json(model))["certified"], false);
 }
 
+TEST(ReportJson, TellsTheVerdictAndWhereToLook) {
+  Reconstruction model = models::tooth_and_enamel();
+  EXPECT_EQ(json::parse(report_json(model))["verdict"], "green");
+  model.attention.push_back({.kind = AttentionKind::gap,
+                             .structure = "tooth",
+                             .slice = 1,
+                             .last_slice = 2,
+                             .z_lower = 0.5,
+                             .z_upper = 1,
+                             .place = {1, 2, 0.75},
+                             .expected = {2, 0, 0},
+                             .found = {2, 1, 0},
+                             .seen = "a piece ends.",
+                             .links = {{"tooth", 1, 0, 3, true}},
+                             .remedy = "Join them."});
+  model.changes.push_back({SlabChange::Kind::trimmed, "enamel", 2, 1, 1.5, {4, 5, 1.25}, 0.125, 7});
+  model.changes.push_back({SlabChange::Kind::interpolated, "enamel", 3, 1.5, 2, {4, 5, 1.75}, 8, 3});
+  const json report = json::parse(report_json(model));
+  EXPECT_EQ(report["verdict"], "amber");
+  const json& item = report["attention"].at(0);
+  EXPECT_EQ(item["kind"], "gap");
+  EXPECT_EQ(item["slice"], 1);
+  EXPECT_EQ(item["last_slice"], 2);
+  EXPECT_EQ(item["z"], (json{0.5, 1.0}));
+  EXPECT_EQ(item["at"], (json{1.0, 2.0, 0.75}));
+  EXPECT_EQ(item["expected"]["euler"], 2);
+  EXPECT_EQ(item["found"]["euler"], 1);
+  EXPECT_EQ(item["remedy"], "Join them.");
+  EXPECT_EQ(item["links"],
+            (json{{{"structure", "tooth"}, {"slice", 1}, {"lower", 0}, {"upper", 3}, {"connect", true}}}));
+  EXPECT_EQ(report["changes"].at(0), (json{{"kind", "trimmed"},
+                                           {"structure", "enamel"},
+                                           {"slice", 2},
+                                           {"z", {1.0, 1.5}},
+                                           {"at", {4.0, 5.0, 1.25}},
+                                           {"volume", 0.125},
+                                           {"tetrahedra", 7}}));
+  EXPECT_EQ(report["changes"].at(1)["slices"], 3);
+  model.solids[1] = models::solid("enamel", shapes::holed(shapes::cube()));
+  EXPECT_EQ(json::parse(report_json(model))["verdict"], "red");
+}
+
 TEST(ReportJson, TellsOfSimplifying) {
   ReportOptions options;
   options.simplifications.push_back({"tooth", 1000, 80, {{0.5, 0.1}, {0.4, 0.2}}, 0, 12, 30});
@@ -84,6 +127,14 @@ TEST(ReportJson, TellsOfTheVolume) {
   const json volume = json::parse(report_json(models::tooth_and_enamel(), options))["volume"];
   EXPECT_EQ(volume["isos"]["tooth"], 129.5);
   EXPECT_EQ(volume["remarks"].at(0), "1 mm is assumed");
+  EXPECT_FALSE(volume.contains("upright"));
+  options.volume->upright = turn_to_z({0.6, 0, 0.8}, {1, 2, 3});
+  options.volume->as_given = true;
+  const json upright = json::parse(report_json(models::tooth_and_enamel(), options))["volume"]["upright"];
+  EXPECT_EQ(upright["matrix"][0], json({0.8, 0.0, -0.6, 2.0}));   // 1 - (0.8 * 1 - 0.6 * 3)
+  EXPECT_EQ(upright["matrix"][3], json({0.0, 0.0, 0.0, 1.0}));
+  EXPECT_NEAR(upright["degrees"], 36.8699, 1e-4);
+  EXPECT_EQ(upright["as_given"], true);
 }
 
 TEST(ReportJson, TheSameBytesButForTimes) {

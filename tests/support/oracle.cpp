@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/support/oracle_parts.h"
+#include "tests/support/oracle_topology.h"
 #include "tests/support/plane_check.h"
 
 namespace odontoscope::test {
@@ -177,16 +178,22 @@ std::vector<std::string> faults_of(const Reconstruction& result, const ContourSt
   std::sort(sorted.slices.begin(), sorted.slices.end(), [](const Slice& a, const Slice& b) { return a.z < b.z; });
   std::vector<std::string> all;
   std::set<std::string> wanted, made;
+  bool sound = true;   // else nothing can be said about topology
   for (const Slice& slice : stack.slices)
     for (const Contour& contour : slice.contours) wanted.insert(contour.structure);
   for (const Solid& solid : result.solids) {
     const Verdict verdict = judge(solid, stack, options);
     for (const std::string& fault : verdict.faults) all.push_back(solid.structure + ": " + fault);
     if (!made.insert(solid.structure).second) all.push_back(solid.structure + ": two solids of one structure");
+    sound = sound && verdict.certified();
     if (verdict.component_of.empty()) continue;
     Faults faults;
     judge_links(solid, verdict, result.links, sorted, faults);
     for (const std::string& fault : faults.list()) all.push_back(solid.structure + ": " + fault);
+  }
+  if (sound) {
+    const TopologyVerdict topology = judge_topology(result, sorted);
+    for (const std::string& fault : topology.untrue) all.push_back("untrue topology, " + fault);
   }
   if (wanted != made) all.push_back("the solids are not those of the stack's structures");
   if (!result.certified) all.push_back("the engine itself did not certify");

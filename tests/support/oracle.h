@@ -53,7 +53,9 @@ struct Verdict {
 Verdict judge(const Solid& solid, const ContourStack& stack, OracleOptions options = {});
 
 /// Faults of a whole result: every solid's, that there is one for each structure that has a contour, that each solid's own report
-/// tells the same as the verdict, and that exactly the linked regions are joined into one piece.
+/// tells the same as the verdict, that exactly the linked regions are joined into one piece, and, of solids without a fault, that the pieces,
+/// handles and bubbles that the result tells of each slab, implied and found, are those that oracle_topology.h counts. Whether the two agree is no
+/// matter of faults: judge_topology lists where they do not.
 std::vector<std::string> faults_of(const Reconstruction& result, const ContourStack& stack, OracleOptions options = {});
 
 /// Shells of all solids, each as "tooth external genus 1", sorted: equal for equal topology.

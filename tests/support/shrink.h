@@ -3,8 +3,10 @@
 
 #include <chrono>
 #include <functional>
+#include <vector>
 
 #include "recon/input/contour_stack.h"
+#include "recon/input/links.h"
 
 namespace odontoscope::test {
 
@@ -12,5 +14,15 @@ namespace odontoscope::test {
 /// a stack from which nothing more can go, or when the time is up. `fails(stack)` must be true on entry.
 ContourStack shrunk(ContourStack stack, const std::function<bool(const ContourStack&)>& fails,
                     std::chrono::seconds time = std::chrono::seconds(20));
+
+/// A stack, its slices by ascending z, and the user's links between its contours.
+struct LinkedStack {
+  ContourStack stack;
+  std::vector<Link> links;
+};
+
+/// The same with links, which are dropped too, and keep naming the same contours when others go.
+LinkedStack shrunk(LinkedStack linked, const std::function<bool(const LinkedStack&)>& fails,
+                   std::chrono::seconds time = std::chrono::seconds(20));
 
 }  // namespace odontoscope::test

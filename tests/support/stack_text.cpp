@@ -23,6 +23,13 @@ std::string to_text(const ContourStack& stack) {
   return json{{"format", "odontoscope.contours"}, {"version", 1}, {"unit", "mm"}, {"slices", slices}}.dump();
 }
 
+std::string to_text(const std::vector<Link>& links) {
+  json list = json::array();
+  for (const Link& link : links)
+    list.push_back({{"structure", link.structure}, {"slice", link.slice}, {"lower", link.lower}, {"upper", link.upper}, {"connect", link.connect}});
+  return json{{"format", "odontoscope.links"}, {"version", 1}, {"links", list}}.dump();
+}
+
 ContourStack from_text(const std::string& text) {
   ContourStack stack;
   const json document = json::parse(text);

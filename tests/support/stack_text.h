@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "recon/input/contour_stack.h"
+#include "recon/input/links.h"
 
 namespace odontoscope::test {
 
 std::string to_text(const ContourStack& stack);
+std::string to_text(const std::vector<Link>& links);
 ContourStack from_text(const std::string& text);
 ContourStack read_stack_file(const std::string& path);
 

@@ -32,21 +32,30 @@ struct Truth {
 
 struct MethodResult {
   std::optional<Topology> topology;
-  bool warned = false;
+  bool warned = false;  // the verdict is amber for the sake of this structure
   std::string refused;  // the message, if it came to nothing
   double wrong_area = 0, own_area = 0;  // summed over planes at a quarter, half and three quarters of every slab, mm^2
+  double worst_area = 0;                // of one slab, mm^2 over the same three planes
+  std::size_t worst_slab = 0;
   std::optional<double> mean, largest;  // mm, both ways, the larger of the two
   std::size_t triangles = 0;
 };
 
 struct MeasureOptions {
   ReconstructOptions engine;
+  std::vector<Between> ways{ReconstructOptions{}.between};  // of DT; each is a method
   bool shape = false;       // areas and distances too, not topology alone
-  bool references = false;  // shape-based interpolation and DB, too
+  bool references = false;  // DB and shape-based interpolation, too
 };
 
-/// Methods by name ("DT", "DB 64", "SBI linear", ...), for each structure in the truth's order.
-using Results = std::map<std::string, std::vector<MethodResult>>;
+/// "DT plain", "DT blended", "DB 64", "DB 128", "DB 256", "SBI linear", "SBI cubic": in the order of tables.
+const std::vector<std::string>& method_names();
+const char* method_name(Between way);
+
+struct Results {
+  std::map<std::string, std::vector<MethodResult>> methods;  // for each structure in the truth's order
+  std::vector<bool> visible;  // whether the slices can tell of it at all, see visible.h
+};
 
 Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options);
 

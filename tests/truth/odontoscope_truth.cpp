@@ -1,8 +1,10 @@
-// Teeth with known truth, as many as are wanted: reconstructed, and held against it.
+// Teeth with known truth, as many as are wanted: reconstructed, and held against it. docs/truth.md
 //
-//   odontoscope_truth family --seeds 1..1000
-//   odontoscope_truth family --seeds 1..20 --spacing 0.25 --shape --references
-//   odontoscope_truth incisor --shape --references
+//   odontoscope_truth family --seeds 1..1000 --every-spacing       topology alone, as the program's own default has it
+//   odontoscope_truth family --seeds 1..20 --spacing 0.25 --tables  all methods, areas and distances, as Markdown
+//   odontoscope_truth family --seeds 1..200 --labels --smooth 0.05
+//   odontoscope_truth incisor FOLDER --tables
+//   odontoscope_truth tooth --seed 7 --spacing 0.5 -o tooth.json    to look at one
 
 #include <fmt/format.h>
 
@@ -14,6 +16,7 @@
 #include <thread>
 
 #include "recon/core/error.h"
+#include "recon/input/stack_json.h"
 #include "tooth_cuts.h"
 #include "truth_tables.h"
 #include "truths.h"
@@ -23,9 +26,11 @@ namespace {
 
 struct Asked {
   std::string seeds = "1..20";
+  std::uint64_t seed = 1;
   std::vector<double> spacings;
-  bool every_spacing = false, labels = false, failing = false, references = false;
-  std::string write;
+  bool every_spacing = false, labels = false, failing = false, tables = false;
+  std::optional<double> smooth;
+  std::string folder = std::string(ODONTOSCOPE_DATA) + "/incisor_meshes", output;
   MeasureOptions measure;
   unsigned threads = 0;
 };
@@ -44,7 +49,7 @@ std::pair<std::uint64_t, std::uint64_t> seed_range(const std::string& text) {
 /// What comes of one seed, printed in the order of seeds whichever thread is done first.
 class Output {
  public:
-  Output(std::uint64_t first, bool failing_only) : next_(first), failing_only_(failing_only) {}
+  Output(std::uint64_t first, const Asked& asked) : next_(first), asked_(asked) {}
 
   struct Line {
     double spacing = 0;
@@ -52,24 +57,24 @@ class Output {
     Results results;
   };
   void take(std::uint64_t seed, const std::string& about, const std::string& tooth, std::vector<Line> lines) {
-    std::string text = failing_only_ || about.empty() ? "" : about + "\n";
-    for (const Line& line : lines) text += lines_of(tooth, line.spacing, line.truth, line.results, failing_only_);
+    std::string text = asked_.failing || about.empty() ? "" : about + "\n";
+    for (const Line& line : lines) text += lines_of(tooth, line.spacing, line.truth, line.results, asked_.failing);
     const std::lock_guard lock(mutex_);
     for (const Line& line : lines) summary_.add(line.spacing, line.truth, line.results);
     waiting_[seed] = std::move(text);
     for (auto found = waiting_.find(next_); found != waiting_.end(); found = waiting_.find(++next_)) {
-      std::fputs(found->second.c_str(), stdout);
+      std::fputs(found->second.c_str(), asked_.tables ? stderr : stdout);
       std::fflush(stdout);
       waiting_.erase(found);
     }
   }
-  std::string summary() const { return summary_.text(); }
+  void print_summary() const { std::fputs((asked_.tables ? summary_.markdown() : summary_.text()).c_str(), stdout); }
 
  private:
   std::mutex mutex_;
   std::map<std::uint64_t, std::string> waiting_;
   std::uint64_t next_;
-  bool failing_only_;
+  const Asked& asked_;
   Summary summary_;
 };
 
@@ -77,6 +82,10 @@ std::vector<double> spacings_for(std::uint64_t seed, const Asked& asked) {
   if (!asked.spacings.empty()) return asked.spacings;
   if (asked.every_spacing) return family_spacings();
   return {family_spacings()[seed % family_spacings().size()]};
+}
+
+ContourStack cut(const TurnedTooth& tooth, double spacing, const Asked& asked) {
+  return asked.labels ? label_map_contours(tooth, spacing, asked.smooth) : contours_of(tooth, spacing);
 }
 
 void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
@@ -90,7 +99,7 @@ void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
   const Truth truth = tooth_truth(tooth, *topology);
   std::vector<Output::Line> lines;
   for (const double spacing : spacings_for(seed, asked)) {
-    const ContourStack stack = asked.labels ? label_map_contours(tooth, spacing) : contours_of(tooth, spacing);
+    const ContourStack stack = cut(tooth, spacing, asked);
     lines.push_back({spacing, truth, measure(stack, truth, asked.measure)});
   }
   output.take(seed, about, fmt::format("{:5}", seed), std::move(lines));
@@ -98,7 +107,7 @@ void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
 
 void run_family(const Asked& asked) {
   const auto [first, last] = seed_range(asked.seeds);
-  Output output(first, asked.failing);
+  Output output(first, asked);
   std::atomic<std::uint64_t> next{first};
   {
     std::vector<std::jthread> workers;
@@ -108,32 +117,56 @@ void run_family(const Asked& asked) {
       });
     }
   }
-  std::fputs(output.summary().c_str(), stdout);
+  output.print_summary();
 }
 
 void run_incisor(const Asked& asked) {
-  const std::optional<RealTooth> tooth = incisor_meshes();
-  if (!tooth) throw UsageError("the incisor's meshes are not there", "set the CMake variable ODONTOSCOPE_DATA");
+  const std::optional<RealTooth> tooth = incisor_meshes(asked.folder);
+  if (!tooth) throw UsageError("the incisor's meshes are not in " + asked.folder, "Name the folder that has URI1_pulp.stl");
   const Truth truth = tooth->truth();
   const std::vector<double> spacings = asked.spacings.empty() ? std::vector{0.1, 0.25, 0.5} : asked.spacings;
-  Output output(0, asked.failing);
+  Output output(0, asked);
   for (std::size_t i = 0; i < spacings.size(); ++i)
     output.take(i, "", "incisor", {{spacings[i], truth, measure(tooth->contours(spacings[i]), truth, asked.measure)}});
-  std::fputs(output.summary().c_str(), stdout);
+  output.print_summary();
 }
 
-void add_options(CLI::App& command, Asked& asked) {
+void write_tooth(const Asked& asked) {
+  const TurnedTooth tooth(random_tooth(asked.seed));
+  const double spacing = asked.spacings.empty() ? 0.25 : asked.spacings.front();
+  write_stack(cut(tooth, spacing, asked), asked.output);
+  fmt::print("{}\n", tooth.tooth().in_words);
+}
+
+void add_cutting(CLI::App& command, Asked& asked) {
   command.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");
+  CLI::Option* labels =
+      command.add_flag("--labels", asked.labels, "Contours of label maps, at dyadic and decimal voxels in turn");
+  command.add_option("--smooth", asked.smooth, "Smooth the label maps' borders, by MM at most")->needs(labels);
+}
+
+void add_measuring(CLI::App& command, Asked& asked) {
   command.add_flag("--shape", asked.measure.shape, "Measure areas and distances between slices too");
-  command.add_flag("--references", asked.measure.references, "Shape-based interpolation and DB beside DT");
-  command.add_flag("--failing", asked.failing, "Print only what DT has wrong");
+  command.add_flag("--references", asked.measure.references, "DB and shape-based interpolation beside DT");
+  command.add_flag("--tables", asked.tables, "All methods and measures, as tables in Markdown; single teeth on the error output");
+  command.add_flag("--failing", asked.failing, "Print only what DT has wrong though the slices tell of it");
   command.add_option("--threads", asked.threads, "Teeth at a time; all processors if not given");
   const std::map<std::string, Correspondence> criteria{
-      {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap}};
-  command.add_option("--correspondence", asked.measure.engine.correspondence, "reverse, medial or overlap")
+      {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap},
+      {"tracked", Correspondence::tracked}};
+  command.add_option("--correspondence", asked.measure.engine.correspondence, "tracked, reverse, medial or overlap")
       ->transform(CLI::CheckedTransformer(criteria));
   const std::map<std::string, Between> ways{{"blended", Between::blended}, {"delaunay", Between::delaunay}};
-  command.add_option("--between", asked.measure.engine.between, "blended or delaunay")->transform(CLI::CheckedTransformer(ways));
+  command.add_option("--between", asked.measure.ways, "blended or delaunay, or both; the program's default if not given")
+      ->transform(CLI::CheckedTransformer(ways));
+}
+
+void settle(Asked& asked) {
+  if (asked.threads == 0) asked.threads = std::max(1u, std::thread::hardware_concurrency());
+  asked.measure.engine.threads = 1;
+  if (!asked.tables) return;
+  asked.measure.shape = asked.measure.references = true;
+  asked.measure.ways = {Between::delaunay, Between::blended};
 }
 
 int run(int argc, char** argv) {
@@ -143,14 +176,24 @@ int run(int argc, char** argv) {
   CLI::App& family = *app.add_subcommand("family", "Teeth drawn at random from formulas");
   family.add_option("--seeds", asked.seeds, "A..B, one tooth each");
   family.add_flag("--every-spacing", asked.every_spacing, "0.1, 0.2, 0.25, 0.35 and 0.5 mm for each tooth, not one in turn");
-  family.add_flag("--labels", asked.labels, "Contours of label maps, at dyadic and decimal voxels in turn");
   CLI::App& incisor = *app.add_subcommand("incisor", "The meshes of a real incisor");
-  for (CLI::App* command : {&family, &incisor}) add_options(*command, asked);
+  incisor.add_option("FOLDER", asked.folder, "Where they lie");
+  incisor.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");
+  CLI::App& tooth = *app.add_subcommand("tooth", "Writes one tooth's contours");
+  tooth.add_option("--seed", asked.seed, "Which");
+  tooth.add_option("-o", asked.output, "A .json file")->required();
+  for (CLI::App* command : {&family, &tooth}) add_cutting(*command, asked);
+  for (CLI::App* command : {&family, &incisor}) add_measuring(*command, asked);
   CLI11_PARSE(app, argc, argv);
-  if (asked.threads == 0) asked.threads = std::max(1u, std::thread::hardware_concurrency());
-  asked.measure.engine.threads = 1;
+  settle(asked);
   const auto start = std::chrono::steady_clock::now();
-  family.parsed() ? run_family(asked) : run_incisor(asked);
+  if (tooth.parsed()) {
+    write_tooth(asked);
+  } else if (family.parsed()) {
+    run_family(asked);
+  } else {
+    run_incisor(asked);
+  }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   fmt::print("{:.0f} s on {} threads\n", took.count(), asked.threads);
   return 0;

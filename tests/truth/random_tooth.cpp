@@ -59,6 +59,20 @@ class Drawing {
   }
   double first_slice() { return random_.between(0.1, 0.9); }
 
+  /// From the chamber's floor straight down into the furcation, where there is one.
+  void add_furcation_canal(ToothShape& shape) {
+    if (shape.roots.size() < 2 || !random_.chance(0.2)) return;
+    const PulpChamber& box = shape.chamber;
+    const double x = (box.low.x + box.high.x) / 2 + random_.between(-0.4, 0.4);
+    const double y = (box.low.y + box.high.y) / 2 + random_.between(-0.4, 0.4);
+    const double radius = random_.between(0.13, 0.2), start = box.low.z + 0.3;
+    for (double length = 0.5; length < 6; length += 0.1) {
+      if (ToothSection(shape, start - length).hard_tissue({far_above, far_above}, {x, y}).tooth < 0.4) continue;
+      shape.accessory_canals.push_back({"furcation", {x, y, start}, {x, y, start - length}, radius, radius});
+      break;
+    }
+  }
+
  private:
   double about(double share) { return random_.between(1 - share, 1 + share); }
 
@@ -386,6 +400,7 @@ RandomTooth random_tooth(std::uint64_t seed) {
     tooth.shape = drawing.shape();
     tooth.pose = drawing.pose();
     tooth.first_slice = drawing.first_slice();
+    drawing.add_furcation_canal(tooth.shape);
     if (pulp_keeps_inside(tooth.shape)) break;
   }
   tooth.in_words = in_words(tooth);

@@ -6,14 +6,11 @@
 #include "recon/core/limits.h"
 #include "recon/input/validate.h"
 #include "recon/sample/trace.h"
-#include "recon/volume/label_contours.h"
+#include "recon/volume/volume_contours.h"
 #include "recon/contours/simplify_contours.h"
 
 namespace odontoscope::test {
 namespace {
-
-constexpr double contour_step = 0.05;  // mm
-constexpr double deviation = 0.006;    // mm
 
 /// Height of slice number `i`; the family's teeth begin anywhere within a slab.
 double height_of(const TurnedTooth& tooth, double spacing, std::size_t i) {
@@ -22,8 +19,8 @@ double height_of(const TurnedTooth& tooth, double spacing, std::size_t i) {
 
 }  // namespace
 
-ContourStack contours_of(const TurnedTooth& tooth, double spacing) {
-  const Raster raster = tooth.raster(contour_step);
+ContourStack contours_of(const TurnedTooth& tooth, double spacing, const Fineness& fineness) {
+  const Raster raster = tooth.raster(fineness.step);
   sample::Grid grid{{raster.x0, raster.y0}, raster.step, raster.columns, raster.rows, std::vector<double>(raster.size())};
   ContourStack stack;
   stack.source = "tooth " + std::to_string(tooth.tooth().seed);
@@ -32,12 +29,12 @@ ContourStack contours_of(const TurnedTooth& tooth, double spacing) {
     const std::vector<Values> values = tooth.plane(raster, slice.z);
     for (std::size_t s = 0; s < structure_count; ++s) {
       for (std::size_t p = 0; p < values.size(); ++p) grid.values[p] = values[p][s];
-      for (sample::Loop& loop : sample::trace(grid, contour_step * contour_step))
+      for (sample::Loop& loop : sample::trace(grid, fineness.step * fineness.step))
         slice.contours.push_back({structure_names[s], std::move(loop)});
     }
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
-  return simplify_contours(stack, {deviation}).stack;
+  return simplify_contours(stack, {fineness.deviation}).stack;
 }
 
 VoxelSize voxel_size(const RandomTooth& tooth, double spacing) {
@@ -68,9 +65,14 @@ Volume label_map(const TurnedTooth& tooth, const VoxelSize& voxel) {
   return volume;
 }
 
-ContourStack label_map_contours(const TurnedTooth& tooth, double spacing) {
+ContourStack label_map_contours(const TurnedTooth& tooth, double spacing, std::optional<double> smooth,
+                                std::optional<double> simplify) {
   const Volume volume = label_map(tooth, voxel_size(tooth.tooth(), spacing));
-  return label_contours(volume, {{1, "enamel"}, {2, "dentine"}, {3, "pulp"}}).stack;
+  VolumeContourOptions options;
+  options.labels = {{1, "enamel"}, {2, "dentine"}, {3, "pulp"}};
+  if (smooth) options.smooth = SmoothLabelsOptions{*smooth};
+  if (simplify) options.simplify = SimplifyContoursOptions{*simplify};
+  return contours_of_volume(volume, options).stack;
 }
 
 }  // namespace odontoscope::test

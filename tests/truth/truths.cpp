@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 
 #include "recon/core/error.h"
 #include "recon/distance/marching_cubes.h"
@@ -11,14 +12,14 @@
 namespace odontoscope::test {
 namespace {
 
-constexpr double raster_step = 0.05;   // mm; of areas between slices
-constexpr double surface_step = 0.05;  // mm; of the true surface, which is then within 0.002 mm of the formulas
+constexpr double surface_step = 0.06;  // mm; of the true surface, which then cuts the narrowest canal by 0.003 mm
 
 std::vector<SurfaceMesh> surfaces_of(const TurnedTooth& tooth) {
   const Grid grid = tooth.own_grid(surface_step);
+  std::array<std::vector<double>, structure_count> values = tooth.own_values(grid);
   std::vector<SurfaceMesh> surfaces;
   for (std::size_t s = 0; s < structure_count; ++s) {
-    SurfaceMesh mesh = march(grid, {structure_names[s], tooth.own_values(grid, s)}, CaseTable::consistent).mesh;
+    SurfaceMesh mesh = march(grid, {structure_names[s], std::move(values[s])}, CaseTable::consistent).mesh;
     for (Point3& point : mesh.points) point = tooth.to_image(point);
     surfaces.push_back(std::move(mesh));
   }
@@ -45,7 +46,7 @@ std::optional<std::vector<Topology>> counted_topology(const TurnedTooth& tooth, 
   return std::nullopt;
 }
 
-Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology) {
+Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology, double raster_step) {
   Truth truth;
   truth.names.assign(structure_names.begin(), structure_names.end());
   truth.topology = std::move(topology);
@@ -55,7 +56,11 @@ Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology) {
     for (const double z : heights) masks.push_back(tooth.mask(raster, z));
     return masks;
   };
-  truth.surfaces = [&tooth] { return surfaces_of(tooth); };
+  // Made once, on the first call; copies of the truth share it.
+  truth.surfaces = [&tooth, known = std::make_shared<std::vector<SurfaceMesh>>()] {
+    if (known->empty()) *known = surfaces_of(tooth);
+    return *known;
+  };
   return truth;
 }
 
@@ -111,7 +116,7 @@ std::vector<Topology> RealTooth::count(double step) const {
 }
 
 Truth RealTooth::truth() const {
-  constexpr double count_step = 0.05;
+  constexpr double count_step = 0.05, raster_step = 0.05;
   Truth truth;
   for (const Part& part : parts_) truth.names.push_back(part.mesh.name);
   truth.topology = count(count_step);
@@ -137,11 +142,10 @@ Truth RealTooth::truth() const {
   return truth;
 }
 
-std::optional<RealTooth> incisor_meshes() {
-  const std::string folder = std::string(ODONTOSCOPE_DATA) + "/incisor_meshes/URI1_";
-  if (!std::filesystem::exists(folder + "pulp.stl")) return std::nullopt;
+std::optional<RealTooth> incisor_meshes(const std::string& folder) {
+  if (!std::filesystem::exists(folder + "/URI1_pulp.stl")) return std::nullopt;
   const auto part = [&](const char* file, const char* name, bool repair, double widest_gap) {
-    return RealTooth::Part{{name, read_mesh(folder + file + ".stl").at(0).surface}, repair, widest_gap};
+    return RealTooth::Part{{name, read_mesh(folder + "/URI1_" + file + ".stl").at(0).surface}, repair, widest_gap};
   };
   return RealTooth({part("enamel", "enamel", true, 7), part("dentin", "dentine", true, 0.5), part("pulp", "pulp", false, 0.5)});
 }

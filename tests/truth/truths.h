@@ -18,8 +18,8 @@ std::optional<std::vector<Topology>> counted_topology(const TurnedTooth& tooth, 
 /// The steps that the harness counts with.
 const std::vector<double>& usual_steps();
 
-/// `tooth` must outlive it.
-Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology);
+/// `tooth` must outlive it; one thread at a time may ask it. `raster_step`: of masks, mm.
+Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology, double raster_step = 0.05);
 
 /// A real tooth, each part a mesh, perhaps torn; gaps in a section up to `widest_gap` (mm) are closed by straight lines.
 class RealTooth {
@@ -45,7 +45,7 @@ class RealTooth {
   std::vector<Part> parts_;
 };
 
-/// The incisor's meshes in the data sets' folder; nothing if they are not there.
-std::optional<RealTooth> incisor_meshes();
+/// The incisor's meshes in a folder; nothing if they are not there.
+std::optional<RealTooth> incisor_meshes(const std::string& folder);
 
 }  // namespace odontoscope::test

@@ -253,10 +253,11 @@ Voxels TurnedTooth::own_voxels(const Grid& grid) const {
   return voxels;
 }
 
-std::vector<double> TurnedTooth::own_values(const Grid& grid, std::size_t s) const {
-  std::vector<double> result(grid.size());
+std::array<std::vector<double>, structure_count> TurnedTooth::own_values(const Grid& grid) const {
+  std::array<std::vector<double>, structure_count> result;
+  result.fill(std::vector<double>(grid.size()));
   sweep(grid, [&](std::size_t i, std::size_t j, std::size_t k, const Values& values) {
-    result[grid.index(i, j, k)] = values[s];
+    for (std::size_t s = 0; s < structure_count; ++s) result[s][grid.index(i, j, k)] = values[s];
   });
   return result;
 }

@@ -45,8 +45,8 @@ class TurnedTooth {
   Grid own_grid(double step) const;
   /// Bit s where structure s is.
   Voxels own_voxels(const Grid& grid) const;
-  /// Values of structure s at all points of the grid.
-  std::vector<double> own_values(const Grid& grid, std::size_t s) const;
+  /// Values of every structure at all points of the grid.
+  std::array<std::vector<double>, structure_count> own_values(const Grid& grid) const;
   /// From those axes to the image's.
   Point3 to_image(const Point3& own) const;
 

@@ -157,7 +157,7 @@ TEST_F(CanalsTest, ThePanelListsThemOutside) {
   viewer_with(sample_tooth_loaded());
   click_control("Canals");
   const CentreLine& canal = *lines()[1];
-  const double length = canal.points.back().along - canal.points[canal.orifice].along;
+  const double length = canal.length_to_wall();   // as the anatomy tells it
   char words[100];
   std::snprintf(words, sizeof words, "%s   %.1f mm", canal.name.c_str(), length);
   click_control(words);

@@ -21,7 +21,9 @@ LoadedModel toy_tooth() {
   loaded.scene.occlusion.on = false;
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, loaded.model));
   loaded.pickable = std::make_shared<const Pickable>(loaded.model);
-  loaded.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {{true, "Each of its tetrahedra has positive volume."}}};
+  loaded.certificate = {Certificate::Verdict::certified,
+                        "Certified: closed, manifold, facing outwards",
+                        {{Certificate::Mark::good, "Each of its tetrahedra has positive volume."}}};
   for (const ModelPart& part : loaded.model.parts) loaded.triangles += part.indices.size() / 3;
   return loaded;
 }

@@ -216,7 +216,10 @@ TEST_F(Panels, EnterOpensTheFile) {
 TEST_F(Panels, AFaultyModelIsRed) {
   viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) {
     LoadedModel loaded = toy_tooth();
-    loaded.certificate = {Certificate::Verdict::wanting, "Found wanting: not a closed oriented manifold", {{false, "tooth: 12 boundary edges, 3 misoriented edges"}, {false, "tooth: open surface, 1,204 triangles, area 310 mm^2"}}};
+    loaded.certificate = {Certificate::Verdict::wanting,
+                          "Found wanting: not a closed oriented manifold",
+                          {{Certificate::Mark::bad, "tooth: 12 boundary edges, 3 misoriented edges"},
+                           {Certificate::Mark::bad, "tooth: open surface, 1,204 triangles, area 310 mm^2"}}};
     return loaded;
   }});
   frames(2);
@@ -230,6 +233,42 @@ TEST_F(Panels, AFaultyModelIsRed) {
   keep_picture("wanting");
   viewer_with_tooth();
   EXPECT_LT(redness(picture()), 300u);
+}
+
+TEST_F(Panels, AnAmberModelIsAmberAndItsPlacesLeadThere) {
+  const glm::dvec3 place(0, 0, 5);
+  const auto load = [&](const LoadRequest&, const Progress&) {
+    LoadedModel loaded = toy_tooth();
+    loaded.certificate = {Certificate::Verdict::look_here,
+                          "Amber: certified, but look at 1 place",
+                          {{Certificate::Mark::look,
+                            "pulp, slices 3 and 4 (z 4.5 to 5.5 mm), near (0.00, 0.00, 5.00): one piece ends in slice "
+                            "3 and another begins in slice 4, 0.62 mm aside.",
+                            place}}};
+    return loaded;
+  };
+  viewer_with_tooth({.load = load});
+  frames(2);
+  const auto amberness = [](const Image& image) {  // the edge of the headline
+    std::size_t count = 0;
+    for (int y = 50; y < 160; ++y)
+      for (int x = 0; x < 40; ++x)
+        count += image.pixel(x, y)[0] > 220 && image.pixel(x, y)[1] > 160 && image.pixel(x, y)[2] < 120 ? 1 : 0;
+    return count;
+  };
+  EXPECT_GT(amberness(picture()), 60u);
+  keep_picture("amber");
+  EXPECT_FALSE(viewer().state().looked_at);
+  viewer().state().look_at = place;
+  frames(4, 0.2);
+  ASSERT_TRUE(viewer().state().looked_at);
+  EXPECT_EQ(viewer().state().scene.camera.target, place);
+  keep_picture("amber_place");
+  press_key(Key::escape);
+  frame();
+  EXPECT_FALSE(viewer().state().looked_at);
+  viewer_with_tooth();
+  EXPECT_EQ(amberness(picture()), 0u);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <random>
 
 #include "recon/core/error.h"
@@ -33,6 +34,28 @@ TEST(Settings, ComeBackAsTheyWere) {
   const ReadSettings read = settings_from_json(to_json(unusual()));
   EXPECT_EQ(read.complaint, "");
   EXPECT_EQ(read.settings, unusual());
+}
+
+TEST(Settings, OfAWindowThatWasMadeNarrowAreTaken) {
+  Settings narrow;
+  narrow.window = {409, 908};
+  const ReadSettings read = settings_from_json(to_json(narrow));
+  EXPECT_EQ(read.complaint, "");
+  EXPECT_EQ(read.settings, narrow);
+}
+
+TEST(Settings, AreNeverWrittenSoThatTheyAreRefused) {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  for (const double extreme : {-1e9, -1.0, 0.0, 1e9, nothing}) {
+    Settings settings;
+    const int whole = extreme > 0 ? 1'000'000'000 : extreme < 0 ? -1 : 0;
+    settings.window = {whole, whole};
+    settings.text_scale = static_cast<float>(extreme);
+    settings.picture = {whole, whole, true, whole, false};
+    settings.comfort = {extreme, extreme, true, true};
+    settings.looks = {{"enamel", colour_of(0x123456), static_cast<float>(extreme)}};
+    EXPECT_EQ(settings_from_json(to_json(settings)).complaint, "") << extreme;
+  }
 }
 
 TEST(Settings, AreWrittenIntoAFolderThatIsNotThereYet) {

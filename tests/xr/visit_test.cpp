@@ -292,7 +292,7 @@ TEST_F(VisitTest, APanelInTheRoomIsOperatedByARayOutsideAndOnATour) {
         cavities = loaded.flight->cavities;
         const CentreLine& line = *rideable(cavities[0].lines)[0];
         char words[80];
-        std::snprintf(words, sizeof words, "%s   %.1f mm", line.name.c_str(), line.points.back().along - line.points[line.orifice].along);
+        std::snprintf(words, sizeof words, "%s   %.1f mm", line.name.c_str(), line.length_to_wall());
         clicks = {{HeadsetPage::tooth, {"Cut it open"}, [](const Visit& now) { return now.scene.section.has_value(); }, "panel-outside"},
                   {HeadsetPage::tooth, {"page", "Canals"}, [](const Visit&) { return true; }, ""},
                   {HeadsetPage::canals, {words}, [](const Visit& now) { return now.tour && now.dark == 0; }, "panel-on-tour"},

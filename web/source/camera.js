@@ -2,7 +2,7 @@
 import {MathUtils, PerspectiveCamera, Vector3} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 
-const fieldOfView = 24, margin = 1.08, moveSeconds = 0.5;
+const fieldOfView = 24, margin = 1.08, moveSeconds = 0.5, nearby = 1.6;   // nearby: how far from a place to look at, in radii of the model
 
 /// Directions towards the eye, and what is up; buccal is +y, mesial +x, occlusal +z.
 export const views = [
@@ -66,6 +66,20 @@ export class Orbit {
     this.changed();
   }
 
+  /// What lies round a place, from where one looks.
+  lookAt(place) {
+    const from = this.camera.position.clone().sub(this.controls.target), to = from.clone().normalize().multiplyScalar(Math.max(this.controls.minDistance, nearby * this.bounds.radius));
+    this.view = null;
+    if (this.still.matches) {
+      this.controls.target.copy(place);
+      this.camera.position.copy(place).add(to);
+      this.controls.update();
+    } else {
+      this.move = {from, to, target: this.controls.target.clone(), goal: place.clone(), part: 0};
+    }
+    this.changed();
+  }
+
   /// All of it, from where one looks.
   fit() { this.goTo({towards: this.camera.position.clone().sub(this.controls.target).toArray(), up: [0, 0, 1]}); }
 
@@ -88,7 +102,7 @@ export class Orbit {
       const s = move.part * move.part * (3 - 2 * move.part);
       const length = MathUtils.lerp(move.from.length(), move.to.length(), s);
       const direction = slerp(move.from.clone().normalize(), move.to.clone().normalize(), s);
-      this.controls.target.lerpVectors(move.target, this.bounds.centre, s);
+      this.controls.target.lerpVectors(move.target, move.goal ?? this.bounds.centre, s);
       this.camera.position.copy(this.controls.target).addScaledVector(direction, length);
       this.controls.update();
       if (move.part >= 1) this.move = null;

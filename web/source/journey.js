@@ -15,9 +15,10 @@ export function lengthsFor(radius) {
 
 /// A way of its own parametrised by length in mm, with a direction to look and an up that never flips.
 export class Tour {
-  constructor({name, points_mm}, lengths) {
+  constructor({name, length_mm, points_mm}, lengths) {
     this.lengths = lengths;
     this.name = name;
+    this.canalLength = length_mm;   // from the orifice; the way begins in the chamber
     this.curve = new CatmullRomCurve3(points_mm.map(p => new Vector3(...p)), false, 'centripetal');
     this.curve.arcLengthDivisions = 40 * points_mm.length;
     this.length = this.curve.getLength();

@@ -11,6 +11,11 @@ export class Labels {
   constructor(parts, looks) {
     this.host = document.getElementById('labels');
     this.lines = document.createElementNS(drawing, 'svg');
+    this.ring = document.createElementNS(drawing, 'circle');   // round a place that one was led to
+    this.ring.setAttribute('r', 16);
+    this.ring.setAttribute('class', 'ring');
+    this.lines.append(this.ring);
+    this.mark = null;
     this.host.append(this.lines);
     this.on = true;
     this.height = Math.max(...parts.map(part => part.geometry.boundingBox.max.z)) - Math.min(...parts.map(part => part.geometry.boundingBox.min.z));
@@ -36,7 +41,12 @@ export class Labels {
   }
 
   place(camera, {hidden, plane, width, height}) {
-    const placed = [];
+    const placed = [], marked = this.mark && !hidden ? this.mark.clone().project(camera) : null;
+    this.ring.style.display = marked && marked.z <= 1 ? '' : 'none';
+    if (marked) {
+      this.ring.setAttribute('cx', (marked.x + 1) / 2 * width);
+      this.ring.setAttribute('cy', (1 - marked.y) / 2 * height);
+    }
     for (const label of this.named) {
       const look = this.looks.get(label.part.key), shown = this.on && !hidden && look.visible && look.opacity > 0;
       const at = shown ? this.outermost(this.placesOf(label, plane), label.right, camera, width, height) : null;

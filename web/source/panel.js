@@ -7,18 +7,23 @@ const grouped = count => count.toLocaleString('en-GB');
 
 function certificateSection(viewer) {
   const badge = document.getElementById('badge'), words = element('p', {class: 'quiet'}), verdict = element('p', {class: 'verdict'}), list = element('ul');
+  const look = element('ul', {class: 'places', 'aria-label': 'Places to look at'});
   const show = () => {
     const {certificate, triangles, words: about} = viewer.model;
     words.textContent = `${about} ${grouped(triangles)} triangles.`;
-    const wanting = certificate.verdict === 'wanting', mark = wanting ? '\u2717' : '\u2713';
+    const mark = {wanting: '\u2717', amber: '!'}[certificate.verdict] ?? '\u2713';   // a sign and words, never the colour alone
     verdict.textContent = `${mark} ${certificate.headline}`;
     badge.textContent = `${mark} ${certificate.verdict}`;
-    for (const told of [verdict, badge]) told.classList.toggle('wanting', wanting);
-    list.replaceChildren(...certificate.findings.map(f => element('li', {class: f.good ? 'good' : 'bad'}, f.words)));
+    for (const told of [verdict, badge])
+      for (const kind of ['wanting', 'amber']) told.classList.toggle(kind, certificate.verdict === kind);
+    const places = certificate.findings.filter(f => f.mark === 'look');
+    list.replaceChildren(...certificate.findings.filter(f => f.mark !== 'look').map(f => element('li', {class: f.mark}, f.words)));
+    look.replaceChildren(...places.map(f => element('li', {class: 'look'}, f.at_mm ? element('button', {type: 'button', class: 'place', onclick: () => viewer.lookAt(f.at_mm)}, f.words) : f.words)));
+    places.length > 0 ? look.removeAttribute('hidden') : look.setAttribute('hidden', '');
   };
   show();
   viewer.addEventListener('change', show);
-  return element('section', {'aria-label': 'Certificate'}, verdict, element('details', {}, element('summary', {}, 'Report'), words, list));
+  return element('section', {'aria-label': 'Certificate'}, verdict, look, element('details', {}, element('summary', {}, 'Report'), words, list));
 }
 
 function methodSection(viewer) {
@@ -87,7 +92,7 @@ function cutSection(viewer) {
 
 function insideSection(viewer) {
   const tours = viewer.tours.map((tour, index) =>
-    element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}`));
+    element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}${tour.canalLength > 0 ? `   ${tour.canalLength.toFixed(1)} mm` : ''}`));
   const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, viewer.hasInside ? 'Fly inside' : 'Fly');
   return element('section', {'aria-label': 'Inside'}, element('h2', {}, 'Inside'),
     tours.length > 0 ? element('p', {class: 'quiet'}, 'Tours through the canals, from the chamber to the tip:') : null,

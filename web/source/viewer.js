@@ -134,6 +134,13 @@ export class Viewer extends EventTarget {
     if (this.inside) this.leave();
     this.orbit.goTo(views.find(view => view.name === name));
   }
+  /// Flies to a place, in the model's millimetres, and marks it.
+  lookAt(place) {
+    if (this.inside) this.leave();
+    this.orbit.lookAt(new Vector3(...place));
+    this.labels.mark = new Vector3(...place);
+    this.touch();
+  }
   nextFaces() {
     const all = ['cull', 'show', 'tint'];
     this.setFaces(all[(all.indexOf(this.faces) + 1) % all.length]);

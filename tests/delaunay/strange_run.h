@@ -1,0 +1,45 @@
+#pragma once
+// One strange stack reconstructed and judged.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "recon/delaunay/reconstruct.h"
+#include "tests/support/shrink.h"
+#include "tests/support/strange_stacks.h"
+
+namespace odontoscope::test {
+
+enum class StrangeEnd { certified, refused, false_refusal, internal_error, faulty, depends_on_threads, too_slow };
+const char* name(StrangeEnd end);
+
+/// How a stack is reconstructed.
+struct StrangeWay {
+  Correspondence criterion = Correspondence::medial;
+  Between between = Between::delaunay;
+};
+std::string in_words(const StrangeWay& way);
+
+struct StrangeOutcome {
+  StrangeEnd end = StrangeEnd::certified;
+  std::string message;    // empty if certified; the cause if refused
+  double seconds = 0;     // processor time of the first run, with one thread
+  /// Slabs with other topology than the links imply: no failure, since plain Delaunay does not promise it, but counted.
+  std::vector<std::string> not_as_implied;
+  bool failed() const { return end != StrangeEnd::certified && end != StrangeEnd::refused; }
+  /// The same for failures of one sort, whatever numbers their messages hold.
+  std::string sort() const;
+};
+
+/// Reconstructs with one thread and with two, compares the bytes, and asks the oracle, or, if refused, whether that is true.
+/// Stopped (too_slow) after `patience` seconds of processor time.
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience = 60);
+
+/// By the seed: medial for half of them, overlap and reverse; every third with interpolated slices.
+StrangeWay way_of(std::uint64_t seed);
+
+/// A smallest stack with the same sort of outcome.
+LinkedStack smallest_alike(const LinkedStack& linked, const StrangeWay& way);
+
+}  // namespace odontoscope::test
