@@ -41,7 +41,7 @@ void warn_of_lost_canals(const LevelReport& level, const Volume& volume, Console
 void warn_of_pieces(const LevelReport& level, bool of_labels, Console& console) {
   constexpr std::size_t worth_a_word = 3;
   if (level.pieces < worth_a_word) return;
-  console.say(fmt::format("  Warning: {}: {} meet the next slice's at a corner only: something about one voxel wide runs aslant there, and falls to pieces. {}",
+  console.say(fmt::format("  Warning: {}: {} meet the next slice's at a corner only: something about one voxel wide runs aslant there, and may fall to pieces. {}",
                           level.structure, counted(level.pieces, "contour"),
                           of_labels ? "A finer segmentation keeps it whole."
                                     : "--resample at a quarter of a voxel, with an --iso nearer to the values around it, keeps it whole."));

@@ -234,12 +234,12 @@ TEST_F(RemediesOfModels, ACanalThatFallsToPiecesIsWholeOnAFinerGrid) {
     for (int j = 0; j < 12; ++j)
       for (int i = 0; i < 12; ++i) text += i > 0 && j > 0 && i < 11 && j < 11 && !(k > 1 && k < 8 && i == 1 + k && j == 1 + k) ? "1 " : "0 ";
   given("a.nrrd", text);
-  const Ending fallen = odontoscope({"reconstruct", "a.nrrd", "--iso", "0.5", "-o", "a.glb"});
+  const Ending fallen = odontoscope({"reconstruct", "a.nrrd", "--iso", "0.5", "--correspondence", "medial", "--between", "delaunay", "-o", "a.glb"});
   EXPECT_TRUE(fallen.says("--resample at a quarter of a voxel, with an --iso nearer to the values around it, keeps it whole")) << fallen.out;
   EXPECT_TRUE(fallen.says("in 7 closed surfaces")) << fallen.out;
   const Ending whole = odontoscope({"reconstruct", "a.nrrd", "--iso", "0.9", "--resample", "0.25", "-o", "b.glb"});
   EXPECT_TRUE(whole.says("in 2 closed surfaces")) << whole.out << whole.err;
-  EXPECT_FALSE(whole.says("falls to pieces")) << whole.out;
+  EXPECT_FALSE(whole.says("may fall to pieces")) << whole.out;
 }
 
 /// Six slices of one polygon round (shift * z, 0).

@@ -39,7 +39,7 @@ const Mistake mistakes[] = {
     {"OneBadEndingOfTwo", {"reconstruct", "cube.json", "-o", "a.glb", "-o", "a.blend"}, ".blend"},
     {"ReportEnding", {"reconstruct", "cube.json", "-o", "a.glb", "--report", "a.txt"}, ".json"},
     {"SameOutputTwice", {"reconstruct", "cube.json", "-o", "a.glb", "-o", "./a.glb"}, "twice"},
-    {"ReportIsOutput", {"contours", "scan.nrrd", "--iso", "1", "-o", "scan.nrrd"}, ".json"},
+    {"ReportIsOutput", {"contours", "scan.nrrd", "--iso", "1", "-o", "scan.nrrd"}, "both input and output"},
     {"OutputIsInput", {"reconstruct", "cube.json", "-o", "a.glb", "--report", "cube.json"}, "both input and output"},
     {"VolumeWithoutIso", {"reconstruct", "scan.nrrd", "-o", "a.glb"}, "--iso"},
     {"ContoursWithoutIso", {"contours", "scan.nrrd", "-o", "a.json"}, "--iso"},

@@ -61,7 +61,7 @@ TEST_F(Volumes, CountSmallContoursInPixelsAndWarnOfCanals) {
 
 TEST_F(Volumes, TellOfACanalThatFallsToPieces) {
   given("a.nrrd", nrrd([](int i, int j, int k) { return inside(i, j) && !(i == 2 + k && j == 2 + k) ? 1 : 0; }));
-  EXPECT_TRUE(odontoscope({"contours", "a.nrrd", "--iso", "1", "-o", "a.json"}).says("falls to pieces"));
+  EXPECT_TRUE(odontoscope({"contours", "a.nrrd", "--iso", "1", "-o", "a.json"}).says("may fall to pieces"));
 }
 
 TEST_F(Volumes, OfLabelsAreToldFromImagesAndTakenByName) {

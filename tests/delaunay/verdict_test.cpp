@@ -93,6 +93,7 @@ TEST(Verdict, IsRedWithoutASoundSurface) {
 
 TEST(Verdict, IsAmberForASlabThatIsNotAsImpliedWhateverElse) {
   Reconstruction made = reconstruct(shifted_circles(0.5));
+  made.topology.front().untrimmed.reset();
   made.topology.front().found.handles += 1;
   EXPECT_EQ(verdict_of(made), Verdict::amber);
 }

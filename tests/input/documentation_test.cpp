@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "recon/core/read_file.h"
 #include "recon/input/links.h"
@@ -35,9 +37,12 @@ std::string word_behind(std::string_view text, std::string_view open) {
 /// First argument of InputError's constructor, and of the functions named `refuse` that lead to it.
 std::set<std::string> thrown_causes() {
   std::set<std::string> causes;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "recon")) {
-    if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
-    const std::string text = read_file(entry.path().string());
+  std::vector<std::filesystem::path> sources;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "recon")) sources.push_back(entry.path());
+  sources.push_back(source_folder() / "engine/app/model.cpp");   // moves models by what is said on the command line
+  for (const std::filesystem::path& source : sources) {
+    if (source.extension() != ".cpp" && source.extension() != ".h") continue;
+    const std::string text = read_file(source.string());
     for (const std::string_view thrower : {"InputError", "refuse"}) {
       for (std::size_t at = text.find(thrower); at != std::string::npos; at = text.find(thrower, at + 1)) {
         causes.insert(word_behind(std::string_view(text).substr(at + thrower.size()), "(\""));

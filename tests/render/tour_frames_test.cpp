@@ -126,8 +126,8 @@ TEST_P(TourFrames, ShowTheWallAloneAndFlow) {
 TEST_P(TourFrames, ALeapIsSeen) {
   const Tour tour(subject().canals.front());
   const double seconds = 0.1 * tour.seconds();
-  const Image before = picture(frame(tour.at(seconds))), after = picture(frame(tour.at(seconds + 0.5)));
-  EXPECT_GT(mean_change(before, after), most_mean_change) << "half a second in one step";
+  const Image before = picture(frame(tour.at(seconds))), after = picture(frame(tour.at(seconds + 0.75)));
+  EXPECT_GT(mean_change(before, after), most_mean_change) << "three quarters of a second in one step";
   TourInstant aside = tour.at(seconds);
   aside.camera.position += 0.1 * aside.width * aside.camera.up;
   aside.camera.target += 0.1 * aside.width * aside.camera.up;
