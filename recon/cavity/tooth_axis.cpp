@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "recon/cavity/limits.h"
+#include "recon/core/symmetric_matrix.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope {
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-using Matrix = std::array<std::array<double, 3>, 3>;
 
 /// Volume and its first and second moments about an origin near the model.
 struct Moments {
   double volume = 0;
   std::array<double, 3> first{};
-  Matrix second{};
+  Matrix3 second{};
 
   void add_tetrahedron(const Direction& a, const Direction& b, const Direction& c) {
     const double v = dot(a, cross(b, c)) / 6;
@@ -37,34 +37,6 @@ struct Moments {
   }
 };
 
-/// Jacobi's rotations: `matrix` becomes diagonal, the columns of what is returned are its eigenvectors.
-Matrix eigenvectors(Matrix& matrix) {
-  Matrix vectors{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  constexpr int sweeps = 50;
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    for (const auto& [p, q] : {std::pair<std::size_t, std::size_t>{0, 1}, {0, 2}, {1, 2}}) {
-      if (matrix[p][q] == 0) continue;
-      const double theta = (matrix[q][q] - matrix[p][p]) / (2 * matrix[p][q]);
-      const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1)), c = 1 / std::sqrt(t * t + 1), s = t * c;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double kp = matrix[k][p], kq = matrix[k][q];
-        matrix[k][p] = c * kp - s * kq;
-        matrix[k][q] = s * kp + c * kq;
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double pk = matrix[p][k], qk = matrix[q][k];
-        matrix[p][k] = c * pk - s * qk;
-        matrix[q][k] = s * pk + c * qk;
-        const double vp = vectors[k][p], vq = vectors[k][q];
-        vectors[k][p] = c * vp - s * vq;
-        vectors[k][q] = s * vp + c * vq;
-      }
-      matrix[p][q] = matrix[q][p] = 0;
-    }
-  }
-  return vectors;
-}
-
 }  // namespace
 
 ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
@@ -81,10 +53,10 @@ ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
     }
   }
   if (!(std::abs(moments.volume) > 0)) return {};
-  Matrix spread{};
+  Matrix3 spread{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) spread[i][j] = moments.second[i][j] / moments.volume - moments.first[i] * moments.first[j] / (moments.volume * moments.volume);
-  const Matrix vectors = eigenvectors(spread);
+  const Matrix3 vectors = eigenvectors(spread);
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a][a] > spread[b][b]; });
   const std::size_t most = order[0];

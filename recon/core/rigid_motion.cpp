@@ -5,33 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "recon/core/symmetric_matrix.h"
+
 namespace odontoscope {
-namespace {
-
-using Matrix = std::array<std::array<double, 3>, 3>;
-
-/// One of Jacobi's rotations: makes a[p][q] zero, and turns the columns of `v` along.
-void rotate(Matrix& a, Matrix& v, std::size_t p, std::size_t q) {
-  if (a[p][q] == 0) return;
-  const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-  const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-  const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double kp = a[k][p], kq = a[k][q];
-    a[k][p] = c * kp - s * kq;
-    a[k][q] = s * kp + c * kq;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double pk = a[p][k], qk = a[q][k];
-    a[p][k] = c * pk - s * qk;
-    a[q][k] = s * pk + c * qk;
-    const double vp = v[k][p], vq = v[k][q];
-    v[k][p] = c * vp - s * vq;
-    v[k][q] = s * vp + c * vq;
-  }
-}
-
-}  // namespace
 
 Point3 RigidMotion::operator()(const Point3& p) const {
   const auto& r = rotation;
@@ -74,15 +50,10 @@ Point3 Moments::centre() const {
 
 Moments::Axes Moments::axes() const {
   const auto n = static_cast<double>(count_);
-  Matrix a{}, v{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Matrix3 a{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) a[i][j] = products_[i][j] / n - sum_[i] / n * (sum_[j] / n);
-  constexpr int sweeps = 20;   // it converges quadratically: five are enough for three axes
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    rotate(a, v, 0, 1);
-    rotate(a, v, 0, 2);
-    rotate(a, v, 1, 2);
-  }
+  const Matrix3 v = eigenvectors(a);
   std::array<std::size_t, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&a](std::size_t i, std::size_t j) { return std::pair(-a[i][i], i) < std::pair(-a[j][j], j); });
   Axes axes;

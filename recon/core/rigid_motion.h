@@ -34,7 +34,7 @@ class Moments {
     /// Unit vectors.
     std::array<std::array<double, 3>, 3> direction{};
   };
-  /// By Jacobi's method (Golub and Van Loan, Matrix Computations, 8.5). Precondition: at least one point.
+  /// Precondition: at least one point.
   Axes axes() const;
 
  private:
