@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 
+#include "tests/support/joined.h"
 #include "tests/support/oracle_parts.h"
 #include "tests/support/oracle_topology.h"
 #include "tests/support/plane_check.h"
@@ -30,17 +30,6 @@ void judge_report(const Solid& solid, const Verdict& verdict, Faults& faults) {
   if (solid.report.triangles != solid.surface.triangles.size()) faults.add("the report's number of triangles is wrong");
   if (!solid.report.closed_oriented_manifold()) faults.add("the report denies that the surface is a manifold");
 }
-
-/// Plain union-find over regions, each named by (slice, contour in the ordered slice's list).
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) const { return parent_[i] == i ? i : find(parent_[i]); }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 struct Region {
   std::size_t slice, contour;

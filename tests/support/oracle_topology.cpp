@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <numeric>
 #include <set>
 
+#include "tests/support/joined.h"
 #include "tests/support/oracle_parts.h"
 #include "tests/support/plane_check.h"
 #include "tests/support/slab_cells.h"
@@ -18,20 +18,6 @@ constexpr std::size_t none = std::size_t(-1);
 std::string in_words(const SlabCount& count) {
   return std::to_string(count.pieces) + " pieces, " + std::to_string(count.handles) + " handles, " + std::to_string(count.bubbles) + " bubbles";
 }
-
-/// Numbers that are joined to each other; plain and small.
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t i) const {
-    while (parent_[i] != i) i = parent_[i];
-    return i;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parent_;
-};
 
 /// A contour of one of the slab's two slices.
 struct Border {
