@@ -1,7 +1,5 @@
 #include "tests/native_judges/judging.h"
 
-#include <sys/wait.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -13,6 +11,7 @@
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/read_volume.h"
 #include "recon/contours/simplify_contours.h"
+#include "tests/support/shell.h"
 
 namespace odontoscope::judges {
 namespace {
@@ -28,21 +27,8 @@ ContourStack without(ContourStack stack, const std::string& structure) {
   return stack;
 }
 
-struct Said {
-  std::string words;
-  int exit_code = -1;
-};
-
-Said run(const std::string& command) {
-  Said said;
-  std::FILE* pipe = ::popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return said;
-  char buffer[4096];
-  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) said.words.append(buffer, count);
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) said.exit_code = WEXITSTATUS(status);
-  return said;
-}
+using testing_support::run;
+using testing_support::Said;
 
 }  // namespace
 

@@ -2,9 +2,6 @@
 // pydicom (what do they say?), DCMTK and GDCM (can they be read?). Each also sees a file that is wrong.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-
-#include <cstdio>
 #include <fstream>
 
 #include "recon/segmentation/rasterise.h"
@@ -15,30 +12,18 @@
 #include "recon/volume/volume_contours.h"
 #include "tests/output/temporary_folder.h"
 #include "tests/segmentation/made.h"
+#include "tests/support/shell.h"
 
 namespace odontoscope {
 namespace {
 
-struct Said {
-  std::string words;
-  int exit_code = -1;
-};
-
-Said run(const std::string& command) {
-  Said said;
-  std::FILE* pipe = ::popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
-  if (pipe == nullptr) return said;
-  char buffer[4096];
-  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) said.words.append(buffer, count);
-  const int status = ::pclose(pipe);
-  if (WIFEXITED(status)) said.exit_code = WEXITSTATUS(status);
-  return said;
-}
+using testing_support::run;
+using testing_support::Said;
 
 class DicomJudge : public ::testing::Test {
  protected:
   void need(const std::string& command) {
-    if (run(command).exit_code != 0) GTEST_SKIP() << command << " does not run; third_party/packages.debian lists what is needed under \"judges\"";
+    if (run(command).exit_code != 0) GTEST_SKIP() << command << " does not run; third_party/test_packages.debian lists what is needed under \"judges\"";
   }
   std::string put(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder / name, std::ios::binary) << bytes;
