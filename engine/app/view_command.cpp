@@ -22,6 +22,7 @@ namespace {
 
 struct Options {
   std::string input;
+  DtWords dt;
   VolumeWords volume;
   SceneWords scene;
   std::string size;
@@ -53,7 +54,7 @@ std::string title_of(const std::string& file) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const Options& options, Session session) {
   session.watched = progress;
-  Shown shown = shown_from(request.file, volume_words(request, options), session);
+  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session);
   LoadedModel loaded;
   loaded.title = title_of(request.file);
   loaded.certificate = certificate_of(shown, progress);
@@ -149,6 +150,7 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
 ExitCode view(const Options& options, Session& session) {
   refuse_senseless(options.scene);
   if (options.volume.any_level()) understood(options.volume);
+  refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
   if (!options.size.empty()) size_from(options.size);
   const ReadSettings read = options.screenshot.empty() ? read_settings(remembered) : ReadSettings{};
@@ -175,6 +177,7 @@ Command view_command(CLI::App& root) {
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
   add_scene_options(*parser, options->scene);
+  add_dt_options(*parser, options->dt);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"
