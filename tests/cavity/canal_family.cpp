@@ -104,7 +104,7 @@ KnownRoot kind_of(std::uint64_t kind, Dice& dice) {
   if (kind < 12) return arc_of(bends[kind - 9], dice);
   if (kind == 12) {
     KnownRoot root = straight("open apex", dice.between(0.3, 0.4), dice.between(0.25, 0.3), 22);
-    root.block_low = dice.between(-9, -7);
+    root.block_low = dice.between(-10, -8);
     return root;
   }
   if (kind == 13) {
@@ -136,6 +136,7 @@ KnownRoot kind_of(std::uint64_t kind, Dice& dice) {
   KnownRoot root = straight("ribbon", dice.between(0.25, 0.35), dice.between(0.2, 0.25), 11);
   root.oval = dice.between(2.2, 3);
   root.chamber = 1.15;
+  root.block = 4.2;
   return root;
 }
 
@@ -160,6 +161,18 @@ bool beside_right(const KnownRoot& root, const Anatomy& made) {
   return std::abs(told[0].from_apex - apex - root.wing->low) < 0.4 && std::abs(told[0].to_apex - apex - root.wing->high) < 0.4;
 }
 
+/// Of the known axis from the line that was found.
+double mean_distance(const KnownRoot& root, const KnownCanal& canal, const CentreLine& line) {
+  double sum = 0;
+  for (const Point3& own : canal.axis) {
+    const Point3 p = as_it_lies(root, own);
+    double nearest = infinite;
+    for (const CentrePoint& one : line.points) nearest = std::min(nearest, length(one.at - p));
+    sum += nearest / static_cast<double>(canal.axis.size());
+  }
+  return sum;
+}
+
 void judge_canal(const KnownRoot& root, const KnownFigures& known, const MeasuredCanal& canal, const CanalShape& shape, const CanalUncertainty& off, FamilyVerdict& verdict) {
   const auto tell = [&](const std::string& name, double is, double told, double may) { verdict.figures.push_back({name, is, told, may}); };
   tell("length", known.length, canal.length, off.length);
@@ -174,8 +187,8 @@ void judge_canal(const KnownRoot& root, const KnownFigures& known, const Measure
     tell("apical area", known.apical_area[i], shape.apical[i].area, off.apical_area[i]);
   }
   for (std::size_t third = 0; third < 3; ++third) {
-    tell("volume of a third", known.third_volume[third], shape.thirds[third].volume, off.volume * shape.thirds[third].volume);
-    tell("area of a third", known.third_area[third], shape.thirds[third].area, off.area * shape.thirds[third].area);
+    tell("volume of a third", known.third_volume[third], shape.thirds[third].volume, off.volume[third]);
+    tell("area of a third", known.third_area[third], shape.thirds[third].area, off.area[third]);
   }
   if (!root.bend) return;
   if (std::isfinite(*root.bend)) {
@@ -207,12 +220,9 @@ FamilyVerdict judge(const KnownRoot& root, const Anatomy& made) {
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
   std::vector<KnownFigures> known;
   for (const KnownCanal& canal : root.canals) known.push_back(figures_of(root, canal));
-  // Each to the one that ends nearest to it; of several that end together to those in the order of their lengths.
-  std::vector<std::size_t> order = left;
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return known[a].length > known[b].length; });
-  for (const std::size_t c : order) {
-    const auto key = [&](std::size_t m) { return std::pair{std::round(2 * length(made.canals[m].end - known[c].end)), std::abs(made.canals[m].length - known[c].length)}; };
-    const auto own = std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  for (std::size_t c = 0; c < known.size(); ++c) {
+    const auto away = [&](std::size_t m) { return mean_distance(root, root.canals[c], made.lines.canals[m]); };
+    const auto own = std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
     judge_canal(root, known[c], made.canals[*own], made.shapes[*own], made.uncertainties[*own], verdict);
     left.erase(own);
   }
@@ -222,7 +232,7 @@ FamilyVerdict judge(const KnownRoot& root, const Anatomy& made) {
 Anatomy anatomy_of(const Reconstruction& model) {
   std::vector<StructureSurface> parts;
   for (const Solid& solid : model.solids) parts.push_back({solid.structure, &solid.surface});
-  return measure_anatomy(parts);
+  return measure_anatomy(parts, {}, model.counts.slices);
 }
 
 }  // namespace odontoscope::test

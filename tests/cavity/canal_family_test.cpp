@@ -11,9 +11,11 @@ namespace {
 
 TEST(CanalFamily, IsToldRightFromSlicesOfATenthOfAMillimetre) {
   constexpr double spacing = 0.1;
+  ReconstructOptions engine;
+  engine.between = Between::blended;
   for (std::uint64_t seed = 0; seed < test::kinds_of_roots; ++seed) {
     const test::KnownRoot root = test::random_root(seed);
-    const test::FamilyVerdict verdict = test::judge(root, test::anatomy_of(reconstruct(test::slices_of(root, spacing))));
+    const test::FamilyVerdict verdict = test::judge(root, test::anatomy_of(reconstruct(test::slices_of(root, spacing), engine)));
     EXPECT_TRUE(verdict.counted) << seed << ": " << verdict.told;
   }
 }

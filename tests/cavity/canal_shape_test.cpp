@@ -119,7 +119,7 @@ TEST(Orifice, OfAnIncisorStaysWhereItIsWhateverTheSlices) {
     ASSERT_EQ(made.canals.size(), 1u) << spacing;
     EXPECT_NEAR(made.canals[0].length, 11.1, 0.3) << spacing;
     EXPECT_NEAR(made.slice_spacing, spacing, 1e-6);
-    EXPECT_NEAR(made.uncertainties[0].length, spacing, 1e-6);
+    EXPECT_GT(made.uncertainties[0].length, spacing);
     EXPECT_GT(made.uncertainties[0].mean_width, 0);
   }
   // Without horns, too: an end is an end, however blunt.

@@ -136,6 +136,7 @@ double thinnest_wall(const KnownRoot& root, const KnownCanal& canal, double begi
   const double axis = length_of(canal.axis);
   double least = std::numeric_limits<double>::infinity();
   constexpr int along = 400, round = 60;
+  begin += 0.5 * canal.radius_above;   // above, the wall is as much the chamber's
   for (int i = 0; i <= along; ++i) {
     const double s = begin + (whole - begin) * i / along, t = std::min(s, axis);
     const double r = canal.radius_above + (canal.radius_below - canal.radius_above) * t / axis;
@@ -171,7 +172,10 @@ ContourStack slices_of(const KnownRoot& root, double spacing) {
     sample::Grid grid{{-wide + off, y_low + off}, step, static_cast<std::size_t>(2 * wide / step), static_cast<std::size_t>((y_high - y_low) / step), {}};
     grid.values = values_on(root, grid, z);
     Slice slice{z, {}};
-    for (sample::Loop& loop : sample::thin(sample::trace(grid, 1e-4), {0.4, 0.001, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
+    std::vector<sample::Loop> outer, holes;   // the block's outside needs no such fineness
+    for (sample::Loop& loop : sample::trace(grid, 1e-4)) (sample::signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
+    for (sample::Loop& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
+    for (sample::Loop& loop : sample::thin(holes, {0.4, 0.001, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
   return stack;

@@ -30,18 +30,18 @@ struct Wing {
 };
 
 struct KnownRoot {
-  std::string kind;                     // "type II", "arc 8 mm"
-  std::string vertucci;
-  std::vector<std::size_t> sections;
-  std::vector<KnownCanal> canals;
-  std::vector<SideCanal> accessory;
-  std::optional<Wing> wing;
-  std::string isthmus;                  // Hsu and Kim's type of the wing; empty: none
-  std::optional<double> bend;           // radius, infinite if straight; nothing: not known
+  std::string kind = {};                     // "type II", "arc 8 mm"
+  std::string vertucci = {};
+  std::vector<std::size_t> sections = {};
+  std::vector<KnownCanal> canals = {};
+  std::vector<SideCanal> accessory = {};
+  std::optional<Wing> wing = {};
+  std::string isthmus = {};                  // Hsu and Kim's type of the wing; empty: none
+  std::optional<double> bend = {};           // radius, infinite if straight; nothing: not known
   bool alone = false;                   // each canal by itself from orifice to end: sections and widths are known all along
   double chamber = 1.3, oval = 1;       // radius; stretch along y
-  double block = 4;                     // radius
-  double block_low = -16, block_high = 4;   // the middles of its round ends, z
+  double block = 3;                     // radius
+  double block_low = -13.5, block_high = 1;   // the middles of its round ends, z
   double spin_deg = 0, tilt_deg = 0;
 };
 

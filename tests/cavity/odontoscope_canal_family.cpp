@@ -1,4 +1,4 @@
-// odontoscope_canal_family FIRST COUNT [SPACING [plain|blended]]: random roots with known canals, and how the anatomy of each was told, in tables. Exit code 1: fewer than
+// odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay]]: random roots with known canals, and how the anatomy of each was told, in tables. Exit code 1: fewer than
 // 99 % counted right.
 
 #include <fmt/format.h>
@@ -41,13 +41,13 @@ void print_table(const std::map<std::string, std::vector<test::FigureVerdict>>& 
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::puts("usage: odontoscope_canal_family FIRST COUNT [SPACING [plain|blended]]");
+    std::puts("usage: odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay]]");
     return 2;
   }
   const auto first = std::strtoull(argv[1], nullptr, 10), count = std::strtoull(argv[2], nullptr, 10);
   const double spacing = argc > 3 ? std::atof(argv[3]) : 0.1;
   ReconstructOptions engine;
-  if (argc > 4 && std::string(argv[4]) == "blended") engine.between = Between::blended;
+  engine.between = argc > 4 && std::string(argv[4]) == "delaunay" ? Between::delaunay : Between::blended;   // as the program does
   std::map<std::string, std::vector<test::FigureVerdict>> figures;
   std::vector<double> orifices;
   unsigned long long right = 0, beside = 0;
