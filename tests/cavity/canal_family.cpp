@@ -65,7 +65,9 @@ std::vector<Point3> arc_axis(double straight, double bend, double whole) {
 KnownRoot arc_of(double bend, Dice& dice) {
   const double radius = dice.between(0.22, 0.36);
   KnownRoot root = straight(fmt::format("arc {} mm", bend), radius, radius, 1);
-  root.canals[0].axis = arc_axis(dice.between(1.5, 4.5), bend, dice.between(11.5, 14));
+  const double above = dice.between(2, 4.5);
+  root.canals[0].axis = arc_axis(above, bend, above + std::min(0.7 * bend, dice.between(7.5, 9.5)));   // within the block
+  root.block = 4.2;
   root.bend = bend;
   root.oval = dice.between(0, 1) < 0.5 ? dice.between(1.1, 1.8) : 1;
   return root;
@@ -215,6 +217,8 @@ FamilyVerdict judge(const KnownRoot& root, const Anatomy& made) {
   verdict.counted = made.roots.size() == 1 && made.canals.size() == root.canals.size() && made.roots[0].vertucci == root.vertucci && made.roots[0].sections == root.sections;
   verdict.beside = beside_right(root, made);
   verdict.told = fmt::format("{}, oval {:.2f}, tilt {:.0f}: told {}", root.kind, root.oval, root.tilt_deg, counts_of(made));
+  for (const MeasuredCanal& canal : made.canals)
+    if (!verdict.counted) verdict.told += fmt::format(", {} {:.2f} long from {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f}", canal.name, canal.length, canal.orifice.x, canal.orifice.y, canal.orifice.z, canal.end.x, canal.end.y, canal.end.z);
   if (made.canals.size() != root.canals.size()) return verdict;
   std::vector<std::size_t> left(made.canals.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "recon/core/error.h"
 #include "recon/mesh/vector.h"
 #include "recon/sample/trace.h"
 
@@ -97,6 +98,29 @@ std::vector<double> values_on(const KnownRoot& root, const sample::Grid& grid, d
   return values;
 }
 
+/// Marching squares put a point on a chord: onto the wall itself, so that contours are as narrow as their sides make them and no narrower.
+void onto_wall(const KnownRoot& root, double z, sample::Loop& loop) {
+  constexpr double reach = 1e-4;
+  for (Point2& p : loop) {
+    const auto at = [&](double x, double y) { return void_at(root, own_of(root, {x, y, z})); };
+    const double value = at(p.x, p.y), dx = (at(p.x + reach, p.y) - at(p.x - reach, p.y)) / (2 * reach), dy = (at(p.x, p.y + reach) - at(p.x, p.y - reach)) / (2 * reach);
+    const double square = dx * dx + dy * dy;
+    if (square < 0.1) continue;   // about an end
+    p = {p.x - value * dx / square, p.y - value * dy / square};
+  }
+}
+
+/// With fewer points; those that come too close to each other for that, about to join, keep all as they were traced.
+std::vector<sample::Loop> fine_holes(const KnownRoot& root, double z, const std::vector<sample::Loop>& traced) {
+  std::vector<sample::Loop> moved = traced;
+  for (sample::Loop& loop : moved) onto_wall(root, z, loop);
+  try {
+    return sample::thin(moved, {0.4, 0.001, 1e-4, 1e-6});
+  } catch (const InternalError&) {
+    return traced;
+  }
+}
+
 /// Of a tube so stretched, between two places along it, by its formula: the rounded end, too.
 double wall_area(const KnownCanal& canal, double stretch, double whole, double from, double to) {
   constexpr int along = 400, round = 240;
@@ -175,7 +199,7 @@ ContourStack slices_of(const KnownRoot& root, double spacing) {
     std::vector<sample::Loop> outer, holes;   // the block's outside needs no such fineness
     for (sample::Loop& loop : sample::trace(grid, 1e-4)) (sample::signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
     for (sample::Loop& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
-    for (sample::Loop& loop : sample::thin(holes, {0.4, 0.001, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
+    for (sample::Loop& loop : fine_holes(root, z, holes)) slice.contours.push_back({"dentine", std::move(loop)});
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
   return stack;
