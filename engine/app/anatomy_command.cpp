@@ -142,7 +142,7 @@ ExitCode run(const Options& options, Session& session) {
   refuse_unwritable(files);
   const Shown shown = shown_from(options.input, options.volume, options.dt, session);
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
-  const Anatomy anatomy = measure_anatomy(looked_at(whole), session.progress());
+  const Anatomy anatomy = measure_anatomy(looked_at(whole), session.progress(), shown.slices);
   std::vector<FileContent> contents;
   for (const std::string& file : options.outputs)
     contents.push_back({file, known_ending(file, {".json", ".csv"}) == ".csv" ? anatomy_csv(anatomy) : anatomy_json(anatomy, options.input.empty() ? "sample molar" : options.input)});

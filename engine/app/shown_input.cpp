@@ -17,6 +17,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
+#include "recon/mesh/given_slices.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/sample/sample_tooth.h"
 
@@ -31,6 +32,7 @@ struct Found {
   OverlaySource overlays;
   std::optional<Shown::Proven> proven = {};
   std::shared_ptr<const ValueGrid> values = {};
+  std::optional<std::size_t> slices = {};
 };
 
 Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
@@ -38,6 +40,7 @@ Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
   Found found;
   found.overlays.contours = std::move(stack);
   found.proven = proven_by(made);
+  found.slices = made.counts.slices;
   for (Solid& solid : made.solids) {
     add_shells(solid.structure, solid.surface, solid.report, found.surfaces);
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
@@ -108,7 +111,9 @@ Found found_in(const std::string& file, const VolumeWords& words, const DtWords&
     for (const NamedMesh& mesh : *meshes) {
       for (const std::string& remark : mesh.remarks) session.console.say(fmt::format("{}: {}", file, remark));
     }
-    return found_in(std::move(*meshes), file);
+    Found found = found_in(std::move(*meshes), file);
+    if (kind == FileKind::glb || kind == FileKind::gltf) found.slices = slices_given(bytes, file);
+    return found;
   }
   refuse(kind, file);
 }
@@ -135,7 +140,7 @@ Shown shown_from(const std::string& file, const VolumeWords& words, const DtWord
   Found found = found_in(file, words, dt, session);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven)};
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven), found.slices};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

@@ -37,6 +37,7 @@ struct Shown {
     std::string changes;  // in words; empty: none
   };
   std::optional<Proven> proven;
+  std::optional<std::size_t> slices;   // given ones that it was made from, here or by who wrote the mesh; empty: not known
 };
 
 /// What a reconstruction proved, with the reports that it holds now.

@@ -141,7 +141,7 @@ Bend smallest_bend(const std::vector<Point3>& all, double width) {
     if (last <= covered) continue;   // a part of it
     covered = last;
     if (fit.bow <= limits::bend_bow * known || fit.radius >= bend.radius) continue;
-    bend = {fit.radius, fit.radius * known / fit.bow};
+    bend = {fit.radius, 2 * fit.radius * known / fit.bow};   // middle and ends may be off either way
   }
   return bend;
 }

@@ -11,22 +11,6 @@ namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-double schneider(const CentreLine& line, double length_of_canal) {
-  const CentrePoint& orifice = line.points[line.orifice];
-  const auto third = std::find_if(line.points.begin() + static_cast<std::ptrdiff_t>(line.orifice), line.points.end(),
-                                  [&](const CentrePoint& p) { return p.along >= orifice.along + length_of_canal / 3; });
-  if (third == line.points.end()) return 0;
-  const Direction way = third->at - orifice.at;
-  const Direction axis = (1 / length(way)) * way;
-  for (auto p = third; p != line.points.end(); ++p) {
-    const Direction off = p->at - orifice.at;
-    if (length(cross(axis, off)) <= 0.5 * p->radius) continue;
-    const Direction apical = line.end - p->at;
-    return degrees * std::atan2(length(cross(axis, apical)), dot(axis, apical));
-  }
-  return 0;
-}
-
 /// Twice the median of the widest balls.
 double usual_width(const CentreLine& line) {
   std::vector<double> balls;
@@ -52,6 +36,23 @@ void measure_widths(const CentreLine& line, std::size_t first, std::size_t last,
 
 }  // namespace
 
+double schneider_of(const CentreLine& line, std::size_t orifice_point, double slack) {
+  const CentrePoint& orifice = line.points[orifice_point];
+  const double whole = line.points.back().along + length(line.end - line.points.back().at) - orifice.along + (orifice_point == 0 ? length(orifice.at - line.start) : 0);
+  const auto third = std::find_if(line.points.begin() + static_cast<std::ptrdiff_t>(orifice_point), line.points.end(),
+                                  [&](const CentrePoint& p) { return p.along >= orifice.along + whole / 3; });
+  if (third == line.points.end()) return 0;
+  const Direction way = third->at - orifice.at;
+  const Direction axis = (1 / length(way)) * way;
+  for (auto p = third; p != line.points.end(); ++p) {
+    const Direction off = p->at - orifice.at;
+    if (length(cross(axis, off)) <= 0.5 * p->radius + slack) continue;
+    const Direction apical = line.end - p->at;
+    return degrees * std::atan2(length(cross(axis, apical)), dot(axis, apical));
+  }
+  return 0;
+}
+
 std::pair<std::size_t, std::size_t> between_ends(const CentreLine& line) {
   const double width = usual_width(line);
   std::size_t first = line.orifice, last = line.points.size();
@@ -70,7 +71,7 @@ MeasuredCanal measured_canal(const CentreLine& line) {
   canal.length = line.length_to_wall();
   const auto [first, last] = between_ends(line);
   measure_widths(line, first, last, canal);
-  canal.schneider_deg = schneider(line, canal.length);
+  canal.schneider_deg = schneider_of(line, line.orifice, 0);
   // Just below the orifice the line still turns out of the chamber.
   std::size_t below = first;
   while (line.orifice > 0 && below < last && line.points[below].along - line.points[first].along < canal.mean_width) ++below;
