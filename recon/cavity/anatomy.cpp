@@ -129,7 +129,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.handles = lines.loops.size();
   const auto genus = static_cast<std::size_t>(wall.shells.front().genus);
   made.narrow_handles = genus - std::min(made.handles, genus);
-  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line));
+  const WallTree tree(hollow.wall);
+  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, tree));
   made.shapes = canal_shapes(hollow, lines, progress);
   made.accessory_canals = accessory_canals(hollow, lines);
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);
