@@ -33,12 +33,22 @@ double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 1; i < along; ++i) {
     const double t = static_cast<double>(i) / along;
-    double best = 0;
+    const auto depth = [&](double s) { return depth_in(loop, {a.x + t * x - s * y, a.y + t * y + s * x}); };
+    double best = depth(0), place = 0;
     for (int k = -aside; k <= aside; ++k) {
-      const double s = 0.5 * k / aside;
-      best = std::max(best, depth_in(loop, {a.x + t * x - s * y, a.y + t * y + s * x}));
+      const double s = 0.5 * k / aside, here = depth(s);
+      if (here <= best) continue;
+      best = here;
+      place = s;
     }
-    least = std::min(least, best);
+    // A thin corridor may lie between two such places.
+    for (double step = 0.25 / aside; step > 1e-3; step /= 2) {
+      const double left = depth(place - step), right = depth(place + step);
+      if (std::max(left, right) <= best) continue;
+      place += left > right ? -step : step;
+      best = std::max(left, right);
+    }
+    least = std::min(least, std::max(best, 0.0));
   }
   return 2 * least;
 }
