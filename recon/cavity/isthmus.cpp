@@ -125,9 +125,14 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
   }
   const double step = (top - bottom) / heights;
   std::vector<Isthmus> open;   // those that the section before showed, too
+  std::vector<std::vector<double>> widths;   // of these, section by section
   const auto close = [&](std::size_t i) {
+    // Its lowest and highest section may cut its rim only.
+    const std::size_t rim = widths[i].size() > 2 ? 1 : 0;
+    open[i].narrowest = *std::min_element(widths[i].begin() + static_cast<std::ptrdiff_t>(rim), widths[i].end() - static_cast<std::ptrdiff_t>(rim));
     if (open[i].to_apex - open[i].from_apex + step >= width) found.push_back(open[i]);
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+    widths.erase(widths.begin() + static_cast<std::ptrdiff_t>(i));
   };
   for (std::size_t h = 0; h < heights && step > 0; ++h) {
     const double above = (static_cast<double>(h) + 0.5) * step, z = fall * (bottom + above);
@@ -151,9 +156,10 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
       const auto known = std::find_if(open.begin(), open.end(), [&](const Isthmus& before) { return same(one, before); });
       if (known == open.end()) {
         open.push_back(one);
+        widths.push_back({one.narrowest});
       } else {
         known->to_apex = above;
-        known->narrowest = std::min(known->narrowest, one.narrowest);
+        widths[static_cast<std::size_t>(known - open.begin())].push_back(one.narrowest);
       }
     }
   }

@@ -22,7 +22,7 @@ TEST_P(CanalFamily, IsToldRightFromSlicesOfATenthOfAMillimetre) {
   std::size_t covered = 0;
   for (const test::FigureVerdict& one : verdict.figures) {
     const bool is_bend = one.name.starts_with("bend") || one.name == "straight";
-    covered += std::abs(one.told - one.known) <= one.off || one.name == "straight" ? 1 : 0;
+    covered += std::abs(one.told - one.known) <= one.off || (one.name == "straight" && one.error() == 0) ? 1 : 0;
     if (one.name == "length") {
       EXPECT_LT(std::abs(one.error()), length) << verdict.told;
     }
@@ -33,11 +33,11 @@ TEST_P(CanalFamily, IsToldRightFromSlicesOfATenthOfAMillimetre) {
       EXPECT_LT(std::abs(one.error()), bend) << one.name << ", " << verdict.told;
     }
   }
-  EXPECT_GE(10 * covered, 8 * verdict.figures.size()) << verdict.told;
+  EXPECT_GE(10 * covered, 7 * verdict.figures.size()) << verdict.told;
 }
 
-// A leaning oval canal, arcs of 8 and 15 mm, two leaning tapers, a short fork, isthmuses of types V and II, a ribbon.
-INSTANTIATE_TEST_SUITE_P(OfEachKind, CanalFamily, ::testing::Values(0, 9, 10, 13, 14, 17, 18, 20));
+// A leaning oval canal, type VII, an arc of 8 mm, a leaning one of 15 mm, two leaning tapers, a short fork, an accessory canal, an isthmus of type II, a ribbon.
+INSTANTIATE_TEST_SUITE_P(OfEachKind, CanalFamily, ::testing::Values(0, 6, 9, 10, 13, 14, 16, 18, 20), [](const auto& seed) { return std::to_string(seed.param); });
 
 }  // namespace
 }  // namespace odontoscope
