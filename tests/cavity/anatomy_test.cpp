@@ -344,6 +344,7 @@ TEST(Anatomy, KnowsTheGivenSlicesWhateverLiesBetween) {
   for (const Solid& solid : model.solids) parts.push_back({solid.structure, &solid.surface});
   const Anatomy made = measure_anatomy(parts, {}, stack.slices.size());
   EXPECT_NEAR(made.slice_spacing, 0.35, 1e-6);
+  EXPECT_LT(measure_anatomy(parts).slice_spacing, 0.3);   // the wall's own heights are those of interpolated slices, too
 }
 
 TEST(SlicesGiven, AreReadFromTheCertificateOfAGltfFile) {

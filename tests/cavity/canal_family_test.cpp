@@ -29,10 +29,14 @@ TEST_P(CanalFamily, IsToldRightFromSlicesOfATenthOfAMillimetre) {
     if (one.name == "mean width" || one.name == "narrowest width" || one.name == "apical width") {
       EXPECT_LT(std::abs(one.error()), width) << one.name << ", " << verdict.told;
     }
+    if (one.name == "thinnest wall") {
+      EXPECT_LT(std::abs(one.error()), length) << verdict.told;
+    }
     if (is_bend) {
       EXPECT_LT(std::abs(one.error()), bend) << one.name << ", " << verdict.told;
     }
   }
+  // Of the whole family nine in ten are; one root has few figures.
   EXPECT_GE(10 * covered, 7 * verdict.figures.size()) << verdict.told;
 }
 
