@@ -94,6 +94,15 @@ Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b,
 
 }  // namespace
 
+bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const CentreLine& b, double z) {
+  const std::optional<Passing> one = passing(a, z), other = passing(b, z);
+  if (!one || !other) return false;
+  const std::size_t loop = loop_round(loops, one->at);
+  if (loop == loops.size() || loop != loop_round(loops, other->at)) return false;
+  if (std::hypot(one->at.x - other->at.x, one->at.y - other->at.y) < one->ball + other->ball) return true;
+  return corridor_width(loops[loop], one->at, other->at) >= limits::isthmus_wide * 2 * std::min(one->ball, other->ball);
+}
+
 std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines, const std::vector<std::size_t>& canals, double fall) {
   std::vector<Isthmus> found;
   if (canals.size() < 2) return found;

@@ -90,9 +90,12 @@ std::string in_words(const StrangeWay& way) {
 }
 
 StrangeWay way_of(std::uint64_t seed) {
-  constexpr Correspondence all[] = {Correspondence::medial, Correspondence::overlap, Correspondence::medial, Correspondence::reverse};
-  const std::uint64_t round = seed / strange_kinds().size();
-  return {all[round % 4], round % 3 == 2 ? Between::blended : Between::delaunay};
+  constexpr StrangeWay ways[] = {
+      {Correspondence::tracked, Between::blended},  {Correspondence::tracked, Between::delaunay}, {Correspondence::medial, Between::delaunay},
+      {Correspondence::overlap, Between::blended},  {Correspondence::tracked, Between::blended},  {Correspondence::overlap, Between::delaunay},
+      {Correspondence::tracked, Between::delaunay}, {Correspondence::reverse, Between::blended},  {Correspondence::reverse, Between::delaunay},
+      {Correspondence::medial, Between::blended}};
+  return ways[seed / strange_kinds().size() % std::size(ways)];
 }
 
 StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience) {

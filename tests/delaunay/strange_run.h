@@ -36,7 +36,7 @@ struct StrangeOutcome {
 /// Stopped (too_slow) after `patience` seconds of processor time.
 StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience = 60);
 
-/// By the seed: medial for half of them, overlap and reverse; every third with interpolated slices.
+/// By the seed: every criterion with and without interpolated slices, most often `tracked`, the default.
 StrangeWay way_of(std::uint64_t seed);
 
 /// A smallest stack with the same sort of outcome.
