@@ -236,13 +236,13 @@ std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<d
     }
     const bool of_material = farthest[0] >= farthest[1];
     const Ways& ways = of_material ? in_material : in_void;
-    if (std::max(farthest[0], farthest[1]) < limits::strip_steps * lattice.step) continue;
     const bool onwards = of_material == (places[seed] == Place::only_upper);
     for (const std::size_t p : component) {
       if (ways.way(p) == unreached) continue;
       const double length = ways.length(p), share = std::min(ways.way(p) / length, 1.0);
       const double slender = length / std::max(ways.width(p), lattice.step);
-      const double certainty = smooth_between(slender, limits::strip_least, limits::strip_certain);
+      const double certainty = smooth_between(slender, limits::strip_least, limits::strip_certain) *
+                               smooth_between(length / lattice.step, limits::strip_steps, 2 * limits::strip_steps);
       if (certainty > 0) result.push_back({p, onwards ? share : 1 - share, length, certainty});
     }
   }

@@ -5,9 +5,9 @@ namespace odontoscope::between::limits {
 
 /// A place where only one slice has material juts out like a strip if it is this many times as long as wide (between nested
 /// contours: once), surely so from the second number on.
-inline constexpr double strip_least = 2, strip_certain = 3;
-/// Shorter ones, in steps of the grid, are left to the blend.
-inline constexpr double strip_steps = 4;
+inline constexpr double strip_least = 2.5, strip_certain = 3.5;
+/// Shorter ones, in steps of the grid, are left to the blend, and those up to twice as long in part.
+inline constexpr double strip_steps = 8;
 /// Neighbours towards which a way grows by at least this part of their distance lie straight ahead: between two of eight
 /// neighbours it is 0.92.
 inline constexpr double strip_ahead = 0.8;
