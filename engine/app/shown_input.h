@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/dt_options.h"
 #include "engine/app/volume_options.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
@@ -43,7 +44,8 @@ struct Shown {
 Shown::Proven proven_by(const Reconstruction& made);
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
-/// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do.
-Shown shown_from(const std::string& file, const VolumeWords& words, Session& session);
+/// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do;
+/// UsageError for `dt` with a mesh.
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session);
 
 }  // namespace odontoscope::app
