@@ -5,7 +5,6 @@
 #include <limits>
 #include <tuple>
 
-#include "recon/cavity/bundling.h"
 #include "recon/cavity/limits.h"
 #include "recon/cavity/linking.h"
 #include "recon/cavity/medial_paths.h"
@@ -241,7 +240,6 @@ Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long h
     for (MedialCanal& one : found) trim(graph, one.path);
   }
   if (!found_handles.empty() && (result.has_chamber || result.through)) {
-    bundle(graph, tree, chamber.inside, found, found_handles);
     Rejoined ways = rejoined(graph, tree, std::move(found), found_handles, chamber.inside);
     found = std::move(ways.canals);
     for (const std::vector<NodeIndex>& isthmus : ways.isthmuses) result.isthmuses.push_back(places(graph, isthmus));
