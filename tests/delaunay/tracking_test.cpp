@@ -374,6 +374,56 @@ TEST(Tracking, OfManyBitsNoneIsToldFromNoise) {
   EXPECT_EQ(tracked(stack_of_discs(scene, cut)).count(TrackedBy::beside), 0u);
 }
 
+/// A root with a canal in its middle and, in slice 5, a bead beside it that hangs on the canal of slice 6. In slice 4 the root is 1.4 mm wide
+/// or as wide as is asked for, and has a notch where the bead's canal would leave, or none.
+ContourStack bead_beside_surface(bool notch, double radius_below = 1.4) {
+  ContourStack stack;
+  for (int k = 0; k < 10; ++k) {
+    Ring root = regular_polygon(60, k <= 4 ? radius_below : 1.4, {0, 0}, 0);
+    if (notch && k == 4)
+      for (Point2& p : root)
+        if (p.x > 0 && std::abs(p.y) < 0.2) p = {0.95, p.y};
+    stack.slices.push_back({cut * k, {{"tooth", root}, {"tooth", disc_ring({{k < 6 ? 0 : 0.1, 0}, 0.4})}}});
+    if (k == 5) stack.slices.back().contours.push_back({"tooth", disc_ring({{0.75, 0}, thin})});
+  }
+  return stack;
+}
+
+TEST(Tracking, ACanalLeavesThroughANotchOfTheSurface) {
+  const auto opens = [](const ContourStack& stack) {
+    const Tracked made = tracked_voids(stack);
+    EXPECT_EQ(made.pieces(), 1u) << "the bead hangs on the canal";
+    return std::count_if(made.tracking.links[4].begin(), made.tracking.links[4].end(),
+                         [](const TrackedLink& link) { return link.lower == outside && link.by == TrackedBy::beside; });
+  };
+  EXPECT_EQ(opens(bead_beside_surface(true)), 1);
+  EXPECT_EQ(opens(bead_beside_surface(false)), 0) << "the wall is whole";
+  EXPECT_EQ(opens(bead_beside_surface(false, 0.95)), 0) << "the root ends, and its canal may close";
+}
+
+/// Two roots, one of them shorter, with a canal as wide in its last two slices as is asked for.
+ContourStack short_root(double last, double last_but_one) {
+  ContourStack stack;
+  for (int k = 0; k < 6; ++k) {
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{5, 0}, 1})}}});
+    if (k < 2) continue;
+    stack.slices.back().contours.push_back({"tooth", disc_ring({{0, 0}, 1})});
+    stack.slices.back().contours.push_back({"tooth", disc_ring({{0, 0}, k == 2 ? last : k == 3 ? last_but_one : 0.35})});
+  }
+  return stack;
+}
+
+TEST(Doubts, ACanalThatIsRunningOutMayCloseWhereItsRootEnds) {
+  const auto closing = [](const ContourStack& stack) {
+    const Tracked made = tracked_voids(stack);
+    return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulLink& d) {
+      return d.choice == Choice::may_part && d.slab == 1 && d.lower == outside;
+    });
+  };
+  EXPECT_EQ(closing(short_root(0.17, 0.3)), 1);
+  EXPECT_EQ(closing(short_root(0.3, 0.32)), 0) << "as wide as before";
+}
+
 // ---- what is two things
 // ---------------------------------------------------------------------------------------------------
 

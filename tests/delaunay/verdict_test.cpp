@@ -135,6 +135,25 @@ TEST(LookHere, OfTwoEqualCandidatesEitherLinkDecides) {
   }
 }
 
+/// A chamber and, far from it, a void that one slice alone shows: a piece of a canal, or a flaw.
+ContourStack void_far_from_chamber() {
+  const Ring block = rectangle({-6, -6}, {6, 6});
+  ContourStack stack = storeys({{block}, {block, circle(2, {-3, 0})}, {block}});
+  stack.slices[tall + 2] = stack_of({{block, circle(2, {-3, 0}), circle(0.3, {4, 0})}}).slices.front();
+  stack.slices[tall + 2].z = (stack.slices[tall + 1].z + stack.slices[tall + 3].z) / 2;
+  return stack;
+}
+
+TEST(LookHere, AVoidThatIsShutInBesideALargerOne) {
+  const Reconstruction made = made_of(void_far_from_chamber());
+  ASSERT_EQ(kinds(made), std::vector{AttentionKind::void_gap}) << told(made);
+  EXPECT_EQ(made.attention.front().slice, tall + 2);
+  EXPECT_NEAR(made.attention.front().place.x, 4, 0.01);
+  ContourStack chamber = void_far_from_chamber();
+  chamber.slices[tall + 2].contours.pop_back();
+  EXPECT_EQ(verdict_of(made_of(chamber)), Verdict::green) << "a chamber that is shut in is none";
+}
+
 TEST(LookHere, ARoofThatMayBeOpen) {
   const ContourStack stack = chamber_under_horn();
   const Reconstruction made = made_of(stack);

@@ -55,7 +55,7 @@ Tally tally_of(std::uint64_t first, std::uint64_t last) {
 
 struct Bar {
   std::uint64_t first;
-  // To be raised with the engine, never lowered. Of slices 0.25 to 0.5 mm apart it had 21, 20, 17 and 22 right.
+  // To be raised with the engine, never lowered. It has 26 of 28, 21 of 23, 20 of 21 and 24 of 26 right.
   std::size_t right;
 };
 
@@ -69,10 +69,11 @@ TEST_P(Family, HasTheTopologyOfTheTruthAsOftenAsTheBarSays) {
               tally.hidden, tally.warned, tally.wrong.c_str());
   EXPECT_EQ(tally.refused, 0u);
   EXPECT_GE(tally.right, bar.right) << tally.wrong;
+  EXPECT_EQ(tally.warned, tally.visible - tally.right) << "wrong and green\n" << tally.wrong;
   // A rule that called everything hidden would make any engine right.
   EXPECT_GE(tally.visible, 17u);
 }
-INSTANTIATE_TEST_SUITE_P(Tens, Family, testing::Values(Bar{1, 15}, Bar{11, 15}, Bar{21, 13}, Bar{31, 16}),
+INSTANTIATE_TEST_SUITE_P(Tens, Family, testing::Values(Bar{1, 25}, Bar{11, 20}, Bar{21, 19}, Bar{31, 23}),
                          [](const auto& ten) { return "From" + std::to_string(ten.param.first); });
 
 TEST(RandomTooth, IsTheSameForTheSameSeed) {
