@@ -21,6 +21,7 @@ namespace {
 
 struct Options {
   std::string input;
+  DtWords dt;
   VolumeWords volume;
   std::vector<std::string> outputs;
 };
@@ -135,11 +136,13 @@ ExitCode run(const Options& options, Session& session) {
   PlannedFiles files;
   for (const std::string& file : options.outputs) known_ending(file, {".json", ".csv"});
   files.outputs = options.outputs;
-  if (!options.input.empty()) files.inputs.push_back(options.input);
+  refuse_senseless(options.dt);
+  for (const std::string* input : {&options.input, &options.dt.links})
+    if (!input->empty()) files.inputs.push_back(*input);
   refuse_unwritable(files);
-  const Shown shown = shown_from(options.input, options.volume, session);
+  const Shown shown = shown_from(options.input, options.volume, options.dt, session);
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
-  const Anatomy anatomy = measure_anatomy(looked_at(whole), session.progress());
+  const Anatomy anatomy = measure_anatomy(looked_at(whole), session.progress(), shown.slices);
   std::vector<FileContent> contents;
   for (const std::string& file : options.outputs)
     contents.push_back({file, known_ending(file, {".json", ".csv"}) == ".csv" ? anatomy_csv(anatomy) : anatomy_json(anatomy, options.input.empty() ? "sample molar" : options.input)});
@@ -157,6 +160,7 @@ Command anatomy_command(CLI::App& root) {
   const auto options = std::make_shared<Options>();
   parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
   repeatable(parser->add_option("-o,--output", options->outputs, "All as JSON, or one row a canal as CSV; repeatable"))->type_name("FILE.json|.csv");
+  add_dt_options(*parser, options->dt);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"

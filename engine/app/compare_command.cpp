@@ -7,6 +7,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
+#include "engine/app/dt_options.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/volume_options.h"
@@ -23,6 +24,7 @@ namespace {
 struct Options {
   std::string input;
   VolumeWords words;
+  DtWords dt;
   DbWords db;
   std::string report, html;
 };
@@ -30,6 +32,7 @@ struct Options {
 void refuse_senseless(const Options& options) {
   if (!options.report.empty()) known_ending(options.report, {".json"});
   if (!options.html.empty()) known_ending(options.html, {".html"});
+  refuse_senseless(options.dt);
   refuse_volume_without_level(options.input, options.words);
 }
 
@@ -75,15 +78,16 @@ ExitCode compare_methods(const Options& options, Session& session) {
   if (options.words.any_level()) understood(options.words);
   CompareOptions engines;
   engines.db = understood(options.db, session.threads);
-  engines.dt.threads = session.threads;
   PlannedFiles files{.inputs = {options.input}, .outputs = {}};
+  if (!options.dt.links.empty()) files.inputs.push_back(options.dt.links);
   for (const std::string& file : {options.report, options.html}) {
     if (!file.empty()) files.outputs.push_back(file);
   }
   refuse_unwritable(files);
 
-  Comparison comparison =
-      compare(contours_of_input(options.input, options.words, session), engines, session.progress());
+  const ContourStack stack = contours_of_input(options.input, options.words, session);
+  engines.dt = understood(options.dt, stack, session);
+  Comparison comparison = compare(stack, engines, session.progress());
   const std::string no_pictures = options.report.empty() && options.html.empty() ? std::string() : draw(comparison, session);
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
@@ -106,6 +110,7 @@ Command compare_command(CLI::App& root) {
       ->type_name("");
   parser->add_option("--report", options->report, "All that was measured, for scripts")->type_name("FILE.json");
   parser->add_option("--html", options->html, "The same as a page, with pictures where this machine can draw")->type_name("FILE.html");
+  add_dt_options(*parser, options->dt);
   add_volume_options(*parser, options->words);
   add_db_options(*parser, options->db);
   parser->footer(

@@ -11,18 +11,16 @@
 
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
+#include "engine/app/dt_options.h"
 #include "engine/app/foreign_input.h"
-#include "engine/app/link_words.h"
 #include "engine/app/model.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/structure_files.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
-#include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/delaunay/verdict.h"
-#include "recon/input/links_json.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
@@ -39,10 +37,7 @@ struct Options {
   ForeignWords foreign;
   VoxelWords voxels;
   DbWords db;
-  std::optional<Correspondence> correspondence;
-  std::optional<Between> between;
-  std::string links;
-  LinkWords link_words;
+  DtWords dt;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
   bool strict = false;
@@ -69,7 +64,7 @@ void refuse_other_methods_options(const Options& options) {
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
   if (options.triangles || options.strict) throw UsageError("--triangles and --strict are about the DT method", "Use --decimate with --method db");
-  if (!options.correspondence && !options.between && options.links.empty() && !options.link_words.any()) return;
+  if (!options.dt.any()) return;
   throw UsageError(
       "--correspondence, --between, --links, --link and --unlink are about the DT method; DB connects whatever "
       "overlaps",
@@ -121,27 +116,16 @@ void refuse_senseless(const Options& options) {
   if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list);
-  links_from(options.link_words);
+  refuse_senseless(options.dt);
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
 }
 
 PlannedFiles planned_files(const Options& options) {
   PlannedFiles files{.inputs = {options.input}, .outputs = options.outputs};
-  if (!options.links.empty()) files.inputs.push_back(options.links);
+  if (!options.dt.links.empty()) files.inputs.push_back(options.dt.links);
   if (!options.report.empty()) files.outputs.push_back(options.report);
   return files;
-}
-
-/// The links file, checked here so that messages name it.
-std::vector<Link> links_for(const ContourStack& stack, const Options& options, const Session& session) {
-  std::vector<Link> links = links_from(options.link_words);
-  if (options.links.empty()) return links;
-  const std::vector<Link> in_file = parse_links(read_file(options.links, limits::file_bytes, session.progress().stop), options.links);
-  validate(stack);
-  validate_links(in_file, ordered(stack).stack, options.links);
-  links.insert(links.end(), in_file.begin(), in_file.end());
-  return links;
 }
 
 /// What a method made: files still to be written, and what to say once they are.
@@ -186,12 +170,7 @@ struct Input {
 };
 
 Made made_by_dt(const ContourStack& stack, Input input, const Options& options, Session& session) {
-  ReconstructOptions engine;
-  engine.correspondence = options.correspondence.value_or(Correspondence::tracked);
-  engine.between = options.between.value_or(Between::blended);
-  engine.links = links_for(stack, options, session);
-  engine.threads = session.threads;
-  const auto model = std::make_shared<Model>(Model{reconstruct(stack, engine, session.progress()), {}, {}});
+  const auto model = std::make_shared<Model>(Model{reconstruct(stack, understood(options.dt, stack, session), session.progress()), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   if (options.as_given && input.volume && input.volume->upright) {
@@ -281,23 +260,6 @@ void add_options(CLI::App& parser, Options& options) {
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},
                      "dt: Delaunay (default); db: distance field and marching cubes")
       ->type_name("NAME");
-  add_choice<std::optional<Correspondence>>(parser, "--correspondence", options.correspondence,
-                             {{"reverse", Correspondence::reverse},
-                              {"medial", Correspondence::medial},
-                              {"overlap", Correspondence::overlap},
-                              {"tracked", Correspondence::tracked}},
-                             "When regions connect: tracked (default), reverse, medial or overlap")
-      ->type_name("NAME");
-  add_choice<std::optional<Between>>(parser, "--between", options.between,
-                                     {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
-      ->type_name("NAME");
-  parser.add_option("--links", options.links, "Your own choices of what connects; they win")->type_name("FILE.json");
-  repeatable(parser.add_option("--link", options.link_words.connect,
-                               "One such choice: contour B of slice N connects to U of N + 1"))
-      ->type_name("NAME:N:B-U");
-  repeatable(parser.add_option("--unlink", options.link_words.apart, "One such choice: the two are kept apart"))
-      ->type_name("NAME:N:B-U");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
   constexpr int most_triangles = 100'000'000;
@@ -306,6 +268,7 @@ void add_options(CLI::App& parser, Options& options) {
       ->check(whole_number_from_one_to(most_triangles));
   parser.add_flag("--strict", options.strict,
                   "Write nothing if the verdict is amber or --triangles is missed");
+  add_dt_options(parser, options.dt);
   add_volume_options(parser, options.words);
   parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
   add_foreign_options(parser, options.foreign);

@@ -33,6 +33,7 @@ constexpr int most_frames = 3600;
 
 struct Options {
   std::string input;
+  DtWords dt;
   VolumeWords volume;
   SceneWords scene;
   std::string output, save_scene;
@@ -81,8 +82,8 @@ std::vector<std::string> picture_files(const Options& options) {
 
 PlannedFiles planned_files(const Options& options) {
   PlannedFiles files{.inputs = {}, .outputs = picture_files(options)};
-  for (const std::string& input : {options.input, options.scene.scene_file, options.scene.camera_file})
-    if (!input.empty()) files.inputs.push_back(input);
+  for (const std::string* input : {&options.input, &options.dt.links, &options.scene.scene_file, &options.scene.camera_file})
+    if (!input->empty()) files.inputs.push_back(*input);
   if (!options.save_scene.empty()) files.outputs.push_back(options.save_scene);
   return files;
 }
@@ -134,7 +135,7 @@ class ModelOnTheWay {
   ModelOnTheWay(const Options& options, const Session& session)
       : interrupted_(session.interrupts.token(), [this] { stop_.request_stop(); }), session_(session) {
     session_.watched = Progress{session.progress().report, stop_.get_token()};
-    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, session_); });
+    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, options.dt, session_); });
   }
   ~ModelOnTheWay() { stop_.request_stop(); }
 
@@ -256,6 +257,7 @@ ExitCode render(const Options& options, Session& session) {
   if (!options.save_scene.empty()) known_ending(options.save_scene, {".json"});
   const PictureOptions picture = picture_options(options);
   refuse_senseless(options.scene);
+  refuse_senseless(options.dt);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
   ModelOnTheWay model(options, session);
@@ -300,6 +302,7 @@ void add_options(CLI::App& parser, Options& options) {
   parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
+  add_dt_options(parser, options.dt);
   add_volume_options(parser, options.volume);
 }
 

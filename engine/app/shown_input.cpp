@@ -17,6 +17,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/input/stack_json.h"
+#include "recon/mesh/given_slices.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/sample/sample_tooth.h"
 
@@ -31,15 +32,15 @@ struct Found {
   OverlaySource overlays;
   std::optional<Shown::Proven> proven = {};
   std::shared_ptr<const ValueGrid> values = {};
+  std::optional<std::size_t> slices = {};
 };
 
-Found found_in(ContourStack stack, Session& session) {
-  ReconstructOptions engine;
-  engine.threads = session.threads;
-  Reconstruction made = reconstruct(stack, engine, session.progress());
+Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
+  Reconstruction made = reconstruct(stack, understood(dt, stack, session), session.progress());
   Found found;
   found.overlays.contours = std::move(stack);
   found.proven = proven_by(made);
+  found.slices = made.counts.slices;
   for (Solid& solid : made.solids) {
     add_shells(solid.structure, solid.surface, solid.report, found.surfaces);
     found.overlays.solids.push_back({solid.structure, std::move(solid.tetrahedra)});
@@ -59,12 +60,12 @@ Box bounds_of(const ContourStack& stack) {
 }
 
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
-Found found_in_volume(const std::string& file, const VolumeRequest& options, Session& session) {
+Found found_in_volume(const std::string& file, const VolumeRequest& options, const DtWords& dt, Session& session) {
   auto volume = std::make_unique<Volume>();
   ContourStack stack = contours_told(file, options, session, volume.get());
   auto values = std::make_shared<const ValueGrid>(value_grid(*volume, bounds_of(stack)));
   volume.reset();
-  Found found = found_in(std::move(stack), session);
+  Found found = found_in(std::move(stack), dt, session);
   found.values = std::move(values);
   return found;
 }
@@ -97,19 +98,22 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
-Found found_in(const std::string& file, const VolumeWords& words, Session& session) {
-  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), session);
-  if (words.any_level()) return found_in_volume(file, understood(words), session);
+Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
+  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session);
+  if (words.any_level()) return found_in_volume(file, understood(words), dt, session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
-  if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), session);
+  if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session);
   const FileKind kind = kind_of(bytes, file);
-  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), session);
+  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), dt, session);
   if (auto meshes = meshes_in(kind, bytes, file)) {
+    refuse_for_mesh(dt, file);
     for (const NamedMesh& mesh : *meshes) {
       for (const std::string& remark : mesh.remarks) session.console.say(fmt::format("{}: {}", file, remark));
     }
-    return found_in(std::move(*meshes), file);
+    Found found = found_in(std::move(*meshes), file);
+    if (kind == FileKind::glb || kind == FileKind::gltf) found.slices = slices_given(bytes, file);
+    return found;
   }
   refuse(kind, file);
 }
@@ -132,11 +136,11 @@ Shown::Proven proven_by(const Reconstruction& made) {
   return proven;
 }
 
-Shown shown_from(const std::string& file, const VolumeWords& words, Session& session) {
-  Found found = found_in(file, words, session);
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
+  Found found = found_in(file, words, dt, session);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven)};
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven), found.slices};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

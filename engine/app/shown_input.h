@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/dt_options.h"
 #include "engine/app/volume_options.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
@@ -36,13 +37,15 @@ struct Shown {
     std::string changes;  // in words; empty: none
   };
   std::optional<Proven> proven;
+  std::optional<std::size_t> slices;   // given ones that it was made from, here or by who wrote the mesh; empty: not known
 };
 
 /// What a reconstruction proved, with the reports that it holds now.
 Shown::Proven proven_by(const Reconstruction& made);
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
-/// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do.
-Shown shown_from(const std::string& file, const VolumeWords& words, Session& session);
+/// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do;
+/// UsageError for `dt` with a mesh.
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session);
 
 }  // namespace odontoscope::app

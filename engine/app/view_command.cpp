@@ -11,17 +11,20 @@
 #include "engine/app/outputs.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
+#include "engine/app/volume_options.h"
 #include "engine/picture/png.h"
 #include "engine/ui/headset_loop.h"
 #include "engine/ui/viewer.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "recon/volume/read_volume.h"
 
 namespace odontoscope::app {
 namespace {
 
 struct Options {
   std::string input;
+  DtWords dt;
   VolumeWords volume;
   SceneWords scene;
   std::string size;
@@ -35,12 +38,17 @@ struct Options {
 constexpr PixelSize usual_view{1000, 800};
 
 VolumeWords volume_words(const LoadRequest& request, const Options& options) {
-  if (request.from_command_line) return options.volume;
-  VolumeWords words;
-  if (!request.iso) return words;
-  words.isos = {fmt::format("{}", *request.iso)};
-  words.min_area = fmt::format("{}", request.min_area_pixels);
+  VolumeWords words = request.from_command_line ? options.volume : VolumeWords{};
+  if (!request.volume) return words;
+  if (request.volume->iso) words.isos = {fmt::format("{}", *request.volume->iso)};
+  for (const std::int64_t label : request.volume->labels) words.labels.push_back(fmt::format("{}", label));
+  words.min_area = fmt::format("{}", request.volume->min_area_pixels);
   return words;
+}
+
+/// On the viewer's thread for such work.
+VolumePreview preview(const LoadRequest& request, const Progress& progress, const Options& options) {
+  return volume_preview(read_volume(request.file, understood(volume_words(request, options)).read, progress));
 }
 
 std::string title_of(const std::string& file) {
@@ -53,7 +61,7 @@ std::string title_of(const std::string& file) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const Options& options, Session session) {
   session.watched = progress;
-  Shown shown = shown_from(request.file, volume_words(request, options), session);
+  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session);
   LoadedModel loaded;
   loaded.title = title_of(request.file);
   loaded.certificate = certificate_of(shown, progress);
@@ -76,12 +84,16 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Opt
 ViewerOptions viewer_options(const Options& options, const Settings& settings, const Session& session) {
   ViewerOptions viewer;
   viewer.load = [&options, session](const LoadRequest& request, const Progress& progress) { return load(request, progress, options, session); };
-  viewer.is_volume = named_like_a_volume;
+  viewer.wants_level = [&options](const LoadRequest& request) {
+    const bool said = request.volume || (request.from_command_line && options.volume.any_level());
+    return !said && named_like_a_volume(request.file);
+  };
+  viewer.preview = [&options](const LoadRequest& request, const Progress& progress) { return preview(request, progress, options); };
   viewer.settings = settings;
   return viewer;
 }
 
-LoadRequest first_request(const Options& options) { return {.file = options.input, .iso = {}, .min_area_pixels = 0, .from_command_line = true}; }
+LoadRequest first_request(const Options& options) { return {.file = options.input, .volume = {}, .from_command_line = true}; }
 
 /// What the window would show, drawn without one.
 ExitCode take_screenshot(const Options& options, Session& session) {
@@ -93,6 +105,7 @@ ExitCode take_screenshot(const Options& options, Session& session) {
   const Framebuffer pixels(context->gl(), {settings.window, {GL_RGBA8}});
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
   viewer_settings.coarse_when_slow = false;
+  viewer_settings.wants_level = [](const LoadRequest&) { return false; };   // nobody is there to answer
   Viewer viewer(context->gl(), shaders_from_environment(), std::move(viewer_settings));
   viewer.state().drawn_with = context->in_words();
   viewer.open(first_request(options));
@@ -149,6 +162,7 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
 ExitCode view(const Options& options, Session& session) {
   refuse_senseless(options.scene);
   if (options.volume.any_level()) understood(options.volume);
+  refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
   if (!options.size.empty()) size_from(options.size);
   const ReadSettings read = options.screenshot.empty() ? read_settings(remembered) : ReadSettings{};
@@ -162,7 +176,7 @@ ExitCode view(const Options& options, Session& session) {
 Command view_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("view", "A window to look at a model: turn it, cut it open, measure it");
   const auto options = std::make_shared<Options>();
-  parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
+  parser->add_option("INPUT", options->input, "Contour stack, mesh or volume; none: the sample molar")->type_name("");
   parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
   parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
   parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot");
@@ -175,6 +189,7 @@ Command view_command(CLI::App& root) {
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
   add_scene_options(*parser, options->scene);
+  add_dt_options(*parser, options->dt);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"

@@ -44,6 +44,7 @@ ExitCode make_page(const Options& options, Session& session) {
   refuse_without_page();
   PlannedFiles files{.inputs = {}, .outputs = {options.output}};
   if (!options.words.input.empty()) files.inputs.push_back(options.words.input);
+  if (!options.words.dt.links.empty()) files.inputs.push_back(options.words.dt.links);
   refuse_unwritable(files);
 
   WebPage page = web_page_of(options.words, session);
@@ -72,6 +73,7 @@ Command web_command(CLI::App& root) {
   parser->add_option("--triangles", options->words.triangles, "Simplify DT's surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
+  add_dt_options(*parser, options->words.dt);
   add_volume_options(*parser, options->words.volume);
   add_db_options(*parser, options->words.db);
   parser->footer(

@@ -110,9 +110,7 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
 }
 
 WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
-  ReconstructOptions engine;
-  engine.threads = session.threads;
-  Model made{reconstruct(stack, engine, session.progress()), {}, {}};
+  Model made{reconstruct(stack, understood(words.dt, stack, session), session.progress()), {}, {}};
   page.tours = tours_through(made.reconstruction, session);
   page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
@@ -204,11 +202,13 @@ void refuse_senseless(const WebWords& words) {
   refuse_volume_without_level(words.input, words.volume);
   if (words.input.empty() && words.volume.any_level()) throw UsageError("--iso and --label want a volume", "Name it before the options");
   understood(words.db, 1);
+  refuse_senseless(words.dt);
   if (words.volume.any_level()) understood(words.volume);
 }
 
 WebPage web_page_of(const WebWords& words, Session& session) {
   if (const auto meshes = meshes_of(words, session)) {
+    refuse_for_mesh(words.dt, words.input);
     if (words.with_db || words.triangles)
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);

@@ -7,6 +7,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
+#include "engine/app/dt_options.h"
 #include "engine/app/volume_options.h"
 #include "engine/web/page.h"
 
@@ -16,6 +17,7 @@ struct WebWords {
   std::string input;               // empty: the sample molar
   VolumeWords volume;
   bool with_db = false;
+  DtWords dt;
   DbWords db;
   std::optional<int> triangles;    // at most, of DT's surfaces
 };

@@ -34,16 +34,20 @@ glm::dquat laid(const glm::dquat& turn, const glm::dvec3& way, const Pose& head,
   return glm::normalize(glm::angleAxis(-glm::radians(down_deg) - rise, right) * about * turn);
 }
 
-/// mm a second of the tour's own time, where it is now.
-double speed_at(const Ride& tour) {
+/// mm a second of the tour's own time: the most within `reach` mm of where it is now.
+double speed_near(const Ride& tour, double reach) {
   const auto& points = tour.track.points;
-  const auto after = std::upper_bound(points.begin() + 1, points.end() - 1, tour.along, [](double along, const Track::Point& point) { return along < point.along; });
-  return (after->along - (after - 1)->along) / (after->seconds - (after - 1)->seconds);
+  double most = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].along >= tour.along - reach && points[i - 1].along <= tour.along + reach)
+      most = std::max(most, glm::length(points[i].at - points[i - 1].at) / (points[i].seconds - points[i - 1].seconds));
+  return most;
 }
 
-FlightRules tour_rules(const Visit& visit, const ComfortRules& rules) {
+/// For the next `seconds`: the limit of speed holds on all of the way that they lead over.
+FlightRules tour_rules(const Visit& visit, const ComfortRules& rules, double seconds) {
   FlightRules flight = flight_rules(visit.stage, rules);
-  flight.haste = std::min(visit.tour_haste, flight.most_speed / std::max(speed_at(*visit.tour), 1e-9));
+  flight.haste = std::min(visit.tour_haste, flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
   return flight;
 }
 
@@ -84,7 +88,7 @@ void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rule
     }
   }
   const bool played = tour.playing;
-  const FlightRules limits = tour_rules(visit, rules);
+  const FlightRules limits = tour_rules(visit, rules, seconds);
   const glm::dvec3 before_mm = place_on(tour.track, tour.along).at;
   tour.pace = std::clamp(tour.pace, -limits.haste, limits.haste);   // where it widens the limit comes before gentleness
   advance(tour, limits, seconds);

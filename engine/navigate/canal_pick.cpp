@@ -71,8 +71,7 @@ void look_along(const FlightSpace& space, std::size_t cavity, const SightLine& s
       const Approach near = approach(sight, stretch, a, b);
       if (near.distance >= best.distance || !counts(near, points[i].radius)) continue;
       const double along = points[i].along + near.part * (points[i + 1].along - points[i].along);
-      const double orifice = points[std::min(lines[l]->orifice, points.size() - 1)].along;
-      best = {near.distance, {cavity, l, space.lines.has_chamber && along < orifice, a + near.part * (b - a)}};
+      best = {near.distance, {cavity, l, space.lines.has_chamber && along < begins_at(space.lines, *lines[l]), a + near.part * (b - a)}};
     }
   }
 }

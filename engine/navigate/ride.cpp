@@ -113,12 +113,12 @@ Flight flight_of(const Ride& ride, const FlightRules& rules) {
   return turned(flight_on(ride.track, ride.along), ride.look, level);
 }
 
+double begins_at(const CentreLines& lines, const CentreLine& line) {
+  return line.orifice > 0 || !lines.has_chamber ? line.points[std::min(line.orifice, line.points.size() - 1)].along : lines.chamber_radius;
+}
+
 std::optional<CanalPlace> canal_place(const CentreLines& lines, const glm::dvec3& place) {
   std::optional<CanalPlace> best;
-  // What leaves the chamber without an orifice, a horn, begins where the chamber's ball ends.
-  const auto begins = [&](const CentreLine& line) {
-    return line.orifice > 0 || !lines.has_chamber ? line.points[std::min(line.orifice, line.points.size() - 1)].along : lines.chamber_radius;
-  };
   double nearest = std::numeric_limits<double>::infinity();
   const auto all = rideable(lines);
   for (std::size_t l = 0; l < all.size(); ++l) {
@@ -133,7 +133,7 @@ std::optional<CanalPlace> canal_place(const CentreLines& lines, const glm::dvec3
       CanalPlace found;
       found.line = l;
       found.along = line.points[i].along + part * (line.points[i + 1].along - line.points[i].along);
-      found.depth = found.along - begins(line);
+      found.depth = found.along - begins_at(lines, line);
       found.width = 2 * (line.points[i].radius + part * (line.points[i + 1].radius - line.points[i].radius));
       found.to_end = line.points.back().along + glm::length(vec(line.end) - vec(line.points.back().at)) - found.along;
       found.off = off;

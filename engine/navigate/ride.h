@@ -13,6 +13,9 @@ namespace odontoscope {
 
 /// Those that one can ride: canals, then horns, then the other branches.
 std::vector<const CentreLine*> rideable(const CentreLines& lines);
+/// Where along a line the chamber ends: at its orifice; what leaves the chamber without one, a horn, begins where the chamber's ball ends. 0 without a chamber and
+/// an orifice.
+double begins_at(const CentreLines& lines, const CentreLine& line);
 
 /// The part of a line's tour (see tour.h) that the flying ball fits through, as a table that can be entered by time and by length.
 struct Track {

@@ -11,6 +11,7 @@
 
 #include "engine/ui/actions.h"
 #include "engine/ui/theme.h"
+#include "engine/ui/volume_card.h"
 #include "engine/ui/widgets.h"
 
 namespace odontoscope {
@@ -79,27 +80,12 @@ void trouble_card(ViewerState& state, const Interface& interface, const Area& vi
 }
 
 void question_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("question", viewport, 460);
-  title(interface, name_of(state.question->file).c_str());
-  wrapped("This is a volume. At which grey value does the surface lie?");
-  widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
-  ImGui::TextUnformatted("Grey value");
-  ImGui::SetNextItemWidth(-1);
-  widgets::text_field("##iso");
-  ImGui::InputDouble("##iso", &state.question->iso, 0, 0, "%g");
-  widgets::noted("##iso");
-  ImGui::TextUnformatted("Leave out contours smaller than, pixels");
-  ImGui::SetNextItemWidth(-1);
-  widgets::text_field("##area");
-  ImGui::InputDouble("##area", &state.question->min_area_pixels, 0, 0, "%g");
-  widgets::noted("##area");
-  state.question->min_area_pixels = std::max(state.question->min_area_pixels, 0.0);
-  if (widgets::wide_button("Make the model", true)) {
-    state.to_load = LoadRequest{state.question->file, state.question->iso, state.question->min_area_pixels, false};
-    state.question.reset();
-    return;
-  }
-  if (widgets::wide_button("Cancel")) state.question.reset();
+  const float with_picture = 760, alone = 460;
+  const Card card("question", viewport, state.question->preview ? with_picture : alone);
+  title(interface, name_of(state.question->request.file).c_str());
+  const VolumeAnswer answer = volume_card(*state.question, interface);
+  if (answer == VolumeAnswer::make) state.to_load = answer_of(*state.question);
+  if (answer != VolumeAnswer::none) state.question.reset();
 }
 
 void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
@@ -113,7 +99,7 @@ void open_card(ViewerState& state, const Interface& interface, const Area& viewp
   widgets::noted("##file");
   open = widgets::wide_button("Open", true) || open;
   if (open) {
-    state.to_load = LoadRequest{*state.file_asked_for, {}, 0, false};
+    state.to_load = LoadRequest{.file = *state.file_asked_for, .volume = {}};
     state.file_asked_for.reset();
     return;
   }

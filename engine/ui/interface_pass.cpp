@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace odontoscope {
+
+// Any number but that of the letters, which is 0.
+void* grey_picture() { return reinterpret_cast<void*>(std::intptr_t{1}); }
 
 InterfacePass::InterfacePass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl),
@@ -13,7 +17,8 @@ InterfacePass::InterfacePass(const Gl& gl, const ShaderLibrary& shaders)
       vertex_array_(make_vertex_array(gl)),
       vertices_(make_buffer(gl)),
       indices_(make_buffer(gl)),
-      letters_(make_texture(gl)) {
+      letters_(make_texture(gl)),
+      picture_(make_texture(gl)) {
   gl.BindVertexArray(vertex_array_.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
@@ -38,9 +43,20 @@ void InterfacePass::upload_letters(const Interface& interface) {
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, texels);
 }
 
-void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, const Target& target) {
+void InterfacePass::upload(const SlicePicture& picture) {
+  gl_->BindTexture(GL_TEXTURE_2D, picture_.id());
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, static_cast<GLsizei>(picture.width), static_cast<GLsizei>(picture.height), 0, GL_RED, GL_UNSIGNED_BYTE, picture.grey.data());
+}
+
+void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, const Target& target, const SlicePicture* picture) {
   gl_->ActiveTexture(GL_TEXTURE0);
   upload_letters(interface);
+  if (picture && !picture->grey.empty()) upload(*picture);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
   gl_->Disable(GL_DEPTH_TEST);
@@ -53,7 +69,6 @@ void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, co
   program_.use();
   program_.set("letters", 0);
   program_.set("pixels", glm::vec2(target.size.width, target.size.height));
-  gl_->BindTexture(GL_TEXTURE_2D, letters_.id());
   gl_->BindVertexArray(vertex_array_.id());
   gl_->BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   for (int i = 0; i < drawn.CmdListsCount; ++i) {
@@ -66,6 +81,9 @@ void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, co
       const int left = std::max(static_cast<int>(clip.x), 0), top = std::max(static_cast<int>(clip.y), 0);
       gl_->Scissor(target.left + left, target.bottom + target.size.height - static_cast<int>(clip.w),
                    std::max(static_cast<int>(clip.z) - left, 0), std::max(static_cast<int>(clip.w) - top, 0));
+      const bool grey = command.GetTexID() == grey_picture();
+      program_.set("grey", grey ? 1.0f : 0.0f);
+      gl_->BindTexture(GL_TEXTURE_2D, grey ? picture_.id() : letters_.id());
       constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
       gl_->DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
                                   reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));

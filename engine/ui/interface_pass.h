@@ -3,22 +3,27 @@
 
 #include "engine/gpu/program.h"
 #include "engine/render/resolve_pass.h"
+#include "engine/scene/volume_preview.h"
 #include "engine/ui/interface.h"
 
 namespace odontoscope {
 
+/// For ImGui's AddImage (its ImTextureID): the one grey picture among what is drawn.
+void* grey_picture();
+
 class InterfacePass {
  public:
   InterfacePass(const Gl& gl, const ShaderLibrary& shaders);
-  /// Over what `target` shows.
-  void draw(const Interface& interface, const ImDrawData& drawn, const Target& target);
+  /// Over what `target` shows. `picture`: what grey_picture() stands for in it.
+  void draw(const Interface& interface, const ImDrawData& drawn, const Target& target, const SlicePicture* picture = nullptr);
 
  private:
   void upload_letters(const Interface& interface);
+  void upload(const SlicePicture& picture);
 
   const Gl* gl_;
   Program program_;
-  GlObject vertex_array_, vertices_, indices_, letters_;
+  GlObject vertex_array_, vertices_, indices_, letters_, picture_;
   int font_version_ = 0;
 };
 

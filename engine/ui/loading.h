@@ -1,6 +1,8 @@
 #pragma once
 // A model in the making, off the frame's thread: how far it is, how to stop it, and what came of it.
 
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <glm/vec3.hpp>
@@ -8,7 +10,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/measure/pick.h"
@@ -16,15 +20,21 @@
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/value_grid.h"
+#include "engine/scene/volume_preview.h"
 #include "recon/core/progress.h"
 
 namespace odontoscope {
 
-/// What to load. Where a volume's surface lies is asked for unless the command line said it.
+/// What a person said of a volume: where its surface lies.
+struct VolumeChoice {
+  std::optional<double> iso = {};         // the grey value at the surface; or
+  std::vector<std::int64_t> labels = {};  // of a label map, each a structure of its own
+  double min_area_pixels = 0;             // smaller contours are noise
+};
+
 struct LoadRequest {
-  std::string file;              // empty: the sample molar
-  std::optional<double> iso = {};   // of a volume: the grey value at its surface
-  double min_area_pixels = 0;       // of a volume: smaller contours are noise
+  std::string file = {};         // empty: the sample molar
+  std::optional<VolumeChoice> volume = {};
   bool from_command_line = false;
 };
 
@@ -68,32 +78,61 @@ struct LoadedModel {
 /// Runs on a thread of its own. Throws what readers and the engine throw; Cancelled after a stop was requested.
 using Loader = std::function<LoadedModel(const LoadRequest&, const Progress&)>;
 
-class LoadJob {
+/// Work on a thread of its own: how far it is, how to stop it, and what came of it.
+template <class Result>
+class Job {
  public:
-  LoadJob(Loader loader, LoadRequest request);
+  explicit Job(std::function<Result(const Progress&)> work) {
+    std::promise<Result> promise;
+    result_ = promise.get_future();
+    thread_ = std::jthread([this, work = std::move(work), promise = std::move(promise)](std::stop_token stop) mutable {
+      const auto report = [this](std::string_view name, double fraction) {
+        const std::lock_guard lock(mutex_);
+        stage_ = {std::string(name), fraction};
+      };
+      try {
+        promise.set_value(work({report, stop}));
+      } catch (...) {
+        promise.set_exception(std::current_exception());
+      }
+    });
+  }
   /// Stops the work and waits until it has noticed.
-  ~LoadJob() = default;
-  LoadJob(const LoadJob&) = delete;
-  LoadJob& operator=(const LoadJob&) = delete;
+  ~Job() = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
 
   struct Stage {
     std::string name;
     double fraction = 0;
   };
-  Stage stage() const;
-  const LoadRequest& request() const { return request_; }
+  Stage stage() const {
+    const std::lock_guard lock(mutex_);
+    return stage_;
+  }
   void cancel() { thread_.request_stop(); }
   bool cancelling() const { return thread_.get_stop_token().stop_requested(); }
-  bool finished() const;
-  /// Precondition: finished, and not taken before. Throws what the loader threw.
-  LoadedModel take() { return result_.get(); }
+  bool finished() const { return result_.valid() && result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+  /// Precondition: finished, and not taken before. Throws what the work threw.
+  Result take() { return result_.get(); }
+
+ private:
+  mutable std::mutex mutex_;
+  Stage stage_;
+  std::future<Result> result_;
+  std::jthread thread_;   // last: it uses the others
+};
+
+class LoadJob : public Job<LoadedModel> {
+ public:
+  LoadJob(Loader loader, const LoadRequest& request);
+  const LoadRequest& request() const { return request_; }
 
  private:
   LoadRequest request_;
-  mutable std::mutex mutex_;
-  Stage stage_;
-  std::future<LoadedModel> result_;
-  std::jthread thread_;   // last: it uses the others
 };
+
+/// Reads a volume to be asked about. Throws as the loader does.
+using Previewer = std::function<VolumePreview(const LoadRequest&, const Progress&)>;
 
 }  // namespace odontoscope

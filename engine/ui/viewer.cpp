@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <new>
 #include <utility>
 
 #include "engine/gpu/graphics_error.h"
@@ -18,6 +17,7 @@
 #include "engine/ui/notes_panel.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
+#include "engine/ui/trouble.h"
 
 namespace odontoscope {
 
@@ -31,19 +31,6 @@ constexpr double most_screen_samples = 10e6;
 
 double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-/// Called in a catch block.
-std::string words_for_current_exception() {
-  try {
-    throw;
-  } catch (const Error& error) {
-    return error.what();
-  } catch (const std::bad_alloc&) {
-    return "This machine has not enough memory for that. Make it smaller: fewer slices, or a larger smallest contour.";
-  } catch (const std::exception& error) {
-    return InternalError(error.what()).what();
-  }
 }
 
 BackFaces after(BackFaces mode) {
@@ -78,10 +65,7 @@ void Viewer::open(LoadRequest request) {
     return;
   }
   if (open_tour(request)) return;
-  if (!request.iso && !request.from_command_line && options_.is_volume(request.file)) {
-    state_.question = VolumeQuestion{.file = std::move(request.file)};
-    return;
-  }
+  if (options_.wants_level(request)) return ask_about(std::move(request));
   job_ = std::make_unique<LoadJob>(options_.load, std::move(request));
 }
 
@@ -101,6 +85,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
   lay_out(input);
   take_finished_load();
+  tend_question();
   take_written();
   tend_lab();
   advance(input.seconds);
@@ -129,7 +114,7 @@ void Viewer::take_finished_load() {
   try {
     show(std::make_shared<const LoadedModel>(job->take()));
     sample_shown_ = job->request().file.empty();
-    const bool by_name = !job->request().iso && !options_.is_volume(job->request().file);
+    const bool by_name = !job->request().volume && !options_.wants_level(job->request());
     file_shown_ = by_name ? job->request().file : std::string();
     if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
     notes_may_go_ = false;
@@ -376,14 +361,15 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   draw_cards(state_, job_.get(), interface_, viewport);
   const ImDrawData* drawn = interface_.end();
   if (const int by = std::exchange(tabs_, 0)) interface_.step(by, !dialog_open());
-  interface_pass_.draw(interface_, *drawn, target);
+  const VolumeQuestion* asked = state_.question ? &*state_.question : nullptr;
+  interface_pass_.draw(interface_, *drawn, target, asked ? &asked->drawn.picture : nullptr);
   state_.settings.back_faces = state_.shown ? state_.scene.back_faces : state_.settings.back_faces;
 }
 
 double Viewer::patience() const {
   if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
-  if (job_ || !writing_.empty() || state_.lab.working) return loading;
+  if (job_ || preview_job_ || !writing_.empty() || state_.lab.working) return loading;
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

@@ -25,8 +25,10 @@ namespace odontoscope {
 
 struct ViewerOptions {
   Loader load = {};
-  /// Must a person say where its surface lies? By its name; must be quick.
-  std::function<bool(const std::string& file)> is_volume = [](const std::string&) { return false; };
+  /// Must a person say first where its surface lies? By what the request says and the file's name; must be quick.
+  std::function<bool(const LoadRequest&)> wants_level = [](const LoadRequest&) { return false; };
+  /// Empty: such a question is asked without a picture.
+  Previewer preview = {};
   Settings settings = {};
   /// Where pictures and scenes are saved; empty: the current folder.
   std::filesystem::path folder = {};
@@ -70,6 +72,8 @@ class Viewer {
  private:
   // viewer.cpp: a frame
   void take_finished_load();
+  void ask_about(LoadRequest request);
+  void tend_question();
   void show(std::shared_ptr<const LoadedModel> shown);
   void advance(double seconds);
   void perform(Action action);
@@ -243,6 +247,8 @@ class Viewer {
   std::unique_ptr<LoadJob> job_;
   std::exception_ptr failure_;
   std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
+  std::unique_ptr<Job<VolumePreview>> preview_job_;
+  std::vector<std::unique_ptr<Job<VolumePreview>>> stopped_previews_;
   std::unique_ptr<DbWorker> lab_worker_;
   std::vector<std::unique_ptr<DbWorker>> left_workers_;  // until they have noticed
   std::optional<LabOptions> lab_asked_;                  // of the worker

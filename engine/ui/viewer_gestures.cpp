@@ -204,7 +204,8 @@ bool Viewer::answer_by_enter() {
   if (!state_.trouble.empty()) state_.trouble.clear();
   else if (state_.notes.leaving) state_.notes.leaving->answer = LeavingNotes::Answer::save;
   else if (state_.question) {
-    state_.to_load = LoadRequest{state_.question->file, state_.question->iso, state_.question->min_area_pixels, false};
+    if (!state_.question->answered()) return true;
+    state_.to_load = answer_of(*state_.question);
     state_.question.reset();
   } else if (state_.help) state_.help = false;
   else return false;
@@ -259,7 +260,7 @@ void Viewer::on_text(const TextTyped& typed) {
 }
 
 void Viewer::on_drop(const FilesDropped& drop) {
-  if (!drop.files.empty()) state_.to_load = LoadRequest{drop.files.front(), {}, 0, false};
+  if (!drop.files.empty()) state_.to_load = LoadRequest{.file = drop.files.front(), .volume = {}};
   if (drop.files.size() > 1) notice("One file at a time: the first was taken.");
 }
 

@@ -16,6 +16,7 @@
 #include "engine/ui/loading.h"
 #include "engine/ui/notes_state.h"
 #include "engine/ui/settings.h"
+#include "engine/ui/volume_question.h"
 
 namespace odontoscope {
 
@@ -51,13 +52,6 @@ struct Notice {
   std::string words;
   bool bad = false;
   double seconds_left = 6;
-};
-
-/// A dropped volume: where does its surface lie?
-struct VolumeQuestion {
-  std::string file;
-  double iso = 120;
-  double min_area_pixels = 4;
 };
 
 /// What is in one part of the picture: one eye. Two of them are a comparison.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -60,7 +61,7 @@ std::vector<AccessoryCanal> accessory_canals(const Cavity& hollow, const CentreL
   if (lines.canals.empty() || lines.others.empty()) return found;
   const WallTree tree(hollow.wall);
   for (const CentreLine& branch : lines.others) {
-    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree);
+    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree, true);
     if (shape.leaves == branch.points.size() || shape.length < shape.mean_width) continue;
     const CentrePoint& from = branch.points[shape.leaves];
     const CentreLine& parent = lines.canals[shape.parent];
@@ -72,6 +73,19 @@ std::vector<AccessoryCanal> accessory_canals(const Cavity& hollow, const CentreL
     found.push_back({branch.name, shape.parent, std::min<std::size_t>(third, 2), from.at, branch.end, shape.length, shape.mean_width});
   }
   return found;
+}
+
+/// Of the slices that the model was made from; told from the wall where their number is not known.
+double spacing_of(const std::vector<StructureSurface>& model, const SurfaceMesh& wall, std::optional<std::size_t> slices) {
+  if (!slices || *slices < 2) return cavity::slice_spacing_of(wall);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const StructureSurface& part : model)
+    for (const Triangle& t : part.surface->triangles)
+      for (const PointIndex v : t) {
+        low = std::min(low, part.surface->points[v].z);
+        high = std::max(high, part.surface->points[v].z);
+      }
+  return (high - low) / static_cast<double>(*slices - 1);
 }
 
 /// Sections are cut by planes of constant z: an oblique tooth is set upright for them.
@@ -90,7 +104,7 @@ std::vector<MeasuredRoot> roots_along(const ToothAxis& axis, const Cavity& hollo
 
 }  // namespace
 
-Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress) {
+Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress, std::optional<std::size_t> slices) {
   Anatomy made;
   std::vector<SurfaceReport> reports;
   for (const StructureSurface& part : model) {
@@ -115,7 +129,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.handles = lines.loops.size();
   const auto genus = static_cast<std::size_t>(wall.shells.front().genus);
   made.narrow_handles = genus - std::min(made.handles, genus);
-  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line));
+  const WallTree tree(hollow.wall);
+  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, tree));
   made.shapes = canal_shapes(hollow, lines, progress);
   made.accessory_canals = accessory_canals(hollow, lines);
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);
@@ -124,9 +139,9 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
     progress.tell(stage, 0.5);
     made.roots = roots_along(made.axis, hollow, lines, outside.surface, made.canals);
   }
-  made.slice_spacing = cavity::slice_spacing_of(hollow.wall);
-  for (std::size_t c = 0; c < made.canals.size(); ++c)
-    made.uncertainties.push_back(cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], hollow.wall, made.slice_spacing));
+  made.slice_spacing = spacing_of(model, hollow.wall, slices);
+  const cavity::SliceKnowledge known = cavity::slice_knowledge(hollow.wall, outside.surface, made.slice_spacing, lines.chamber_radius);
+  for (std::size_t c = 0; c < made.canals.size(); ++c) made.uncertainties.push_back(cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], known));
   made.graph = canal_graph(lines);
   for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));
   made.lines = std::move(lines);

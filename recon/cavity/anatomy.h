@@ -1,6 +1,7 @@
 #pragma once
 // A tooth in numbers: its structures, its canals, its roots. Units: millimetres and degrees; z runs along the tooth.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -29,7 +30,7 @@ struct MeasuredPlace {
 /// How far a canal's figures may be off because it was cut into slices: see uncertainty.h. In their units.
 struct CanalUncertainty {
   double length = 0, schneider_deg = 0, smallest_bend = 0, mean_width = 0, narrowest = 0, thinnest_wall = 0;
-  double volume = 0, area = 0;   // of a third, as shares of it
+  std::array<double, 3> volume{}, area{};   // of thirds
   std::vector<double> apical_width, apical_area;
 };
 
@@ -47,13 +48,13 @@ struct MeasuredCanal {
   std::optional<MeasuredPlace> narrowest;
   double mean_width = 0;        // over the same part, so that it is not less than the narrowest; of all of the canal where there is no such part
   /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there. Not looked for nearer to a
-  /// mouth than the mean width.
+  /// mouth than the mean width, nor beside an orifice (limits::orifice_rim).
   std::optional<MeasuredPlace> thinnest_wall;
 };
 
 /// Vertucci's types (F. J. Vertucci, "Root canal anatomy of the human permanent teeth", 1984) by the number of separate sections of the root's canals, from
-/// just below the lower orifice to just above the first blind end: 1 is I, 2-1 II, 1-2-1 III, 2 IV, 1-2 V, 2-1-2 VI, 1-2-1-2 VII, 3 VIII. Runs shorter
-/// than the mean width are left out. No height between the two ends: no sections, "other".
+/// just below the lower orifice to just above the first blind end: 1 is I, 2-1 II, 1-2-1 III, 2 IV, 1-2 V, 2-1-2 VI, 1-2-1-2 VII, 3 VIII. Canals joined by an
+/// isthmus only (limits::isthmus_wide) are separate. Runs shorter than the mean width are left out. No height between the two ends: no sections, "other".
 struct MeasuredRoot {
   std::vector<std::size_t> canals;     // of Anatomy::canals
   std::vector<std::size_t> sections;   // counts, from the orifice to the apex, whichever of them is up
@@ -108,7 +109,7 @@ struct Anatomy {
   std::vector<MeasuredCanal> canals;
   std::vector<CanalShape> shapes;      // one a canal
   std::vector<AccessoryCanal> accessory_canals;
-  double slice_spacing = 0;            // told from the wall, see uncertainty.h
+  double slice_spacing = 0;            // of the given slices, or told from the wall, see uncertainty.h
   std::vector<CanalUncertainty> uncertainties;   // one a canal
   std::size_t horns = 0, other_branches = 0;
   /// Of the void: canals that join again, or what stands in the chamber, where not 0; those that CentreLines::loops lead round.
@@ -124,7 +125,8 @@ struct Anatomy {
   CentreLines lines;                   // what all this was measured along; canals in the same order
 };
 
-/// Of the largest void of `model`, or dent (see cavity.h). Not measured: open shells. Deterministic. Stages: those of centre_lines, "measure".
-Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress = {});
+/// Of the largest void of `model`, or dent (see cavity.h). Not measured: open shells. Deterministic. Stages: those of centre_lines, "measure". `slices`: how many the whole
+/// model was made from, from its lowest place to its highest, if that is known: a wall alone does not tell slices from those that were interpolated between them.
+Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress = {}, std::optional<std::size_t> slices = {});
 
 }  // namespace odontoscope

@@ -156,7 +156,7 @@ class Centring {
     for (std::size_t i = 0; i < line_.size(); ++i) {
       along += i > 0 ? length(line_[i] - line_[i - 1]) : 0;
       const double radius = std::max(tree_.clearance(line_[i]), 0.0);
-      const double widest = tree_.clearance(widest_near(line_[i], tangent(i), 0.16, 0.04));
+      const double widest = tree_.clearance(widest_near(line_[i], tangent(i), 0.16, limits::ball_fineness));
       made.push_back({line_[i], radius, along, std::max(radius, widest)});
     }
     return made;

@@ -41,6 +41,8 @@ inline constexpr double fork_length = 2, fork_width = 0.5;
 /// A connection of two canals up to this share as wide as the narrower one is hair-thin; a canal extends towards another one if it reaches so many
 /// radii from its middle.
 inline constexpr double isthmus_thin = 0.25, isthmus_reach = 2;
+/// Two canals whose connection is this share as wide as the narrower one are one section; what is narrower is an isthmus between two.
+inline constexpr double isthmus_wide = 0.75;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.
 inline constexpr double branch_cover = 1.6;
 /// A tip that reaches farther ahead than the ball before it by less than this share of that ball's radius adds nothing but a corner.
@@ -56,6 +58,8 @@ inline constexpr double corner_fall = 0.3;
 inline constexpr double tip_gap = 0.2;
 /// A canal begins where the section across its line shrinks most within one radius, if by this factor or more.
 inline constexpr double orifice_drop = 1.5;
+/// Nearer to its orifice than this share of its radius a canal's wall is as much the chamber's.
+inline constexpr double orifice_rim = 0.5;
 /// Of several such places the last one whose drop, as a logarithm, is this share of the greatest.
 inline constexpr double orifice_great = 0.6;
 /// It is looked for in this first part of a line.
@@ -67,6 +71,8 @@ inline constexpr double section_reach = 2.5;
 inline constexpr double wall_samples = 4000;
 /// Where smoothing would leave less than this share of the clearance that a point had, it is not smoothed.
 inline constexpr double line_share = 0.96;
+/// Widest balls are found to this share of their radius: what is missed shows in every width.
+inline constexpr double ball_fineness = 0.005;
 /// How near to its known end a sample tooth's canal must end to be taken for it, mm: a slice's spacing and a little more.
 inline constexpr double known_end = 0.6;
 /// Distance of a line's points, over its median radius, and the most points of a line.

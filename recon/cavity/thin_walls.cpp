@@ -49,16 +49,25 @@ Outside outside_of(const std::vector<StructureSurface>& model, const std::vector
 
 namespace {
 
+/// Where the wall is the canal's alone: the chamber's flares into the orifice.
+std::size_t below_rim(const CentreLine& line) {
+  std::size_t below = line.orifice;
+  const CentrePoint& orifice = line.points[line.orifice];
+  while (line.orifice > 0 && below + 1 < line.points.size() && line.points[below].along - orifice.along < limits::orifice_rim * orifice.ball) ++below;
+  return below;
+}
+
 /// The canal, below its orifice, whose line is nearest; as many as there are canals if a chamber or a horn is nearer.
 std::size_t canal_beside(const Point3& p, const CentreLines& lines) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t canal = lines.canals.size();
   const auto look = [&](const CentreLine& line, std::size_t number) {
+    const std::size_t below = below_rim(line);
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const double far = length(p - line.points[i].at);
       if (far >= nearest) continue;
       nearest = far;
-      canal = i >= line.orifice ? number : lines.canals.size();
+      canal = i >= below ? number : lines.canals.size();
     }
   };
   for (std::size_t c = 0; c < lines.canals.size(); ++c) look(lines.canals[c], c);

@@ -2,21 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 #include <vector>
 
 #include "recon/cavity/canal_measures.h"
+#include "recon/cavity/limits.h"
 
 namespace odontoscope::cavity {
 namespace {
 
 constexpr double degrees = 57.29577951308232;
 
-double median(std::vector<double> values) {
+/// Of so many sorted values the one that far on.
+double part_of(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
+
+double median(std::vector<double> values) { return part_of(std::move(values), 0.5); }
 
 std::vector<double> edge_lengths(const SurfaceMesh& wall) {
   std::vector<double> lengths;
@@ -26,14 +32,14 @@ std::vector<double> edge_lengths(const SurfaceMesh& wall) {
 }
 
 /// Of contours: edges within a plane of constant z.
-double side_length(const SurfaceMesh& wall) {
+double side_length(const SurfaceMesh& wall, double share) {
   std::vector<double> lengths;
   for (const Triangle& t : wall.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Point3 &a = wall.points[t[k]], &b = wall.points[t[(k + 1) % 3]];
       if (a.z == b.z) lengths.push_back(length(b - a));
     }
-  return median(lengths);
+  return part_of(std::move(lengths), share);
 }
 
 struct Slope {
@@ -58,6 +64,26 @@ std::size_t point_at(const CentreLine& line, const Point3& at) {
   return static_cast<std::size_t>(std::min_element(line.points.begin(), line.points.end(), nearer) - line.points.begin());
 }
 
+/// Of many widths that are each a little off the narrowest is so downwards: by as much as it is less than the usual one within a width of it.
+double stands_out(const CentreLine& line, const MeasuredPlace& narrowest) {
+  std::vector<double> widths;
+  for (std::size_t i = line.orifice; i < line.points.size(); ++i)
+    if (length(line.points[i].at - narrowest.at) <= narrowest.width) widths.push_back(2 * line.points[i].ball);
+  return std::max(median(std::move(widths)) - narrowest.width, 0.0);
+}
+
+/// How much the angle changes where the orifice lies so far up or down the line, and the line so far aside.
+double off_schneider(const MeasuredCanal& canal, const CentreLine& line, double along, double aside) {
+  double most = 0;
+  const double at = line.points[line.orifice].along;
+  std::size_t up = line.orifice, down = line.orifice;
+  while (up > 1 && at - line.points[up].along < along) --up;
+  while (line.orifice > 0 && down + 5 < line.points.size() && line.points[down].along - at < along) ++down;
+  for (const std::size_t orifice : {up, line.orifice, down})
+    for (const double slack : {-aside, 0.0, aside}) most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
+  return most + degrees * std::atan2(2 * aside, canal.length / 3);
+}
+
 }  // namespace
 
 double slice_spacing_of(const SurfaceMesh& wall) {
@@ -73,23 +99,39 @@ double slice_spacing_of(const SurfaceMesh& wall) {
   return median(gaps);
 }
 
-CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SurfaceMesh& wall, double spacing) {
-  const double side = side_length(wall);
+SliceKnowledge slice_knowledge(const SurfaceMesh& wall, const SurfaceMesh& outside, double spacing, double chamber_radius) {
+  constexpr double usual = 0.5, long_ones = 0.95;   // a wall is thinnest beside a long side
+  return {spacing, side_length(wall, usual), side_length(outside, long_ones), chamber_radius};
+}
+
+CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SliceKnowledge& known) {
+  const double spacing = known.spacing, side = known.side;
   const auto of_width = [&](std::size_t i) {
-    const Slope slope = slope_at(line, i, std::max(spacing, line.points[i].ball));
-    return spacing / 2 * (slope.width + slope.lean) + side * side / std::max(4 * line.points[i].ball, side);
+    const double ball = line.points[i].ball;
+    const Slope slope = slope_at(line, i, std::max(spacing, ball));
+    return spacing / 2 * (slope.width + slope.lean) + side * side / std::max(4 * ball, side) + 2 * limits::ball_fineness * ball;
   };
   CanalUncertainty made;
-  made.length = spacing;
+  const double step = line.points.size() > 1 ? line.points[1].along : 0;
+  made.length = spacing + step;
   const auto [first, last] = between_ends(line);
   for (std::size_t i = first; i < last; ++i) made.mean_width += of_width(i) / static_cast<double>(last - first);
   if (first == last) made.mean_width = of_width(line.orifice);
-  if (canal.narrowest) made.narrowest = of_width(point_at(line, canal.narrowest->at));
-  made.schneider_deg = degrees * std::atan2(2 * made.mean_width, canal.length / 3);
+  if (canal.narrowest) made.narrowest = of_width(point_at(line, canal.narrowest->at)) + stands_out(line, *canal.narrowest);
+  made.schneider_deg = off_schneider(canal, line, made.length, made.mean_width);
   if (std::isfinite(canal.smallest_bend)) made.smallest_bend = canal.bend_fit;
-  if (canal.thinnest_wall) made.thinnest_wall = of_width(point_at(line, canal.thinnest_wall->at));
-  made.area = made.length / canal.length + made.mean_width / canal.mean_width;
-  made.volume = made.length / canal.length + 2 * made.mean_width / canal.mean_width;
+  if (canal.thinnest_wall) {
+    const std::size_t i = point_at(line, canal.thinnest_wall->at);
+    const double out = canal.thinnest_wall->width + line.points[i].ball, polygon = known.outer_side;
+    made.thinnest_wall = of_width(i) + polygon * polygon / std::max(8 * out, polygon);
+  }
+  for (std::size_t third = 0; third < 3; ++third) {
+    const double ends = made.length / canal.length, width = made.mean_width / canal.mean_width;
+    made.volume[third] = (ends + 2 * width) * shape.thirds[third].volume;
+    made.area[third] = (ends + width) * shape.thirds[third].area;
+  }
+  // The chamber's wall flares about the orifice: as much of it may be counted as lies within that length of it.
+  if (line.orifice > 0) made.area[0] += 2 * std::numbers::pi * known.chamber * made.length / 2;
   for (const ApicalSection& section : shape.apical) {
     const double along = line.points.back().along + length(line.end - line.points.back().at) - section.from_apex;
     const std::size_t i = point_at(line, place_along(line, along));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -268,6 +269,28 @@ class Trimmer {
   std::vector<std::unique_ptr<SlabFaces>> slabs_;
 };
 
+/// Of the widest circle's radius beside an edge, within its region; infinity outside all.
+double half_width(const Planar& slice, std::uint32_t a, std::uint32_t b) {
+  double least = std::numeric_limits<double>::infinity();
+  const std::uint32_t begin = slice.first_spoke[a], end = slice.first_spoke[a + 1];
+  for (std::uint32_t s = begin; s < end; ++s) {
+    if (slice.spokes[s].vertex != b) continue;
+    for (const std::uint32_t t : {slice.spokes[s].triangle, slice.spokes[s == begin ? end - 1 : s - 1].triangle})
+      if (slice.inside(t)) least = std::min(least, distance(slice.centres[t].at, slice.points[a]));
+  }
+  return least;
+}
+
+/// Of a tetrahedron whose dual point lies in no region: how far its two edges are apart, over half the width of the narrower region there.
+double lean(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
+  const auto below = static_cast<std::uint32_t>(lower.points.size());
+  const auto& v = tetrahedron.v;
+  double apart = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t a : {v[0], v[1]})
+    for (const std::uint32_t b : {v[2], v[3]}) apart = std::min(apart, distance(lower.points[a], upper.points[b - below]));
+  return apart / std::min(half_width(lower, v[0], v[1]), half_width(upper, v[2] - below, v[3] - below));
+}
+
 }  // namespace
 
 double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
@@ -278,8 +301,10 @@ double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Plan
                                                      : bisectors_meet(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
   const double below = distance(dual, point(v[0])), above = distance(dual, point(v[3]));
   const bool over_material = below > above ? tetrahedron.dual_in_lower : tetrahedron.dual_in_upper;
-  const double ratio = std::max(below, above) / std::min(below, above);
-  return over_material || !std::isfinite(ratio) ? 0 : ratio;
+  if (over_material) return 0;
+  double ratio = std::max(below, above) / std::min(below, above);
+  if (tetrahedron.lower_count == 2 && !tetrahedron.dual_in_lower && !tetrahedron.dual_in_upper) ratio = std::max(ratio, lean(tetrahedron, lower, upper));
+  return std::isfinite(ratio) ? ratio : 0;
 }
 
 std::vector<TrimmedSlab> trim_overhangs(SolvedStack& stack) {

@@ -105,8 +105,9 @@ class Reconstructor {
       std::vector<Triangle> boundary = slabs[k].sides;
       boundary.insert(boundary.end(), slabs[k].floor.begin(), slabs[k].floor.end());
       boundary.insert(boundary.end(), slabs[k].ceiling.begin(), slabs[k].ceiling.end());
-      topology[k].found = counted_topology(slabs[k].tetrahedra, boundary, {numbering.slice_begin[k], numbering.slice_begin[k + 2],
-                                                                           numbering.added_begin[k], numbering.added_begin[k + 1]});
+      const PointRanges ranges{numbering.slice_begin[k], numbering.slice_begin[k + 2], numbering.added_begin[k], numbering.added_begin[k + 1]};
+      topology[k].found = topology[k].untrimmed ? counted_topology_of_pinched(slabs[k].tetrahedra, boundary)
+                                                : counted_topology(slabs[k].tetrahedra, boundary, ranges);
       if (topology[k].as_implied()) return;
       topology[k].place =
           place_of_difference({points, slabs[k].tetrahedra, boundary, holes_beside(k, topology[k].structure)},

@@ -41,7 +41,7 @@ enum class Between {
 
 struct ReconstructOptions {
   Correspondence correspondence = Correspondence::tracked;
-  Between between = Between::delaunay;   // `odontoscope reconstruct` asks for blended
+  Between between = Between::blended;
   std::vector<Link> links;      // the user's choices; validated by reconstruct
   int threads = 0;              // 0: as many as the machine has
 };

@@ -1,8 +1,11 @@
 #include "recon/delaunay/topology.h"
 
+#include <algorithm>
+#include <array>
 #include <set>
 
 #include "recon/core/union_find.h"
+#include "recon/delaunay/face_table.h"
 #include "recon/delaunay/planar.h"
 
 namespace odontoscope::delaunay {
@@ -78,6 +81,70 @@ Connected connected(const std::vector<Simplex>& simplices, Number number, std::u
   return found;
 }
 
+/// The pieces of a set of tetrahedra, joined by faces, and their cells.
+class PiecesByFaces {
+ public:
+  explicit PiecesByFaces(const std::vector<Tetrahedron>& tetrahedra)
+      : tetrahedra_(tetrahedra), first_with_(tetrahedra.size() * 4), joined_(tetrahedra.size()) {
+    for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
+      for (const auto& f : outward_face) {
+        std::uint32_t& first = first_with_(tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]);
+        if (first == FaceTable::vacant) first = t;
+        else joined_.join(first, t);
+      }
+  }
+
+  long count() {
+    long pieces = 0;
+    for (std::uint32_t t = 0; t < tetrahedra_.size(); ++t) pieces += joined_.find(t) == t;
+    return pieces;
+  }
+
+  std::uint32_t of(std::uint32_t tetrahedron) { return joined_.find(tetrahedron); }
+  std::uint32_t of(const Triangle& face) { return joined_.find(first_with_(face[0], face[1], face[2])); }
+
+  /// Vertices and edges; those that pieces share count once for each.
+  long vertices_less_edges() {
+    std::vector<std::array<std::uint32_t, 2>> vertices;
+    std::vector<std::array<std::uint32_t, 3>> edges;
+    for (std::uint32_t t = 0; t < tetrahedra_.size(); ++t)
+      for (int i = 0; i < 4; ++i) {
+        vertices.push_back({of(t), tetrahedra_[t][i]});
+        for (int j = 0; j < i; ++j) edges.push_back(edge(of(t), tetrahedra_[t][i], tetrahedra_[t][j]));
+      }
+    return different(vertices) - different(edges);
+  }
+
+  static std::array<std::uint32_t, 3> edge(std::uint32_t piece, std::uint32_t a, std::uint32_t b) {
+    return {piece, std::min(a, b), std::max(a, b)};
+  }
+
+ private:
+  template <class Cell>
+  static long different(std::vector<Cell>& cells) {
+    std::sort(cells.begin(), cells.end());
+    return std::unique(cells.begin(), cells.end()) - cells.begin();
+  }
+
+  const std::vector<Tetrahedron>& tetrahedra_;
+  FaceTable first_with_;
+  UnionFind joined_;
+};
+
+/// Parts of the pieces' boundary, joined by edges within a piece.
+long boundary_parts(PiecesByFaces& pieces, const std::vector<Triangle>& boundary) {
+  std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> sides;
+  for (std::uint32_t f = 0; f < boundary.size(); ++f)
+    for (int i = 0; i < 3; ++i) sides.emplace_back(PiecesByFaces::edge(pieces.of(boundary[f]), boundary[f][i], boundary[f][(i + 1) % 3]), f);
+  std::sort(sides.begin(), sides.end());
+  UnionFind joined(boundary.size());
+  for (std::size_t s = 1; s < sides.size(); ++s)
+    if (sides[s].first == sides[s - 1].first) joined.join(sides[s].second, sides[s - 1].second);
+  long parts = 0;
+  for (std::uint32_t f = 0; f < boundary.size(); ++f) parts += joined.find(f) == f;
+  return parts;
+}
+
 }  // namespace
 
 Topology implied_topology(const Nesting& lower, const Nesting& upper, const SlabLinks& links) {
@@ -101,6 +168,17 @@ Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std:
   const long euler = (shells.corners - static_cast<long>(boundary.size()) / 2) / 2;
   found.pieces = pieces.parts;
   found.bubbles = shells.parts - pieces.parts;
+  found.handles = found.pieces + found.bubbles - euler;
+  return found;
+}
+
+Topology counted_topology_of_pinched(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary) {
+  PiecesByFaces pieces(tetrahedra);
+  const long faces = (4 * static_cast<long>(tetrahedra.size()) + static_cast<long>(boundary.size())) / 2;
+  const long euler = pieces.vertices_less_edges() + faces - static_cast<long>(tetrahedra.size());
+  Topology found;
+  found.pieces = pieces.count();
+  found.bubbles = boundary_parts(pieces, boundary) - found.pieces;
   found.handles = found.pieces + found.bubbles - euler;
   return found;
 }

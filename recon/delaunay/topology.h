@@ -41,4 +41,8 @@ struct PointRanges {
 /// Of a solid by its tetrahedra and its boundary, counted. Precondition: a manifold with boundary.
 Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary, const PointRanges& points);
 
+/// The same of any set of tetrahedra, slower: what is left of a slab that was trimmed may meet itself in a point or an edge. Pieces are joined
+/// by faces, each counted for itself (V - E + F - T); a piece's boundary by its edges. `boundary`: the faces with one tetrahedron.
+Topology counted_topology_of_pinched(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary);
+
 }  // namespace odontoscope::delaunay

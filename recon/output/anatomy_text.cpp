@@ -36,7 +36,7 @@ Json json_of(const CanalShape& shape, const CanalUncertainty& off) {
   }
   for (std::size_t i = 0; i < 3; ++i) {
     const CanalThird& third = shape.thirds[i];
-    thirds.push_back({{"third", third_names[i]}, {"volume", third.volume}, {"area", third.area}, {"uncertainty", {{"volume", off.volume * third.volume}, {"area", off.area * third.area}}}});
+    thirds.push_back({{"third", third_names[i]}, {"volume", third.volume}, {"area", third.area}, {"uncertainty", {{"volume", off.volume[i]}, {"area", off.area[i]}}}});
   }
   return {{"apical_sections", apical}, {"thirds", thirds}, {"structure_model_index", shape.structure_model_index ? Json(*shape.structure_model_index) : Json()}};
 }

@@ -11,6 +11,7 @@
 #include "recon/cavity/cavity.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"
+#include "tests/cavity/fine_lines.h"
 #include "tests/mesh/shapes.h"
 
 namespace odontoscope {
@@ -116,16 +117,11 @@ TEST(OpenCanals, OfASampleMolarWithoutItsRootTipsKeepTheirNumbers) {
   const Anatomy anatomy = measure_anatomy(model.parts());
   ASSERT_EQ(anatomy.canals.size(), 3u);
   EXPECT_GE(anatomy.horns, 4u);
-  // What the tooth was made to, above the cut.
+  // What there is above the cut, by finer slices and another method.
   for (const CanalFact& fact : sample_facts(ToothKind::molar).canals) {
-    double known = 0;
-    Point3 end = fact.axis.back();
-    for (std::size_t i = fact.axis.size() - 1; i > 0 && end.z > cut; --i) {
-      const Point3 &above = fact.axis[i], &below = fact.axis[i - 1];
-      const double share = below.z >= cut ? 1 : (above.z - cut) / (above.z - below.z);
-      end = {above.x + share * (below.x - above.x), above.y + share * (below.y - above.y), above.z + share * (below.z - above.z)};
-      known += length(above - end);
-    }
+    const CentreLine& fine = test::ending_at(test::fine_lines(ToothKind::molar).canals, fact.axis.front());
+    const double known = test::length_down_to(fine, cut);
+    const Point3 end = std::find_if(fine.points.begin(), fine.points.end() - 1, [&](const CentrePoint& point) { return point.at.z < cut; })->at;
     const auto canal = std::min_element(anatomy.canals.begin(), anatomy.canals.end(),
                                         [&](const MeasuredCanal& a, const MeasuredCanal& b) { return length(a.end - end) < length(b.end - end); });
     EXPECT_NEAR(canal->length, known, 0.03 * known) << fact.name;

@@ -10,6 +10,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"
 #include "recon/volume/volume_contours.h"
+#include "tests/cavity/fine_lines.h"
 #include "tests/cavity/section_oracle.h"
 
 namespace odontoscope {
@@ -62,13 +63,15 @@ TEST_P(SampleLines, FollowTheCanalsThatAreKnown) {
       return length(a.end - fact.axis.front()) < length(b.end - fact.axis.front());
     });
     EXPECT_LT(length(line->end - fact.axis.front()), 1.5 * slices) << fact.name;
-    const CentrePoint& orifice = line->points[line->orifice];
+    const CentreLine& fine = test::ending_at(test::fine_lines(facts.kind).canals, fact.axis.front());
     if (facts.kind != ToothKind::incisor) {
-      EXPECT_NEAR(orifice.at.z, fact.high_z, slices) << fact.name;
+      EXPECT_NEAR(line->points[line->orifice].at.z, fine.points[fine.orifice].at.z, slices) << fact.name;
     }
+    std::vector<Point3> axis;
+    for (const CentrePoint& point : fine.points) axis.push_back(point.at);
     for (std::size_t i = line->orifice; i < line->points.size(); ++i)
       if (line->points[i].at.z < fact.high_z - 1 && line->points[i].at.z > fact.low_z + slices) {
-        EXPECT_LT(to_polyline(line->points[i].at, fact.axis), 0.12) << fact.name << " at " << line->points[i].at.z;
+        EXPECT_LT(to_polyline(line->points[i].at, axis), 0.12) << fact.name << " at " << line->points[i].at.z;
       }
     RecordProperty(fact.name, std::to_string(least_share(cavity, *line, 5)));
   }

@@ -109,10 +109,10 @@ TEST(Lesson, WhatItSaysOfDtIsTrue) {
       EXPECT_EQ(solid.report.shells.size(), 1u);   // its canals are in one piece
     }
     if (solid.structure == "dentine") {
-      EXPECT_GT(ridges_mm(solid.surface), quantity_of(*db, "ridges_mm", "dentine"));
+      EXPECT_LT(ridges_mm(solid.surface), quantity_of(*db, "ridges_mm", "dentine"));
     }
   }
-  EXPECT_NEAR(static_cast<double>(triangles) / static_cast<double>(points), 2, 0.2);
+  EXPECT_NEAR(static_cast<double>(triangles) / static_cast<double>(points), 3, 0.2);
 }
 
 TEST(Lesson, ClaimsCanFail) {

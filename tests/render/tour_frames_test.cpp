@@ -8,6 +8,7 @@
 
 #include "engine/navigate/seen_within.h"
 #include "engine/navigate/tour.h"
+#include "engine/render/face_count.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
 #include "recon/delaunay/reconstruct.h"
@@ -90,20 +91,33 @@ class TourFrames : public DrawingTest, public ::testing::WithParamInterface<cons
   }
   Image picture(const Scene& scene) { return picture_of(gl(), *renderer_, gpu_model_, subject().model, scene, {.size = size, .render = {.side = 1}}); }
 
-  /// Pixels in which something else than the wall's front is seen: they change with the background's colour, or where back faces are drawn in alarm.
+  /// Pixels in which something else than the wall's front is seen: they change with the background's colour, or where back faces are drawn in alarm, but for
+  /// ties of front and back at a fold. With all of the solid as many fronts as backs lie on each line of sight, which tells ties from holes (judge).
   int others(const Scene& scene) {
     const Image seen = picture(scene);
-    Scene tinted = scene, before_green = scene;
+    Scene tinted = scene, before_green = scene, solid = scene;
     tinted.back_faces = BackFaces::tint;
     before_green.background = {Background::Kind::plain, {0, 1, 0}, {0, 1, 0}};
+    for (const ModelPart& part : subject().model.parts) solid.look_of(part.structure)->visible = part.solid == solid_of_wall();
     const Image back_faces = picture(tinted), background = picture(before_green);
+    const FaceCounts faces = FaceCounter(gl(), shaders_from_environment()).count(gpu_model_, solid, view_of(scene.camera, subject().model, 4.0 / 3), size);
     int others = 0;
     for (int y = 0; y < size.height; ++y)
-      for (int x = 0; x < size.width; ++x) others += seen.pixel(x, y) != back_faces.pixel(x, y) || seen.pixel(x, y) != background.pixel(x, y);
+      for (int x = 0; x < size.width; ++x)
+        others += seen.pixel(x, y) != background.pixel(x, y) || (seen.pixel(x, y) != back_faces.pixel(x, y) && !tie(faces, x, size.height - 1 - y));
     return others;
   }
 
  private:
+  static bool tie(const FaceCounts& faces, int x, int y) {
+    const auto at = static_cast<std::size_t>(y * size.width + x);
+    return faces.back_depth[at] <= faces.front_depth[at] && !back_is_nearest(faces, x, y);
+  }
+  std::string solid_of_wall() const {
+    for (const ModelPart& part : subject().model.parts)
+      if (part.structure == subject().wall.structure) return part.solid;
+    return {};
+  }
   std::unique_ptr<Renderer> renderer_;
   GpuModel gpu_model_;
 };

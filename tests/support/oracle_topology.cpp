@@ -277,7 +277,7 @@ TopologyVerdict judge_topology(const Reconstruction& result, const ContourStack&
         if (slab.found.pieces > 0) verdict.untrue.push_back(where + "the result does not tell its topology");
         continue;
       }
-      if (slab.manifold && count(known->second->found) != slab.found)
+      if (count(known->second->found) != slab.found)
         verdict.untrue.push_back(where + "found " + in_words(slab.found) + ", told are " + in_words(count(known->second->found)));
       const bool may_close = known->second->interpolated > 0 && slab.unlinked_hole;
       if (!may_close && count(known->second->implied) != slab.expected)

@@ -58,8 +58,8 @@ std::vector<JudgedSlab> slab_topology(const Solid& solid, const ContourStack& st
 struct TopologyVerdict {
   /// Slabs that are not as their links imply, "tooth, slab 3: has a handle too many".
   std::vector<std::string> not_as_implied;
-  /// Where what the result says of itself (Reconstruction::topology) is not so: a slab is missing, or another count was found (of slabs that are
-  /// manifolds by themselves), or fewer or more is implied. Through interpolated slices a region that is linked to nothing may end in a roof over its
+  /// Where what the result says of itself (Reconstruction::topology) is not so: a slab is missing, or another count was found, or fewer or more is
+  /// implied. Through interpolated slices a region that is linked to nothing may end in a roof over its
   /// holes, or open: then what is implied is not compared.
   std::vector<std::string> untrue;
 };

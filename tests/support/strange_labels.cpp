@@ -77,10 +77,25 @@ ContourStack noisy_tooth(RandomNumbers& random, int points) {
   return contours_of(volume);
 }
 
+/// A board in all three directions, of one label and void, or of two to four labels, fields one or two voxels wide: every corner is a crossing.
+ContourStack label_boards(RandomNumbers& random, int points) {
+  const int wide = random.whole(1, 2), side = std::clamp(int(std::sqrt(points / 6.0)) * wide, 3, 30), depth = random.whole(2, 4), labels = random.whole(1, 4);
+  Volume volume = grid(random, side, side, depth);
+  const bool whole_columns = random.chance(0.3), with_void = labels == 1 || random.chance(0.5);
+  for (int k = 0; k < depth; ++k)
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) {
+        const int field = i / wide + j / wide + (whole_columns ? 0 : k);
+        volume.values[std::size_t((k * side + j) * side + i)] = float(field % (labels + with_void) + !with_void);
+      }
+  if (random.chance(0.3)) volume.values[std::size_t(random.below(int(volume.values.size())))] = 1;
+  return contours_of(volume);
+}
+
 }  // namespace
 
 const std::vector<NamedMaker>& label_makers() {
-  static const std::vector<NamedMaker> makers{{"label-noise", label_noise}, {"speckles", speckles}, {"noisy-tooth", noisy_tooth}};
+  static const std::vector<NamedMaker> makers{{"label-noise", label_noise}, {"speckles", speckles}, {"noisy-tooth", noisy_tooth}, {"label-boards", label_boards}};
   return makers;
 }
 

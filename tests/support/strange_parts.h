@@ -50,6 +50,8 @@ const std::vector<NamedMaker>& number_makers();
 const std::vector<NamedMaker>& crowd_makers();
 const std::vector<NamedMaker>& label_makers();
 const std::vector<NamedMaker>& attack_makers();
+const std::vector<NamedMaker>& ploy_makers();
+const std::vector<NamedMaker>& trifle_makers();
 
 }  // namespace odontoscope::test
 

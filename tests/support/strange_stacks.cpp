@@ -83,6 +83,7 @@ bool is_valid(const ContourStack& stack) {
 }
 
 int points_wanted(RandomNumbers& random, StrangeSize size) {
+  if (size == StrangeSize::large) return 2000;
   if (size == StrangeSize::cheap || random.chance(0.4)) return random.whole(12, 60);
   return random.chance(0.6) ? random.whole(60, 250) : random.chance(0.7) ? random.whole(250, 700) : random.whole(700, 2000);
 }
@@ -155,7 +156,7 @@ ContourStack medley(RandomNumbers& random, int points) {
 const std::vector<NamedMaker>& all_makers() {
   static const std::vector<NamedMaker> all = [] {
     std::vector<NamedMaker> makers;
-    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers()})
+    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers(), &ploy_makers(), &trifle_makers()})
       makers.insert(makers.end(), some->begin(), some->end());
     makers.push_back({"medley", medley});
     return makers;
@@ -197,14 +198,24 @@ std::vector<Link> random_links(RandomNumbers& random, const ContourStack& stack)
 
 }  // namespace
 
+std::size_t points_of(const ContourStack& stack) {
+  std::size_t points = 0;
+  for (const Slice& slice : stack.slices)
+    for (const Contour& contour : slice.contours) points += contour.points.size();
+  return points;
+}
+
 StrangeStack strange_stack(std::uint64_t seed, StrangeSize size) {
   const NamedMaker& maker = all_makers()[seed % all_makers().size()];
   RandomNumbers random(seed ^ 0x5ca1ab1e00000000u);
   StrangeStack result;
   result.kind = maker.kind;
+  double share = 1;   // of what is wanted: makers keep to it roughly
   for (;; ++result.thrown_away) {
-    result.stack = maker.make(random, points_wanted(random, size));
-    if (is_valid(result.stack)) break;
+    result.stack = maker.make(random, std::max(12, int(share * points_wanted(random, size))));
+    const std::size_t points = points_of(result.stack);
+    if (size == StrangeSize::large && points > largest_strange_stack) share *= 0.9;
+    else if (is_valid(result.stack)) break;
   }
   disturb(random, result.stack);
   if (random.chance(0.25)) result.links = random_links(random, result.stack);

@@ -15,7 +15,9 @@ namespace odontoscope::test {
 enum class StrangeSize {
   cheap,   // some tens of points: thousands can be judged in a minute
   any,     // mostly below 200 points, now and then up to 2,000
+  large,   // as near to 2,000 points as the kind allows, and never more
 };
+inline constexpr std::size_t largest_strange_stack = 2000;
 
 struct StrangeStack {
   ContourStack stack;        // slices by ascending z
@@ -23,6 +25,8 @@ struct StrangeStack {
   std::string kind;
   int thrown_away = 0;       // drafts that broke a rule of contour_stack.h
 };
+
+std::size_t points_of(const ContourStack& stack);
 
 StrangeStack strange_stack(std::uint64_t seed, StrangeSize size);
 

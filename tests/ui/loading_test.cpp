@@ -1,9 +1,14 @@
 // Work off the frame thread: progress, cancelling, errors in words, and frames that go on meanwhile.
+#include <fmt/format.h>
+
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
 #include <new>
 #include <thread>
 
+#include "recon/volume/read_volume.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {
@@ -105,10 +110,11 @@ TEST_F(Loading, WhateverIsThrownIsSaid) {
   }
 }
 
+bool is_nrrd(const LoadRequest& request) { return !request.volume && request.file.ends_with(".nrrd"); }
+
 TEST_F(Loading, AVolumeIsAskedAbout) {
   LoadRequest got;
-  make_viewer({.load = [&got](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); },
-               .is_volume = [](const std::string& file) { return file.ends_with(".nrrd"); }});
+  make_viewer({.load = [&got](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); }, .wants_level = is_nrrd});
   viewer().handle(FilesDropped{{"/data/tooth.nrrd"}});
   frames(3);
   ASSERT_TRUE(viewer().state().question);
@@ -119,8 +125,137 @@ TEST_F(Loading, AVolumeIsAskedAbout) {
   frame();
   wait_until_loaded();
   EXPECT_EQ(got.file, "/data/tooth.nrrd");
-  EXPECT_EQ(got.iso, 130.0);
+  ASSERT_TRUE(got.volume);
+  EXPECT_EQ(got.volume->iso, 130.0);
   EXPECT_TRUE(viewer().state().shown);
+}
+
+/// A ball of 200 in 0, with a hollow of 100; as labels of 2 around 1.
+Volume ball(bool labels) {
+  Volume volume;
+  volume.size = {40, 30, 20};
+  volume.spacing = {0.5, 0.5, 1};
+  for (std::size_t k = 0; k < 20; ++k)
+    for (std::size_t j = 0; j < 30; ++j)
+      for (std::size_t i = 0; i < 40; ++i) {
+        const double x = 0.5 * (static_cast<double>(i) - 20), y = 0.5 * (static_cast<double>(j) - 14), z = static_cast<double>(k) - 9;
+        const double radius = std::sqrt(x * x + y * y + z * z);
+        const bool hollow = radius < 2, inside = radius < 6;
+        volume.values.push_back(labels ? (hollow ? 1.0f : inside ? 2.0f : 0.0f) : hollow ? 100.0f : inside ? 200.0f : 0.37f * static_cast<float>((i + j + k) % 3));
+      }
+  if (labels) volume.labels = {{1, "pulp"}, {2, "dentine"}};
+  return volume;
+}
+
+class VolumeAsked : public Loading {
+ protected:
+  /// As ImGui names a window within another.
+  static std::string child_of(const std::string& window, const std::string& name) { return fmt::format("{}/{}_{:08X}", window, name, control_id(name, {}, window)); }
+
+  void ask(Previewer preview) {
+    make_viewer({.load = [this](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); }, .wants_level = is_nrrd, .preview = std::move(preview)});
+    viewer().open({.file = "/data/tooth.nrrd", .volume = {}, .from_command_line = true});
+    for (int i = 0; i < 500 && viewer().state().question && viewer().state().question->reading; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      frame();
+    }
+    frames(4);
+  }
+  LoadRequest got;
+};
+
+TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
+  ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(false)); });
+  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
+  const VolumeQuestion& question = *viewer().state().question;
+  EXPECT_GT(question.iso, 2);   // Otsu's
+  EXPECT_LT(question.iso, 200);
+  EXPECT_EQ(question.slice, 10u);   // the middle one, of three with as much of the ball
+  EXPECT_GT(question.drawn.outline.size(), 40u);
+  keep_picture("volume-preview");
+  const Image before = picture();
+  viewer().state().question->slice = 4;
+  frames(2);
+  EXPECT_NE(picture(), before);
+  viewer().state().question->slice = 10;
+  frames(2);
+  const std::size_t outline = question.drawn.outline.size();
+  const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
+  click(bar.x, bar.y);   // near its right end: above all but the last values
+  frames(2);
+  EXPECT_GT(question.iso, 150);
+  EXPECT_NE(question.drawn.outline.size(), outline);
+  const double iso = question.iso;
+  click_control("Make the model", {}, "question");
+  frame();
+  wait_until_loaded();
+  ASSERT_TRUE(got.volume);
+  EXPECT_EQ(got.volume->iso, iso);
+  EXPECT_TRUE(got.volume->labels.empty());
+  EXPECT_TRUE(got.from_command_line);   // its looks and the rest of what was said hold
+}
+
+TEST_F(VolumeAsked, OfTheCtMolarOtsuFindsTheTooth) {
+  const std::filesystem::path file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
+  if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file)) GTEST_SKIP() << "the data set ct_molar is not here";
+  ask([file](const LoadRequest&, const Progress&) { return volume_preview(read_volume(file.string())); });
+  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
+  keep_picture("volume-preview-ct");
+  EXPECT_FALSE(viewer().state().question->of_labels());
+  EXPECT_GT(viewer().state().question->iso, 60);    // 120 is what the examples take
+  EXPECT_LT(viewer().state().question->iso, 160);
+}
+
+TEST_F(VolumeAsked, ListsTheLabelsOfALabelMap) {
+  ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(true)); });
+  ASSERT_TRUE(viewer().state().question && viewer().state().question->of_labels());
+  keep_picture("label-map-preview");
+  EXPECT_EQ(viewer().state().question->labels, (std::set<std::int64_t>{1, 2}));
+  viewer().state().question->as_grey = true;
+  frames(2);
+  EXPECT_FALSE(viewer().state().question->of_labels());
+  viewer().state().question->as_grey = false;
+  viewer().state().question->labels = {};
+  frames(2);
+  press_key(Key::enter);   // nothing to make
+  frames(2);
+  ASSERT_TRUE(viewer().state().question);
+  viewer().state().question->labels = {2};
+  frames(2);
+  click_control("Make the model", {}, "question");
+  frame();
+  wait_until_loaded();
+  ASSERT_TRUE(got.volume);
+  EXPECT_FALSE(got.volume->iso);
+  EXPECT_EQ(got.volume->labels, std::vector<std::int64_t>{2});
+}
+
+TEST_F(VolumeAsked, WhatCannotBeReadIsSaidAtOnce) {
+  ask([](const LoadRequest&, const Progress&) -> VolumePreview { throw FileError("tooth.nrrd", "its pixels end early", "Fetch it again."); });
+  EXPECT_FALSE(viewer().state().question);
+  EXPECT_NE(viewer().state().trouble.find("end early"), std::string::npos);
+}
+
+TEST_F(VolumeAsked, AnAnswerNeedNotWaitForThePicture) {
+  std::atomic<bool> stopped = false;
+  make_viewer({.load = [this](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); },
+               .wants_level = is_nrrd,
+               .preview = [&stopped](const LoadRequest&, const Progress& progress) -> VolumePreview {
+                 while (!progress.stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                 stopped = true;
+                 throw Cancelled();
+               }});
+  viewer().open({.file = "/data/tooth.nrrd", .volume = {}});
+  frames(3);
+  click_control("Make the model", {}, "question");
+  frame();
+  wait_until_loaded();
+  EXPECT_EQ(got.volume.value().iso, 120.0);
+  for (int i = 0; i < 500 && !stopped; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    frame();
+  }
+  EXPECT_TRUE(stopped);
 }
 
 TEST_F(Loading, AViewerMayEndWhileItLoads) {

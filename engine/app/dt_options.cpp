@@ -1,0 +1,70 @@
+#include "engine/app/dt_options.h"
+
+#include <fmt/format.h>
+
+#include "engine/app/options.h"
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+#include "recon/core/read_file.h"
+#include "recon/input/links_json.h"
+#include "recon/input/validate.h"
+
+namespace odontoscope::app {
+namespace {
+
+/// The links file, checked here so that messages name it.
+std::vector<Link> links_for(const ContourStack& stack, const DtWords& words, const Session& session) {
+  std::vector<Link> links = links_from(words.link_words);
+  if (words.links.empty()) return links;
+  const std::vector<Link> in_file = parse_links(read_file(words.links, limits::file_bytes, session.progress().stop), words.links);
+  validate(stack);
+  validate_links(in_file, ordered(stack).stack, words.links);
+  links.insert(links.end(), in_file.begin(), in_file.end());
+  return links;
+}
+
+}  // namespace
+
+void add_dt_options(CLI::App& parser, DtWords& words) {
+  const std::string group = "DT method";
+  add_choice<std::optional<Correspondence>>(parser, "--correspondence", words.correspondence,
+                                            {{"reverse", Correspondence::reverse},
+                                             {"medial", Correspondence::medial},
+                                             {"overlap", Correspondence::overlap},
+                                             {"tracked", Correspondence::tracked}},
+                                            "When regions connect: tracked (default), reverse, medial or overlap")
+      ->type_name("NAME")
+      ->group(group);
+  add_choice<std::optional<Between>>(parser, "--between", words.between,
+                                     {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
+                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
+      ->type_name("NAME")
+      ->group(group);
+  parser.add_option("--links", words.links, "Your own choices of what connects; they win")->type_name("FILE.json")->group(group);
+  repeatable(parser.add_option("--link", words.link_words.connect,
+                               "One such choice: contour B of slice N connects to U of N + 1"))
+      ->type_name("NAME:N:B-U")
+      ->group(group);
+  repeatable(parser.add_option("--unlink", words.link_words.apart, "One such choice: the two are kept apart"))
+      ->type_name("NAME:N:B-U")
+      ->group(group);
+}
+
+void refuse_senseless(const DtWords& words) { links_from(words.link_words); }
+
+void refuse_for_mesh(const DtWords& words, const std::string& file) {
+  if (!words.any()) return;
+  throw UsageError(fmt::format("{} is a mesh, and --correspondence, --between, --links, --link and --unlink are about what is made from contours", file),
+                   "Leave them out, or give what the mesh was made from");
+}
+
+ReconstructOptions understood(const DtWords& words, const ContourStack& stack, const Session& session) {
+  ReconstructOptions options;
+  if (words.correspondence) options.correspondence = *words.correspondence;
+  if (words.between) options.between = *words.between;
+  options.links = links_for(stack, words, session);
+  options.threads = session.threads;
+  return options;
+}
+
+}  // namespace odontoscope::app

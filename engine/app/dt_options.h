@@ -1,0 +1,36 @@
+#pragma once
+// The options of the DT method, which all commands that reconstruct contours have in common.
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "engine/app/command.h"
+#include "engine/app/link_words.h"
+#include "recon/delaunay/reconstruct.h"
+
+namespace odontoscope::app {
+
+/// As typed; not yet understood.
+struct DtWords {
+  std::optional<Correspondence> correspondence;
+  std::optional<Between> between;
+  std::string links;      // file; empty: none
+  LinkWords link_words;
+
+  bool any() const { return correspondence || between || !links.empty() || link_words.any(); }
+};
+
+/// --correspondence, --between, --links, --link and --unlink.
+void add_dt_options(CLI::App& parser, DtWords& words);
+
+/// UsageError for a link that is none, before any work.
+void refuse_senseless(const DtWords& words);
+
+/// UsageError if there are any, for an input that is reconstructed by nobody.
+void refuse_for_mesh(const DtWords& words, const std::string& file);
+
+/// For these contours: links are checked against them. Throws as the readers of links do.
+ReconstructOptions understood(const DtWords& words, const ContourStack& stack, const Session& session);
+
+}  // namespace odontoscope::app

@@ -1,0 +1,237 @@
+#include "recon/delaunay/refine.h"
+
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "recon/core/error.h"
+#include "recon/core/limits.h"
+
+namespace odontoscope::delaunay {
+namespace {
+
+/// Along a space-filling curve, which is fast to insert. It starts from the order of coordinates, so that the triangulation of points on
+/// one circle does not depend on how contours are numbered.
+std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points) {
+  std::vector<Kernel::Point_2> sites;
+  sites.reserve(points.size());
+  for (const Point2 p : points) sites.emplace_back(p.x, p.y);
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&sites](std::size_t a, std::size_t b) { return sites[a] < sites[b]; });
+  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(sites)));
+  return {order.begin(), order.end()};
+}
+
+/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a null handle if none
+/// does: then no other point does, since the triangulation is constrained Delaunay.
+Vertex encroacher(const Cdt& cdt, Face face, int i) {
+  const auto& a = face->vertex(Cdt::ccw(i))->point();
+  const auto& b = face->vertex(Cdt::cw(i))->point();
+  const auto height = [&](Vertex v) {
+    return std::abs((b.x() - a.x()) * (v->point().y() - a.y()) - (b.y() - a.y()) * (v->point().x() - a.x()));
+  };
+  Vertex nearest;
+  for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}}) {
+    if (cdt.is_infinite(f) || CGAL::angle(a, f->vertex(k)->point(), b) != CGAL::OBTUSE) continue;
+    const Vertex v = f->vertex(k);
+    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point())) nearest = v;
+  }
+  return nearest;
+}
+
+bool is_delaunay(const Cdt& cdt, Face face, int i) {
+  const Face other = face->neighbor(i);
+  if (cdt.is_infinite(face) || cdt.is_infinite(other)) return true;
+  return CGAL::side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                                       other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
+}
+
+/// Splits contour edges until all are Gabriel, or Delaunay. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
+/// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
+/// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever. Edges along a narrow
+/// gap are split opposite each other's points, which takes a few points; halving them would take one for each gap's width.
+class Conformer {
+ public:
+  Conformer(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
+      : fineness_(fineness), slice_(slice), number_(number), source_(source), progress_(progress) {}
+
+  /// Refines `rings` and leaves its triangulation in `cdt`, points numbered as in `rings`.
+  void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
+    const Rings given = rings;
+    std::vector<Spot> spots;   // of each point of `rings`: where on the given contours it lies
+    for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0, 1});
+    const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
+    for (int round = 0; round < limits::conform_rounds; ++round) {
+      progress_.check();
+      cdt.clear();
+      order = spatial_order(rings.points);
+      triangulate(rings, cdt, order);
+      const std::vector<std::uint32_t> within = encroached(cdt, rings);
+      const std::size_t splits = within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
+      if (splits == 0) return;
+      if (rings.points.size() + splits > most) {
+        const auto first = std::find_if(within.begin(), within.end(), [](std::uint32_t v) { return v != none; });
+        too_close(rings.points[static_cast<std::size_t>(first - within.begin())]);
+      }
+      refine(rings, spots, given, within);
+    }
+    too_close(rings.points.front());
+  }
+
+ private:
+  /// On the given contour edge that starts at point `from`: a share `t` of the way from its start, `u` from its end. Both are kept, so
+  /// that a contour and its mirror image, which runs the other way, are split alike to the last bit.
+  struct Spot {
+    std::uint32_t from;
+    double t, u;
+  };
+
+  void triangulate(const Rings& rings, Cdt& cdt, const std::vector<std::uint32_t>& order) const {
+    const std::vector<Vertex> vertices = insert_points(cdt, rings.points, order);
+    const std::vector<std::uint32_t> next = rings.next();
+    for (const std::uint32_t p : order) {
+      if (vertices[p]->info().value != p) too_close(rings.points[p]);   // rounded onto another point
+      try {
+        cdt.insert_constraint(vertices[p], vertices[next[p]]);
+      } catch (const Cdt::Intersection_of_constraints_exception&) {
+        too_close(rings.points[p]);
+      }
+    }
+  }
+
+  /// For each point: a point within the diametral circle of the contour edge that starts there, if because of it the edge must be split.
+  std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) const {
+    const std::vector<std::uint32_t> next = rings.next();
+    std::vector<std::uint32_t> within(rings.points.size(), none);
+    for (auto edge = cdt.finite_edges_begin(); edge != cdt.finite_edges_end(); ++edge) {
+      if (!edge->first->is_constrained(edge->second)) continue;
+      if (fineness_ == Fineness::delaunay && is_delaunay(cdt, edge->first, edge->second)) continue;
+      const Vertex point = encroacher(cdt, edge->first, edge->second);
+      if (point == Vertex()) continue;
+      const std::uint32_t a = edge->first->vertex(Cdt::ccw(edge->second))->info().value;
+      const std::uint32_t b = edge->first->vertex(Cdt::cw(edge->second))->info().value;
+      within[next[a] == b ? a : b] = point->info().value;
+    }
+    return within;
+  }
+
+  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given, const std::vector<std::uint32_t>& within) const {
+    const std::vector<std::uint32_t> next = rings.next(), given_next = given.next();
+    std::vector<std::uint32_t> previous(next.size());
+    for (std::uint32_t p = 0; p < next.size(); ++p) previous[next[p]] = p;
+    Rings refined;
+    std::vector<Spot> refined_spots;
+    const auto add = [&](Point2 at, Spot spot) {
+      refined.points.push_back(at);
+      refined_spots.push_back(spot);
+    };
+    for (std::size_t c = 0; c + 1 < rings.first_point.size(); ++c) {
+      for (std::uint32_t p = rings.first_point[c]; p < rings.first_point[c + 1]; ++p) {
+        add(rings.points[p], spots[p]);
+        if (within[p] == none) continue;
+        const Point2 a = given.points[spots[p].from], b = given.points[given_next[spots[p].from]];
+        const Spot start = spots[p], end = spots[next[p]].t == 0 ? Spot{start.from, 1, 0} : spots[next[p]];
+        const std::uint32_t v = within[p];
+        Spot split_at = opposite(start.from, a, b, rings.points[v]);
+        if (!(start.t < split_at.t && split_at.t < end.t && end.u < split_at.u && split_at.u < start.u) ||
+            !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v], rings.points[previous[v]],
+                     rings.points[next[v]]))
+          split_at = split_spot(start, end, std::hypot(b.x - a.x, b.y - a.y), sharp(given, given_next, start.from),
+                                sharp(given, given_next, given_next[start.from]));
+        add(between(a, b, split_at), split_at);
+      }
+      refined.first_point.push_back(static_cast<std::uint32_t>(refined.points.size()));
+    }
+    rings = std::move(refined);
+    spots = std::move(refined_spots);
+  }
+
+  /// Always taken from the given edge, so that errors of rounding never add up.
+  static Point2 between(Point2 a, Point2 b, Spot spot) {
+    const auto mix = [&spot](double from, double to) { return from == to ? from : from * spot.u + to * spot.t; };
+    return {mix(a.x, b.x), mix(a.y, b.y)};
+  }
+
+  /// The foot of v on the edge from a to b.
+  static Spot opposite(std::uint32_t from, Point2 a, Point2 b, Point2 v) {
+    const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
+    double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square, u = ((b.x - v.x) * x + (b.y - v.y) * y) / square;
+    if (t < u) u = 1 - t;
+    else t = 1 - u;
+    return {from, t, u};
+  }
+
+  /// Is `foot` on the edge from a to b, opposite a point v with neighbours w and x, the place to split? Only where the gap is narrow for the
+  /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone
+  /// (for Delaunay edges a rounding beside that place does no harm).
+  bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) const {
+    const auto distance = [](Point2 p, Point2 q) { return std::hypot(p.x - q.x, p.y - q.y); };
+    const double gap = distance(foot, v);
+    if (gap * limits::narrow_gap > distance(a, b) || distance(a, foot) < gap || distance(foot, b) < gap) return false;
+    if (fineness_ == Fineness::delaunay) return true;
+    const auto clear = [](Point2 from, Point2 at, Point2 to) {
+      const auto point = [](Point2 p) { return Kernel::Point_2(p.x, p.y); };
+      return CGAL::angle(point(from), point(at), point(to)) != CGAL::OBTUSE;
+    };
+    return clear(a, v, foot) && clear(foot, v, b) && clear(v, foot, w) && clear(v, foot, x);
+  }
+
+  /// Where to split between two spots of an edge of this length: on a circle around a sharp end, else in the middle.
+  static Spot split_spot(Spot start, Spot end, double length, bool sharp_start, bool sharp_end) {
+    const bool at_start = sharp_start && start.t == 0, at_end = sharp_end && end.u == 0;
+    if (at_start == at_end) return {start.from, (start.t + end.t) / 2, (start.u + end.u) / 2};
+    const double piece = at_start ? end.t : start.u;
+    const double share = std::exp2(std::round(std::log2(piece * length / 2))) / length;
+    return at_start ? Spot{start.from, share, 1 - share} : Spot{start.from, 1 - share, share};
+  }
+
+  static bool sharp(const Rings& given, const std::vector<std::uint32_t>& next, std::uint32_t p) {
+    // The point before p on its contour: contours are contiguous.
+    const auto c = std::upper_bound(given.first_point.begin(), given.first_point.end(), p);
+    const std::uint32_t first = *(c - 1), end = *c;
+    const Point2 before = given.points[p == first ? end - 1 : p - 1], at = given.points[p], after = given.points[next[p]];
+    return (before.x - at.x) * (after.x - at.x) + (before.y - at.y) * (after.y - at.y) > 0;
+  }
+
+  [[noreturn]] void too_close(Point2 at) const {
+    Place place;
+    place.file = source_;
+    place.slice = number_;
+    place.z = slice_.z;
+    place.at = at;
+    throw InputError("too-close", place, "contours run too close to each other, or one to itself, to be told apart",
+                     "Move them apart, or drop points that crowd together (simplify the contours)");
+  }
+
+  Fineness fineness_;
+  const Slice& slice_;
+  std::size_t number_;
+  const std::string& source_;
+  const Progress& progress_;
+};
+
+}  // namespace
+
+std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order) {
+  std::vector<Vertex> vertices(points.size());
+  Face hint;
+  for (const std::uint32_t p : order) {
+    vertices[p] = cdt.insert(Kernel::Point_2(points[p].x, points[p].y), hint);
+    vertices[p]->info().value = p;
+    hint = vertices[p]->face();
+  }
+  return vertices;
+}
+
+void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress, const Refinement& refinement) {
+  Conformer(fineness, slice, number, source, progress).run(refinement.rings, refinement.cdt, refinement.order);
+}
+
+}  // namespace odontoscope::delaunay

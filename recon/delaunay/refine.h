@@ -1,0 +1,44 @@
+#pragma once
+// Contour edges split until each is an edge of the Delaunay triangulation of the slice's points.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "recon/core/progress.h"
+#include "recon/delaunay/constrained.h"
+#include "recon/input/contour_stack.h"
+
+namespace odontoscope::delaunay {
+
+/// Contours as points in one array, each with its follower.
+struct Rings {
+  std::vector<Point2> points;
+  std::vector<std::uint32_t> first_point{0};
+
+  std::vector<std::uint32_t> next() const {
+    std::vector<std::uint32_t> follower(points.size());
+    for (std::size_t c = 0; c + 1 < first_point.size(); ++c)
+      for (std::uint32_t p = first_point[c]; p < first_point[c + 1]; ++p)
+        follower[p] = p + 1 < first_point[c + 1] ? p + 1 : first_point[c];
+    return follower;
+  }
+};
+
+/// What is asked of each contour edge. Delaunay is less: of the two triangles beside the edge neither has the other's corner in its circumcircle.
+/// It can be had wherever two numbers lie in a gap, while Gabriel edges along a gap must end opposite each other to within its width squared over
+/// their length, which for needles is below the last place.
+enum class Fineness { gabriel, delaunay };
+
+struct Refinement {
+  Rings& rings;
+  Cdt& cdt;
+  std::vector<std::uint32_t>& order;
+};
+
+/// Refines `rings`, the contours of `slice` of one structure, and leaves their triangulation in `cdt`, points numbered as in `rings`, and the order in
+/// which they were inserted. Throws InputError too-close (conform.h). `number` and `source` name the slice in messages.
+void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress, const Refinement& refinement);
+
+}  // namespace odontoscope::delaunay
