@@ -44,7 +44,7 @@ std::vector<Outline> blend(const Surroundings& surroundings, std::span<const dou
     for (const double share : shares) result.push_back(share < 0.5 ? *surroundings.lower : *surroundings.upper);
     return result;
   }
-  const Composition composition(slices, plan, *grid);
+  const Composition composition(slices, plan, *grid, options.strips);
   const double tolerance = options.thinning * slices.larger_side();
   const double largest = std::ldexp(tolerance, limits::blend_thinning_rounds);
   const std::size_t enough = std::max(points_in(*surroundings.lower), points_in(*surroundings.upper));

@@ -59,6 +59,8 @@ struct BlendOptions {
   double thinning = 2e-4;
   /// Largest number of grid points. The step follows from the narrowest contour and wall; this bounds time and memory.
   std::size_t most_grid_points = 90'000;
+  /// What juts out as a strip (the end of an open ring, a groove) grows along its length. Without, distances alone decide.
+  bool strips = true;
 };
 
 /// Outlines at z_lower + share * (z_upper - z_lower) for each share, in the same order. Contours are closed, simple and

@@ -84,12 +84,12 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
   return grid;
 }
 
-Composition::Composition(const SliceSet& slices, const BlendPlan& plan, const Grid& grid) {
+Composition::Composition(const SliceSet& slices, const BlendPlan& plan, const Grid& grid, bool strips) {
   for (const BlendGroup& group : plan.groups) {
-    material_.emplace_back(group.material, slices, grid);
+    material_.emplace_back(group.material, slices, grid, strips);
     voids_of_.push_back(group.voids);
   }
-  for (const BlendUnit& unit : plan.voids) voids_.emplace_back(unit, slices, grid);
+  for (const BlendUnit& unit : plan.voids) voids_.emplace_back(unit, slices, grid, strips);
 }
 
 Window Composition::at(double share) const {

@@ -49,7 +49,7 @@ inline constexpr double far_outside = std::numeric_limits<double>::max();
 /// One unit in all its slices, ready to be blended at any height.
 class UnitField {
  public:
-  UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid);
+  UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid, bool strips);
 
   Window at(double share) const;
 
@@ -81,7 +81,7 @@ class UnitField {
 /// All units of a slab.
 class Composition {
  public:
-  Composition(const SliceSet& slices, const BlendPlan& plan, const Grid& grid);
+  Composition(const SliceSet& slices, const BlendPlan& plan, const Grid& grid, bool strips);
 
   /// Everything inside lies within the window's border.
   Window at(double share) const;

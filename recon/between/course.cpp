@@ -220,7 +220,7 @@ double smooth_between(double value, double low, double high) {
 }  // namespace
 
 std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<double>& lower,
-                                     const std::vector<double>& upper) {
+                                     const std::vector<double>& upper, double height) {
   const std::vector<Place> places = places_of(lower, upper);
   const Ways in_material(lattice, lower, upper, places, Place::material_in_both);
   const Ways in_void(lattice, lower, upper, places, Place::void_in_both);
@@ -242,7 +242,8 @@ std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<d
       const double length = ways.length(p), share = std::min(ways.way(p) / length, 1.0);
       const double slender = length / std::max(ways.width(p), lattice.step);
       const double certainty = smooth_between(slender, limits::strip_least, limits::strip_certain) *
-                               smooth_between(length / lattice.step, limits::strip_steps, 2 * limits::strip_steps);
+                               smooth_between(length / lattice.step, limits::strip_steps, 2 * limits::strip_steps) *
+                               (1 - smooth_between(ways.width(p) / height, limits::strip_thin, limits::strip_wide));
       if (certainty > 0) result.push_back({p, onwards ? share : 1 - share, length, certainty});
     }
   }

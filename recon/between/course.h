@@ -23,8 +23,9 @@ struct StripPoint {
   double certainty = 0;    // 0: as wide as it is long, as between nested contours; 1: a strip
 };
 
-/// All points of strips, by place. `lower` and `upper` are signed distances on the lattice.
+/// All points of strips, by place. `lower` and `upper` are signed distances on the lattice, `height` is the slab's. What is
+/// much wider than the slab is high is no strip but a flat roof, and left to the blend.
 std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<double>& lower,
-                                     const std::vector<double>& upper);
+                                     const std::vector<double>& upper, double height);
 
 }  // namespace odontoscope::between

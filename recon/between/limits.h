@@ -6,6 +6,8 @@ namespace odontoscope::between::limits {
 /// A place where only one slice has material juts out like a strip if it is this many times as long as wide (between nested
 /// contours: once), surely so from the second number on.
 inline constexpr double strip_least = 2.5, strip_certain = 3.5;
+/// Over the slab's height: a strip is at most so wide, surely so up to the first number.
+inline constexpr double strip_thin = 0.8, strip_wide = 1.2;
 /// Shorter ones, in steps of the grid, are left to the blend, and those up to twice as long in part.
 inline constexpr double strip_steps = 8;
 /// Neighbours towards which a way grows by at least this part of their distance lie straight ahead: between two of eight

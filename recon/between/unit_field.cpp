@@ -76,14 +76,15 @@ double inradius(const std::vector<double>& distances) {
 
 }  // namespace
 
-UnitField::UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid)
+UnitField::UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& grid, bool strips)
     : grid_(grid), motion_(motion_of(unit, grid.step)), heights_{{}, slices.z[at_lower], slices.z[at_upper], {}} {
   measure(unit, slices);
   continue_beyond(unit, slices, at_before, at_lower);
   continue_beyond(unit, slices, at_after, at_upper);
   find_end(unit, slices);
   const bool both = unit.presence[at_lower] == Presence::shape && unit.presence[at_upper] == Presence::shape;
-  if (both) strips_ = strip_points(lattice_, distances_[at_lower], distances_[at_upper]);
+  if (!both || !strips) return;
+  strips_ = strip_points(lattice_, distances_[at_lower], distances_[at_upper], heights_.upper - heights_.lower);
 }
 
 /// What the unit continues as beyond the slab: those regions and voids of the slice that lie mostly within the unit's

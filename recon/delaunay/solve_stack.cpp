@@ -141,8 +141,8 @@ class StackSolver {
       return;
     }
     long least = -1;
-    for (const std::size_t slices : attempts(k, task)) {
-      std::optional<SolvedSlab> solved = slices == 0 ? solve_slab(task, progress_) : through(k, task, slices);
+    for (const auto& [slices, strips] : attempts(k, task)) {
+      std::optional<SolvedSlab> solved = slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, strips);
       if (!solved) continue;
       if (slices > 0) solved->links = links_kept(task);
       const Topology wanted = implied(k, *solved);
@@ -156,20 +156,18 @@ class StackSolver {
     }
   }
 
-  /// How many slices to interpolate, in the order in which it is tried. What ends in the slab ends flat without any.
-  std::vector<std::size_t> attempts(std::size_t k, const SlabTask& task) const {
-    const bool chosen = !task.choices.joined.empty() || !task.choices.apart.empty();
-    if (!has_material(k)) return {3, 1, 0};
-    if (!chosen && something_ends(k, task)) return {1, 3, 0, 7};
-    const between::SlabNeed need = between::need(outline(k), outline(k + 1));
-    if (chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z)) return {0, 1, 3, 7};
-    return {1, 3, 0, 7};
-  }
+  struct Attempt {
+    std::size_t slices = 0;   // to be interpolated
+    bool strips = false;      // between::BlendOptions::strips
+  };
 
-  bool something_ends(std::size_t k, const SlabTask& task) const {
-    std::vector<bool> lower(slice(k).regions(), false), upper(slice(k + 1).regions(), false);
-    for (const RegionLink& link : task.correspondences.links) lower[link.lower] = upper[link.upper] = true;
-    return std::count(lower.begin(), lower.end(), false) + std::count(upper.begin(), upper.end(), false) > 0;
+  /// In the order in which they are tried. A structure that ends would end flat without any slices.
+  std::vector<Attempt> attempts(std::size_t k, const SlabTask& task) const {
+    const bool chosen = !task.choices.joined.empty() || !task.choices.apart.empty();
+    if (!has_material(k)) return {{3}, {1}, {0}};
+    const between::SlabNeed need = between::need(outline(k), outline(k + 1));
+    if (chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z)) return {{0}, {1, true}, {3, true}, {1}, {3}, {7}};
+    return {{1, true}, {3, true}, {1}, {3}, {0}, {7}};
   }
 
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }
@@ -183,7 +181,7 @@ class StackSolver {
     return all;
   }
 
-  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices) const {
+  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices, bool strips) const {
     const between::Outline lower = outline(k), upper = outline(k + 1);
     between::Outline before, after;
     between::Surroundings around;
@@ -207,7 +205,7 @@ class StackSolver {
       around.voids.push_back({contour_of_void(k, link.lower), contour_of_void(k + 1, link.upper)});
     std::vector<double> shares;
     for (std::size_t i = 1; i <= slices; ++i) shares.push_back(static_cast<double>(i) / static_cast<double>(slices + 1));
-    std::vector<between::Outline> outlines = between::blend(around, shares, {});
+    std::vector<between::Outline> outlines = between::blend(around, shares, {.strips = strips});
     std::vector<Interpolated> made;
     for (std::size_t i = 0; i < slices; ++i)
       made.push_back({around.z_lower + shares[i] * (around.z_upper - around.z_lower), std::move(outlines[i])});
