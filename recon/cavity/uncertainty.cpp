@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "recon/cavity/canal_measures.h"
+#include "recon/cavity/degrees.h"
 #include "recon/cavity/limits.h"
 
 namespace odontoscope::cavity {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -69,7 +68,7 @@ double off_schneider(const MeasuredCanal& canal, const CentreLine& line, double 
   while (line.orifice > 0 && down + 5 < line.points.size() && line.points[down].along - at < along) ++down;
   for (const std::size_t orifice : {up, line.orifice, down})
     for (const double slack : {-aside, 0.0, aside}) most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
-  return most + degrees * std::atan2(2 * aside, canal.length / 3);
+  return most + degrees_per_radian * std::atan2(2 * aside, canal.length / 3);
 }
 
 }  // namespace
