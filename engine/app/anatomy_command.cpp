@@ -137,8 +137,8 @@ ExitCode run(const AnatomyArguments& options, Session& session) {
   for (const std::string& file : options.outputs) known_ending(file, {".json", ".csv"});
   files.outputs = options.outputs;
   refuse_senseless(options.dt);
-  for (const std::string& input : {options.input, options.dt.links})
-    if (!input.empty()) files.inputs.push_back(input);
+  for (const std::string* input : {&options.input, &options.dt.links})
+    if (!input->empty()) files.inputs.push_back(*input);
   refuse_unwritable(files);
   const Shown shown = shown_from(options.input, options.volume, options.dt, session);
   const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);

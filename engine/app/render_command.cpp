@@ -82,8 +82,8 @@ std::vector<std::string> picture_files(const RenderArguments& options) {
 
 PlannedFiles planned_files(const RenderArguments& options) {
   PlannedFiles files{.inputs = {}, .outputs = picture_files(options)};
-  for (const std::string& input : {options.input, options.dt.links, options.scene.scene_file, options.scene.camera_file})
-    if (!input.empty()) files.inputs.push_back(input);
+  for (const std::string* input : {&options.input, &options.dt.links, &options.scene.scene_file, &options.scene.camera_file})
+    if (!input->empty()) files.inputs.push_back(*input);
   if (!options.save_scene.empty()) files.outputs.push_back(options.save_scene);
   return files;
 }

@@ -83,7 +83,8 @@ struct SlabNeed {
   double area = 0;
 };
 
-/// Measured on a grid of at most `most_grid_points`, to about a step of it. 0 for two empty outlines.
+/// Measured on a grid of at most `most_grid_points`, to about a step of it. 0 for two empty outlines, and
+/// where areas of their size are no numbers any more (denormal).
 SlabNeed need(const Outline& lower, const Outline& upper, std::size_t most_grid_points = 20'000);
 
 }  // namespace odontoscope::between

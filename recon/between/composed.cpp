@@ -72,7 +72,7 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y, side = std::max(width, height);
   const double farthest =
       std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
-  if (!(width > 0) || !(height > 0)) return std::nullopt;
+  if (!std::isnormal(width * height)) return std::nullopt;
   Grid grid;
   grid.grain = std::max(std::ldexp(1.0, std::ilogb(side) + 1 - limits::blend_digits_of_size),
                         farthest > 0 ? std::ldexp(1.0, std::ilogb(farthest) + 1 - limits::blend_digits_of_place) : 0);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "recon/between/blend_units.h"
+#include "recon/between/course.h"
 #include "recon/between/motion.h"
 #include "recon/between/plane_distance.h"
 
@@ -74,6 +75,7 @@ class UnitField {
   Heights heights_;
   std::array<std::vector<double>, slices_used> distances_;
   std::optional<Ending> end_;
+  std::vector<StripPoint> strips_;
 };
 
 /// All units of a slab.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "recon/core/limits.h"
 
@@ -40,6 +41,14 @@ Box box_of(const Outline& shape) {
     for (const Point2 p : ring) box.take(p);
   }
   return box;
+}
+
+/// Is it wide enough for the moments of its area to be more than rounding?
+bool is_measured(const Moments& moments, const Outline& shape) {
+  const Box box = box_of(shape);
+  const double side = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  constexpr double rounding = 4096 * std::numeric_limits<double>::epsilon();
+  return moments.area > rounding * side * side && moments.spread > 0 && moments.spread <= 2 * side;
 }
 
 /// Part of the smaller shape's area that the other covers, counted on a grid.
@@ -113,7 +122,7 @@ Motion motion_of(const BlendUnit& unit, double step) {
   for (std::size_t n = 0; n < slices_used; ++n) {
     if (unit.presence[n] != Presence::shape) continue;
     moments[n] = moments_of(unit.shapes[n]);
-    if (!(moments[n].spread > 0) || !std::isfinite(moments[n].spread)) return {};
+    if (!is_measured(moments[n], unit.shapes[n])) return {};
   }
   Motion motion = full_motion(moments, unit, false);
   double moved = overlap_moved(unit, motion, step);

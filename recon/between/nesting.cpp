@@ -29,6 +29,13 @@ bool encloses(const std::vector<Point2>& ring, Point2 p) {
   return within;
 }
 
+/// By its lowest point, where it cannot be dented.
+bool counter_clockwise(const std::vector<Point2>& ring) {
+  const auto below = [](Point2 a, Point2 b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+  const auto lowest = static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), below) - ring.begin());
+  return left_of(ring[(lowest + 1) % ring.size()], ring[(lowest + ring.size() - 1) % ring.size()], ring[lowest]);
+}
+
 /// Areas and moments about the first point, so that far from the origin nothing is lost.
 ContourFacts facts_of(const std::vector<Point2>& ring) {
   ContourFacts facts;
@@ -46,6 +53,9 @@ ContourFacts facts_of(const std::vector<Point2>& ring) {
     facts.perimeter += std::hypot(q.x - p.x, q.y - p.y);
   }
   facts.area = twice / 2;
+  constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+  if (!(std::abs(twice) > rounding * facts.perimeter * facts.perimeter) || !std::isnormal(twice))   // a needle's, or a minute one's, may have any sign
+    facts.area = std::copysign(twice / 2, counter_clockwise(ring) ? 1.0 : -1.0);
   facts.centroid = {std::midpoint(facts.box.low.x, facts.box.high.x), std::midpoint(facts.box.low.y, facts.box.high.y)};
   const Point2 mean{base.x + x / (3 * twice), base.y + y / (3 * twice)};
   if (std::isfinite(mean.x) && std::isfinite(mean.y)) facts.centroid = mean;

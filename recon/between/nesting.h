@@ -1,6 +1,7 @@
 #pragma once
 // What one outline's contours are like and how they lie in each other. Inner part of blend.h.
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -20,7 +21,7 @@ struct Box {
 };
 
 struct ContourFacts {
-  double area = 0;  // positive for outer contours
+  double area = 0;  // positive for outer contours, which its sign bit says even where it is too small for a number
   double perimeter = 0;
   Point2 centroid;  // of the area within
   Box box;
@@ -28,7 +29,7 @@ struct ContourFacts {
   std::size_t parent = none;
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  bool outer() const { return area > 0; }
+  bool outer() const { return !std::signbit(area); }
 };
 
 std::vector<ContourFacts> facts_of(const Outline& outline);

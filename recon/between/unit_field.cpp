@@ -82,6 +82,8 @@ UnitField::UnitField(const BlendUnit& unit, const SliceSet& slices, const Grid& 
   continue_beyond(unit, slices, at_before, at_lower);
   continue_beyond(unit, slices, at_after, at_upper);
   find_end(unit, slices);
+  const bool both = unit.presence[at_lower] == Presence::shape && unit.presence[at_upper] == Presence::shape;
+  if (both) strips_ = strip_points(lattice_, distances_[at_lower], distances_[at_upper]);
 }
 
 /// What the unit continues as beyond the slab: those regions and voids of the slice that lie mostly within the unit's
@@ -160,6 +162,12 @@ std::vector<double> UnitField::blended(double share) const {
   }
   for (std::size_t p = 0; p < values.size(); ++p)
     values[p] = (1 - share) * lower[p] + share * upper[p] - curvature(p, share) * share * (1 - share) / 2;
+  for (const StripPoint& strip : strips_) {
+    const auto [deepest, farthest] = std::minmax(lower[strip.at], upper[strip.at]);
+    const double along = (upper[strip.at] < 0 ? strip.share - share : share - strip.share) * strip.length;
+    double& value = values[strip.at];
+    value += strip.certainty * (std::clamp(along, deepest, farthest) - value);
+  }
   return values;
 }
 

@@ -61,7 +61,7 @@ std::vector<AccessoryCanal> accessory_canals(const Cavity& hollow, const CentreL
   if (lines.canals.empty() || lines.others.empty()) return found;
   const WallTree tree(hollow.wall);
   for (const CentreLine& branch : lines.others) {
-    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree);
+    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree, true);
     if (shape.leaves == branch.points.size() || shape.length < shape.mean_width) continue;
     const CentrePoint& from = branch.points[shape.leaves];
     const CentreLine& parent = lines.canals[shape.parent];
@@ -129,7 +129,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.handles = lines.loops.size();
   const auto genus = static_cast<std::size_t>(wall.shells.front().genus);
   made.narrow_handles = genus - std::min(made.handles, genus);
-  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line));
+  const WallTree tree(hollow.wall);
+  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, tree));
   made.shapes = canal_shapes(hollow, lines, progress);
   made.accessory_canals = accessory_canals(hollow, lines);
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);

@@ -53,8 +53,8 @@ struct MeasuredCanal {
 };
 
 /// Vertucci's types (F. J. Vertucci, "Root canal anatomy of the human permanent teeth", 1984) by the number of separate sections of the root's canals, from
-/// just below the lower orifice to just above the first blind end: 1 is I, 2-1 II, 1-2-1 III, 2 IV, 1-2 V, 2-1-2 VI, 1-2-1-2 VII, 3 VIII. Runs shorter
-/// than the mean width are left out. No height between the two ends: no sections, "other".
+/// just below the lower orifice to just above the first blind end: 1 is I, 2-1 II, 1-2-1 III, 2 IV, 1-2 V, 2-1-2 VI, 1-2-1-2 VII, 3 VIII. Canals joined by an
+/// isthmus only (limits::isthmus_wide) are separate. Runs shorter than the mean width are left out. No height between the two ends: no sections, "other".
 struct MeasuredRoot {
   std::vector<std::size_t> canals;     // of Anatomy::canals
   std::vector<std::size_t> sections;   // counts, from the orifice to the apex, whichever of them is up

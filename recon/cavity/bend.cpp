@@ -108,6 +108,14 @@ std::vector<Point3> thinned(const std::vector<Point3>& line) {
   return made;
 }
 
+/// Towards where the stretch bends, at its middle and half way to its ends.
+double loosest(const std::vector<Point3>& line, std::size_t first, std::size_t last, const Looseness& loose) {
+  const Frame frame = frame_of(line, first, last);
+  double most = 0;
+  for (const std::size_t quarter : {1u, 2u, 3u}) most = std::max(most, loose(line[first + quarter * (last - first) / 4], frame.side));
+  return most;
+}
+
 /// What is typical among short stretches.
 double noise_of(const std::vector<Point3>& line, std::size_t reach) {
   std::vector<double> off;
@@ -118,7 +126,7 @@ double noise_of(const std::vector<Point3>& line, std::size_t reach) {
 
 }  // namespace
 
-Bend smallest_bend(const std::vector<Point3>& all, double width) {
+Bend smallest_bend(const std::vector<Point3>& all, double width, const Looseness& loose) {
   Bend bend{std::numeric_limits<double>::infinity(), 0};
   const std::vector<Point3> line = thinned(all);
   double whole = 0;
@@ -141,7 +149,9 @@ Bend smallest_bend(const std::vector<Point3>& all, double width) {
     if (last <= covered) continue;   // a part of it
     covered = last;
     if (fit.bow <= limits::bend_bow * known || fit.radius >= bend.radius) continue;
-    bend = {fit.radius, 2 * fit.radius * known / fit.bow};   // middle and ends may be off either way
+    const double off = std::max(known, loose ? loosest(line, first, last, loose) : 0);
+    if (fit.bow <= limits::bend_bow * off) continue;
+    bend = {fit.radius, 2 * fit.radius * off / fit.bow};   // middle and ends may be off either way
   }
   return bend;
 }

@@ -1,9 +1,11 @@
 #pragma once
 // How narrowly does a line bend?
 
+#include <functional>
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/mesh/vector.h"
 
 namespace odontoscope::cavity {
 
@@ -17,6 +19,9 @@ struct Bend {
 /// stretches, `width` times limits::bend_stretch long, are off their circles. A stretch whose bow is not more than limits::bend_bow times that is straight. Circles by
 /// G. Taubin, "Estimation of planar curves, surfaces and nonplanar space curves defined by implicit equations", 1991, in the plane of the stretch.
 /// `line`: points about evenly apart. Precondition: width > 0.
-Bend smallest_bend(const std::vector<Point3>& line, double width);
+/// `loose` (optional): how far the line may lie off at a place, to a side (unit), because it would be as central there: where a canal is flat, nothing tells where along its section
+/// the line belongs. A stretch that bends that way is known no better than that.
+using Looseness = std::function<double(const Point3& at, const Direction& side)>;
+Bend smallest_bend(const std::vector<Point3>& line, double width, const Looseness& loose = {});
 
 }  // namespace odontoscope::cavity

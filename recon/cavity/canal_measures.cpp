@@ -18,6 +18,23 @@ double usual_width(const CentreLine& line) {
   return 2 * balls[balls.size() / 2];
 }
 
+/// How far a ball may move to that side or the other and still be as wide, but for a hundredth: 0.01 of the radius in a round canal.
+double room_aside(const Point3& at, const Direction& side, const WallTree& wall) {
+  constexpr double as_wide = 0.99;
+  const double radius = wall.clearance(at);
+  double most = 0;
+  for (const double sign : {1.0, -1.0}) {
+    double near = 0, far = 4 * radius;
+    for (int i = 0; i < 12; ++i) {
+      const double middle = (near + far) / 2;
+      const Point3 there{at.x + sign * middle * side.x, at.y + sign * middle * side.y, at.z + sign * middle * side.z};
+      (wall.clearance(there) >= as_wide * radius ? near : far) = middle;
+    }
+    most = std::max(most, near);
+  }
+  return most;
+}
+
 void measure_widths(const CentreLine& line, std::size_t first, std::size_t last, MeasuredCanal& canal) {
   double sum = 0;
   for (std::size_t i = first; i < last; ++i) {
@@ -62,7 +79,7 @@ std::pair<std::size_t, std::size_t> between_ends(const CentreLine& line) {
   return {first, last};
 }
 
-MeasuredCanal measured_canal(const CentreLine& line) {
+MeasuredCanal measured_canal(const CentreLine& line, const WallTree& wall) {
   MeasuredCanal canal;
   canal.name = line.name;
   canal.orifice = line.orifice == 0 ? line.start : line.points[line.orifice].at;
@@ -76,7 +93,7 @@ MeasuredCanal measured_canal(const CentreLine& line) {
   while (line.orifice > 0 && below < last && line.points[below].along - line.points[first].along < canal.mean_width) ++below;
   std::vector<Point3> places;
   for (std::size_t i = below; i < last; ++i) places.push_back(line.points[i].at);
-  const Bend bend = smallest_bend(places, canal.mean_width);
+  const Bend bend = smallest_bend(places, canal.mean_width, [&](const Point3& at, const Direction& side) { return room_aside(at, side, wall); });
   canal.smallest_bend = bend.radius;
   canal.bend_fit = bend.uncertainty;
   return canal;

@@ -23,13 +23,25 @@ bool material_between(const Point3& a, const Point3& b, const WallTree& tree) {
   return false;
 }
 
+/// Beyond the canal's ball, with material above and below along the canal: what leaves sideways is straight in sight, but a fin goes on up or down.
+bool leaves_sideways(const Point3& p, const CentreLine& canal, const WallTree& tree) {
+  constexpr double beyond = 2.5;   // of its balls: more than a slanting tube is wide
+  const std::size_t i = nearest_point(p, canal);
+  if (length(p - canal.points[i].at) < canal.points[i].ball) return false;
+  const Direction along = canal.points[std::min(i + 1, canal.points.size() - 1)].at - canal.points[i > 0 ? i - 1 : 0].at;
+  const double step = beyond * std::max(tree.clearance(p), 0.0) / std::max(length(along), 1e-12);
+  return tree.clearance({p.x + step * along.x, p.y + step * along.y, p.z + step * along.z}) < 0 && tree.clearance({p.x - step * along.x, p.y - step * along.y, p.z - step * along.z}) < 0;
+}
+
 }  // namespace
 
-BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree) {
+BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree, bool sideways) {
   BranchShape shape;
   shape.leaves = branch.points.size();
   const auto apart = [&](const Point3& p) {
-    return std::all_of(canals.begin(), canals.end(), [&](const CentreLine& canal) { return material_between(p, canal.points[nearest_point(p, canal)].at, tree); });
+    return std::all_of(canals.begin(), canals.end(), [&](const CentreLine& canal) {
+      return material_between(p, canal.points[nearest_point(p, canal)].at, tree) || (sideways && leaves_sideways(p, canal, tree));
+    });
   };
   while (shape.leaves > 0 && apart(branch.points[shape.leaves - 1].at)) --shape.leaves;
   if (shape.leaves == branch.points.size()) return shape;

@@ -14,16 +14,29 @@ struct Seam {
   NodeIndex a = no_node, b = no_node;
 };
 
+/// What the path from the root to each node adds. Parents first: by cost they do not always come first, for a way between two nodes in one place costs nothing.
+std::vector<std::uint64_t> shares_from_root(const MedialGraph& graph, const PathTree& tree, const Linking& linking) {
+  std::vector<std::uint64_t> from_root(graph.nodes.size(), 0);
+  std::vector<char> known(graph.nodes.size(), 0);
+  std::vector<NodeIndex> waiting;
+  for (NodeIndex n = 0; n < graph.nodes.size(); ++n) {
+    for (NodeIndex up = n; up != no_node && !known[up]; up = tree.parent[up]) waiting.push_back(up);
+    for (; !waiting.empty(); waiting.pop_back()) {
+      const NodeIndex here = waiting.back(), p = tree.parent[here];
+      if (p != no_node) from_root[here] = from_root[p] + linking.share(graph.nodes[p].at, graph.nodes[here].at);
+      known[here] = 1;
+    }
+  }
+  return from_root;
+}
+
 /// The best one for each class of closed ways that can be drawn to one another.
 std::vector<Seam> seams_of(const MedialGraph& graph, const PathTree& tree, const Linking& linking) {
   std::vector<NodeIndex> order;
   for (NodeIndex n = 0; n < graph.nodes.size(); ++n)
     if (std::isfinite(tree.cost[n])) order.push_back(n);
   std::sort(order.begin(), order.end(), [&](NodeIndex a, NodeIndex b) { return std::tie(tree.cost[a], a) < std::tie(tree.cost[b], b); });
-  // What the path from the root adds; parents come before their children.
-  std::vector<std::uint64_t> from_root(graph.nodes.size(), 0);
-  for (const NodeIndex n : order)
-    if (const NodeIndex p = tree.parent[n]; p != no_node) from_root[n] = from_root[p] + linking.share(graph.nodes[p].at, graph.nodes[n].at);
+  const std::vector<std::uint64_t> from_root = shares_from_root(graph, tree, linking);
   std::map<std::uint64_t, Seam> best;
   for (const NodeIndex a : order) {
     for (std::uint32_t w = graph.first_way[a]; w < graph.first_way[a + 1]; ++w) {

@@ -33,12 +33,22 @@ double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 1; i < along; ++i) {
     const double t = static_cast<double>(i) / along;
-    double best = 0;
+    const auto depth = [&](double s) { return depth_in(loop, {a.x + t * x - s * y, a.y + t * y + s * x}); };
+    double best = depth(0), place = 0;
     for (int k = -aside; k <= aside; ++k) {
-      const double s = 0.5 * k / aside;
-      best = std::max(best, depth_in(loop, {a.x + t * x - s * y, a.y + t * y + s * x}));
+      const double s = 0.5 * k / aside, here = depth(s);
+      if (here <= best) continue;
+      best = here;
+      place = s;
     }
-    least = std::min(least, best);
+    // A thin corridor may lie between two such places.
+    for (double step = 0.25 / aside; step > 1e-3; step /= 2) {
+      const double left = depth(place - step), right = depth(place + step);
+      if (std::max(left, right) <= best) continue;
+      place += left > right ? -step : step;
+      best = std::max(left, right);
+    }
+    least = std::min(least, std::max(best, 0.0));
   }
   return 2 * least;
 }
@@ -94,6 +104,15 @@ Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b,
 
 }  // namespace
 
+bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const CentreLine& b, double z) {
+  const std::optional<Passing> one = passing(a, z), other = passing(b, z);
+  if (!one || !other) return false;
+  const std::size_t loop = loop_round(loops, one->at);
+  if (loop == loops.size() || loop != loop_round(loops, other->at)) return false;
+  if (std::hypot(one->at.x - other->at.x, one->at.y - other->at.y) < one->ball + other->ball) return true;
+  return corridor_width(loops[loop], one->at, other->at) >= limits::isthmus_wide * 2 * std::min(one->ball, other->ball);
+}
+
 std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines, const std::vector<std::size_t>& canals, double fall) {
   std::vector<Isthmus> found;
   if (canals.size() < 2) return found;
@@ -106,9 +125,14 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
   }
   const double step = (top - bottom) / heights;
   std::vector<Isthmus> open;   // those that the section before showed, too
+  std::vector<std::vector<double>> widths;   // of these, section by section
   const auto close = [&](std::size_t i) {
+    // Its lowest and highest section may cut its rim only.
+    const std::size_t rim = widths[i].size() > 2 ? 1 : 0;
+    open[i].narrowest = *std::min_element(widths[i].begin() + static_cast<std::ptrdiff_t>(rim), widths[i].end() - static_cast<std::ptrdiff_t>(rim));
     if (open[i].to_apex - open[i].from_apex + step >= width) found.push_back(open[i]);
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+    widths.erase(widths.begin() + static_cast<std::ptrdiff_t>(i));
   };
   for (std::size_t h = 0; h < heights && step > 0; ++h) {
     const double above = (static_cast<double>(h) + 0.5) * step, z = fall * (bottom + above);
@@ -132,9 +156,10 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
       const auto known = std::find_if(open.begin(), open.end(), [&](const Isthmus& before) { return same(one, before); });
       if (known == open.end()) {
         open.push_back(one);
+        widths.push_back({one.narrowest});
       } else {
         known->to_apex = above;
-        known->narrowest = std::min(known->narrowest, one.narrowest);
+        widths[static_cast<std::size_t>(known - open.begin())].push_back(one.narrowest);
       }
     }
   }

@@ -7,6 +7,7 @@
 
 #include "recon/cavity/cavity.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/plane_loops.h"
 
 namespace odontoscope {
 
@@ -21,6 +22,9 @@ struct Isthmus {
 };
 
 namespace cavity {
+
+/// Whether two canals are one where they pass this height: in one loop, and not joined by a mere isthmus (limits::isthmus_wide).
+bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const CentreLine& b, double z);
 
 /// Of one root, from the apex up. `fall`: heights times this fall towards the apex. Runs lower than a canal is wide are left out, as where canals part.
 std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines, const std::vector<std::size_t>& canals, double fall);

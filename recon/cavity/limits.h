@@ -41,6 +41,8 @@ inline constexpr double fork_length = 2, fork_width = 0.5;
 /// A connection of two canals up to this share as wide as the narrower one is hair-thin; a canal extends towards another one if it reaches so many
 /// radii from its middle.
 inline constexpr double isthmus_thin = 0.25, isthmus_reach = 2;
+/// Two canals whose connection is this share as wide as the narrower one are one section; what is narrower is an isthmus between two.
+inline constexpr double isthmus_wide = 0.75;
 /// Round each point of a found branch, what lies within this many times the radius there belongs to it.
 inline constexpr double branch_cover = 1.6;
 /// A tip that reaches farther ahead than the ball before it by less than this share of that ball's radius adds nothing but a corner.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "recon/mesh/half_edges.h"
 
@@ -18,8 +19,12 @@ Point3 turned(const Point3& p) {
   return {x, d * y - c * p.z, c * y + d * p.z};
 }
 
-/// Seen from above: on which side of the line from a to b.
-bool left_of(const Point3& a, const Point3& b, const Point3& p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0; }
+/// Seen from above: on which side of the line from a to b. Whichever way round the line is drawn a place is on one side of it, however near: ways that lead there and back add
+/// nothing.
+bool left_of(const Point3& a, const Point3& b, const Point3& p) {
+  if (std::tie(b.x, b.y) < std::tie(a.x, a.y)) return !left_of(b, a, p);
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) >= 0;
+}
 
 std::uint64_t weight(std::uint64_t loop) {   // splitmix64, made odd
   std::uint64_t z = (loop + 1) * 0x9e3779b97f4a7c15u;

@@ -49,6 +49,18 @@ double fall_of(const MeasuredRoot& root, const std::vector<MeasuredCanal>& canal
   return falling(towards_end);
 }
 
+/// Canals that are one here count once.
+std::size_t sections_at(const std::vector<Loop>& loops, const CentreLines& lines, const MeasuredRoot& root, double z) {
+  std::vector<std::size_t> section(root.canals.size());
+  std::iota(section.begin(), section.end(), std::size_t{0});
+  for (std::size_t a = 0; a < section.size(); ++a)
+    for (std::size_t b = a + 1; b < section.size(); ++b)
+      if (section[a] != section[b] && is_one_section(loops, lines.canals[root.canals[a]], lines.canals[root.canals[b]], z))
+        std::replace(section.begin(), section.end(), section[b], section[a]);
+  std::sort(section.begin(), section.end());
+  return static_cast<std::size_t>(std::unique(section.begin(), section.end()) - section.begin());
+}
+
 /// Counts from the lower orifice to the first blind end, in runs.
 std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLines& lines, const MeasuredRoot& root, const std::vector<MeasuredCanal>& canals) {
   const double sign = fall_of(root, canals);
@@ -65,10 +77,7 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
   for (std::size_t i = 0; i < root_sections && top > bottom; ++i) {
     const double z = sign * (top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom));
     const std::vector<Loop> loops = loops_at(cavity.wall, z);
-    std::vector<std::size_t> seen;
-    for (const std::size_t c : root.canals) seen.push_back(loop_round(loops, passes(lines.canals[c], z)));
-    std::sort(seen.begin(), seen.end());
-    const auto count = static_cast<std::size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+    const std::size_t count = sections_at(loops, lines, root, z);
     if (runs.empty() || runs.back().first != count) runs.push_back({count, 0});
     ++runs.back().second;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "recon/cavity/canal_measures.h"
@@ -12,12 +13,15 @@
 namespace odontoscope::cavity {
 namespace {
 
-double median(std::vector<double> values) {
+/// Of so many sorted values the one that far on.
+double part_of(std::vector<double> values, double share) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
+
+double median(std::vector<double> values) { return part_of(std::move(values), 0.5); }
 
 std::vector<double> edge_lengths(const SurfaceMesh& wall) {
   std::vector<double> lengths;
@@ -27,14 +31,14 @@ std::vector<double> edge_lengths(const SurfaceMesh& wall) {
 }
 
 /// Of contours: edges within a plane of constant z.
-double side_length(const SurfaceMesh& wall) {
+double side_length(const SurfaceMesh& wall, double share) {
   std::vector<double> lengths;
   for (const Triangle& t : wall.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Point3 &a = wall.points[t[k]], &b = wall.points[t[(k + 1) % 3]];
       if (a.z == b.z) lengths.push_back(length(b - a));
     }
-  return median(lengths);
+  return part_of(std::move(lengths), share);
 }
 
 struct Slope {
@@ -57,6 +61,14 @@ Slope slope_at(const CentreLine& line, std::size_t i, double reach) {
 std::size_t point_at(const CentreLine& line, const Point3& at) {
   const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) { return length(a.at - at) < length(b.at - at); };
   return static_cast<std::size_t>(std::min_element(line.points.begin(), line.points.end(), nearer) - line.points.begin());
+}
+
+/// Of many widths that are each a little off the narrowest is so downwards: by as much as it is less than the usual one within a width of it.
+double stands_out(const CentreLine& line, const MeasuredPlace& narrowest) {
+  std::vector<double> widths;
+  for (std::size_t i = line.orifice; i < line.points.size(); ++i)
+    if (length(line.points[i].at - narrowest.at) <= narrowest.width) widths.push_back(2 * line.points[i].ball);
+  return std::max(median(std::move(widths)) - narrowest.width, 0.0);
 }
 
 /// How much the angle changes where the orifice lies so far up or down the line, and the line so far aside.
@@ -87,7 +99,8 @@ double slice_spacing_of(const SurfaceMesh& wall) {
 }
 
 SliceKnowledge slice_knowledge(const SurfaceMesh& wall, const SurfaceMesh& outside, double spacing, double chamber_radius) {
-  return {spacing, side_length(wall), side_length(outside), chamber_radius};
+  constexpr double usual = 0.5, long_ones = 0.95;   // a wall is thinnest beside a long side
+  return {spacing, side_length(wall, usual), side_length(outside, long_ones), chamber_radius};
 }
 
 CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SliceKnowledge& known) {
@@ -103,7 +116,7 @@ CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& sh
   const auto [first, last] = between_ends(line);
   for (std::size_t i = first; i < last; ++i) made.mean_width += of_width(i) / static_cast<double>(last - first);
   if (first == last) made.mean_width = of_width(line.orifice);
-  if (canal.narrowest) made.narrowest = of_width(point_at(line, canal.narrowest->at));
+  if (canal.narrowest) made.narrowest = of_width(point_at(line, canal.narrowest->at)) + stands_out(line, *canal.narrowest);
   made.schneider_deg = off_schneider(canal, line, made.length, made.mean_width);
   if (std::isfinite(canal.smallest_bend)) made.smallest_bend = canal.bend_fit;
   if (canal.thinnest_wall) {

@@ -48,7 +48,7 @@ class Look {
     for (const Solid& solid : made_.solids) {
       order.emplace(solid.structure, order.size());
       look_at_slabs(solid.structure);
-      look_at_ends(solid.structure, Strands::Of::voids);
+      look_at_shut_voids(solid.structure, look_at_ends(solid.structure, Strands::Of::voids));
       look_at_loose_pieces(solid, look_at_ends(solid.structure, Strands::Of::material));
     }
     for (const Doubt& doubt : made_.doubts) look_at_doubt(doubt);
@@ -163,6 +163,35 @@ class Look {
       return fmt::format("--correspondence overlap{} joins voids that lie partly over each other.",
                          options_.between == Between::delaunay ? " --between blended" : "");
     return "Links are made between regions, not voids: a slice between the two, with the canal in it, would tell.";
+  }
+
+  /// Voids that reach neither the outside nor the largest of those that are shut in.
+  void look_at_shut_voids(const std::string& structure, Ends ends) {
+    const std::vector<Section>& sections = ends.strands.sections();
+    struct Piece {
+      std::size_t first = 0, last = 0;  // sections
+      double area = 0;
+      bool open = false;
+    };
+    std::map<std::uint32_t, Piece> pieces;
+    for (std::size_t s = 0; s < sections.size(); ++s) {
+      Piece& piece = pieces.try_emplace(ends.strands.piece(s), Piece{s, s, 0, false}).first->second;
+      piece.last = s;
+      piece.area += sections[s].area;
+      piece.open = piece.open || sections[s].open;
+    }
+    double largest = 0;
+    for (const auto& [number, piece] : pieces) largest = std::max(largest, piece.area);
+    for (const auto& [number, piece] : pieces) {
+      if (piece.open || piece.area == largest || ends.told.contains(number)) continue;
+      const Section& low = sections[piece.first];
+      const Section& high = sections[piece.last];
+      Attention one = item(AttentionKind::void_gap, structure, low.slice, high.slice);
+      one.place = {(low.centre.x + high.centre.x) / 2, (low.centre.y + high.centre.y) / 2, (one.z_lower + one.z_upper) / 2};
+      one.seen = "a void is shut in: it reaches neither the outside nor the largest void of the structure.";
+      one.remedy = "If it is a canal, a slice that shows where it goes on would tell.";
+      found_.push_back(std::move(one));
+    }
   }
 
   // ---- doubts -------------------------------------------------------------------------------------------------------

@@ -68,6 +68,11 @@ class StackSolver {
   }
 
   bool has_material(std::size_t k) const { return slice(k).regions() > 0 && slice(k + 1).regions() > 0; }
+  /// A structure ends in the slab, and the slice before tells how it narrows.
+  bool is_end(std::size_t k) const {
+    const bool upwards = slice(k + 1).regions() == 0 && slice(k).regions() > 0 && k > 0 && slice(k - 1).regions() > 0;
+    return upwards || (slice(k).regions() == 0 && slice(k + 1).regions() > 0 && k + 2 <= slabs_ && slice(k + 2).regions() > 0);
+  }
 
   // ---- links --------------------------------------------------------------------------------------------------------
 
@@ -130,7 +135,7 @@ class StackSolver {
   void solve(std::size_t k, Walls walls) {
     const SlabTask task = slab_task(k, walls);
     interpolated_[k] = 0;
-    if (!has_material(k) || task_.options.between == Between::delaunay) {
+    if ((!has_material(k) && !is_end(k)) || task_.options.between == Between::delaunay) {
       solved_[k] = solve_slab(task, progress_);
       implied_[k] = implied(k, solved_[k]);
       return;
@@ -151,12 +156,20 @@ class StackSolver {
     }
   }
 
-  /// How many slices to interpolate, in the order in which it is tried.
+  /// How many slices to interpolate, in the order in which it is tried. What ends in the slab ends flat without any.
   std::vector<std::size_t> attempts(std::size_t k, const SlabTask& task) const {
     const bool chosen = !task.choices.joined.empty() || !task.choices.apart.empty();
+    if (!has_material(k)) return {3, 1, 0};
+    if (!chosen && something_ends(k, task)) return {1, 3, 0, 7};
     const between::SlabNeed need = between::need(outline(k), outline(k + 1));
     if (chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z)) return {0, 1, 3, 7};
     return {1, 3, 0, 7};
+  }
+
+  bool something_ends(std::size_t k, const SlabTask& task) const {
+    std::vector<bool> lower(slice(k).regions(), false), upper(slice(k + 1).regions(), false);
+    for (const RegionLink& link : task.correspondences.links) lower[link.lower] = upper[link.upper] = true;
+    return std::count(lower.begin(), lower.end(), false) + std::count(upper.begin(), upper.end(), false) > 0;
   }
 
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }

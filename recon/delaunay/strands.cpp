@@ -42,6 +42,7 @@ Strands::Strands(const Reconstruction& made, const ContourStack& ordered, const 
   }
   first_.push_back(sections_.size());
   pieces_ = UnionFind(sections_.size());
+  for (Section& section : sections_) section.open = section.slice == 0 || section.slice + 1 == ordered.slices.size();
   if (what == Of::material) {
     for (const MadeLink& link : made.links)
       if (link.link.structure == structure) join(link.link.slice, link.link.lower, link.link.upper);
@@ -66,6 +67,8 @@ void Strands::join(std::size_t slice, std::optional<std::size_t> lower, std::opt
              above = upper ? number(slice + 1, *upper) : std::nullopt;
   if (below) sections_[*below].linked_above = true;
   if (above) sections_[*above].linked_below = true;
+  if (below && !upper) sections_[*below].open = true;
+  if (above && !lower) sections_[*above].open = true;
   if (below && above) pieces_.join(static_cast<std::uint32_t>(*below), static_cast<std::uint32_t>(*above));
 }
 

@@ -19,6 +19,7 @@ struct Section {
   double area = 0;  // within the ring
   Point2 centre;
   bool linked_below = false, linked_above = false;
+  bool open = false;  // of a void: it goes on to the outside, or lies in a slice at an end of the stack
 };
 
 /// Two sections on neighbouring slices, of different pieces, that face each other: at least one of them ends here.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "recon/core/union_find.h"
+#include "recon/delaunay/bits.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -36,7 +37,10 @@ class Tracker {
     link_entries();
     link_overlaps();
     link_entries();
+    link_bits();
+    link_outlets();
     ask_about_free_ends();
+    ask_about_openings();
     for (auto& links : result_.links)
       std::sort(links.begin(), links.end(), [](const TrackedLink& a, const TrackedLink& b) {
         return std::pair(a.lower, a.upper) < std::pair(b.lower, b.upper);
@@ -145,8 +149,10 @@ class Tracker {
   /// Will the area be much smaller one slab on, if it goes on changing as it did?
   bool running_out(std::size_t k, std::uint32_t i, bool up) const {
     const auto last = before(k, i, up);
-    if (!last) return false;
-    const double area = graph_.shape(k, i).area, was = graph_.shape(up ? k - 1 : k + 1, *last).area;
+    return last && running_out(k, i, up, *last);
+  }
+  bool running_out(std::size_t k, std::uint32_t i, bool up, std::uint32_t last) const {
+    const double area = graph_.shape(k, i).area, was = graph_.shape(up ? k - 1 : k + 1, last).area;
     const double then = area + (area - was) * graph_.height(up ? k : k - 1) / height_before(k, up);
     return then < limits::track_taper * area;
   }
@@ -212,7 +218,32 @@ class Tracker {
         else if (share >= limits::track_overlap)
           dispute(k, link.lower, link.upper);
       }
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        if (alone(k, i))
+          for (const bool up : {true, false}) propose_overlaps(k, i, up, proposals);
     decide(proposals, limits::track_overlap, limits::track_overlap_clear, TrackedBy::overlap);
+  }
+
+  /// Linked with nothing on either side.
+  bool alone(std::size_t k, std::uint32_t i) const {
+    return !graph_.shape(k, i).unbounded && graph_.above(k, i).empty() && graph_.below(k, i).empty();
+  }
+
+  /// A sliver may lie over a region with no point of the Voronoi overlay in both.
+  void propose_overlaps(std::size_t k, std::uint32_t i, bool up, std::vector<Proposal>& proposals) const {
+    if (!(up ? graph_.free_above(k, i) : graph_.free_below(k, i))) return;
+    const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+    for (std::uint32_t j = 0; j < graph_.slices()[beyond].shapes.size(); ++j) {
+      const std::uint32_t lower = up ? i : j, upper = up ? j : i;
+      const auto& known = slabs_[slab].overlapping;
+      const bool seen = std::any_of(known.begin(), known.end(), [&](const RegionLink& link) {
+        return link.lower == lower && link.upper == upper;
+      });
+      if (seen || is_apart(slab, lower, upper) || graph_.shape(beyond, j).unbounded) continue;
+      const double share = overlap_share(graph_.shape(k, i), graph_.shape(beyond, j));
+      if (share >= limits::track_overlap) proposals.push_back({slab, lower, upper, share, up, !up});
+    }
   }
 
   /// An overlap that was passed over for a tracked link on the same side.
@@ -237,6 +268,64 @@ class Tracker {
         make(p.slab, p.lower, p.upper, by, p.share >= clear);
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
+    }
+  }
+
+  // ---- bits
+  // -----------------------------------------------------------------------------------------------------------
+
+  void link_bits() {
+    const auto ends_by_itself = [this](std::size_t k, std::uint32_t i, bool up) {
+      const auto& inner = up ? graph_.below(k, i) : graph_.above(k, i);
+      return inner.size() == 1 && running_out(k, i, up, inner.front());
+    };
+    for (const BitLink& link : links_of_bits(graph_, apart_, ends_by_itself))
+      make(link.slab, link.lower, link.upper, TrackedBy::beside, false);
+    link_entries();
+  }
+
+  /// Voids that end beside a notch of the next slice. Only what hangs on a tracked link: a horn near the surface is no canal.
+  void link_outlets() {
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        for (const bool up : {true, false}) {
+          if (!(up ? graph_.free_above(k, i) : graph_.free_below(k, i)) || !hangs_on_tracked(k, i, up)) continue;
+          const std::size_t beyond = up ? k + 1 : k - 1;
+          if (has_outside(k) && has_outside(beyond) &&
+              leaves_through(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            make(up ? k : k - 1, up ? i : outside, up ? outside : i, TrackedBy::beside, false);
+        }
+  }
+
+  bool has_outside(std::size_t k) const {
+    return !graph_.slices()[k].shapes.empty() && graph_.shape(k, outside).unbounded;
+  }
+
+  /// A void that opens into the outside in the next slice, and is running out: it may close before.
+  void ask_about_openings() {
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        for (const bool up : {true, false}) {
+          const auto& beyond = up ? graph_.above(k, i) : graph_.below(k, i);
+          if (graph_.shape(k, i).unbounded || beyond.size() != 1 || !graph_.shape(up ? k + 1 : k - 1, beyond.front()).unbounded) continue;
+          if (running_out(k, i, up)) doubt(Choice::may_part, TrackedBy::overlap, up ? k : k - 1, up ? i : outside, up ? outside : i);
+        }
+  }
+
+  /// Does the row of like sections that ends here begin with a tracked link, or hold one?
+  bool hangs_on_tracked(std::size_t k, std::uint32_t i, bool up) const {
+    for (;;) {
+      const auto& inner = up ? graph_.below(k, i) : graph_.above(k, i);
+      if (inner.size() != 1) return false;
+      const std::uint32_t next = inner.front();
+      const auto& tracked = result_.links[up ? k - 1 : k];
+      if (std::any_of(tracked.begin(), tracked.end(), [&](const TrackedLink& link) {
+            return link.lower == (up ? next : i) && link.upper == (up ? i : next);
+          }))
+        return true;
+      if (!before(k, i, up)) return false;
+      k = up ? k - 1 : k + 1;
+      i = next;
     }
   }
 

@@ -9,7 +9,9 @@
 //   drift:   two free ends that continue each other's steady drift (drift.h), each the other's best;
 //   entry:   a free end that its drift takes into a shape, be that linked or not: a canal that joins the chamber, a
 //     fork. Not where the end is running out: a cusp's tip that leans towards another cusp is not joined with it;
-//   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made).
+//   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made, and for what is linked with
+//     nothing at all whatever it lies over);
+//   beside:  loose bits beside a body (bits.h), always doubtful.
 // Tracked links alone close no loop. Not supported: a line whose sections are linked wrongly already (two parallel
 // canals, so near that each lies over the other one slice on).
 
@@ -29,7 +31,7 @@ struct KnownLinks {
   ShapePairs apart;                     // never to be linked: the user's word
 };
 
-enum class TrackedBy { drift, entry, overlap };
+enum class TrackedBy { drift, entry, overlap, beside };
 
 struct TrackedLink {
   std::uint32_t lower = 0, upper = 0;

@@ -38,6 +38,26 @@ TEST_F(AnatomyCommand, TellsTheSamplePremolarsCanalsByName) {
   EXPECT_EQ(bytes_of("b.json"), bytes_of("a.json"));
 }
 
+TEST_F(AnatomyCommand, TellsTheSameOfAModelInAFile) {
+  ASSERT_EQ(odontoscope({"sample", "premolar", "--slice-spacing", "0.3", "-o", "p.json"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"anatomy", "p.json", "-o", "contours.json"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"reconstruct", "p.json", "-o", "p.glb", "-o", "p.gltf"}).exit_code, 0);
+  const auto contours = nlohmann::json::parse(bytes_of("contours.json"));
+  for (const std::string file : {"p.glb", "p.gltf"}) {
+    ASSERT_EQ(odontoscope({"anatomy", file, "-o", file + ".json"}).exit_code, 0);
+    const auto model = nlohmann::json::parse(bytes_of(file + ".json"));
+    // The slices given, whatever was interpolated between them.
+    EXPECT_NEAR(model.at("slice_spacing").get<double>(), 0.3, 1e-4) << file;
+    EXPECT_NEAR(contours.at("slice_spacing").get<double>(), 0.3, 1e-4);
+    ASSERT_EQ(model.at("canals").size(), contours.at("canals").size());
+    for (std::size_t c = 0; c < model.at("canals").size(); ++c)
+      for (const char* figure : {"length", "mean_width"}) {
+        const double one = contours.at("canals")[c].at(figure), other = model.at("canals")[c].at(figure);
+        EXPECT_NEAR(one, other, 0.02 * one) << figure << " in " << file;
+      }
+  }
+}
+
 TEST_F(AnatomyCommand, WithoutAVoidSaysSoAndEndsWithOne) {
   const Ending told = odontoscope({"anatomy", "block.json"});
   EXPECT_EQ(told.exit_code, 1);

@@ -315,6 +315,25 @@ TEST(Blend, TakesTheNearerSliceWhereDoublesAreTooCoarse) {
   EXPECT_EQ(slab.blended()[2], upper);
 }
 
+TEST(Blend, TakesTheNearerSliceWhereAreasAreNoNumbers) {
+  for (const double size : {1e-155, 1e-162, 1e-300, 1e-320}) {   // squared they are denormal, or nothing
+    const Outline lower{circle(size)}, upper{circle(2 * size)};
+    const Slab slab{lower, upper, {{{0, 0}}, {}}, {}, {}};
+    EXPECT_EQ(slab.blended()[0], lower);
+    EXPECT_EQ(slab.blended()[2], upper);
+    EXPECT_EQ(need(lower, upper).travel, 0);
+  }
+}
+
+TEST(Blend, TellsRegionsFromHolesHoweverSmall) {
+  for (const double size : {1e-162, 1e-300}) {
+    const Outline lower{circle(2, {5, 0}), circle(size), hole(circle(size / 2))}, upper = lower;
+    EXPECT_NO_THROW((Slab{lower, upper, {{{0, 0}, {1, 1}}, {{2, 2}}}, {}, {}}.blended()));
+  }
+  const Outline needle{{{0, 0}, {3, 1}, {1.5, 0.5000000000000001}}};   // its area is less than its rounding
+  EXPECT_NO_THROW((Slab{needle, needle, {{{0, 0}}, {}}, {}, {}}.blended()));
+}
+
 TEST(Blend, RefusesLinksAndSharesThatMeanNothing) {
   EXPECT_THROW((Slab{ring(2, 1), ring(2, 1), {{{1, 0}}, {}}, {}, {}}.blended()), InternalError);
   EXPECT_THROW((Slab{ring(2, 1), ring(2, 1), {{}, {{0, 1}}}, {}, {}}.blended()), InternalError);

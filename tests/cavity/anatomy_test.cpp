@@ -13,6 +13,7 @@
 #include "recon/cavity/names.h"
 #include "recon/cavity/plane_loops.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/mesh/given_slices.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/cavity/voids.h"
 #include "tests/mesh/shapes.h"
@@ -300,6 +301,58 @@ TEST(Names, OfAnotherToothAreNumbers) {
   name_as_sample(lines);
   EXPECT_EQ(lines.canals[0].name, "canal 1");
   EXPECT_EQ(lines.canals[2].name, "canal 3");
+}
+
+/// Circles of so many corners, closed above and below by slices without.
+ContourStack closed_canal(int corners, double radius, double spacing) {
+  ContourStack stack;
+  for (int k = 0; k <= 20; ++k) {
+    Slice slice{k * spacing, {}};
+    for (const double r : {4.0, radius}) {
+      if (r == radius && (k < 2 || k > 18)) continue;
+      Contour contour;
+      for (int i = 0; i < corners; ++i) contour.points.push_back({r * std::cos(2 * std::numbers::pi * i / corners), r * std::sin(2 * std::numbers::pi * i / corners)});
+      slice.contours.push_back(std::move(contour));
+    }
+    stack.slices.push_back(std::move(slice));
+  }
+  return stack;
+}
+
+TEST(Anatomy, OfAClosedCanalHasTheWidthOfItsPolygons) {
+  constexpr int corners = 40;
+  for (const double radius : {0.5, 0.6}) {
+    const Reconstruction model = reconstruct(closed_canal(corners, radius, 0.5));
+    const Anatomy made = measure_anatomy({{"tooth", &model.solids.at(0).surface}}, {}, model.counts.slices);
+    ASSERT_EQ(made.canals.size(), 1u);
+    const double width = 2 * radius * std::cos(std::numbers::pi / corners);
+    EXPECT_NEAR(made.canals[0].mean_width, width, 0.7 * percent * width);
+    ASSERT_TRUE(made.canals[0].narrowest);
+    EXPECT_LE(made.canals[0].narrowest->width, made.canals[0].mean_width);
+    EXPECT_NEAR(made.slice_spacing, 0.5, 1e-9);
+    EXPECT_NEAR(made.canals[0].mean_width, 2 * radius, made.uncertainties[0].mean_width);   // the circle's, too
+  }
+}
+
+TEST(Anatomy, KnowsTheGivenSlicesWhateverLiesBetween) {
+  ReconstructOptions blended;
+  blended.between = Between::blended;
+  SampleOptions options;
+  options.slice_spacing = 0.35;
+  const ContourStack stack = sample_tooth(ToothKind::premolar, options);
+  const Reconstruction model = reconstruct(stack, blended);
+  std::vector<StructureSurface> parts;
+  for (const Solid& solid : model.solids) parts.push_back({solid.structure, &solid.surface});
+  const Anatomy made = measure_anatomy(parts, {}, stack.slices.size());
+  EXPECT_NEAR(made.slice_spacing, 0.35, 1e-6);
+  EXPECT_LT(measure_anatomy(parts).slice_spacing, 0.3);   // the wall's own heights are those of interpolated slices, too
+}
+
+TEST(SlicesGiven, AreReadFromTheCertificateOfAGltfFile) {
+  const auto given = [](const std::string& extras) { return slices_given(R"({"asset":{"version":"2.0","extras":)" + extras + "}}", "a.gltf"); };
+  EXPECT_EQ(given(R"({"slices_checked":57})"), 57u);
+  for (const char* other : {R"({})", R"([57])", R"({"slices_checked":1})", R"({"slices_checked":-3})", R"({"slices_checked":2.5})", R"({"slices_checked":1e9})", R"({"slices_checked":"57"})"})
+    EXPECT_FALSE(given(other)) << other;
 }
 
 TEST(PlaneLoops, AreTheClosedSectionsOfASurface) {

@@ -98,7 +98,7 @@ StrangeWay way_of(std::uint64_t seed) {
   return ways[seed / strange_kinds().size() % std::size(ways)];
 }
 
-StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience) {
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience, bool judged) {
   StrangeOutcome outcome;
   const ReconstructOptions options{.correspondence = way.criterion, .between = way.between, .links = linked.links, .threads = 1};
   const double start = processor_seconds();
@@ -111,7 +111,7 @@ StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, doub
     const Patience watch(patience, linked);
     const Reconstruction result = reconstruct(linked.stack, options, {.report = {}, .stop = watch.token()});
     outcome.seconds = processor_seconds() - start;
-    judge_result(result, linked, options, outcome);
+    if (judged) judge_result(result, linked, options, outcome);
   } catch (const InputError& refusal) {
     const std::string wrong = what_is_false(refusal, linked.stack, linked.links);
     ends(wrong.empty() ? StrangeEnd::refused : StrangeEnd::false_refusal, wrong.empty() ? refusal.cause() : wrong);

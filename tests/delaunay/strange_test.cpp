@@ -1,6 +1,7 @@
 // Strange stacks: no valid one may fail. ODONTOSCOPE_STRANGE_STACKS says how many (default 400 cheap ones; if it is set, of any size), ODONTOSCOPE_STRANGE_FIRST_SEED
 // where to begin, ODONTOSCOPE_STRANGE_KIND which kind alone, ODONTOSCOPE_STRANGE_FOLDER where shrunk failures are written, ODONTOSCOPE_STRANGE_CHEAP that cheap ones
 // will do, ODONTOSCOPE_STRANGE_LARGE that all have some 2,000 points, ODONTOSCOPE_STRANGE_BETWEEN (blended, delaunay) how all are made. The first failure of each sort and kind is shrunk. Each shard prints a summary.
+// ODONTOSCOPE_STRANGE_TIMES, a number of stacks of each kind with some 2,000 points, makes StrangeTimes measure how long they take by `tracked`, both ways between slices.
 
 #include <gtest/gtest.h>
 
@@ -114,6 +115,25 @@ TEST_P(StrangeStackShard, NeverFails) {
     }
   }
   tally.print(std::cout, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+}
+
+TEST(StrangeTimes, AreBelowTenSecondsForTwoThousandPoints) {
+  const std::uint64_t each = std::strtoull(from_environment("ODONTOSCOPE_STRANGE_TIMES", "0"), nullptr, 10);
+  if (each == 0) GTEST_SKIP() << "by command only";
+  const std::uint64_t first = std::strtoull(from_environment("ODONTOSCOPE_STRANGE_FIRST_SEED", "0"), nullptr, 10);
+  const std::string kind = from_environment("ODONTOSCOPE_STRANGE_KIND", "");
+  for (std::uint64_t seed = first; seed < first + each * strange_kinds().size(); ++seed) {
+    const StrangeStack strange = strange_stack(seed, StrangeSize::large);
+    if (!kind.empty() && strange.kind != kind) continue;
+    std::cout << strange.kind << " (seed " << seed << "), " << points_of(strange.stack) << " points:";
+    for (const Between between : {Between::delaunay, Between::blended}) {
+      const StrangeOutcome outcome = outcome_of({strange.stack, strange.links}, {Correspondence::tracked, between}, 60, false);
+      std::cout << " " << outcome.seconds << " s" << (outcome.end == StrangeEnd::certified ? "" : ", " + outcome.sort());
+      EXPECT_FALSE(outcome.failed()) << outcome.message;
+      EXPECT_LE(outcome.seconds, slowest_allowed) << strange.kind << ", seed " << seed;
+    }
+    std::cout << std::endl;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, StrangeStackShard, testing::Range(0, shards));

@@ -169,7 +169,9 @@ struct Tracked {
       found += std::count_if(links.begin(), links.end(), [by](const TrackedLink& link) { return link.by == by; });
     return found;
   }
-  std::size_t count() const { return count(TrackedBy::drift) + count(TrackedBy::entry) + count(TrackedBy::overlap); }
+  std::size_t count() const {
+    return count(TrackedBy::drift) + count(TrackedBy::entry) + count(TrackedBy::overlap) + count(TrackedBy::beside);
+  }
 
   /// All links, made and tracked: slab, lower, upper.
   std::set<std::tuple<std::size_t, std::uint32_t, std::uint32_t>> links() const {
@@ -329,6 +331,47 @@ TEST(Tracking, AnAccessoryCanalJoinsTheChamber) {
     EXPECT_EQ(made.count(TrackedBy::entry), 1u);
     EXPECT_EQ(made.tracking.links[4].size(), 1u);
   }
+}
+
+// ---- bits beside a body
+// ---------------------------------------------------------------------------------------------------
+
+/// A chamber through ten slices, and a canal so flat that only two sections show, `gap` mm from it and from each other.
+Scene flat_canal(double gap) {
+  Scene scene;
+  for (int k = 0; k < 10; ++k) scene.push_back({{{0, 0}, 0.4}});
+  scene[5].push_back({{0.4 + gap + thin, 0}, thin});
+  scene[4].push_back({{0.4 + 2 * gap + 3 * thin, 0.1}, thin});
+  return scene;
+}
+
+TEST(Tracking, BeadsBesideABodyAreItsPartsAndAreAskedAbout) {
+  for (const Tracked& made :
+       {tracked(stack_of_discs(flat_canal(0.2), cut)), tracked_voids(stack_of_holes(flat_canal(0.2), cut))}) {
+    EXPECT_EQ(made.pieces(), 1u);
+    EXPECT_EQ(made.count(TrackedBy::beside), 2u);
+    EXPECT_EQ(std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                            [](const DoubtfulLink& d) { return d.by == TrackedBy::beside && d.choice == Choice::may_part; }),
+              2);
+  }
+}
+
+TEST(Tracking, BeadsFarFromTheBodyAreLeftAlone) {
+  const Tracked made = tracked(stack_of_discs(flat_canal(0.8), cut));
+  EXPECT_EQ(made.count(TrackedBy::beside), 0u);
+  EXPECT_EQ(made.pieces(), 3u);
+}
+
+TEST(Tracking, BeadsThatTheUserKeepsApartAreLeftAlone) {
+  const Tracked made = tracked(stack_of_discs(flat_canal(0.2), cut), Correspondence::medial, {{4, {{1, 1}}}});
+  EXPECT_TRUE(made.tracking.links[4].empty() || !made.links().contains({4, 1, 1}));
+}
+
+TEST(Tracking, OfManyBitsNoneIsToldFromNoise) {
+  Scene scene = flat_canal(0.2);
+  for (int i = 0; i < 60; ++i)
+    scene[2 * (i % 4) + 1].push_back({{3 + 0.5 * (i / 4), 0.5 * (i % 4)}, 0.05});
+  EXPECT_EQ(tracked(stack_of_discs(scene, cut)).count(TrackedBy::beside), 0u);
 }
 
 // ---- what is two things

@@ -15,7 +15,7 @@ Ring blob(RandomNumbers& random, int points, double radius) {
 }
 
 /// Contours so small that squares of their size are denormal, or nothing.
-[[maybe_unused]] ContourStack minute(RandomNumbers& random, int points) {
+ContourStack minute(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3);
   const double size = one_of(random, {1e-60, 1e-100, 1e-155, 1e-162, 1e-200, 1e-300, 1e-307, 5e-320});
   std::vector<Rings> slices;
@@ -175,7 +175,7 @@ ContourStack fans(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& trifle_makers() {
-  static const std::vector<NamedMaker> makers{{"vast", vast}, {"exactly-straight", exactly_straight}, {"generations", generations},
+  static const std::vector<NamedMaker> makers{{"minute", minute}, {"vast", vast}, {"exactly-straight", exactly_straight}, {"generations", generations},
                                               {"nearly-equal", nearly_equal}, {"carpets", carpets}, {"fans", fans}};
   return makers;
 }

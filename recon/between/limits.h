@@ -1,0 +1,17 @@
+#pragma once
+// Bounds of what is told apart between two slices; those of blending itself are in recon/core/limits.h.
+
+namespace odontoscope::between::limits {
+
+/// A place where only one slice has material juts out like a strip if it is this many times as long as wide (between nested
+/// contours: once), surely so from the second number on.
+inline constexpr double strip_least = 2.5, strip_certain = 3.5;
+/// Shorter ones, in steps of the grid, are left to the blend, and those up to twice as long in part.
+inline constexpr double strip_steps = 8;
+/// Neighbours towards which a way grows by at least this part of their distance lie straight ahead: between two of eight
+/// neighbours it is 0.92.
+inline constexpr double strip_ahead = 0.8;
+/// Along the middle of a bent strip the way grows by at least this part of each step; across it, by at most this many steps.
+inline constexpr double strip_onwards = 0.3, strip_level = 1;
+
+}  // namespace odontoscope::between::limits
