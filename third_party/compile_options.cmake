@@ -12,8 +12,10 @@ if(ODONTOSCOPE_SANITIZE)
 endif()
 
 # A room of the house: one folder, one library, linked only against the rooms that data flows in from.
+# LIGHT: nothing in it computes for long, so that a release need not spend time on more than -O1.
+# APART: its files are compiled one by one where those of other rooms are compiled together (CMAKE_UNITY_BUILD).
 function(odontoscope_room name)
-  cmake_parse_arguments(ROOM "" "" "SOURCES;ROOMS;PACKAGES;PRIVATE_PACKAGES" ${ARGN})
+  cmake_parse_arguments(ROOM "LIGHT;APART" "" "SOURCES;ROOMS;PACKAGES;PRIVATE_PACKAGES" ${ARGN})
   add_library(odontoscope_${name} STATIC ${ROOM_SOURCES})
   add_library(odontoscope::${name} ALIAS odontoscope_${name})
   set_target_properties(odontoscope_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
@@ -21,6 +23,12 @@ function(odontoscope_room name)
   target_include_directories(odontoscope_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/odontoscope>)
   target_link_libraries(odontoscope_${name} PRIVATE $<BUILD_INTERFACE:odontoscope_options>)
+  if(ROOM_APART)
+    set_target_properties(odontoscope_${name} PROPERTIES UNITY_BUILD OFF)
+  endif()
+  if(ROOM_LIGHT)
+    target_compile_options(odontoscope_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
   foreach(room IN LISTS ROOM_ROOMS)
     target_link_libraries(odontoscope_${name} PUBLIC odontoscope_${room})
   endforeach()

@@ -3,7 +3,7 @@
 # before anything else is installed. Messages go to stderr, so that the output of the program itself stays clean.
 #
 #   install_packages LIST ...   what these lists of third_party/ name and the machine lacks
-#   build PRESET FOLDER TARGET  configures FOLDER by the preset unless it is, then builds TARGET
+#   build PRESET FOLDER TARGET ...  configures FOLDER by the preset unless it is, then builds TARGETs
 
 newly_installed=no
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -97,12 +97,13 @@ configure() {
 }
 
 build() {
-  local preset=$1 folder=$2 target=$3
+  local preset=$1 folder=$2
+  shift 2
   cd "$root" || exit 1
   configure "$preset" "$folder"
-  if [[ $(ninja -C "$folder" -n "$target" 2>/dev/null) == *"no work to do"* ]]; then return; fi
+  if [[ $(ninja -C "$folder" -n "$@" 2>/dev/null) == *"no work to do"* ]]; then return; fi
   local jobs
   jobs=$(jobs_that_fit)
-  say "Building $folder ($target, $jobs at a time; the first time takes minutes)"
-  ninja -C "$folder" -j "$jobs" "$target" >&2 || fail "the build failed. Its words are above."
+  say "Building $folder ($*, $jobs at a time; the first time takes minutes)"
+  ninja -C "$folder" -j "$jobs" "$@" >&2 || fail "the build failed. Its words are above."
 }

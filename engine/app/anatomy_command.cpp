@@ -19,7 +19,7 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct AnatomyArguments {
   std::string input;
   DtWords dt;
   VolumeWords volume;
@@ -132,7 +132,7 @@ void tell(const Anatomy& anatomy, const std::vector<NamedMesh>& whole, Console& 
   if (anatomy.roots.empty() && !anatomy.canals.empty()) console.say("The outside of the tooth is not there: no walls, no roots.");
 }
 
-ExitCode run(const Options& options, Session& session) {
+ExitCode run(const AnatomyArguments& options, Session& session) {
   PlannedFiles files;
   for (const std::string& file : options.outputs) known_ending(file, {".json", ".csv"});
   files.outputs = options.outputs;
@@ -157,7 +157,7 @@ ExitCode run(const Options& options, Session& session) {
 
 Command anatomy_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("anatomy", "Volumes, canals, widths, walls and branching in numbers");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<AnatomyArguments>();
   parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
   repeatable(parser->add_option("-o,--output", options->outputs, "All as JSON, or one row a canal as CSV; repeatable"))->type_name("FILE.json|.csv");
   add_dt_options(*parser, options->dt);

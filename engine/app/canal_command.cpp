@@ -15,7 +15,7 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct CanalArguments {
   double width = CanalTooth{}.canal;
   std::vector<int> grids;
   std::string plot, report;
@@ -33,7 +33,7 @@ void tell(const CanalExperiment& experiment, Console& console) {
     console.say(fmt::format("DB grid {:>4}: {}", result.grid, words(result)));
 }
 
-ExitCode run_experiment(const Options& options, Session& session) {
+ExitCode run_experiment(const CanalArguments& options, Session& session) {
   if (!options.plot.empty()) known_ending(options.plot, {".svg"});
   if (!options.report.empty()) known_ending(options.report, {".json"});
   PlannedFiles files;
@@ -60,7 +60,7 @@ ExitCode run_experiment(const Options& options, Session& session) {
 
 Command canal_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("canal", "Experiment: which grids keep a thin root canal open");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CanalArguments>();
   constexpr int most_points = 2048;
   parser->add_option("--width", options->width, "Width of the canal, mm (default: 0.25)")->type_name("MM");
   repeatable(

@@ -23,12 +23,12 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct CheckArguments {
   std::string file;
   std::string report;
 };
 
-void tell_shells(const std::vector<Shell>& shells, Console& console) {
+void tell_all_shells(const std::vector<Shell>& shells, Console& console) {
   constexpr std::size_t most_lines = 10;
   for (std::size_t i = 0; i < std::min(shells.size(), most_lines); ++i) console.say("  " + shell_in_words(shells[i]));
   if (shells.size() > most_lines) console.say(fmt::format("  and {} smaller ones", shells.size() - most_lines));
@@ -38,7 +38,7 @@ void tell_surface(const NamedSurfaceReport& mesh, Console& console) {
   const SurfaceReport& report = mesh.report;
   console.say(fmt::format("{}: {}, {}", mesh.name.empty() ? "surface" : mesh.name, counted(report.triangles, "triangle"),
                           counted(report.vertices, "vertex", "vertices")));
-  tell_shells(report.shells, console);
+  tell_all_shells(report.shells, console);
   console.say(fmt::format("  smallest angle {} degrees (median {}), aspect ratio at most {} (median {})",
                           measured(report.smallest_angle_deg.min), measured(report.smallest_angle_deg.median),
                           measured(report.aspect_ratio.max), measured(report.aspect_ratio.median)));
@@ -47,7 +47,7 @@ void tell_surface(const NamedSurfaceReport& mesh, Console& console) {
   else console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
 }
 
-ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const Options& options, Session& session) {
+ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const CheckArguments& options, Session& session) {
   std::vector<NamedSurfaceReport> reports;
   for (const NamedMesh& mesh : meshes) {
     session.progress().check();
@@ -64,7 +64,7 @@ ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const Options& optio
   return sound ? ExitCode::done : ExitCode::found_wanting;
 }
 
-ExitCode check_stack(const ContourStack& stack, const Options& options, Session& session) {
+ExitCode check_stack(const ContourStack& stack, const CheckArguments& options, Session& session) {
   validate(stack, session.progress());
   session.console.say(fmt::format("{}: {}", options.file, stack_in_words(stack)));
   std::vector<double> heights;
@@ -80,7 +80,7 @@ ExitCode check_stack(const ContourStack& stack, const Options& options, Session&
   return ExitCode::done;
 }
 
-[[noreturn]] void refuse(FileKind kind, const std::string& file) {
+[[noreturn]] void refuse_to_check(FileKind kind, const std::string& file) {
   if (kind == FileKind::volume) {
     throw UsageError(fmt::format("{} is a volume image; check judges contour stacks and meshes", file),
                      fmt::format("Contours of it: odontoscope contours {} --iso T -o FILE.json", file));
@@ -91,11 +91,11 @@ ExitCode check_stack(const ContourStack& stack, const Options& options, Session&
                    "Give a file of one of these formats");
 }
 
-void refuse_report(const Options& options) {
+void refuse_report(const CheckArguments& options) {
   if (!options.report.empty()) throw UsageError("--report is for meshes, and this is a contour stack", "Leave it out");
 }
 
-ExitCode check(const Options& options, Session& session) {
+ExitCode check(const CheckArguments& options, Session& session) {
   if (!options.report.empty()) {
     known_ending(options.report, {".json"});
     refuse_unwritable({.inputs = {options.file}, .outputs = {options.report}});
@@ -107,7 +107,7 @@ ExitCode check(const Options& options, Session& session) {
   }
   const FileKind kind = kind_of(bytes, options.file);
   if (const auto meshes = meshes_in(kind, bytes, options.file)) return check_meshes(*meshes, options, session);
-  if (kind != FileKind::contour_stack) refuse(kind, options.file);
+  if (kind != FileKind::contour_stack) refuse_to_check(kind, options.file);
   refuse_report(options);
   return check_stack(parse_stack(bytes, options.file), options, session);
 }
@@ -116,7 +116,7 @@ ExitCode check(const Options& options, Session& session) {
 
 Command check_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("check", "Judge a mesh or a contour stack; exit code 1 if found wanting");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckArguments>();
   parser->add_option("FILE", options->file, "Mesh (GLB, glTF, STL, PLY, OBJ) or contours; told by its content")
       ->required()
       ->type_name("");

@@ -21,7 +21,7 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct CompareArguments {
   std::string input;
   VolumeWords words;
   DtWords dt;
@@ -29,7 +29,7 @@ struct Options {
   std::string report, html;
 };
 
-void refuse_senseless(const Options& options) {
+void refuse_senseless_comparison(const CompareArguments& options) {
   if (!options.report.empty()) known_ending(options.report, {".json"});
   if (!options.html.empty()) known_ending(options.html, {".html"});
   refuse_senseless(options.dt);
@@ -73,8 +73,8 @@ std::string draw(Comparison& comparison, Session& session) {
   }
 }
 
-ExitCode compare_methods(const Options& options, Session& session) {
-  refuse_senseless(options);
+ExitCode compare_methods(const CompareArguments& options, Session& session) {
+  refuse_senseless_comparison(options);
   if (options.words.any_level()) understood(options.words);
   CompareOptions engines;
   engines.db = understood(options.db, session.threads);
@@ -104,7 +104,7 @@ ExitCode compare_methods(const Options& options, Session& session) {
 
 Command compare_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("compare", "DT, DB and decimated DB of the same contours, side by side");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareArguments>();
   parser->add_option("INPUT", options->input, "Contour stack (.json), or with --iso or --label a volume")
       ->required()
       ->type_name("");

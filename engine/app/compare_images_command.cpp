@@ -12,12 +12,12 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct CompareImagesArguments {
   std::string a, b, difference;
   ImageTolerance tolerance;
 };
 
-ExitCode compare_images(const Options& options, Session& session) {
+ExitCode compare_images(const CompareImagesArguments& options, Session& session) {
   if (!options.difference.empty()) {
     known_ending(options.difference, {".png"});
     refuse_unwritable({.inputs = {options.a, options.b}, .outputs = {options.difference}});
@@ -40,7 +40,7 @@ ExitCode compare_images(const Options& options, Session& session) {
 
 Command compare_images_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("compare-images", "Are two PNGs the same, within a tolerance? Exit code 1 if not");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CompareImagesArguments>();
   parser->add_option("A", options->a, "A PNG")->required()->type_name("");
   parser->add_option("B", options->b, "Another one")->required()->type_name("");
   parser->add_option("--channel", options->tolerance.channel, "Difference of a channel that is none, of 255")

@@ -16,7 +16,7 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct ContoursArguments {
   std::string input;
   VolumeWords words;
   ForeignWords foreign;
@@ -25,19 +25,19 @@ struct Options {
   bool histogram = false;
 };
 
-ContourStack stack_of(const Options& options, Session& session, Whence& whence) {
+ContourStack stack_of(const ContoursArguments& options, Session& session, Whence& whence) {
   if (options.words.any_level()) return contours_told(options.input, understood(options.words), session, nullptr, nullptr, &whence);
   ContourStack stack = converted_told(options.input, options.foreign, session, &whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
-ExitCode show_histogram(const Options& options, Session& session) {
+ExitCode show_histogram(const ContoursArguments& options, Session& session) {
   if (!options.outputs.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
   tell_histogram(options.input, understood(options.words), session);
   return ExitCode::done;
 }
 
-void refuse_senseless(const Options& options) {
+void refuse_senseless(const ContoursArguments& options) {
   if (options.outputs.empty()) throw UsageError("-o is missing: nothing says where to write the contours", "Give -o FILE.json, or look at a volume's values with --histogram");
   for (const std::string& output : options.outputs) {
     if (!is_structures_file(output)) known_ending(output, {".json", ".dcm", ".seg.dcm", ".seg.nrrd"});
@@ -50,7 +50,7 @@ void refuse_senseless(const Options& options) {
   refuse_unwritable({.inputs = {options.input}, .outputs = options.outputs});
 }
 
-ExitCode make_contours(const Options& options, Session& session) {
+ExitCode make_contours(const ContoursArguments& options, Session& session) {
   if (options.histogram) return show_histogram(options, session);
   refuse_senseless(options);
   Whence whence;
@@ -71,7 +71,7 @@ ExitCode make_contours(const Options& options, Session& session) {
 Command contours_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("contours", "Contours of a volume, a mesh, or another program's contour file");
   parser->alias("section");   // of a model: the way back to contours
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ContoursArguments>();
   parser
       ->add_option("INPUT", options->input,
                    "Volume, mesh, or other program's contours; see below")

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CorpusArguments {
   std::string folder;
   ChildBounds bounds;
   std::vector<std::string> outputs;
@@ -70,7 +70,7 @@ Row read_apart(const std::string& file, const ChildBounds& bounds, const std::st
   return volume;
 }
 
-std::vector<Row> rows_of(const std::vector<std::string>& files, const Options& options, Session& session) {
+std::vector<Row> rows_of(const std::vector<std::string>& files, const CorpusArguments& options, Session& session) {
   std::vector<Row> rows(files.size());
   std::atomic<std::size_t> next{0}, done{0};
   std::mutex telling;
@@ -127,7 +127,7 @@ void tell(const std::vector<Row>& rows, Console& console) {
   console.say(fmt::format("  most memory {:.0f} MiB: {}", largest->ending.megabytes, largest->file));
 }
 
-ExitCode read_corpus(const Options& options, Session& session) {
+ExitCode read_corpus(const CorpusArguments& options, Session& session) {
   for (const std::string& output : options.outputs) known_ending(output, {".csv", ".md"});
   refuse_unwritable({.inputs = {}, .outputs = options.outputs});
   const std::vector<Row> rows = rows_of(files_in(options.folder), options, session);
@@ -150,7 +150,7 @@ ExitCode read_corpus(const Options& options, Session& session) {
 
 Command corpus_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("corpus", "Read every file of a folder, each in a process of its own, and say what became of it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CorpusArguments>();
   parser->add_option("FOLDER", options->folder, "Files and those in folders below; links are not followed")->required()->type_name("");
   parser->add_option("--timeout", options->bounds.seconds, "Most seconds for a file (default: 60)")->type_name("S")->check(at_least_zero());
   constexpr int most_megabytes = 1 << 20;

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr int least_side = 64, most_side = 4096, least_grid = 16, most_grid = 512;
 
-struct Options {
+struct FiguresArguments {
   std::string input, folder;
   VolumeWords volume;
   std::vector<int> only;
@@ -33,7 +33,7 @@ struct Options {
   std::string backend = "auto";
 };
 
-std::vector<int> wanted_figures(const Options& options) {
+std::vector<int> wanted_figures(const FiguresArguments& options) {
   std::vector<int> numbers = options.only;
   if (numbers.empty())
     for (const figures::Entry& entry : figures::paper_figures()) numbers.push_back(entry.number);
@@ -69,7 +69,7 @@ void write_into(const fs::path& folder, const std::vector<FileContent>& files, I
   }
 }
 
-std::optional<ContourStack> contours_of(const Options& options, Session& session) {
+std::optional<ContourStack> contours_of(const FiguresArguments& options, Session& session) {
   if (options.input.empty()) {
     if (options.volume.any_level()) throw UsageError("--iso and --label want a volume", "Name it before the options");
     return std::nullopt;
@@ -85,7 +85,7 @@ std::string about(const figures::ToothModels& tooth) {
   return fmt::format("The tooth is {}; DB's grid has {} points along each side.", tooth.name().empty() ? "yours" : tooth.name(), tooth.grid());
 }
 
-ExitCode make_figures(const Options& options, Session& session) {
+ExitCode make_figures(const FiguresArguments& options, Session& session) {
   const std::vector<int> numbers = wanted_figures(options);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   const fs::path folder = options.folder;
@@ -119,7 +119,7 @@ ExitCode make_figures(const Options& options, Session& session) {
 
 Command figures_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("figures", "The paper's figures, computed anew, as pictures and a page");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FiguresArguments>();
   parser->add_option("INPUT", options->input, "Contour stack, or with --iso or --label a volume; none: the sample molar")->type_name("");
   parser->add_option("-o,--output", options->folder, "Folder for pictures and index.html; made if it is not there")->required()->type_name("DIR");
   repeatable(parser->add_option("--only", options->only, "This figure, 1 to 18; repeatable (default: all)"))

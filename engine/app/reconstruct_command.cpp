@@ -30,7 +30,7 @@ namespace {
 
 enum class Method { dt, db };
 
-struct Options {
+struct ReconstructArguments {
   std::string input;
   Method method = Method::dt;
   VolumeWords words;
@@ -58,7 +58,7 @@ std::vector<std::string> names_in(const std::string& list) {
                    "For example --together dentine,pulp");
 }
 
-void refuse_other_methods_options(const Options& options) {
+void refuse_other_methods_options(const ReconstructArguments& options) {
   if (options.method == Method::dt) {
     if (!options.db.any()) return;
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
@@ -89,7 +89,7 @@ bool is_gltf(const std::string& output) {
   return ending == ".glb" || ending == ".gltf";
 }
 
-void refuse_senseless_as_given(const Options& options) {
+void refuse_senseless_as_given(const ReconstructArguments& options) {
   if (!options.words.reshape.upright) throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
   if (options.method == Method::db) throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
   for (const std::string& output : options.outputs) {
@@ -98,7 +98,7 @@ void refuse_senseless_as_given(const Options& options) {
   }
 }
 
-void refuse_senseless(const Options& options) {
+void refuse_senseless(const ReconstructArguments& options) {
   refuse_other_methods_options(options);
   refuse_senseless(options.foreign, options.words.any_level());
   for (const std::string& output : options.outputs) {
@@ -121,7 +121,7 @@ void refuse_senseless(const Options& options) {
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
 }
 
-PlannedFiles planned_files(const Options& options) {
+PlannedFiles planned_files(const ReconstructArguments& options) {
   PlannedFiles files{.inputs = {options.input}, .outputs = options.outputs};
   if (!options.dt.links.empty()) files.inputs.push_back(options.dt.links);
   if (!options.report.empty()) files.outputs.push_back(options.report);
@@ -139,7 +139,7 @@ struct Made {
 
 /// The model in each format that was asked for. `Made::tell` is left to the caller.
 template <class MadeModel>
-Made files_of(const MadeModel& model, const Options& options, Session& session) {
+Made files_of(const MadeModel& model, const ReconstructArguments& options, Session& session) {
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
   for (const std::string& output : options.outputs) {
@@ -155,7 +155,7 @@ void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
 }
 
 /// Of the full solid, whatever --triangles says.
-std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence, const Options& options, Session& session) {
+std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence, const ReconstructArguments& options, Session& session) {
   std::vector<FileContent> files;
   for (const std::string& output : options.outputs) {
     if (is_structures_file(output)) files.push_back(structures_file(model, stack, output, options.voxels, whence, session));
@@ -169,7 +169,7 @@ struct Input {
   Whence whence;
 };
 
-Made made_by_dt(const ContourStack& stack, Input input, const Options& options, Session& session) {
+Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
   const auto model = std::make_shared<Model>(Model{reconstruct(stack, understood(options.dt, stack, session), session.progress()), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
@@ -189,7 +189,7 @@ Made made_by_dt(const ContourStack& stack, Input input, const Options& options, 
   return made;
 }
 
-Made made_by_db(const ContourStack& stack, const Options& options, Session& session) {
+Made made_by_db(const ContourStack& stack, const ReconstructArguments& options, Session& session) {
   const DbOptions engine = understood(options.db, session.threads);
   const auto model = std::make_shared<DbReconstruction>(reconstruct_by_distance(stack, engine, session.progress()));
   Made made = files_of(*model, options, session);
@@ -198,7 +198,7 @@ Made made_by_db(const ContourStack& stack, const Options& options, Session& sess
   return made;
 }
 
-ContourStack stack_of(const Options& options, Session& session, Input& input) {
+ContourStack stack_of(const ReconstructArguments& options, Session& session, Input& input) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
     return contours_of_input(options.input, options.words, session, &input.volume, &input.whence);
   }
@@ -221,7 +221,7 @@ bool refused_as_strict(const Made& made, Console& console) {
   return !made.missed.empty() || !made.look_here.empty();
 }
 
-ExitCode make_model(const Options& options, Session& session) {
+ExitCode make_model(const ReconstructArguments& options, Session& session) {
   refuse_senseless(options);
   if (options.words.any_level()) understood(options.words);
   understood(options.db, session.threads);
@@ -247,7 +247,7 @@ ExitCode make_model(const Options& options, Session& session) {
   return made.missed.empty() ? ExitCode::done : ExitCode::found_wanting;
 }
 
-void add_options(CLI::App& parser, Options& options) {
+void add_options(CLI::App& parser, ReconstructArguments& options) {
   parser.add_option("INPUT", options.input, "Contours (as contours --help lists), or a mesh or volume to take them from")
       ->required()
       ->type_name("");
@@ -280,7 +280,7 @@ void add_options(CLI::App& parser, Options& options) {
 
 Command reconstruct_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("reconstruct", "Contours or a CT volume to a solid, certified model");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReconstructArguments>();
   add_options(*parser, *options);
   parser->footer(
       "Examples:\n"

@@ -31,7 +31,7 @@ namespace {
 
 constexpr int most_frames = 3600;
 
-struct Options {
+struct RenderArguments {
   std::string input;
   DtWords dt;
   VolumeWords volume;
@@ -49,24 +49,24 @@ struct Options {
 constexpr int usual_frames = 120;
 constexpr double film_rate = 30;   // pictures a second
 
-bool on_tour(const Options& options) { return !options.tour.line.empty(); }
+bool on_tour(const RenderArguments& options) { return !options.tour.line.empty(); }
 
-bool to_film(const Options& options) {
+bool to_film(const RenderArguments& options) {
   const std::string ending = lower_case(std::filesystem::path(options.output).extension().string());
   return on_tour(options) && options.contact_sheet.empty() && std::find(film_endings().begin(), film_endings().end(), ending) != film_endings().end();
 }
 
-bool to_folder(const Options& options) { return on_tour(options) && options.contact_sheet.empty() && !to_film(options); }
+bool to_folder(const RenderArguments& options) { return on_tour(options) && options.contact_sheet.empty() && !to_film(options); }
 
-PixelSize size_of(const Options& options) {
+PixelSize size_of(const RenderArguments& options) {
   if (!options.size.empty()) return size_from(options.size);
   return options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240};
 }
 
-int frames_of(const Options& options) { return options.frames > 0 ? options.frames : usual_frames; }
+int frames_of(const RenderArguments& options) { return options.frames > 0 ? options.frames : usual_frames; }
 
 /// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ..., or the film or contact sheet alone.
-std::vector<std::string> picture_files(const Options& options) {
+std::vector<std::string> picture_files(const RenderArguments& options) {
   if (to_folder(options)) {
     std::vector<std::string> frames;
     for (int i = 0; i < frames_of(options); ++i) frames.push_back((std::filesystem::path(options.output) / fmt::format("frame-{:04}.png", i)).string());
@@ -80,7 +80,7 @@ std::vector<std::string> picture_files(const Options& options) {
   return files;
 }
 
-PlannedFiles planned_files(const Options& options) {
+PlannedFiles planned_files(const RenderArguments& options) {
   PlannedFiles files{.inputs = {}, .outputs = picture_files(options)};
   for (const std::string* input : {&options.input, &options.dt.links, &options.scene.scene_file, &options.scene.camera_file})
     if (!input->empty()) files.inputs.push_back(*input);
@@ -97,14 +97,14 @@ Camera turned(const Camera& camera, double degrees) {
   return result;
 }
 
-PictureOptions picture_options(const Options& options) {
+PictureOptions picture_options(const RenderArguments& options) {
   PictureOptions picture{.size = size_of(options), .render = {.side = 1}};
   while (picture.render.side * picture.render.side < options.samples) ++picture.render.side;
   return picture;
 }
 
 /// The folder must be there: files are written whole or not at all, folders are not made.
-void refuse_senseless_tour(const Options& options) {
+void refuse_senseless_tour(const RenderArguments& options) {
   if (options.turntable > 0) throw UsageError("--tour and --turntable both lead the camera", "Choose one.");
   if (!options.scene.section.empty()) throw UsageError("--section: on a tour nothing is cut open", "Leave it out.");
   if (!options.contact_sheet.empty()) {
@@ -122,7 +122,7 @@ void refuse_senseless_tour(const Options& options) {
     throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output), "Make it first, or name a film: -o tour.mp4 or -o tour.webm");
 }
 
-void refuse_tour_words_without_tour(const Options& options) {
+void refuse_tour_words_without_tour(const RenderArguments& options) {
   if (options.frames > 0) throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
   if (!options.contact_sheet.empty() || options.tour.reverse || options.tour.void_number > 1)
     throw UsageError("--contact-sheet, --reverse and --void are about a tour", "Say which line: --tour canal-1.");
@@ -132,7 +132,7 @@ void refuse_tour_words_without_tour(const Options& options) {
 /// picture. Stops the work when it is no longer wanted.
 class ModelOnTheWay {
  public:
-  ModelOnTheWay(const Options& options, const Session& session)
+  ModelOnTheWay(const RenderArguments& options, const Session& session)
       : interrupted_(session.interrupts.token(), [this] { stop_.request_stop(); }), session_(session) {
     session_.watched = Progress{session.progress().report, stop_.get_token()};
     shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, options.dt, session_); });
@@ -151,7 +151,7 @@ class ModelOnTheWay {
 /// Draws one scene after the other, all of one model.
 class Painter {
  public:
-  Painter(const Options& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
+  Painter(const RenderArguments& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
       : picture_(picture_options(options)), gl_(context.gl()), renderer_(renderer), shown_(shown), session_(session), gpu_model_(upload(gl_, shown.model)),
         overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))), ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
         values_(ct_ ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {}
@@ -180,7 +180,8 @@ double moment(const Film& film, std::size_t number, std::size_t count) {
   return film.tour.seconds() * static_cast<double>(number) / static_cast<double>(std::max<std::size_t>(count - 1, 1));
 }
 
-std::vector<FileContent> single_pictures(const Options& options, const Shown& shown, const Scene& scene, const std::optional<Film>& film, Painter& painter) {
+std::vector<FileContent> single_pictures(const RenderArguments& options, const Shown& shown, const Scene& scene,
+                                         const std::optional<Film>& film, Painter& painter) {
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -191,12 +192,13 @@ std::vector<FileContent> single_pictures(const Options& options, const Shown& sh
   return files;
 }
 
-std::size_t pictures_of_film(const Options& options, const Film& film) {
+std::size_t pictures_of_film(const RenderArguments& options, const Film& film) {
   const auto as_it_is = static_cast<std::size_t>(std::lround(film_rate * film.tour.seconds())) + 1;
   return options.frames > 0 ? static_cast<std::size_t>(options.frames) : std::min<std::size_t>(as_it_is, most_frames);
 }
 
-FileContent film_file(const Options& options, const Shown& shown, const Scene& scene, const Film& film, Painter& painter, Session& session) {
+FileContent film_file(const RenderArguments& options, const Shown& shown, const Scene& scene, const Film& film,
+                      Painter& painter, Session& session) {
   const PixelSize size = size_of(options);
   const std::size_t count = pictures_of_film(options, film);
   FilmMaker maker(options.output, {size.width, size.height, film_rate});
@@ -204,7 +206,8 @@ FileContent film_file(const Options& options, const Shown& shown, const Scene& s
   return {options.output, maker.finish(session.progress())};
 }
 
-FileContent sheet_file(const Options& options, const Shown& shown, const Scene& scene, const Film& film, Painter& painter) {
+FileContent sheet_file(const RenderArguments& options, const Shown& shown, const Scene& scene, const Film& film,
+                       Painter& painter) {
   const SheetSize size = sheet_from(options.contact_sheet);
   const auto count = static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows);
   const std::vector<double> moments = telling_moments(film, count);
@@ -218,13 +221,14 @@ FileContent sheet_file(const Options& options, const Shown& shown, const Scene& 
   return {options.output, png_bytes(contact_sheet(pictures, size))};
 }
 
-std::vector<FileContent> draw(const Options& options, const Shown& shown, const Scene& scene, const std::optional<Film>& film, Painter& painter, Session& session) {
+std::vector<FileContent> draw(const RenderArguments& options, const Shown& shown, const Scene& scene,
+                              const std::optional<Film>& film, Painter& painter, Session& session) {
   if (to_film(options)) return {film_file(options, shown, scene, *film, painter, session)};
   if (!options.contact_sheet.empty()) return {sheet_file(options, shown, scene, *film, painter)};
   return single_pictures(options, shown, scene, film, painter);
 }
 
-void tell_tour(const Options& options, const Film& film, Console& console) {
+void tell_tour(const RenderArguments& options, const Film& film, Console& console) {
   const double seconds = film.tour.seconds();
   if (to_film(options)) {
     const double lasts = static_cast<double>(pictures_of_film(options, film)) / film_rate;
@@ -235,7 +239,7 @@ void tell_tour(const Options& options, const Film& film, Console& console) {
 }
 
 /// Which greys mean what; refuses a cap where nothing is cut.
-void tell_cap(const Options& options, const Shown& shown, const Scene& scene, Console& console) {
+void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& scene, Console& console) {
   if (!options.scene.cap.empty() && !scene.section)
     throw UsageError(fmt::format("--cap {}: nothing is cut open", options.scene.cap), "Say with --section where to cut.");
   if (!scene.section || scene.cap.shows != CapLook::Shows::ct) return;
@@ -247,7 +251,7 @@ void tell_cap(const Options& options, const Shown& shown, const Scene& scene, Co
     console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
 }
 
-ExitCode render(const Options& options, Session& session) {
+ExitCode render(const RenderArguments& options, Session& session) {
   if (!on_tour(options)) {
     refuse_tour_words_without_tour(options);
     known_ending(options.output, {".png"});
@@ -282,7 +286,7 @@ ExitCode render(const Options& options, Session& session) {
   return ExitCode::done;
 }
 
-void add_options(CLI::App& parser, Options& options) {
+void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
   parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")->required()->type_name("FILE.png");
@@ -310,7 +314,7 @@ void add_options(CLI::App& parser, Options& options) {
 
 Command render_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("render", "A picture of a model, with no display");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RenderArguments>();
   add_options(*parser, *options);
   parser->footer(
       "Examples:\n"

@@ -13,14 +13,14 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct SampleArguments {
   ToothKind tooth = ToothKind::molar;
   SampleOptions sample;
   bool filled = false;
   std::string output;
 };
 
-ExitCode make_sample(const Options& options, Session& session) {
+ExitCode make_sample(const SampleArguments& options, Session& session) {
   known_ending(options.output, {".json"});
   refuse_unwritable({.inputs = {}, .outputs = {options.output}});
   SampleOptions sample = options.sample;
@@ -37,7 +37,7 @@ ExitCode make_sample(const Options& options, Session& session) {
 
 Command sample_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("sample", "Contours of a generated tooth with enamel, dentine and pulp");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SampleArguments>();
   add_choice<ToothKind>(*parser, "TOOTH", options->tooth,
                         {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}},
                         "molar, premolar or incisor")

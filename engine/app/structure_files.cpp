@@ -156,7 +156,7 @@ FileContent structures_file(const Reconstruction& model, const ContourStack& sta
                             Session& session) {
   const StructuresFormat format = *structures_format(file);
   if (format == StructuresFormat::rtstruct) return {file, rtstruct_told(stack, file, whence, session)};
-  std::vector<NamedSurface> surfaces;
+  std::vector<FilledSurface> surfaces;
   for (const Solid& solid : model.solids) surfaces.push_back({solid.structure, &solid.surface});
   return {file, bytes_of(rasterised(surfaces, grid_for(model, words, whence), session.progress()), format, file, whence, session)};
 }

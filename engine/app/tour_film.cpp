@@ -27,7 +27,7 @@ std::string typed(std::string name) {
 }
 
 /// The model's part that walls the void in.
-VoidWall wall_of(const Cavity& cavity, const Model& model) {
+VoidWall wall_of(const Cavity& cavity, const odontoscope::Model& model) {
   const bool open = !cavity.mouths.empty();   // then the outer surface leads inside
   for (const ModelPart& part : model.parts)
     if (part.cavity != open && part.solid == cavity.structure) return {part.structure, false};

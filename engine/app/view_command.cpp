@@ -22,7 +22,7 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct ViewArguments {
   std::string input;
   DtWords dt;
   VolumeWords volume;
@@ -37,7 +37,7 @@ struct Options {
 /// About what the window will be, for the first camera.
 constexpr PixelSize usual_view{1000, 800};
 
-VolumeWords volume_words(const LoadRequest& request, const Options& options) {
+VolumeWords volume_words(const LoadRequest& request, const ViewArguments& options) {
   VolumeWords words = request.from_command_line ? options.volume : VolumeWords{};
   if (!request.volume) return words;
   if (request.volume->iso) words.isos = {fmt::format("{}", *request.volume->iso)};
@@ -47,7 +47,7 @@ VolumeWords volume_words(const LoadRequest& request, const Options& options) {
 }
 
 /// On the viewer's thread for such work.
-VolumePreview preview(const LoadRequest& request, const Progress& progress, const Options& options) {
+VolumePreview preview(const LoadRequest& request, const Progress& progress, const ViewArguments& options) {
   return volume_preview(read_volume(request.file, understood(volume_words(request, options)).read, progress));
 }
 
@@ -59,7 +59,7 @@ std::string title_of(const std::string& file) {
 }
 
 /// Runs on the viewer's thread for such work.
-LoadedModel load(const LoadRequest& request, const Progress& progress, const Options& options, Session session) {
+LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
   Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session);
   LoadedModel loaded;
@@ -81,7 +81,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Opt
   return loaded;
 }
 
-ViewerOptions viewer_options(const Options& options, const Settings& settings, const Session& session) {
+ViewerOptions viewer_options(const ViewArguments& options, const Settings& settings, const Session& session) {
   ViewerOptions viewer;
   viewer.load = [&options, session](const LoadRequest& request, const Progress& progress) { return load(request, progress, options, session); };
   viewer.wants_level = [&options](const LoadRequest& request) {
@@ -93,10 +93,10 @@ ViewerOptions viewer_options(const Options& options, const Settings& settings, c
   return viewer;
 }
 
-LoadRequest first_request(const Options& options) { return {.file = options.input, .volume = {}, .from_command_line = true}; }
+LoadRequest first_request(const ViewArguments& options) { return {.file = options.input, .volume = {}, .from_command_line = true}; }
 
 /// What the window would show, drawn without one.
-ExitCode take_screenshot(const Options& options, Session& session) {
+ExitCode take_screenshot(const ViewArguments& options, Session& session) {
   Settings settings;
   if (!options.size.empty()) settings.window = size_from(options.size);
   known_ending(options.screenshot, {".png"});
@@ -122,7 +122,7 @@ ExitCode take_screenshot(const Options& options, Session& session) {
   return ExitCode::done;
 }
 
-void enter_headset(const Options& options, Viewer& viewer, Window& window, Session& session) {
+void enter_headset(const ViewArguments& options, Viewer& viewer, Window& window, Session& session) {
   // Where there is no runtime, OpenXR's loader writes pages to the terminal; our own message says it.
   setenv("XR_LOADER_DEBUG", "none", 0);
   HeadsetVisitOptions visit;
@@ -132,7 +132,7 @@ void enter_headset(const Options& options, Viewer& viewer, Window& window, Sessi
   if (!visit_in_headset(viewer, window, shaders_from_environment(), session.interrupts.token(), visit)) session.console.complain(viewer.state().trouble);
 }
 
-ExitCode show_window(const Options& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
+ExitCode show_window(const ViewArguments& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
   Settings settings = read.settings;
   if (!options.size.empty()) settings.window = size_from(options.size);
   Window window({.size = settings.window});
@@ -159,7 +159,7 @@ ExitCode show_window(const Options& options, const ReadSettings& read, const std
   return ExitCode::done;
 }
 
-ExitCode view(const Options& options, Session& session) {
+ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.scene);
   if (options.volume.any_level()) understood(options.volume);
   refuse_senseless(options.dt);
@@ -175,7 +175,7 @@ ExitCode view(const Options& options, Session& session) {
 
 Command view_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("view", "A window to look at a model: turn it, cut it open, measure it");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ViewArguments>();
   parser->add_option("INPUT", options->input, "Contour stack, mesh or volume; none: the sample molar")->type_name("");
   parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
   parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");

@@ -14,14 +14,14 @@
 namespace odontoscope::app {
 namespace {
 
-struct Options {
+struct WebArguments {
   WebWords words;
   std::string output, title;
 };
 
 constexpr std::size_t longest_title = 200;
 
-std::string title_of(const Options& options) {
+std::string title_of(const WebArguments& options) {
   if (!options.title.empty()) return options.title;
   if (options.words.input.empty()) return "Sample molar";
   std::filesystem::path path(options.words.input);
@@ -36,7 +36,7 @@ void refuse_without_page() {
                    "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
 }
 
-ExitCode make_page(const Options& options, Session& session) {
+ExitCode make_page(const WebArguments& options, Session& session) {
   known_ending(options.output, {".html"});
   if (options.title.size() > longest_title)
     throw UsageError(fmt::format("--title has {} bytes", options.title.size()), fmt::format("Make it {} or less", longest_title));
@@ -64,7 +64,7 @@ ExitCode make_page(const Options& options, Session& session) {
 
 Command web_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("web", "A page to look at a model in any browser, in one file");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<WebArguments>();
   parser->add_option("INPUT", options->words.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
   parser->add_option("--title", options->title, "What the page is called (default: the file's name)")->type_name("TEXT");

@@ -10,7 +10,7 @@
 namespace odontoscope::figures {
 namespace {
 
-constexpr double square = 1;
+constexpr double as_wide_as_high = 1;
 const glm::dvec3 from_the_side{0.1, 1, 0.28};
 constexpr std::size_t grid = 96;
 /// How far the upper stump stands aside, in radii.
@@ -18,7 +18,7 @@ constexpr double well = 0.45, slightly = 1.6, not_at_all = 2.25;
 constexpr double between[] = {1.68, 1.78, 1.88};
 
 Panel shaded(std::string caption, const ContourStack& stack, std::vector<NamedSurface> surfaces, const Colour& colour) {
-  Panel made = panel(std::move(caption), {.surfaces = std::move(surfaces), .strokes = {contour_strokes(stack)}}, square, from_the_side);
+  Panel made = panel(std::move(caption), {.surfaces = std::move(surfaces), .strokes = {contour_strokes(stack)}}, as_wide_as_high, from_the_side);
   paint(made, colour);
   return made;
 }
@@ -39,7 +39,7 @@ std::vector<Link> forced() { return {{"tooth", stump_slices - 1, 0, 0, true}}; }
 
 Figure consecutive_contours(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   figure.caption =
       "Two neighbouring sections, as through the crown of a molar, that overlap well: both methods connect them. DT puts its triangles between the points that "
       "were given; DB puts them where its grid is.";
@@ -48,7 +48,7 @@ Figure consecutive_contours(ToothModels&) {
   Panel top = lines_only("The same from above: the lower lies within the upper.", stack);
   Subject seen{.surfaces = top.surfaces, .strokes = top.strokes};
   const std::string caption = top.caption;
-  top = panel(caption, std::move(seen), square, NamedView::occlusal);
+  top = panel(caption, std::move(seen), as_wide_as_high, NamedView::occlusal);
   for (Look& look : top.scene.looks) look.visible = false;
   figure.panels.push_back(std::move(top));
   const auto db = db_surfaces(stack, grid / 2), dt = dt_surfaces(stack);
@@ -60,7 +60,7 @@ Figure consecutive_contours(ToothModels&) {
 
 Figure overlap_patterns(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   figure.caption =
       "Two stumps of four round contours each, one above the other, set apart sideways. The next figures are made from these. Which of them are "
       "one piece of tooth? The contours do not say.";
@@ -72,7 +72,7 @@ Figure overlap_patterns(ToothModels&) {
 
 Figure dt_separates(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   figure.caption =
       "DT, left to itself, on the contours of figure 8. Stumps that overlap well become one; the others end flat, each on its own slice, closed and "
       "whole.";
@@ -88,7 +88,7 @@ Figure dt_separates(ToothModels&) {
 
 Figure dt_forced(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   const ContourStack stack = shifted_stumps(between[2]);
   const auto surfaces = dt_surfaces(stack, forced());
   figure.caption =
@@ -101,7 +101,7 @@ Figure dt_forced(ToothModels&) {
 
 Figure db_connects(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   figure.caption =
       "DB on the contours of figure 8. It knows no correspondence: whatever has grid points inside both contours becomes one. That makes a thin neck "
       "with a sharp ledge on either side, which on a tooth shows as ridges along slanting roots (figure 5).";
@@ -117,7 +117,7 @@ Figure db_connects(ToothModels&) {
 
 Figure db_between(ToothModels&) {
   Figure figure;
-  figure.aspect = square;
+  figure.aspect = as_wide_as_high;
   figure.caption =
       "DB with contours in between those of figure 8(b) and 8(c). As the overlap shrinks the neck gets thinner and its shape is more and more the grid's "
       "and less the tooth's, but the two stay connected.";

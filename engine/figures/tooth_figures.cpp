@@ -58,8 +58,8 @@ std::string hollow_solid(const ToothModel& model) {
 /// The middle of the widest hole that a slice has in that structure: in the pulp chamber.
 Point3 middle_of_the_chamber(const ContourStack& contours, const std::string& structure) {
   const ContourStack sorted = ordered(contours).stack;
-  Passage widest;
-  for (const Passage& passage : passages(sorted, structure))
+  ContourPassage widest;
+  for (const ContourPassage& passage : passages(sorted, structure))
     if (passage.hole && passage.width > widest.width) widest = passage;
   return {widest.middle.x, widest.middle.y, sorted.slices[widest.slice].z};
 }

@@ -13,8 +13,8 @@ namespace odontoscope {
 namespace {
 
 /// Room over the clearance: between the line's points the eye may be a little nearer to the wall than at them.
-constexpr double least_room = 1.06;
-constexpr double least_width = 0.1;   // clearances
+constexpr double least_ride_room = 1.06;
+constexpr double least_ride_width = 0.1;   // clearances
 /// Between two points of the table.
 constexpr double table_seconds = 1.0 / 60;
 
@@ -22,12 +22,12 @@ constexpr double table_seconds = 1.0 / 60;
 std::pair<std::size_t, std::size_t> wide_enough(const std::vector<Track::Point>& points, double clearance) {
   std::pair<std::size_t, std::size_t> best{1, 0};
   for (std::size_t i = 0; i < points.size();) {
-    if (points[i].radius < least_room * clearance) {
+    if (points[i].radius < least_ride_room * clearance) {
       ++i;
       continue;
     }
     std::size_t last = i;
-    while (last + 1 < points.size() && points[last + 1].radius >= least_room * clearance) ++last;
+    while (last + 1 < points.size() && points[last + 1].radius >= least_ride_room * clearance) ++last;
     if (best.first > best.second || last - i > best.second - best.first) best = {i, last};
     i = last + 1;
   }
@@ -49,7 +49,7 @@ Track track_of(const CentreLine& line, double clearance) {
   if (line.points.size() < 2) return track;
   // A tour wants some width everywhere; where a line leads through a crack the track is cut off below.
   CentreLine passable = line;
-  for (CentrePoint& point : passable.points) point.radius = std::max(point.radius, least_width * clearance);
+  for (CentrePoint& point : passable.points) point.radius = std::max(point.radius, least_ride_width * clearance);
   const Tour tour(passable);
   std::vector<Track::Point> all;
   const auto count = static_cast<std::size_t>(std::ceil(tour.seconds() / table_seconds));

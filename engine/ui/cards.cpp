@@ -46,12 +46,6 @@ void title(const Interface& interface, const char* words) {
   ImGui::PopFont();
 }
 
-void wrapped(const std::string& words) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 std::string name_of(const std::string& file) { return file.empty() ? "the sample molar" : std::filesystem::path(file).filename().string(); }
 
 void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
@@ -74,7 +68,7 @@ void trouble_card(ViewerState& state, const Interface& interface, const Area& vi
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
   title(interface, "That did not work");
   ImGui::PopStyleColor();
-  wrapped(state.trouble);
+  widgets::wrapped(state.trouble);
   ImGui::Dummy({0, scaled(2)});
   if (widgets::wide_button("Close")) state.trouble.clear();
 }
@@ -111,7 +105,7 @@ void leaving_card(ViewerState& state, const Interface& interface, const Area& vi
   const Card card("leaving", viewport, 460);
   LeavingNotes& leaving = *state.notes.leaving;
   title(interface, "Your notes are not saved");
-  wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(leaving.to_open->file))
+  widgets::wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(leaving.to_open->file))
                           : "They go when the window is closed.");
   if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true)) leaving.answer = Answer::save;
   if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving")) leaving.answer = Answer::drop;

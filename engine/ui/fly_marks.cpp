@@ -9,14 +9,13 @@
 #include <numbers>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/drawing.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {
 
 namespace {
-
-ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 /// Clear in the middle, dark at the rim, by rings of triangles whose corners are shaded.
 void draw_vignette(ImDrawList& list, const Area& viewport, double strength) {
@@ -89,11 +88,6 @@ std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& p
     drawn.push_back({&label, vec(at.x, at.y), low, {low.x + width, low.y + height}, std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
   }
   return drawn;
-}
-
-ImU32 faded(ImU32 colour, double opacity) {
-  const auto alpha = static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * (colour >> IM_COL32_A_SHIFT));
-  return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
 }
 
 void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {

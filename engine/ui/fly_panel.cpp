@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "engine/ui/fly_marks.h"
+#include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -14,13 +15,6 @@ namespace odontoscope {
 namespace {
 
 using widgets::scaled;
-
-void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
-  ImGui::SameLine();
-  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
-}
 
 void flight_section(ViewerState& state, const Interface& interface) {
   FlyState& fly = state.fly;

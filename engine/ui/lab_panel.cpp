@@ -8,6 +8,7 @@
 
 #include "engine/navigate/screen.h"
 #include "engine/ui/cards.h"
+#include "engine/ui/drawing.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -21,8 +22,6 @@ using widgets::scaled;
 
 /// Of the line about back faces, at the bottom.
 constexpr double culling_height = 40;
-
-ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 /// One line of the comparison: its name, DT's count, DB's.
 void count_row(const Interface& interface, const char* words, std::size_t dt, std::optional<std::size_t> db, bool faults) {
@@ -182,12 +181,6 @@ void draw_artefact_ring(const ViewerState& state, const std::vector<ViewPane>& p
   }
 }
 
-void wrapped(const std::string& words) {
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
-}
-
 /// Back, next, close, side by side.
 void three_buttons(ViewerState& state, const char* back, Action on_back, const char* next, Action on_next, Action on_close) {
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
@@ -205,7 +198,7 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
     ImGui::PushFont(interface.large);
     ImGui::TextUnformatted(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title).c_str());
     ImGui::PopFont();
-    wrapped(step.words);
+    widgets::wrapped(step.words);
     if (lab.artefact && lab.made && *lab.artefact < lab.made->artefacts.size()) widgets::remark(interface, in_words(lab.made->artefacts[*lab.artefact], lab.made->options.cases));
     three_buttons(state, "Back (Page up)", Action::previous_step, "Next (Page down)", Action::next_step, Action::toggle_lesson);
   }
@@ -220,7 +213,7 @@ void artefact_card(ViewerState& state, const Interface& interface, const Area& v
     const char* kind = artefact.kind == DefectKind::crack ? "Crack" : artefact.kind == DefectKind::misoriented ? "Misoriented triangles" : "Non-manifold edge";
     ImGui::TextUnformatted(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1), grouped(made.artefacts.size())).c_str());
     ImGui::PopFont();
-    wrapped(in_words(artefact, made.options.cases));
+    widgets::wrapped(in_words(artefact, made.options.cases));
     three_buttons(state, "Before (V)", Action::previous_artefact, "Next artefact (N)", Action::next_artefact, Action::escape);
   }
   ImGui::End();

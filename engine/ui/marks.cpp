@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "engine/navigate/ride.h"
+#include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {
@@ -52,14 +53,6 @@ std::array<PlacedPoint, 6> placed(const ViewPane& pane, float scale) {
   }
   std::stable_sort(all.begin(), all.end(), [](const PlacedPoint& a, const PlacedPoint& b) { return a.depth < b.depth; });
   return all;
-}
-
-ImVec2 vec(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
-ImVec2 vec(const glm::dvec2& p) { return vec(p.x, p.y); }
-
-ImU32 faded(ImU32 colour, double opacity) {
-  const auto alpha = static_cast<ImU32>(std::clamp(opacity, 0.0, 1.0) * (colour >> IM_COL32_A_SHIFT));
-  return (colour & ~IM_COL32_A_MASK) | alpha << IM_COL32_A_SHIFT;
 }
 
 /// Words that can be read on any ground.

@@ -44,7 +44,7 @@ void draft_card(NotesState& notes, const Interface& interface, const Area& viewp
   ImGui::End();
 }
 
-void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
+void note_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const NotesState& notes = state.notes;
   const TourNote& note = notes.tour.notes[*notes.shown];
   if (begin_card("note", viewport, scale, 620, 24)) {
@@ -94,7 +94,7 @@ void draw_note_card(ViewerState& state, const Interface& interface, const Area& 
   constexpr double small_pictures = 230, least_width = 360;   // interface pixels
   if (state.fly.on && state.fly.show_where) room.width = std::max(room.width - small_pictures * scale, std::min(room.width, least_width * scale));
   if (state.notes.draft) draft_card(state.notes, interface, room, scale);
-  else if (state.notes.shown && *state.notes.shown < state.notes.tour.notes.size()) lesson_card(state, interface, room, scale);
+  else if (state.notes.shown && *state.notes.shown < state.notes.tour.notes.size()) note_card(state, interface, room, scale);
 }
 
 }  // namespace odontoscope

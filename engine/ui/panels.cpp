@@ -33,14 +33,6 @@ void heading(ViewerState& state, const Interface& interface) {
   widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
 }
 
-/// Two buttons side by side, each half as wide as the panel.
-void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
-  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
-  ImGui::SameLine();
-  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
-}
-
 /// true: colour or opacity were changed by hand.
 bool structure_row(Look& look) {
   ImGui::PushID(look.structure.c_str());
@@ -125,6 +117,13 @@ void headline(const Certificate& certificate, const VerdictLook& look, const Int
 }
 
 }  // namespace
+
+void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
+  ImGui::SameLine();
+  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
+}
 
 void report_section(ViewerState& state, const Interface& interface) {
   if (!state.shown) return;

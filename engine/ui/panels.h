@@ -9,6 +9,9 @@ namespace odontoscope {
 /// All of it, in `area` of the picture.
 void draw_panel(ViewerState& state, const Interface& interface, const Area& area);
 
+/// Two buttons side by side, each half as wide as the panel.
+void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right);
+
 void report_section(ViewerState& state, const Interface& interface);
 void structures_section(ViewerState& state, const Interface& interface);
 void faces_section(ViewerState& state, const Interface& interface);

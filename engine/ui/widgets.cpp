@@ -74,6 +74,12 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   return open;
 }
 
+void wrapped(const std::string& words) {
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(words.c_str());
+  ImGui::PopTextWrapPos();
+}
+
 void remark(const Interface& interface, const std::string& words) {
   ImGui::PushFont(interface.small);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);

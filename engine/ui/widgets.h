@@ -15,6 +15,7 @@ namespace odontoscope::widgets {
 /// A heading that folds what follows. true: it is open.
 bool section(const Interface& interface, const char* title, bool open_at_first = true);
 
+void wrapped(const std::string& words);
 /// Words in the quiet colour, wrapped.
 void remark(const Interface& interface, const std::string& words);
 

@@ -16,7 +16,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::string_view stage = "measure";
+constexpr std::string_view measure_stage = "measure";
 
 MeasuredStructure measured(const StructureSurface& part, const SurfaceReport& report) {
   MeasuredStructure made{part.structure};
@@ -122,7 +122,7 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.loose = loose_pieces(model, reports, hollow);
   made.axis = tooth_axis(model);
   CentreLines lines = centre_lines(hollow, {made.axis.along}, progress);
-  progress.tell(stage, 0);
+  progress.tell(measure_stage, 0);
   made.chamber_width = 2 * lines.chamber_radius;
   made.horns = lines.horns.size();
   made.other_branches = lines.others.size();
@@ -136,7 +136,7 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);
   if (!outside.surface.triangles.empty()) {
     made.openings = cavity::measure_walls(hollow, lines, outside, made.canals, progress);
-    progress.tell(stage, 0.5);
+    progress.tell(measure_stage, 0.5);
     made.roots = roots_along(made.axis, hollow, lines, outside.surface, made.canals);
   }
   made.slice_spacing = spacing_of(model, hollow.wall, slices);
@@ -145,7 +145,7 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.graph = canal_graph(lines);
   for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));
   made.lines = std::move(lines);
-  progress.tell(stage, 1);
+  progress.tell(measure_stage, 1);
   return made;
 }
 

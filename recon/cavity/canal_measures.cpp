@@ -5,11 +5,10 @@
 #include <vector>
 
 #include "recon/cavity/bend.h"
+#include "recon/cavity/degrees.h"
 
 namespace odontoscope::cavity {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 /// Twice the median of the widest balls.
 double usual_width(const CentreLine& line) {
@@ -65,7 +64,7 @@ double schneider_of(const CentreLine& line, std::size_t orifice_point, double sl
     const Direction off = p->at - orifice.at;
     if (length(cross(axis, off)) <= 0.5 * p->radius + slack) continue;
     const Direction apical = line.end - p->at;
-    return degrees * std::atan2(length(cross(axis, apical)), dot(axis, apical));
+    return degrees_per_radian * std::atan2(length(cross(axis, apical)), dot(axis, apical));
   }
   return 0;
 }

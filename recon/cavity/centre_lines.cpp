@@ -20,7 +20,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::string_view stage = "centre lines";
+constexpr std::string_view centre_line_stage = "centre lines";
 
 /// Which way the crown is: against the longest branch.
 std::optional<Direction> towards_crown(const std::optional<Direction>& axis, const Point3& chamber, const std::vector<cavity::Branch>& branches) {
@@ -75,7 +75,7 @@ double CentreLine::length_to_wall() const {
 }
 
 CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options, const Progress& progress) {
-  progress.tell(stage, 0);
+  progress.tell(centre_line_stage, 0);
   const SurfaceReport report = inspect(cavity.wall);
   if (!report.closed_oriented_manifold() || report.shells.size() != 1)
     throw UsageError(fmt::format("the wall of the void in \"{}\" is not one closed, oriented manifold", cavity.structure));
@@ -83,7 +83,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   const cavity::MedialGraph graph = cavity::medial_graph(cavity.wall, tree, progress);
   CentreLines lines;
   if (graph.nodes.empty()) return lines;  // a crack: no centre of a tetrahedron lies in it
-  progress.tell(stage, 0.5);
+  progress.tell(centre_line_stage, 0.5);
   const cavity::Branches found = cavity::find_branches(graph, cavity.wall, report.shells.front().genus, options.axis);
   lines.chamber = graph.nodes[found.root].at;
   lines.chamber_radius = tree.clearance(lines.chamber);
@@ -97,7 +97,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   tbb::parallel_for(std::size_t{0}, centred.size(), [&](std::size_t i) {
     progress.check();
     centred[i] = cavity::centred(found.branches[i].path, tree, found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
-    progress.tell(stage, 0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(centred.size()));
+    progress.tell(centre_line_stage, 0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(centred.size()));
   });
   for (std::size_t i = 0; i < centred.size(); ++i) {
     CentreLine& line = centred[i];
@@ -127,7 +127,7 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   order(isthmuses, "isthmus");
   std::move(isthmuses.begin(), isthmuses.end(), std::back_inserter(lines.others));
   name_as_sample(lines);
-  progress.tell(stage, 1);
+  progress.tell(centre_line_stage, 1);
   return lines;
 }
 

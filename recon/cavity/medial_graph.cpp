@@ -22,7 +22,7 @@ using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Ke
 using CellBase = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
-constexpr std::uint32_t no_node = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t unnumbered = std::numeric_limits<std::uint32_t>::max();
 /// Times that a way is halved to see whether it stays in the void.
 constexpr int way_halvings = 3;
 /// A centre that is nearer to the wall than this share of its sphere's radius belongs to a flat tetrahedron beside the wall.
@@ -146,7 +146,7 @@ MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Pr
   MedialGraph graph;
   std::vector<Delaunay::Cell_handle> cells;
   for (const auto& cell : delaunay.finite_cell_handles()) {
-    cell->info() = no_node;
+    cell->info() = unnumbered;
     std::array<const Sample*, 4> corners{};
     for (int k = 0; k < 4; ++k) corners[static_cast<std::size_t>(k)] = &samples[cell->vertex(k)->info()];
     const auto sphere = circumsphere({corners[0]->at, corners[1]->at, corners[2]->at, corners[3]->at});
@@ -166,7 +166,7 @@ MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Pr
       const auto neighbour = cells[n]->neighbor(k);
       if (delaunay.is_infinite(neighbour)) continue;
       const std::uint32_t m = neighbour->info();
-      if (m == no_node || m < n) continue;
+      if (m == unnumbered || m < n) continue;
       if (stays_inside(tree, graph.nodes[n].at, graph.nodes[n].radius, graph.nodes[m].at, graph.nodes[m].radius, way_halvings)) {
         pairs.emplace_back(n, m);
         pairs.emplace_back(m, n);

@@ -10,9 +10,9 @@ namespace odontoscope::cavity {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
+using PlaneVertexBase = CGAL::Triangulation_vertex_base_with_info_2<PointIndex, Kernel>;
 using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Structure = CGAL::Triangulation_data_structure_2<PlaneVertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
 }  // namespace

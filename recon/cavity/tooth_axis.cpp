@@ -5,14 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "recon/cavity/degrees.h"
 #include "recon/cavity/limits.h"
 #include "recon/core/symmetric_matrix.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 /// Volume and its first and second moments about an origin near the model.
 struct Moments {
@@ -62,7 +61,7 @@ ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
   const std::size_t most = order[0];
   Direction along{vectors[0][most], vectors[1][most], vectors[2][most]};
   if (along.z < 0) along = -1.0 * along;
-  const double tilt = degrees * std::atan2(std::hypot(along.x, along.y), along.z);
+  const double tilt = degrees_per_radian * std::atan2(std::hypot(along.x, along.y), along.z);
   const bool is_long = spread[most][most] >= limits::axis_ratio * limits::axis_ratio * spread[order[1]][order[1]];
   if (!is_long || tilt < limits::axis_tilt_deg) return {};
   return {along, tilt, true};

@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "recon/cavity/canal_measures.h"
+#include "recon/cavity/degrees.h"
 #include "recon/cavity/limits.h"
 
 namespace odontoscope::cavity {
 namespace {
-
-constexpr double degrees = 57.29577951308232;
 
 /// Of so many sorted values the one that far on.
 double part_of(std::vector<double> values, double share) {
@@ -81,7 +80,7 @@ double off_schneider(const MeasuredCanal& canal, const CentreLine& line, double 
   while (line.orifice > 0 && down + 5 < line.points.size() && line.points[down].along - at < along) ++down;
   for (const std::size_t orifice : {up, line.orifice, down})
     for (const double slack : {-aside, 0.0, aside}) most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
-  return most + degrees * std::atan2(2 * aside, canal.length / 3);
+  return most + degrees_per_radian * std::atan2(2 * aside, canal.length / 3);
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ struct Cell {
 
 /// Largest circle within `outer` and outside all of `within`: cells are quartered, the most promising first, until none
 /// can be better by more than a hundredth of the contour's size.
-Passage widest_place(const std::vector<Point2>& outer, const std::vector<const std::vector<Point2>*>& within) {
+ContourPassage widest_place(const std::vector<Point2>& outer, const std::vector<const std::vector<Point2>*>& within) {
   const auto clearance = [&](const Point2& p) {
     double least = distance_to(outer, p);
     bool counts = inside(outer, p);
@@ -172,7 +172,7 @@ Passage widest_place(const std::vector<Point2>& outer, const std::vector<const s
       }
     }
   }
-  Passage passage;
+  ContourPassage passage;
   passage.middle = best.middle;
   passage.width = 2 * std::max(best.clearance, 0.0);
   return passage;
@@ -202,8 +202,8 @@ double contour_length(const ContourStack& stack, const std::string& structure) {
   return whole;
 }
 
-std::vector<Passage> passages(const ContourStack& ordered_stack, const std::string& structure) {
-  std::vector<std::vector<Passage>> by_slice(ordered_stack.slices.size());
+std::vector<ContourPassage> passages(const ContourStack& ordered_stack, const std::string& structure) {
+  std::vector<std::vector<ContourPassage>> by_slice(ordered_stack.slices.size());
   tbb::parallel_for(std::size_t{0}, by_slice.size(), [&](std::size_t k) {
     const auto& contours = ordered_stack.slices[k].contours;
     for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -213,14 +213,14 @@ std::vector<Passage> passages(const ContourStack& ordered_stack, const std::stri
         if (other == c || contours[other].structure != structure) continue;
         if (inside(contours[c].points, contours[other].points[0])) within.push_back(&contours[other].points);
       }
-      Passage passage = widest_place(contours[c].points, within);
+      ContourPassage passage = widest_place(contours[c].points, within);
       passage.slice = k;
       passage.contour = c;
       passage.hole = signed_area(contours[c].points) < 0;
       by_slice[k].push_back(passage);
     }
   });
-  std::vector<Passage> all;
+  std::vector<ContourPassage> all;
   for (const auto& slice : by_slice) all.insert(all.end(), slice.begin(), slice.end());
   return all;
 }
@@ -232,7 +232,7 @@ ContourFit contour_fit(const ContourStack& ordered_stack, const std::string& str
   for (const Slice& slice : ordered_stack.slices) heights.push_back(slice.z);
   const auto cuts = sections(surface, heights);
   progress.check();
-  for (const Passage& passage : passages(ordered_stack, structure)) {
+  for (const ContourPassage& passage : passages(ordered_stack, structure)) {
     const bool kept = is_material(cuts[passage.slice], passage.middle) != passage.hole;
     count(passage.hole ? fit.holes : fit.solids, passage.width, kept);
   }

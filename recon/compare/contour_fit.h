@@ -14,7 +14,7 @@
 namespace odontoscope {
 
 /// What one contour bounds, up to the next contours within: the widest place of it.
-struct Passage {
+struct ContourPassage {
   std::size_t slice = 0, contour = 0;
   bool hole = false;  // void within material: a canal, if it is narrow; otherwise material
   Point2 middle;      // of the largest circle that fits in (to a hundredth of the contour's size)
@@ -22,7 +22,7 @@ struct Passage {
 };
 
 /// One for each contour of the structure, in order. `ordered_stack` as `ordered` gives it.
-std::vector<Passage> passages(const ContourStack& ordered_stack, const std::string& structure);
+std::vector<ContourPassage> passages(const ContourStack& ordered_stack, const std::string& structure);
 
 struct PassageCounts {
   std::size_t all = 0, lost = 0;  // lost: at that middle, in that slice, the model has void for material or the reverse
@@ -34,7 +34,7 @@ struct ContourFit {
   OneWayDistance contours_to_surface;  // from places spread evenly along the contours, in space
   OneWayDistance section_to_contours;  // from places along the model's section at each slice, below and above it, in
                                        // that plane, to the slice's contours
-  PassageCounts holes, solids;         // by Passage::hole
+  PassageCounts holes, solids;         // by ContourPassage::hole
   std::size_t worst_slice = 0;         // where section_to_contours is largest
 };
 

@@ -15,7 +15,7 @@ struct Owned {
   std::size_t owner;
   Kernel::Triangle_3 triangle;
 };
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Owned*>;
+using TriangleBox = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const Owned*>;
 
 Kernel::Triangle_3 triangle(const std::array<Point3, 3>& t) {
   const auto point = [](const Point3& p) { return Kernel::Point_3(p.x, p.y, p.z); };
@@ -43,8 +43,8 @@ Extent extent_of(const Boundary& boundary) {
   return e;
 }
 
-std::vector<Box> boxes_of(const std::vector<Owned>& triangles) {
-  std::vector<Box> boxes;
+std::vector<TriangleBox> boxes_of(const std::vector<Owned>& triangles) {
+  std::vector<TriangleBox> boxes;
   boxes.reserve(triangles.size());
   for (const Owned& owned : triangles) boxes.emplace_back(owned.triangle.bbox(), &owned);
   return boxes;
@@ -60,9 +60,10 @@ bool crosses_any(const std::vector<Boundary>& boundaries, const Boundary& one) {
       for (const auto& t : boundary) theirs.push_back({0, triangle(t)});
   if (theirs.empty()) return false;
   for (const auto& t : one) its.push_back({1, triangle(t)});
-  std::vector<Box> a = boxes_of(theirs), b = boxes_of(its);
+  std::vector<TriangleBox> a = boxes_of(theirs), b = boxes_of(its);
   bool found = false;
-  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), [&found](const Box& x, const Box& y) {
+  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), [&found](const TriangleBox& x,
+                           const TriangleBox& y) {
     found = found || CGAL::do_intersect(x.handle()->triangle, y.handle()->triangle);
   });
   return found;
@@ -80,9 +81,9 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_pairs(const std::vecto
   for (std::size_t i = 0; i < boundaries.size(); ++i)
     if (involved[i])
       for (const auto& t : boundaries[i]) triangles.push_back({i, triangle(t)});
-  std::vector<Box> boxes = boxes_of(triangles);
+  std::vector<TriangleBox> boxes = boxes_of(triangles);
   std::set<std::pair<std::size_t, std::size_t>> found;
-  const auto test = [&found](const Box& a, const Box& b) {
+  const auto test = [&found](const TriangleBox& a, const TriangleBox& b) {
     const std::size_t i = a.handle()->owner, j = b.handle()->owner;
     const std::pair pair{std::min(i, j), std::max(i, j)};
     if (i == j || found.count(pair) != 0) return;

@@ -8,10 +8,10 @@ namespace odontoscope::delaunay {
 namespace {
 
 /// Twice the signed area of the triangle.
-double turn(Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double twice_triangle(Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
-  return (turn(a, b, c) > 0) != (turn(a, b, d) > 0) && (turn(c, d, a) > 0) != (turn(c, d, b) > 0);
+  return (twice_triangle(a, b, c) > 0) != (twice_triangle(a, b, d) > 0) && (twice_triangle(c, d, a) > 0) != (twice_triangle(c, d, b) > 0);
 }
 
 double distance_to_segment(Point2 p, Point2 a, Point2 b) {
@@ -25,7 +25,7 @@ double distance_to_segment(Point2 p, Point2 a, Point2 b) {
 double signed_area(const Ring& ring) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    twice += turn(ring.front(), ring[i], ring[i + 1]);  // far from the origin nothing is lost
+    twice += twice_triangle(ring.front(), ring[i], ring[i + 1]);  // far from the origin nothing is lost
   return twice / 2;
 }
 
@@ -33,7 +33,7 @@ Point2 centroid(const Ring& ring) {
   const Point2 o = ring.front();
   double weight = 0, x = 0, y = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const double area = turn(o, ring[i], ring[i + 1]);
+    const double area = twice_triangle(o, ring[i], ring[i + 1]);
     weight += area;
     x += area * (ring[i].x - o.x + ring[i + 1].x - o.x) / 3;
     y += area * (ring[i].y - o.y + ring[i + 1].y - o.y) / 3;

@@ -10,19 +10,19 @@
 namespace odontoscope::delaunay {
 namespace {
 
-struct Box {
+struct RingBox {
   Point2 low, high;
 };
 
-Box box_of(const Ring& ring) {
-  Box box{ring.front(), ring.front()};
+RingBox box_of(const Ring& ring) {
+  RingBox box{ring.front(), ring.front()};
   for (const Point2& p : ring)
     box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)},
            {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
   return box;
 }
 
-bool within(const Box& a, const Box& b, double reach) {
+bool within(const RingBox& a, const RingBox& b, double reach) {
   return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
          b.low.y <= a.high.y + reach;
 }
@@ -73,11 +73,11 @@ void Strands::join(std::size_t slice, std::optional<std::size_t> lower, std::opt
 }
 
 void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, std::vector<FacingEnds>& found) {
-  std::vector<std::pair<Box, std::size_t>> upper;
+  std::vector<std::pair<RingBox, std::size_t>> upper;
   for (std::size_t b = first_[slice + 1]; b < first_[slice + 2]; ++b) upper.emplace_back(box_of(*sections_[b].ring), b);
   for (std::size_t a = first_[slice]; a < first_[slice + 1]; ++a) {
     const Section& below = sections_[a];
-    const Box box = box_of(*below.ring);
+    const RingBox box = box_of(*below.ring);
     for (const auto& [other_box, b] : upper) {
       const Section& above = sections_[b];
       if ((below.linked_above && above.linked_below) || piece(a) == piece(b)) continue;

@@ -18,7 +18,7 @@ std::vector<Point2> backwards(std::vector<Point2> points) {
 }
 
 /// Positive for counter-clockwise contours. Taken from the first point, so that far from the origin nothing cancels.
-double signed_area(const std::vector<Point2>& points) {
+double outline_area(const std::vector<Point2>& points) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     twice += (points[i].x - points[0].x) * (points[i + 1].y - points[0].y) -
@@ -37,12 +37,12 @@ Point2 centroid_of(const std::vector<Point2>& points, double area) {
   return {points[0].x + x / (6 * area), points[0].y + y / (6 * area)};
 }
 
-struct Box {
+struct ShapeBox {
   Point2 low, high;
 };
 
-Box box_of(const std::vector<Point2>& points, Point2 by) {
-  Box box{points.front(), points.front()};
+ShapeBox box_of(const std::vector<Point2>& points, Point2 by) {
+  ShapeBox box{points.front(), points.front()};
   for (const Point2 p : points) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
@@ -50,16 +50,16 @@ Box box_of(const std::vector<Point2>& points, Point2 by) {
   return {{box.low.x + by.x, box.low.y + by.y}, {box.high.x + by.x, box.high.y + by.y}};
 }
 
-bool meet(const Box& a, const Box& b) {
+bool meet(const ShapeBox& a, const ShapeBox& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
 
 TrackedShape with_outline(std::vector<Point2> outline, std::size_t number) {
   TrackedShape shape;
   shape.contour = number;
-  shape.area = signed_area(outline);
+  shape.area = outline_area(outline);
   shape.radius = std::sqrt(std::max(shape.area, 0.0) / std::numbers::pi);
-  const Box box = box_of(outline, {});
+  const ShapeBox box = box_of(outline, {});
   shape.low = box.low;
   shape.high = box.high;
   // A sliver's area may round to nothing; its middle is then that of its box.
@@ -70,7 +70,7 @@ TrackedShape with_outline(std::vector<Point2> outline, std::size_t number) {
 }
 
 /// An edge from left to right; what lies below it counts +1 or -1.
-struct Edge {
+struct ShapeEdge {
   Point2 left, right;
   int sign;
   double at(double x) const { return left.y + (right.y - left.y) * ((x - left.x) / (right.x - left.x)); }
@@ -78,8 +78,8 @@ struct Edge {
 
 /// Edges by their left ends, moved by `by`; upright ones have nothing below them, and contours that miss `within`
 /// nothing in common with what lies there.
-std::vector<Edge> edges_of(const TrackedShape& shape, Point2 by, const Box& within) {
-  std::vector<Edge> edges;
+std::vector<ShapeEdge> edges_of(const TrackedShape& shape, Point2 by, const ShapeBox& within) {
+  std::vector<ShapeEdge> edges;
   for (const auto& points : shape.contours) {
     if (!meet(box_of(points, by), within)) continue;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -89,12 +89,12 @@ std::vector<Edge> edges_of(const TrackedShape& shape, Point2 by, const Box& with
       if (b.x < a.x) edges.push_back({b, a, 1});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) { return a.left.x < b.left.x; });
+  std::sort(edges.begin(), edges.end(), [](const ShapeEdge& a, const ShapeEdge& b) { return a.left.x < b.left.x; });
   return edges;
 }
 
 /// Area between the height `base` and the lower of two edges.
-double area_below(const Edge& e, const Edge& f, double base) {
+double area_below(const ShapeEdge& e, const ShapeEdge& f, double base) {
   const double l = std::max(e.left.x, f.left.x), r = std::min(e.right.x, f.right.x);
   if (!(l < r)) return 0;
   const double el = e.at(l) - base, er = e.at(r) - base, fl = f.at(l) - base, fr = f.at(r) - base;
@@ -128,20 +128,20 @@ ShapeSlice void_shapes(const ConformedSlice& slice, const SliceVoids& voids) {
 
 double net_area(const TrackedShape& shape) {
   double area = 0;
-  for (const auto& points : shape.contours) area += signed_area(points);
+  for (const auto& points : shape.contours) area += outline_area(points);
   return area;
 }
 
 double overlap_area(const TrackedShape& moved, Point2 by, const TrackedShape& still) {
-  const Box box{{moved.low.x + by.x, moved.low.y + by.y}, {moved.high.x + by.x, moved.high.y + by.y}};
+  const ShapeBox box{{moved.low.x + by.x, moved.low.y + by.y}, {moved.high.x + by.x, moved.high.y + by.y}};
   if (!still.unbounded && !meet(box, {still.low, still.high})) return 0;
-  const std::vector<Edge> first = edges_of(moved, by, box), second = edges_of(still, {}, box);
+  const std::vector<ShapeEdge> first = edges_of(moved, by, box), second = edges_of(still, {}, box);
   double widest = 0;
-  for (const Edge& f : second) widest = std::max(widest, f.right.x - f.left.x);
+  for (const ShapeEdge& f : second) widest = std::max(widest, f.right.x - f.left.x);
   double area = still.unbounded ? net_area(moved) : 0;
-  for (const Edge& e : first) {
+  for (const ShapeEdge& e : first) {
     auto f = std::lower_bound(second.begin(), second.end(), e.left.x - widest,
-                              [](const Edge& edge, double x) { return edge.left.x < x; });
+                              [](const ShapeEdge& edge, double x) { return edge.left.x < x; });
     for (; f != second.end() && f->left.x < e.right.x; ++f) area += e.sign * f->sign * area_below(e, *f, box.low.y);
   }
   return std::max(area, 0.0);

@@ -10,7 +10,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::string_view stage = "distance field";
+constexpr std::string_view field_stage = "distance field";
 
 class FieldSampler {
  public:
@@ -21,11 +21,11 @@ class FieldSampler {
   Field run() {
     Field field{structure_, std::vector<double>(grid_.size(), limits::empty_value)};
     constexpr double signs_share = 0.2;  // of the time, roughly
-    for_each(grid_.layers.size(), stage, Share{0, signs_share}, progress_, [&](std::size_t k) {
+    for_each(grid_.layers.size(), field_stage, Share{0, signs_share}, progress_, [&](std::size_t k) {
       if (is_empty(k)) return;
       distance::sample_signs(slice(k), structure_, grid_, signs_of(k));
     });
-    for_each(grid_.layers.size(), stage, Share{signs_share, 1}, progress_, [&](std::size_t k) {
+    for_each(grid_.layers.size(), field_stage, Share{signs_share, 1}, progress_, [&](std::size_t k) {
       if (is_empty(k)) return;
       fill_layer(k, std::span(field.values).subspan(k * grid_.layer_size(), grid_.layer_size()));
     });

@@ -13,7 +13,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::string_view stage = "marching cubes";
+constexpr std::string_view marching_stage = "marching cubes";
 
 /// Four corners of a cell on one column, as bits of its case: (y, z) at bit 2 y + 4 z, for x = 0; shifted by one for x
 /// = 1.
@@ -50,10 +50,10 @@ class Marcher {
 
   MarchedSurface run() {
     constexpr double count_share = 0.3;
-    for_each(grid_.layers.size(), stage, Share{0, count_share}, progress_,
+    for_each(grid_.layers.size(), marching_stage, Share{0, count_share}, progress_,
                              [this](std::size_t k) { count(k); });
     number();
-    for_each(grid_.layers.size(), stage, Share{count_share, 1}, progress_,
+    for_each(grid_.layers.size(), marching_stage, Share{count_share, 1}, progress_,
                              [this](std::size_t k) { fill(k); });
     return std::move(surface_);
   }

@@ -18,9 +18,9 @@
 namespace odontoscope {
 namespace {
 
-double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double gap_between(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-double twice_area(const std::vector<Point2>& polygon) {
+double twice_shoelace(const std::vector<Point2>& polygon) {
   double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
@@ -130,11 +130,11 @@ class GapCloser {
   Join shortest() const {
     Join best;
     for (std::size_t a = 0; a < lines_.size(); ++a) {
-      consider(best, {a, a, false, false, distance(lines_[a].back(), lines_[a].front())});
+      consider(best, {a, a, false, false, gap_between(lines_[a].back(), lines_[a].front())});
       for (std::size_t b = a + 1; b < lines_.size(); ++b) {
         for (const bool a_start : {false, true}) {
           for (const bool b_end : {false, true}) {
-            consider(best, {a, b, a_start, b_end, distance(end_of(a, !a_start), end_of(b, b_end))});
+            consider(best, {a, b, a_start, b_end, gap_between(end_of(a, !a_start), end_of(b, b_end))});
           }
         }
       }
@@ -234,7 +234,7 @@ class StructureCutter {
     const auto take = [&](const std::vector<Contour>& side) {
       for (const Contour& contour : side) {
         polygons.push_back(contour.points);
-        sum += twice_area(contour.points);
+        sum += twice_shoelace(contour.points);
       }
     };
     take(below);
@@ -336,7 +336,7 @@ void turn_outwards(ContourStack& stack) {
         }
       }
     };
-    each([&](const std::vector<Point2>& points) { sum += twice_area(points); });
+    each([&](const std::vector<Point2>& points) { sum += twice_shoelace(points); });
     if (sum < 0) each([](std::vector<Point2>& points) { std::reverse(points.begin(), points.end()); });
   }
 }

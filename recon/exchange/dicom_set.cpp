@@ -13,7 +13,7 @@ namespace {
 
 using namespace parsing;
 
-constexpr std::size_t preamble = 128, mark_length = 4;
+constexpr std::size_t preamble_length = 128, mark_length = 4;
 constexpr std::uint32_t undefined_length = 0xffffffff;
 constexpr std::uint32_t item_tag = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd, transfer_syntax = 0x00020010;
 
@@ -38,10 +38,10 @@ bool begins_as_data_set(std::string_view bytes) {
 }
 
 DicomSet::DicomSet(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-  const bool marked = bytes_.size() >= preamble + mark_length && bytes_.substr(preamble, mark_length) == "DICM";
+  const bool marked = bytes_.size() >= preamble_length + mark_length && bytes_.substr(preamble_length, mark_length) == "DICM";
   const bool without_preamble = !marked && bytes_.starts_with("DICM");
   if (!marked && !without_preamble && !begins_as_data_set(bytes_)) unreadable(0, "the file has no mark of DICOM");
-  read_meta_information(marked ? preamble + mark_length : without_preamble ? mark_length : 0);
+  read_meta_information(marked ? preamble_length + mark_length : without_preamble ? mark_length : 0);
 }
 
 /// Group 2, always explicit, says how the rest is coded.

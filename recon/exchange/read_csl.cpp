@@ -32,9 +32,9 @@ struct Plane {
   std::size_t line = 0;
 };
 
-class Reader {
+class CslReader {
  public:
-  Reader(std::string_view text, const std::string& file) : words_(text, 1), file_(file) {}
+  CslReader(std::string_view text, const std::string& file) : words_(text, 1), file_(file) {}
 
   std::vector<Plane> planes() {
     if (words_.next() != "CSLC") fail("bad-header", "the file does not begin with the line \"CSLC\"");
@@ -198,7 +198,7 @@ bool looks_like_csl(std::string_view bytes) {
 }
 
 FileContours parse_csl(std::string_view bytes, const std::string& file) {
-  Reader reader(bytes, file);
+  CslReader reader(bytes, file);
   const std::vector<Plane> planes = reader.planes();
   FileContours result;
   result.stack.source = file;

@@ -21,9 +21,9 @@ using parsing::refuse;
 constexpr double millimetres_per_micrometre = 1e-3;
 using Affine = std::array<double, 6>;
 
-class Reader {
+class JserReader {
  public:
-  explicit Reader(const std::string& file) { whole_.file = file; }
+  explicit JserReader(const std::string& file) { whole_.file = file; }
 
   FileContours read(const json& document) {
     result_.stack.source = whole_.file;
@@ -178,7 +178,7 @@ FileContours parse_jser(std::string_view bytes, const std::string& file) {
   }
   const json document = json::parse(bytes, nullptr, false);
   if (document.is_discarded()) refuse("unparsable", place, "the file is no JSON, or was cut short", "Copy or save it again");
-  return Reader(file).read(document);
+  return JserReader(file).read(document);
 }
 
 }  // namespace odontoscope

@@ -47,9 +47,9 @@ struct Roi {
   std::size_t taken = 0;
 };
 
-class Reader {
+class StructureSetReader {
  public:
-  Reader(std::string_view bytes, const std::string& file, const std::vector<std::string>& wanted) : set_(bytes, file), wanted_(wanted) {
+  StructureSetReader(std::string_view bytes, const std::string& file, const std::vector<std::string>& wanted) : set_(bytes, file), wanted_(wanted) {
     whole_.file = file;
   }
 
@@ -331,7 +331,7 @@ FileContours parse_rtstruct(std::string_view bytes, const std::string& file, con
     place.file = file;
     refuse("file-too-large", place, fmt::format("the file has more than {} MiB", limits::structure_set_bytes >> 20), "Export fewer regions");
   }
-  return Reader(bytes, file, structures).read();
+  return StructureSetReader(bytes, file, structures).read();
 }
 
 }  // namespace odontoscope

@@ -8,7 +8,8 @@
 #include "recon/input/names.h"
 #include "recon/input/strict_json.h"
 
-namespace odontoscope {
+// The words of this format stand apart from those of contour stacks.
+namespace odontoscope::links_file {
 namespace {
 
 constexpr std::string_view format_name = "odontoscope.links";
@@ -82,19 +83,23 @@ class LinksReader final : public StrictJson {
 };
 
 }  // namespace
+}  // namespace odontoscope::links_file
+
+namespace odontoscope {
 
 std::vector<Link> read_links(const std::string& file) {
   JsonSource source = JsonSource::from_file(file);
-  return LinksReader().read_links(source);
+  return links_file::LinksReader().read_links(source);
 }
 
 std::vector<Link> parse_links(std::string_view bytes, std::string name) {
   JsonSource source = JsonSource::from_bytes(bytes, std::move(name));
-  return LinksReader().read_links(source);
+  return links_file::LinksReader().read_links(source);
 }
 
 std::string links_to_json(const std::vector<ReportedLink>& links) {
-  std::string text = fmt::format("{{\"format\":\"{}\",\"version\":{},\"links\":[", format_name, format_version);
+  std::string text =
+      fmt::format("{{\"format\":\"{}\",\"version\":{},\"links\":[", links_file::format_name, links_file::format_version);
   const char* separator = "\n";
   for (const auto& [link, criterion] : links) {
     text += fmt::format("{}{{\"structure\":{},\"slice\":{},\"lower\":{},\"upper\":{},\"connect\":{},\"criterion\":{}}}",

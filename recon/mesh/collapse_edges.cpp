@@ -19,12 +19,12 @@ namespace {
 namespace sms = CGAL::Surface_mesh_simplification;
 using Vertex = HalfEdgeMesh::Vertex_index;
 using Face = HalfEdgeMesh::Face_index;
-using Point = ExactKernel::Point_3;
+using ExactPoint = ExactKernel::Point_3;
 using FixedEdges = HalfEdgeMesh::Property_map<HalfEdgeMesh::Edge_index, bool>;
 using Placement = sms::Constrained_placement<sms::LindstromTurk_placement<HalfEdgeMesh>, FixedEdges>;
 using Refusal = CollapseGuard::Refusal;
 
-constexpr std::string_view stage = "simplify";
+constexpr std::string_view collapse_stage = "simplify";
 /// A round is repeated if it took away more than one in so many edges.
 constexpr std::size_t least_gain = 100;
 
@@ -85,9 +85,9 @@ struct Round {
 
   /// The first place that nothing speaks against; `refusal` says what spoke against the best.
   template <class Profile>
-  boost::optional<Point> allowed(const Profile& profile, const boost::optional<Point>& best) {
+  boost::optional<ExactPoint> allowed(const Profile& profile, const boost::optional<ExactPoint>& best) {
     const CollapseGuard::Star star = star_of(profile);
-    std::vector<Point> places;
+    std::vector<ExactPoint> places;
     if (best) places.push_back(*best);
     const bool held = all.keep[profile.v0().idx()] || all.keep[profile.v1().idx()];
     if (daring.elsewhere && !held) {
@@ -108,8 +108,8 @@ struct GuardedPlacement {
   Round* round;
 
   template <class Profile>
-  boost::optional<Point> operator()(const Profile& profile) const {
-    boost::optional<Point> place = best(profile);
+  boost::optional<ExactPoint> operator()(const Profile& profile) const {
+    boost::optional<ExactPoint> place = best(profile);
     if (!place && round->daring.elsewhere) place = CGAL::midpoint(profile.p0(), profile.p1());
     return std::exchange(round->selected, false) ? round->allowed(profile, place) : place;
   }
@@ -129,10 +129,10 @@ class Watcher : public sms::Edge_collapse_visitor_base<HalfEdgeMesh> {
     if (round.calls % pause != 0) return;
     const double all = static_cast<double>(round.edges_at_the_start) - static_cast<double>(round.edges_at_the_end);
     const double done = static_cast<double>(round.edges_at_the_start) - static_cast<double>(current);
-    round.progress.tell(stage, all > 0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
+    round.progress.tell(collapse_stage, all > 0 ? std::clamp(done / all, 0.0, 1.0) : 1.0);
   }
   void OnStopConditionReached(const Profile&) { round_->selected = false; }
-  void OnCollapsing(const Profile& profile, const boost::optional<Point>&) {
+  void OnCollapsing(const Profile& profile, const boost::optional<ExactPoint>&) {
     round_->guard.vanished(round_->all.mesh.face(profile.v0_v1()));
     round_->guard.vanished(round_->all.mesh.face(profile.v1_v0()));
   }
@@ -158,7 +158,7 @@ std::vector<CollapsedSurface> parted(const Together& all, std::size_t count) {
     const std::uint32_t n = all.surface_of[v.idx()];
     number[v.idx()] = static_cast<PointIndex>(surfaces[n].original.size());
     surfaces[n].original.push_back(static_cast<PointIndex>(v.idx() - all.first_point[n]));
-    const Point& p = all.mesh.point(v);
+    const ExactPoint& p = all.mesh.point(v);
     surfaces[n].surface.points.push_back({p.x(), p.y(), p.z()});
   }
   for (const Face face : all.mesh.faces()) {

@@ -15,8 +15,8 @@ using Segment3 = ExactKernel::Segment_3;
 
 Point3 plain(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-std::vector<Box> boxes_of(const HalfEdgeMesh& mesh) {
-  std::vector<Box> boxes(mesh.num_faces());
+std::vector<MovingBox> boxes_of(const HalfEdgeMesh& mesh) {
+  std::vector<MovingBox> boxes(mesh.num_faces());
   for (const auto face : mesh.faces()) {
     for (const auto v : mesh.vertices_around_face(mesh.halfedge(face))) boxes[face.idx()].add(plain(mesh.point(v)));
   }
@@ -39,8 +39,8 @@ bool meet_beside(const Point& shared, const Point& a, const Point& b, const Poin
 CollapseGuard::CollapseGuard(const HalfEdgeMesh& mesh, const std::vector<std::uint32_t>& surface_of)
     : mesh_(mesh), surface_of_(surface_of), tree_(boxes_of(mesh)) {}
 
-Box CollapseGuard::box_of(Face face) const {
-  Box box;
+MovingBox CollapseGuard::box_of(Face face) const {
+  MovingBox box;
   for (const Vertex v : mesh_.vertices_around_face(mesh_.halfedge(face))) box.add(plain(mesh_.point(v)));
   return box;
 }
@@ -64,7 +64,7 @@ std::optional<CollapseGuard::Refusal> CollapseGuard::refusal(const Star& star, c
 bool CollapseGuard::strays(const Star& star, const Point& placed) const {
   const Point &one = mesh_.point(star.one), &other = mesh_.point(star.other);
   const double allowed = CGAL::squared_distance(one, other);
-  double placed_off = CGAL::squared_distance(placed, Segment3(one, other)), one_off = Box::far, other_off = Box::far;
+  double placed_off = CGAL::squared_distance(placed, Segment3(one, other)), one_off = MovingBox::far, other_off = MovingBox::far;
   for (const Star::Triangle& t : star.triangles) {
     const Point &before = mesh_.point(t.before), &moved = mesh_.point(t.moved), &after = mesh_.point(t.after);
     if (placed_off > allowed) {
@@ -115,7 +115,7 @@ bool CollapseGuard::cuts_itself(const Star& star, const Point& placed) const {
 
 bool CollapseGuard::cuts_others(const Star& star, const Point& placed) const {
   return std::any_of(star.triangles.begin(), star.triangles.end(), [&](const Star::Triangle& made) {
-    Box box;
+    MovingBox box;
     box.add(plain(placed));
     box.add(plain(mesh_.point(made.before)));
     box.add(plain(mesh_.point(made.after)));

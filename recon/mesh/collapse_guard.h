@@ -50,7 +50,7 @@ class CollapseGuard {
   void moved(Vertex vertex);
 
  private:
-  Box box_of(Face face) const;
+  MovingBox box_of(Face face) const;
   bool strays(const Star& star, const Point& placed) const;
   bool turns(const Star& star, const Point& placed) const;
   bool flattens(const Star& star, const Point& placed) const;

@@ -17,7 +17,7 @@ namespace odontoscope {
 namespace {
 
 using Corner = std::uint32_t;
-using Triangles = std::vector<std::array<Corner, 3>>;
+using CornerTriangles = std::vector<std::array<Corner, 3>>;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 struct FaceInfo {
@@ -63,7 +63,7 @@ std::vector<Kernel::Point_2> seen_along(const std::vector<Point3>& corners, std:
   return seen;
 }
 
-Triangles halves(Corner from) { return {{from, from + 1, from + 2}, {from, from + 2, (from + 3) % 4}}; }
+CornerTriangles halves(Corner from) { return {{from, from + 1, from + 2}, {from, from + 2, (from + 3) % 4}}; }
 
 /// Along the diagonal that begins at corner 0 or 1.
 bool lies_inside(Corner from, const std::vector<Kernel::Point_2>& seen, double sense) {
@@ -79,7 +79,7 @@ double squared_distance(const Point3& a, const Point3& b) {
   return x * x + y * y + z * z;
 }
 
-std::optional<Triangles> cut_four(const std::vector<Point3>& corners, std::size_t axis, double sense) {
+std::optional<CornerTriangles> cut_four(const std::vector<Point3>& corners, std::size_t axis, double sense) {
   const auto seen = seen_along(corners, axis);
   const bool first = lies_inside(0, seen, sense), second = lies_inside(1, seen, sense);
   if (!first && !second) return std::nullopt;
@@ -100,10 +100,10 @@ class ManyCorners {
   ManyCorners(const std::vector<Point3>& corners, std::size_t axis) : corners_(corners), seen_(seen_along(corners, axis)) {}
 
   /// Nothing if the polygon meets itself otherwise than in corners and along its own edges.
-  std::optional<Triangles> cut() {
+  std::optional<CornerTriangles> cut() {
     if (!insert() || triangulation_.dimension() < 2) return std::nullopt;
     tell_inside();
-    Triangles triangles;
+    CornerTriangles triangles;
     for (const auto face : triangulation_.finite_face_handles()) {
       if (face->info().inside) triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     }
@@ -163,7 +163,7 @@ class ManyCorners {
     }
   }
 
-  bool is_bounded_by_polygon(const Triangles& triangles) const {
+  bool is_bounded_by_polygon(const CornerTriangles& triangles) const {
     Balance balance;
     for (std::size_t i = 0; i < first_at_place_.size(); ++i) count(balance, first_at_place_[i], first_at_place_[(i + 1) % first_at_place_.size()], 1);
     for (const auto& [a, b, c] : triangles) {
@@ -181,8 +181,8 @@ class ManyCorners {
   std::map<std::pair<Corner, Corner>, int> times_;
 };
 
-Triangles fan(std::size_t corners) {
-  Triangles triangles;
+CornerTriangles fan(std::size_t corners) {
+  CornerTriangles triangles;
   for (Corner i = 1; i + 1 < corners; ++i) triangles.push_back({0, i, i + 1});
   return triangles;
 }

@@ -16,7 +16,7 @@
 
 namespace odontoscope {
 
-struct Box {
+struct MovingBox {
   static constexpr double far = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{far, far, far}, high{-far, -far, -far};  // holds nothing
 
@@ -27,7 +27,7 @@ struct Box {
       high[axis] = std::max(high[axis], at[axis]);
     }
   }
-  void add(const Box& box) {
+  void add(const MovingBox& box) {
     for (int axis = 0; axis < 3; ++axis) {
       low[axis] = std::min(low[axis], box.low[axis]);
       high[axis] = std::max(high[axis], box.high[axis]);
@@ -39,7 +39,7 @@ struct Box {
   bool empty() const { return low[0] > high[0]; }
   double extent(int axis) const { return empty() ? 0 : high[axis] - low[axis]; }
   double longest() const { return std::max({extent(0), extent(1), extent(2)}); }
-  bool meets(const Box& box) const {
+  bool meets(const MovingBox& box) const {
     for (int axis = 0; axis < 3; ++axis) {
       if (low[axis] > box.high[axis] || box.low[axis] > high[axis]) return false;
     }
@@ -52,7 +52,7 @@ struct Box {
 
 class MovingBoxTree {
  public:
-  explicit MovingBoxTree(const std::vector<Box>& boxes)
+  explicit MovingBoxTree(const std::vector<MovingBox>& boxes)
       : leaves_(std::bit_ceil(std::max<std::size_t>(boxes.size(), 1))), nodes_(2 * leaves_), place_(boxes.size()),
         thing_(leaves_, none) {
     std::vector<std::uint32_t> order(boxes.size());
@@ -65,7 +65,7 @@ class MovingBoxTree {
   }
 
   /// An empty box takes the thing out.
-  void move(std::size_t thing, const Box& box) {
+  void move(std::size_t thing, const MovingBox& box) {
     std::size_t node = leaves_ + place_[thing];
     nodes_[node] = box;
     while (node > 1) {
@@ -77,7 +77,7 @@ class MovingBoxTree {
 
   /// Calls `found(thing)` for each whose box meets this one, until it returns true; returns whether it did.
   template <class Found>
-  bool any(const Box& box, const Found& found) const {
+  bool any(const MovingBox& box, const Found& found) const {
     std::array<std::size_t, 128> open;
     std::size_t count = 0;
     open[count++] = 1;
@@ -98,7 +98,7 @@ class MovingBoxTree {
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
   /// Things order[from, to) go to the `room` leaves from `leaf` on.
-  void settle(const std::vector<Box>& boxes, std::vector<std::uint32_t>& order, std::size_t from, std::size_t to,
+  void settle(const std::vector<MovingBox>& boxes, std::vector<std::uint32_t>& order, std::size_t from, std::size_t to,
               std::size_t leaf, std::size_t room) {
     if (from == to) return;
     if (room == 1) {
@@ -107,7 +107,7 @@ class MovingBoxTree {
       nodes_[leaves_ + leaf] = boxes[order[from]];
       return;
     }
-    Box all;
+    MovingBox all;
     for (std::size_t n = from; n < to; ++n) all.add(boxes[order[n]]);
     int axis = 0;
     for (const int other : {1, 2}) {
@@ -126,7 +126,7 @@ class MovingBoxTree {
   }
 
   std::size_t leaves_;
-  std::vector<Box> nodes_;             // node n has the children 2n and 2n + 1; leaves come last
+  std::vector<MovingBox> nodes_;             // node n has the children 2n and 2n + 1; leaves come last
   std::vector<std::uint32_t> place_;   // leaf of each thing
   std::vector<std::uint32_t> thing_;   // of each leaf
 };

@@ -25,9 +25,9 @@ struct Object {
   std::unordered_map<std::size_t, PointIndex> number;
 };
 
-class Reader {
+class ObjReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  ObjReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   std::vector<NamedMesh> meshes() {
     while (next_line()) read_line();
@@ -172,7 +172,7 @@ class Reader {
 }  // namespace
 
 std::vector<NamedMesh> parse_obj(std::string_view bytes, const std::string& file) {
-  std::vector<NamedMesh> meshes = Reader(bytes, file).meshes();
+  std::vector<NamedMesh> meshes = ObjReader(bytes, file).meshes();
   if (meshes.empty()) refuse("empty-mesh", at_line(file, 1), "the file holds no triangle");
   return meshes;
 }

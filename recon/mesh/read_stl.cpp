@@ -14,7 +14,7 @@ namespace {
 
 using namespace parsing;
 
-constexpr std::size_t header_size = 80, count_size = 4, record_size = 50, normal_size = 12;
+constexpr std::size_t stl_header_size = 80, count_size = 4, record_size = 50, normal_size = 12;
 
 void add_triangle(SurfaceMesh& soup, const Point3 (&corners)[3]) {
   const auto first = static_cast<PointIndex>(soup.points.size());
@@ -23,16 +23,16 @@ void add_triangle(SurfaceMesh& soup, const Point3 (&corners)[3]) {
 }
 
 std::vector<NamedMesh> parse_binary(std::string_view bytes, const std::string& file) {
-  const std::size_t count = little_endian<std::uint32_t>(bytes, header_size);
+  const std::size_t count = little_endian<std::uint32_t>(bytes, stl_header_size);
   if (count > limits::triangles) {
-    refuse("too-large", at_byte(file, header_size),
+    refuse("too-large", at_byte(file, stl_header_size),
            fmt::format("{} triangles are more than {}", count, limits::triangles));
   }
   SurfaceMesh soup;
   soup.points.reserve(3 * count);
   soup.triangles.reserve(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const std::size_t record = header_size + count_size + t * record_size;
+    const std::size_t record = stl_header_size + count_size + t * record_size;
     Point3 corners[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t at = record + normal_size + k * 3 * sizeof(float);
@@ -51,9 +51,9 @@ std::vector<NamedMesh> parse_binary(std::string_view bytes, const std::string& f
 }
 
 /// The words of a facet, one expected after the other.
-class Reader {
+class StlTextReader {
  public:
-  Reader(std::string_view text, const std::string& file) : words_(text, 1), file_(file) {}
+  StlTextReader(std::string_view text, const std::string& file) : words_(text, 1), file_(file) {}
 
   std::vector<NamedMesh> solids() {
     std::vector<NamedMesh> meshes;
@@ -138,17 +138,17 @@ class Reader {
 
 /// Many binary files begin with "solid", too, but no text has zeros, which counts and unused attributes are full of.
 bool is_text(std::string_view bytes) {
-  Words words(bytes.substr(0, header_size), 1);
-  return same_word(words.next(), "solid") && bytes.substr(0, header_size + count_size + record_size).find('\0') == bytes.npos;
+  Words words(bytes.substr(0, stl_header_size), 1);
+  return same_word(words.next(), "solid") && bytes.substr(0, stl_header_size + count_size + record_size).find('\0') == bytes.npos;
 }
 
 }  // namespace
 
 std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file) {
   // The size tells a binary file for sure; many begin with "solid", as an ASCII file must.
-  const bool has_count = bytes.size() >= header_size + count_size;
+  const bool has_count = bytes.size() >= stl_header_size + count_size;
   const std::size_t announced =
-      has_count ? header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, header_size)}
+      has_count ? stl_header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, stl_header_size)}
                 : 0;
   const bool text = bytes.size() != announced && is_text(bytes);
   if (!text && !has_count) {
@@ -159,7 +159,7 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
     refuse("truncated", at_byte(file, bytes.size()), fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
            "Copy or export it again");
   }
-  std::vector<NamedMesh> meshes = text ? Reader(bytes, file).solids() : parse_binary(bytes, file);
+  std::vector<NamedMesh> meshes = text ? StlTextReader(bytes, file).solids() : parse_binary(bytes, file);
   if (!text && bytes.size() > announced) meshes.front().remarks.push_back(bytes_behind_told(bytes.size() - announced));
   std::size_t triangles = 0;
   for (const NamedMesh& mesh : meshes) triangles += mesh.surface.triangles.size();

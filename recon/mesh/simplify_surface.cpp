@@ -12,7 +12,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::string_view stage = "simplify";
+constexpr std::string_view simplify_stage = "simplify";
 
 /// The shells of the full surface, and which one each vertex belongs to.
 struct Shells {
@@ -41,7 +41,7 @@ std::vector<char> changed_shells(const Shells& full, const CollapsedSurface& col
 struct Verdict {
   SurfaceReport report;
   std::size_t self_intersections = 0;
-  std::vector<Box> places;
+  std::vector<MovingBox> places;
   std::vector<char> changed_shells;
   bool good() const {
     return places.empty() && std::find(changed_shells.begin(), changed_shells.end(), 1) == changed_shells.end();
@@ -54,7 +54,7 @@ Verdict judge(const Shells& full, const CollapsedSurface& collapsed) {
   verdict.report = inspect(mesh);
   verdict.changed_shells = changed_shells(full, collapsed, verdict.report);
   const auto box_of = [&](std::initializer_list<std::size_t> triangles) {
-    Box box;
+    MovingBox box;
     for (const std::size_t t : triangles) {
       for (const PointIndex v : mesh.triangles[t]) box.add(mesh.points[v]);
     }
@@ -77,7 +77,7 @@ bool keep_more(const SurfaceMesh& surface, const Shells& full, const Verdict& ve
   bool more = false;
   for (std::size_t v = 0; v < keep.size(); ++v) {
     if (keep[v]) continue;
-    const auto holds = [&](const Box& box) { return box.holds(surface.points[v]); };
+    const auto holds = [&](const MovingBox& box) { return box.holds(surface.points[v]); };
     keep[v] =
         verdict.changed_shells[full.of_vertex[v]] || std::any_of(verdict.places.begin(), verdict.places.end(), holds);
     more = more || keep[v];
@@ -145,7 +145,7 @@ SimplifiedSurfaces simplify(const std::vector<const SurfaceMesh*>& surfaces, con
   for (const Work& work : works) given.push_back({work.surface, &work.keep});
   SimplifiedSurfaces simplified;
   for (;;) {
-    progress.tell(stage, 0);
+    progress.tell(simplify_stage, 0);
     Collapse collapse = collapse_edges(given, options.triangles, progress);
     for (std::size_t n = 0; n < works.size(); ++n) works[n].collapsed = std::move(collapse.surfaces[n]);
     simplified.obstacles = {collapse.against_topology, collapse.cutting, collapse.misshapen};

@@ -20,12 +20,12 @@ namespace odontoscope {
 namespace {
 
 // Distances are measured in plain doubles: no decision hangs on them.
-using Kernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using DoubleKernel = CGAL::Simple_cartesian<double>;
+using Triangles = std::vector<DoubleKernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<DoubleKernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<DoubleKernel, Primitive>>;
 
-constexpr std::string_view stage = "measure distance";
+constexpr std::string_view distance_stage = "measure distance";
 
 double area(const SurfaceMesh& mesh, const Triangle& t) {
   const Point3& a = mesh.points[t[0]];
@@ -78,7 +78,7 @@ std::vector<Point3> used_vertices(const SurfaceMesh& mesh) {
 Triangles triangles_with_area(const SurfaceMesh& mesh) {
   Triangles triangles;
   const auto point = [&](PointIndex i) {
-    return Kernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
+    return DoubleKernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
   };
   for (const Triangle& t : mesh.triangles) {
     if (area(mesh, t) > 0) triangles.emplace_back(point(t[0]), point(t[1]), point(t[2]));
@@ -105,7 +105,7 @@ std::vector<double> distances(const std::vector<Point3>& points, const Tree& tre
     }
     const double part = static_cast<double>(++done) / static_cast<double>(chunks);
     const std::lock_guard lock(telling);
-    progress.tell(stage, share.from + (share.to - share.from) * part);
+    progress.tell(distance_stage, share.from + (share.to - share.from) * part);
   });
   progress.check();
   return distance;
@@ -150,7 +150,7 @@ std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const Surf
                                                 const DistanceOptions& options, const Progress& progress) {
   const Triangles of_a = triangles_with_area(a), of_b = triangles_with_area(b);
   if (of_a.empty() || of_b.empty()) return std::nullopt;
-  progress.tell(stage, 0);
+  progress.tell(distance_stage, 0);
   const auto tree_a = tree_of(of_a), tree_b = tree_of(of_b);
   progress.check();
   SurfaceDistance distance;

@@ -59,13 +59,13 @@ std::uint32_t number_shells(const SurfaceMesh& mesh, const EdgeMates& edges, std
 }
 
 /// The corners of each vertex: how many, and one of them. Triangles that name a vertex twice are left out.
-struct Corners {
+struct CornersByVertex {
   std::vector<HalfEdge> any;
   std::vector<std::uint32_t> count;
 };
 
-Corners corners_of(const SurfaceMesh& mesh) {
-  Corners corners;
+CornersByVertex corners_of(const SurfaceMesh& mesh) {
+  CornersByVertex corners;
   corners.any.assign(mesh.points.size(), EdgeMates::none);
   corners.count.assign(mesh.points.size(), 0);
   for (HalfEdge h = 0; h < 3 * mesh.triangles.size(); ++h) {
@@ -109,7 +109,7 @@ bool is_one_fan(const SurfaceMesh& mesh, const EdgeMates& edges, HalfEdge corner
   return passed == corners;
 }
 
-std::vector<char> singular_vertices(const SurfaceMesh& mesh, const EdgeMates& edges, const Corners& corners) {
+std::vector<char> singular_vertices(const SurfaceMesh& mesh, const EdgeMates& edges, const CornersByVertex& corners) {
   std::vector<char> singular(mesh.points.size(), 0);
   for (const HalfEdge h : edges.crowded) singular[start(mesh, h)] = singular[end(mesh, h)] = 1;
   for (std::size_t v = 0; v < singular.size(); ++v) {
@@ -120,7 +120,7 @@ std::vector<char> singular_vertices(const SurfaceMesh& mesh, const EdgeMates& ed
 }
 
 /// A vertex counts once in each shell that it belongs to.
-void count_shell_vertices(const SurfaceMesh& mesh, const Corners& corners, const std::vector<char>& singular,
+void count_shell_vertices(const SurfaceMesh& mesh, const CornersByVertex& corners, const std::vector<char>& singular,
                           SurfaceReport& report) {
   std::vector<std::pair<std::uint32_t, PointIndex>> shared;
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
@@ -136,7 +136,7 @@ void count_shell_vertices(const SurfaceMesh& mesh, const Corners& corners, const
   for (const auto& [shell, v] : shared) ++report.shells[shell].vertices;
 }
 
-std::size_t count_used(const SurfaceMesh& mesh, const Corners& corners) {
+std::size_t count_used(const SurfaceMesh& mesh, const CornersByVertex& corners) {
   std::vector<char> used(mesh.points.size());
   for (std::size_t v = 0; v < used.size(); ++v) used[v] = corners.count[v] != 0;
   for (const Triangle& t : mesh.triangles) {
@@ -248,7 +248,7 @@ bool SurfaceReport::closed_oriented_manifold() const {
 
 SurfaceReport inspect(const SurfaceMesh& mesh) {
   const EdgeMates edges = edge_mates(mesh);
-  const Corners corners = corners_of(mesh);
+  const CornersByVertex corners = corners_of(mesh);
   SurfaceReport report;
   report.triangles = mesh.triangles.size();
   report.vertices = count_used(mesh, corners);

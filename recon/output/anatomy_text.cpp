@@ -11,7 +11,6 @@
 namespace odontoscope {
 namespace {
 
-Json json_of(const Point3& p) { return {p.x, p.y, p.z}; }
 Json json_of(const MeasuredPlace& place) { return {{"width", place.width}, {"at", json_of(place.at)}}; }
 
 Json json_of(const MeasuredCanal& canal) {

@@ -5,8 +5,6 @@
 namespace odontoscope {
 namespace {
 
-Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
-
 Json json_of(const PassageCounts& counts) {
   return {{"all", counts.all},
           {"lost", counts.lost},

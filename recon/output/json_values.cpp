@@ -14,6 +14,10 @@ const char* name(Shell::Kind kind) {
   return "open";
 }
 
+Json json_of(const Point3& place) { return {place.x, place.y, place.z}; }
+
+Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
+
 Json json_of(const Spread& spread) {
   return {{"min", spread.min},
           {"median", spread.median},

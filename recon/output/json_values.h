@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "recon/mesh/surface_distance.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope {
@@ -11,6 +12,8 @@ namespace odontoscope {
 using Json = nlohmann::ordered_json;
 
 const char* name(Shell::Kind kind);
+Json json_of(const Point3& place);   // three numbers
+Json json_of(const OneWayDistance& distance);
 Json json_of(const Spread& spread);
 /// Counts summed over all reports, and every shell.
 Json json_of(const std::vector<const SurfaceReport*>& reports);

@@ -91,8 +91,6 @@ Json json_of(const Topology& topology) {
           {"euler", topology.euler()}};
 }
 
-Json json_of(const Point3& place) { return {place.x, place.y, place.z}; }
-
 Json attention_json(const std::vector<Attention>& items) {
   Json list = Json::array();
   for (const Attention& item : items) {
@@ -146,8 +144,6 @@ Json topology_json(const std::vector<SlabTopology>& slabs) {
   }
   return {{"slabs", slabs.size()}, {"as_implied", as_implied}, {"interpolated", interpolated}, {"otherwise", std::move(others)}};
 }
-
-Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
 
 Json simplification_json(const std::vector<StructureSimplification>& simplifications) {
   Json list = Json::array();

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double crease_angle = 1.0472;     // 60 degrees, as in GLB
 constexpr double quarter_turn = 1.5707963;  // +z up to +y up
-constexpr double metres_per_millimetre = 1e-3;
+constexpr double vrml_scale = 1e-3;
 
 /// Where to look from, metres, after the turn: at the middle of the model along -z.
 struct View {
@@ -33,8 +33,8 @@ View view_of(const WrittenModel& model) {
     for (const Point3& p : solid.surface.points) {
       const double turned[3] = {p.x, p.z, -p.y};
       for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], turned[axis] * metres_per_millimetre);
-        high[axis] = std::max(high[axis], turned[axis] * metres_per_millimetre);
+        low[axis] = std::min(low[axis], turned[axis] * vrml_scale);
+        high[axis] = std::max(high[axis], turned[axis] * vrml_scale);
       }
     }
   }
@@ -46,15 +46,15 @@ View view_of(const WrittenModel& model) {
 }
 
 /// A group's own points, in order of first use, and its triangles in their numbers.
-struct Part {
+struct IndexedPart {
   std::vector<PointIndex> points;
   std::vector<Triangle> triangles;
 };
 
-Part part_of(const SurfaceMesh& surface, const ShellGroup& group) {
+IndexedPart part_of(const SurfaceMesh& surface, const ShellGroup& group) {
   constexpr PointIndex unused = std::numeric_limits<PointIndex>::max();
   std::vector<PointIndex> number(surface.points.size(), unused);
-  Part part;
+  IndexedPart part;
   for (const std::uint32_t t : group.triangles) {
     Triangle renumbered{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +70,7 @@ Part part_of(const SurfaceMesh& surface, const ShellGroup& group) {
   return part;
 }
 
-void append_points(std::string& text, const SurfaceMesh& surface, const Part& part) {
+void append_points(std::string& text, const SurfaceMesh& surface, const IndexedPart& part) {
   for (const PointIndex v : part.points) {
     const Point3& p = surface.points[v];
     const char* separator = "";
@@ -83,7 +83,7 @@ void append_points(std::string& text, const SurfaceMesh& surface, const Part& pa
   }
 }
 
-void append_triangles(std::string& text, const Part& part) {
+void append_triangles(std::string& text, const IndexedPart& part) {
   for (const auto& [a, b, c] : part.triangles) fmt::format_to(std::back_inserter(text), "{} {} {} -1\n", a, b, c);
 }
 
@@ -99,7 +99,7 @@ std::string colour_of(const ShellGroup& group) {
 }
 
 /// A name within quotes.
-std::string quoted(const std::string& name) {
+std::string vrml_quoted(const std::string& name) {
   std::string escaped;
   for (const char c : name) {
     if (c == '"' || c == '\\') escaped += '\\';
@@ -109,12 +109,12 @@ std::string quoted(const std::string& name) {
 }
 
 void append_vrml_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group, Identifiers& identifiers) {
-  const Part part = part_of(solid.surface, group);
+  const IndexedPart part = part_of(solid.surface, group);
   text += fmt::format(
       "WorldInfo {{ title {} }}\nDEF {} Shape {{\nappearance Appearance {{ material Material {{ diffuseColor {} }} }}\n"
       "geometry IndexedFaceSet {{\nsolid TRUE\nccw TRUE\nconvex TRUE\ncreaseAngle {}\n"
       "coord Coordinate {{ point [\n",
-      quoted(group.name), identifiers.unique(group.name), colour_of(group), crease_angle);
+      vrml_quoted(group.name), identifiers.unique(group.name), colour_of(group), crease_angle);
   append_points(text, solid.surface, part);
   text += "] }\ncoordIndex [\n";
   append_triangles(text, part);
@@ -122,12 +122,12 @@ void append_vrml_shape(std::string& text, const WrittenSurface& solid, const She
 }
 
 void append_x3d_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group, Identifiers& identifiers) {
-  const Part part = part_of(solid.surface, group);
+  const IndexedPart part = part_of(solid.surface, group);
   text += fmt::format(
       "<Shape DEF=\"{}\">\n<MetadataString name=\"structure\" value=\"&quot;{}&quot;\"/>\n"
       "<Appearance><Material diffuseColor=\"{}\"/></Appearance>\n"
       "<IndexedFaceSet solid=\"true\" ccw=\"true\" convex=\"true\" creaseAngle=\"{}\" coordIndex=\"\n",
-      identifiers.unique(group.name), xml_escaped(quoted(group.name).substr(1, quoted(group.name).size() - 2)), colour_of(group),
+      identifiers.unique(group.name), xml_escaped(vrml_quoted(group.name).substr(1, vrml_quoted(group.name).size() - 2)), colour_of(group),
       crease_angle);
   append_triangles(text, part);
   text += "\">\n<Coordinate point=\"\n";
@@ -145,8 +145,8 @@ std::string vrml_text(const WrittenModel& model) {
       "NavigationInfo {{ type [ \"EXAMINE\", \"ANY\" ] avatarSize [ {:.6f}, {:.6f}, {:.6f} ] headlight TRUE }}\n"
       "Viewpoint {{ position {:.6f} {:.6f} {:.6f} description \"the whole tooth\" }}\n"
       "Transform {{\nscale {} {} {}\nrotation 1 0 0 -{}\nchildren [\n",
-      certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, metres_per_millimetre,
-      metres_per_millimetre, metres_per_millimetre, quarter_turn);
+      certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, vrml_scale,
+      vrml_scale, vrml_scale, quarter_turn);
   Identifiers identifiers;
   for (const WrittenSurface& solid : model.solids) {
     for (const ShellGroup& group : shell_groups(solid)) append_vrml_shape(text, solid, group, identifiers);
@@ -164,7 +164,7 @@ std::string x3d_text(const WrittenModel& model) {
       "<Viewpoint position=\"{:.6f} {:.6f} {:.6f}\" centerOfRotation=\"{:.6f} {:.6f} {:.6f}\" description=\"the whole tooth\"/>\n"
       "<Transform scale=\"{} {} {}\" rotation=\"1 0 0 -{}\">\n",
       certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, view.x, view.y, view.middle_z,
-      metres_per_millimetre, metres_per_millimetre, metres_per_millimetre, quarter_turn);
+      vrml_scale, vrml_scale, vrml_scale, quarter_turn);
   Identifiers identifiers;
   for (const WrittenSurface& solid : model.solids) {
     for (const ShellGroup& group : shell_groups(solid)) append_x3d_shape(text, solid, group, identifiers);

@@ -11,12 +11,12 @@
 namespace odontoscope {
 namespace {
 
-struct Numbers {
+struct SurfaceNumbers {
   std::string points, connectivity, offsets, structures, kinds;
 };
 
-Numbers numbers_of(const WrittenModel& model) {
-  Numbers numbers;
+SurfaceNumbers numbers_of(const WrittenModel& model) {
+  SurfaceNumbers numbers;
   std::int64_t first = 0, end = 0;
   std::uint16_t structure = 0;
   for (const WrittenSurface& solid : model.solids) {
@@ -48,7 +48,7 @@ std::string vtp_bytes(const WrittenModel& model) {
     triangles += solid.surface.triangles.size();
     structures.push_back(solid.structure);
   }
-  const Numbers numbers = numbers_of(model);
+  const SurfaceNumbers numbers = numbers_of(model);
   std::string xml = vtk_opening("PolyData", certificate_in_words(model));
   xml += vtk_field_data(structures, is_certified(model));
   xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfPolys=\"{}\">\n<Points>\n", points, triangles);

@@ -12,13 +12,13 @@
 namespace odontoscope {
 namespace {
 
-struct Numbers {
+struct SolidNumbers {
   std::string points, connectivity, offsets, types, structures, labels;
 };
 
-Numbers numbers_of(const Reconstruction& reconstruction) {
+SolidNumbers numbers_of(const Reconstruction& reconstruction) {
   constexpr std::uint8_t vtk_tetra = 10;  // a positive one, as ours
-  Numbers numbers;
+  SolidNumbers numbers;
   std::int64_t first = 0, end = 0;
   std::uint16_t structure = 0;
   for (const Solid& solid : reconstruction.solids) {
@@ -47,7 +47,7 @@ std::string vtu_bytes(const Reconstruction& reconstruction) {
     points += solid.tetrahedra.points.size();
     cells += solid.tetrahedra.tetrahedra.size();
   }
-  const Numbers numbers = numbers_of(reconstruction);
+  const SolidNumbers numbers = numbers_of(reconstruction);
   const WrittenModel model(reconstruction);
   std::vector<std::string_view> structures;
   for (const Solid& solid : reconstruction.solids) structures.push_back(solid.structure);

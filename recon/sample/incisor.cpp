@@ -8,7 +8,7 @@
 namespace odontoscope::sample {
 namespace {
 
-CrownSides sides() {
+CrownSides incisor_sides() {
   CrownSides s{
       .mesial = {{9, 3.1}, {11, 3.37}, {13, 3.5}, {15, 3.7}, {18, 4.05}, {21.5, 4.25}, {22.6, 4.22}, {23.5, 4.05}},
       .distal =
@@ -47,7 +47,7 @@ CrownSides sides() {
   return s;
 }
 
-Occlusal occlusal() {
+Occlusal incisor_occlusal() {
   Occlusal o;
   o.ridges = {{{{4.0, 0.35, 23.2},
                 {3.5, 0.38, 23.38},
@@ -74,8 +74,8 @@ ToothShape incisor() {
   t.proportions = {10.5, 13.0, 8.5, 7.0, 7.0, 6.0, 3.5, 2.5};
   t.top_z = 23.5;
   t.cervical_line = {13.0, 3.5, 2.5, 0.0};
-  t.sides = sides();
-  t.occlusal = occlusal();
+  t.sides = incisor_sides();
+  t.occlusal = incisor_occlusal();
   t.enamel = {1.0, 3.5, 1.6, 21.3};
   t.roots = {{.name = "root",
               .apex_z = 0,

@@ -8,7 +8,7 @@
 namespace odontoscope::sample {
 namespace {
 
-CrownSides sides() {
+CrownSides molar_sides() {
   CrownSides s{
       .mesial = {{12, 4.35}, {14, 4.5}, {15.2, 4.75}, {16.6, 5.15}, {18, 5.42}, {18.9, 5.5}, {20, 5.3}, {21.5, 4.7}},
       .distal = {{12, -4.4},
@@ -38,7 +38,7 @@ CrownSides sides() {
   return s;
 }
 
-Occlusal occlusal() {
+Occlusal molar_occlusal() {
   Occlusal o;
   o.cusps = {{"mesiobuccal", {2.6, 2.75, 21.1}, {0.9, 0.0}, 0.74, 1.5, 0.55, 0.6},
              {"distobuccal", {-0.95, 2.95, 20.95}, {-0.6, 0.0}, 0.7, 1.5, 0.6, 0.55},
@@ -55,7 +55,7 @@ Occlusal occlusal() {
   return o;
 }
 
-std::vector<Root> roots() {
+std::vector<Root> molar_roots() {
   return {{.name = "mesial",
            .apex_z = 0,
            .blunt = 1.7,
@@ -85,10 +85,10 @@ ToothShape molar() {
   t.proportions = {7.5, 14.0, 11.0, 9.0, 10.5, 9.0, 1.0, 0.0};
   t.top_z = 21.5;
   t.cervical_line = {14.0, 0.9, 0.2, 0.4};
-  t.sides = sides();
-  t.occlusal = occlusal();
+  t.sides = molar_sides();
+  t.occlusal = molar_occlusal();
   t.enamel = {1.6, 4.0, 1.6};
-  t.roots = roots();
+  t.roots = molar_roots();
   t.root_blend = 1.2;
   t.trunk_low_z = 11.0;
   t.trunk_high_z = 14.4;

@@ -8,7 +8,7 @@
 namespace odontoscope::sample {
 namespace {
 
-CrownSides sides() {
+CrownSides premolar_sides() {
   CrownSides s{
       .mesial = {{10, 2.3},
                  {12, 2.42},
@@ -47,7 +47,7 @@ CrownSides sides() {
   return s;
 }
 
-Occlusal occlusal() {
+Occlusal premolar_occlusal() {
   Occlusal o;
   o.cusps = {{"buccal", {-0.2, 2.65, 22.5}, {-0.1, 0.0}, 0.82, 1.5, 0.7, 0.3},
              {"lingual", {0.4, -2.7, 21.5}, {0.2, 0.0}, 0.66, 1.4, 0.55, 0.45}};
@@ -61,7 +61,7 @@ Occlusal occlusal() {
   return o;
 }
 
-std::vector<Root> roots() {
+std::vector<Root> premolar_roots() {
   return {{.name = "buccal",
            .apex_z = 0,
            .blunt = 1.3,
@@ -90,10 +90,10 @@ ToothShape premolar() {
   t.proportions = {8.5, 14.0, 7.0, 5.0, 9.0, 8.0, 1.0, 0.0};
   t.top_z = 22.5;
   t.cervical_line = {14.0, 1.0, 0.15, 0.2};
-  t.sides = sides();
-  t.occlusal = occlusal();
+  t.sides = premolar_sides();
+  t.occlusal = premolar_occlusal();
   t.enamel = {1.45, 4.0, 1.6};
-  t.roots = roots();
+  t.roots = premolar_roots();
   t.root_blend = 1.6;
   t.trunk_low_z = 10.5;
   t.trunk_high_z = 14.2;

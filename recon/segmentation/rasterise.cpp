@@ -14,7 +14,7 @@ namespace odontoscope {
 namespace {
 
 /// +1 if a, b, c turn left.
-int turn(const Point2& a, const Point2& b, const Point2& c) {
+int turn_of(const Point2& a, const Point2& b, const Point2& c) {
   return orientation(Point3{a.x, a.y, 0}, Point3{b.x, b.y, 0}, Point3{c.x, c.y, 0}, Point3{a.x, a.y, 1});
 }
 
@@ -59,7 +59,7 @@ void toggle_edge(const Point2& a, const Point2& b, const VoxelGrid& grid, std::s
   const std::size_t end = first_not_below(high.y, grid.origin.y, grid.spacing[1], grid.size[1], y);
   for (std::size_t j = first_not_below(low.y, grid.origin.y, grid.spacing[1], grid.size[1], y); j < end; ++j) {
     const double at = low.x + (grid.y(j) - low.y) / (high.y - low.y) * (high.x - low.x);
-    toggle(bits, count_before(at, grid, [&](std::size_t i) { return turn(low, high, {grid.x(i), grid.y(j)}) > 0; }), j, k);
+    toggle(bits, count_before(at, grid, [&](std::size_t i) { return turn_of(low, high, {grid.x(i), grid.y(j)}) > 0; }), j, k);
   }
 }
 
@@ -67,7 +67,7 @@ void toggle_edge(const Point2& a, const Point2& b, const VoxelGrid& grid, std::s
 class SeenAlongX {
  public:
   SeenAlongX(const Point3& a, const Point3& b, const Point3& c) : a_(a), b_(b), c_(c) {
-    const int sense = turn({a.y, a.z}, {b.y, b.z}, {c.y, c.z});
+    const int sense = turn_of({a.y, a.z}, {b.y, b.z}, {c.y, c.z});
     if (sense < 0) std::swap(b_, c_);
     on_edge_ = sense == 0;
   }
@@ -86,7 +86,7 @@ class SeenAlongX {
  private:
   /// Moved along y by less than any number, along z by less still.
   static bool left_of(const Point3& from, const Point3& to, double y, double z) {
-    const int sense = turn({from.y, from.z}, {to.y, to.z}, {y, z});
+    const int sense = turn_of({from.y, from.z}, {to.y, to.z}, {y, z});
     if (sense != 0) return sense > 0;
     if (from.z != to.z) return to.z < from.z;
     return to.y > from.y;
@@ -163,10 +163,10 @@ Segmentation rasterised(const ContourStack& stack, const VoxelGrid& grid, const 
   return result;
 }
 
-Segmentation rasterised(const std::vector<NamedSurface>& solids, const VoxelGrid& grid, const Progress& progress) {
+Segmentation rasterised(const std::vector<FilledSurface>& solids, const VoxelGrid& grid, const Progress& progress) {
   Segmentation result{grid, {}};
   constexpr std::size_t between_checks = 4096;
-  for (const NamedSurface& solid : solids) {
+  for (const FilledSurface& solid : solids) {
     Segment segment{solid.name, VoxelBits(grid.size)};
     const SurfaceMesh& mesh = *solid.surface;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

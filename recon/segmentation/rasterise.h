@@ -25,12 +25,12 @@ VoxelGrid grid_of_slices(const ContourStack& stack, double spacing_x, double spa
 Segmentation rasterised(const ContourStack& stack, const VoxelGrid& grid, const Progress& progress = {});
 
 /// A closed, oriented surface that does not cross itself, such as a solid's.
-struct NamedSurface {
+struct FilledSurface {
   std::string name;
   const SurfaceMesh* surface = nullptr;
 };
 
 /// Voxels whose centres lie within the surfaces, between slices too. Stage "voxels".
-Segmentation rasterised(const std::vector<NamedSurface>& solids, const VoxelGrid& grid, const Progress& progress = {});
+Segmentation rasterised(const std::vector<FilledSurface>& solids, const VoxelGrid& grid, const Progress& progress = {});
 
 }  // namespace odontoscope

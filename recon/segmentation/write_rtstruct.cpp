@@ -15,9 +15,9 @@ namespace {
 constexpr const char* structure_set_class = "1.2.840.10008.5.1.4.1.1.481.3";
 constexpr const char* study_class = "1.2.840.10008.3.1.2.3.1";
 
-class Writer {
+class StructureSetWriter {
  public:
-  Writer(const ContourStack& stack, const PatientOrigin& origin) : stack_(ordered(stack).stack), origin_(origin), planes_(origin), structures_(structures_of(stack)) {}
+  StructureSetWriter(const ContourStack& stack, const PatientOrigin& origin) : stack_(ordered(stack).stack), origin_(origin), planes_(origin), structures_(structures_of(stack)) {}
 
   std::string write(const WrittenBy& by) const {
     const ObjectUids uids = object_uids(origin_, DerivedUid("rtstruct\n" + in_bytes(origin_) + to_json(stack_)));
@@ -89,6 +89,6 @@ class Writer {
 
 }  // namespace
 
-std::string rtstruct_bytes(const ContourStack& stack, const PatientOrigin& origin, const WrittenBy& by) { return Writer(stack, origin).write(by); }
+std::string rtstruct_bytes(const ContourStack& stack, const PatientOrigin& origin, const WrittenBy& by) { return StructureSetWriter(stack, origin).write(by); }
 
 }  // namespace odontoscope

@@ -41,9 +41,9 @@ std::string packed(const Segmentation& segmentation, const std::vector<Frame>& f
   return bytes;
 }
 
-class Writer {
+class SegmentationWriter {
  public:
-  Writer(const Segmentation& segmentation, const PatientOrigin& origin)
+  SegmentationWriter(const Segmentation& segmentation, const PatientOrigin& origin)
       : segmentation_(segmentation), grid_(segmentation.grid), origin_(origin), planes_(origin), frames_(frames_of(segmentation)) {
     check_sizes();
   }
@@ -165,6 +165,6 @@ class Writer {
 
 }  // namespace
 
-std::string seg_bytes(const Segmentation& segmentation, const PatientOrigin& origin, const WrittenBy& by) { return Writer(segmentation, origin).write(by); }
+std::string seg_bytes(const Segmentation& segmentation, const PatientOrigin& origin, const WrittenBy& by) { return SegmentationWriter(segmentation, origin).write(by); }
 
 }  // namespace odontoscope

@@ -39,8 +39,6 @@ std::size_t whole(const DicomFile& file, std::uint32_t tag, const char* name, do
   refuse("unreadable-volume", file, fmt::format("its {} {}", name, file.data.find(tag) == nullptr ? "is missing" : fmt::format("is {}", number)), convert_it);
 }
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 /// Unit vectors at right angles, within what headers round to.
 std::optional<std::array<Vector3, 2>> orientation_of(const DicomFile& file, const DicomDataSet& data) {
   if (data.find(dicom::orientation) == nullptr) return std::nullopt;

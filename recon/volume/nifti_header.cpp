@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 /// Largest number in an orientation: a metre in nanometres.
 constexpr double largest_form = 1e9;
 
-[[noreturn]] void refuse(std::string_view cause, const std::string& path, const std::string& wrong) {
+[[noreturn]] void refuse_nifti(std::string_view cause, const std::string& path, const std::string& wrong) {
   throw InputError(cause, in_file(path), wrong, "correct the header, or convert the volume with the program that wrote it");
 }
 
@@ -42,7 +42,7 @@ class Fields {
         return;
       }
     }
-    refuse("unreadable-volume", path, bytes_.size() < first_size ? "it is shorter than a NIfTI header" : "it is no NIfTI file");
+    refuse_nifti("unreadable-volume", path, bytes_.size() < first_size ? "it is shorter than a NIfTI header" : "it is no NIfTI file");
   }
 
   template <class T>
@@ -81,7 +81,7 @@ class Fields {
 
   double sensible(double value, const char* name) const {
     if (std::isfinite(value) && std::abs(value) <= largest_form) return value;
-    refuse("unreadable-volume", path_, fmt::format("its header's {} holds {}, which is {}", name, value, std::isfinite(value) ? "too large" : "not finite"));
+    refuse_nifti("unreadable-volume", path_, fmt::format("its header's {} holds {}, which is {}", name, value, std::isfinite(value) ? "too large" : "not finite"));
   }
 
   std::string path_, bytes_;
@@ -103,19 +103,19 @@ PixelType type_of(const std::string& path, std::int16_t datatype) {
     case 128:
     case 2304:
     case 32:
-    case 1792: refuse("not-scalar", path, "the voxels are colours or complex numbers");
-    default: refuse("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
+    case 1792: refuse_nifti("not-scalar", path, "the voxels are colours or complex numbers");
+    default: refuse_nifti("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
   }
 }
 
 std::vector<double> sizes_of(const std::string& path, const Fields& header) {
   const double dimensions = header.dim(0);
-  if (!(dimensions >= 1 && dimensions <= 7)) refuse("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
+  if (!(dimensions >= 1 && dimensions <= 7)) refuse_nifti("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
   std::vector<double> sizes;
   for (std::size_t n = 1; n <= static_cast<std::size_t>(dimensions); ++n) {
     sizes.push_back(header.dim(n));
-    if (sizes.back() < 1) refuse("empty-volume", path, fmt::format("its header's dim[{}] is {}", n, sizes.back()));
-    if (n > 3 && sizes.back() > 1) refuse("not-3d", path, fmt::format("it has {} volumes", sizes.back()));
+    if (sizes.back() < 1) refuse_nifti("empty-volume", path, fmt::format("its header's dim[{}] is {}", n, sizes.back()));
+    if (n > 3 && sizes.back() > 1) refuse_nifti("not-3d", path, fmt::format("it has {} volumes", sizes.back()));
   }
   voxels_of(path, sizes);
   sizes.resize(3, 1);
@@ -141,7 +141,7 @@ Form sform_of(const Fields& header) {
 Form qform_of(const std::string& path, const Fields& header, const Vector3& spacing) {
   const double b = header.qform(0), c = header.qform(1), d = header.qform(2);
   const double rest = 1 - (b * b + c * c + d * d);
-  if (rest < -limits::axes_out_of_square) refuse("unreadable-volume", path, "its header's qform is no rotation");
+  if (rest < -limits::axes_out_of_square) refuse_nifti("unreadable-volume", path, "its header's qform is no rotation");
   const double a = std::sqrt(std::max(rest, 0.0));
   const double hand = header.pixdim(0) < 0 ? -1 : 1;
   Form form{{{{a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)},
@@ -167,10 +167,10 @@ bool is_square(const Form& form) {
 /// Lengths of voxels; some programs write negative ones for axes that run the other way, which the forms say. 0 where none is given.
 Vector3 spacing_of(const std::string& path, const Fields& header) {
   Vector3 spacing{};
-  if (!std::isfinite(header.pixdim(0))) refuse("unreadable-volume", path, "its header's qfac is not finite");
+  if (!std::isfinite(header.pixdim(0))) refuse_nifti("unreadable-volume", path, "its header's qfac is not finite");
   for (std::size_t n = 0; n < 3; ++n) {
     spacing[n] = std::abs(header.pixdim(n + 1));
-    if (!std::isfinite(spacing[n])) refuse("bad-spacing", path, fmt::format("its header's pixdim[{}] is {}", n + 1, spacing[n]));
+    if (!std::isfinite(spacing[n])) refuse_nifti("bad-spacing", path, fmt::format("its header's pixdim[{}] is {}", n + 1, spacing[n]));
   }
   return spacing;
 }
@@ -248,7 +248,7 @@ std::string header_of_pair(const std::string& path) {
 void read_pixels_place(const std::string& path, const std::string& header_path, const Fields& header, PixelFiles& pixels) {
   const bool one_file = header.magic() == "n+1" || header.magic() == "n+2";
   if (!one_file && header.magic() != "ni1" && header.magic() != "ni2") {
-    refuse("unreadable-volume", path, "it lacks the mark of NIfTI (Analyze 7.5 is not read, since it does not say which side is left)");
+    refuse_nifti("unreadable-volume", path, "it lacks the mark of NIfTI (Analyze 7.5 is not read, since it does not say which side is left)");
   }
   pixels.type = type_of(path, header.datatype());
   pixels.swapped = header.swapped();
@@ -265,7 +265,7 @@ void read_pixels_place(const std::string& path, const std::string& header_path, 
   const double offset = one_file && header.vox_offset() == 0 ? least : header.vox_offset();
   constexpr double most = 1e15;
   if (!(offset >= least) || offset > most || offset != std::floor(offset)) {
-    refuse("unreadable-volume", path, fmt::format("its header's vox_offset is {}", offset));
+    refuse_nifti("unreadable-volume", path, fmt::format("its header's vox_offset is {}", offset));
   }
   pixels.offset = static_cast<std::size_t>(offset);
 }

@@ -23,8 +23,6 @@ struct AxisMap {
   }
 };
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 void check_square(const FileImage& image) {
   const auto& d = image.direction;
   bool square = true;

@@ -11,6 +11,7 @@
 namespace odontoscope {
 
 using Vector3 = std::array<double, 3>;
+inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// An image as its file has it: axis 0 runs fastest.
 struct FileImage {

@@ -56,7 +56,7 @@ TEST(Passages, AreAsWideAsTheLargestCircleThatFits) {
       ordered(stack_of({{circle(3), circle(1, {1.2, 0})},
                         {rectangle({0, 0}, {9, 9}), rectangle({1, 1}, {8, 8}), rectangle({3, 2.5}, {6, 5.5})}}))
           .stack;
-  const std::vector<Passage> all = passages(stack, "tooth");
+  const std::vector<ContourPassage> all = passages(stack, "tooth");
   ASSERT_EQ(all.size(), 5u);
   EXPECT_NEAR(all[0].width, 3.2, 0.07);  // between the disc's far side and the hole
   EXPECT_FALSE(all[0].hole);

@@ -104,7 +104,7 @@ TEST(SolidVoxels, OnWallsBelongToWhatLiesBeyond) {
 TEST(SolidVoxels, BetweenSlicesAreThoseOfTheTetrahedra) {
   const Reconstruction model = reconstruct(made::tooth());
   const VoxelGrid grid{{64, 64, 21}, {0.2, 0.2, 0.05}, {-6.31, -6.27, 0.503}};
-  std::vector<NamedSurface> surfaces;
+  std::vector<FilledSurface> surfaces;
   for (const Solid& solid : model.solids) surfaces.push_back({solid.structure, &solid.surface});
   const Segmentation voxels = rasterised(surfaces, grid);
   ASSERT_EQ(voxels.segments.size(), 3u);
@@ -148,7 +148,7 @@ TEST(SolidVoxels, AtTheSlicesAreThoseOfTheContours) {
   // The lowest slice is a wall: a solid lies above it. The topmost is one, too, and nothing lies above.
   const VoxelGrid grid{{130, 130, 2}, {0.1, 0.1, 0.5}, {-6.5, -6.5, 0.5}};
   const Segmentation flat = rasterised(stack, VoxelGrid{{130, 130, 3}, {0.1, 0.1, 0.5}, {-6.5, -6.5, 0.5}});
-  std::vector<NamedSurface> surfaces;
+  std::vector<FilledSurface> surfaces;
   for (const Solid& solid : model.solids) surfaces.push_back({solid.structure, &solid.surface});
   const Segmentation solid = rasterised(surfaces, grid);
   for (std::size_t s = 0; s < 3; ++s)
