@@ -40,8 +40,8 @@ TEST_P(CanalFamily, IsToldRightFromSlicesOfATenthOfAMillimetre) {
   EXPECT_GE(10 * covered, 7 * verdict.figures.size()) << verdict.told;
 }
 
-// A leaning oval canal, an arc of 8 mm, a leaning one of 15 mm, two leaning tapers, a short fork, an accessory canal, an isthmus of type II, a ribbon, type VII with nodes of the medial graph in one place.
-INSTANTIATE_TEST_SUITE_P(OfEachKind, CanalFamily, ::testing::Values(0, 9, 10, 13, 14, 16, 18, 20, 27), [](const auto& seed) { return std::to_string(seed.param); });
+// A leaning oval canal, an arc of 8 mm, a leaning one of 15 mm, two leaning tapers, an accessory canal, an isthmus of type II, a ribbon, type VII with nodes of the medial graph in one place.
+INSTANTIATE_TEST_SUITE_P(OfEachKind, CanalFamily, ::testing::Values(0, 9, 10, 13, 16, 18, 20, 27), [](const auto& seed) { return std::to_string(seed.param); });
 
 }  // namespace
 }  // namespace odontoscope
