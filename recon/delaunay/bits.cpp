@@ -22,7 +22,8 @@ double distance_to_edge(Point2 p, Point2 a, Point2 b) {
 double distance_of_points(const std::vector<Point2>& points, const std::vector<Point2>& ring) {
   double least = std::numeric_limits<double>::infinity();
   for (const Point2 p : points)
-    for (std::size_t i = 0; i < ring.size(); ++i) least = std::min(least, distance_to_edge(p, ring[i], ring[(i + 1) % ring.size()]));
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      least = std::min(least, distance_to_edge(p, ring[i], ring[(i + 1) % ring.size()]));
   return least;
 }
 
@@ -34,7 +35,8 @@ double gap(const TrackedShape& a, const TrackedShape& b) {
   if (overlap_share(a, b) > least_overlap) return 0;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& ring : a.contours)
-    for (const auto& other : b.contours) least = std::min({least, distance_of_points(ring, other), distance_of_points(other, ring)});
+    for (const auto& other : b.contours)
+      least = std::min({least, distance_of_points(ring, other), distance_of_points(other, ring)});
   return least;
 }
 
@@ -51,7 +53,8 @@ double area_beside(const TrackedShape& shape, const TrackedShape& all_around) {
 }
 
 bool near(const TrackedShape& a, const TrackedShape& b, double reach) {
-  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach && b.low.y <= a.high.y + reach;
+  return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
+         b.low.y <= a.high.y + reach;
 }
 
 double width(const TrackedShape& shape) { return std::sqrt(std::max(shape.area, 0.0)); }
@@ -63,7 +66,8 @@ class BitSearch {
     for (std::size_t k = 0; k < graph.slabs(); ++k)
       for (std::uint32_t i = 0; i < graph.slices()[k].shapes.size(); ++i)
         for (const std::uint32_t j : graph.above(k, i))
-          if (!graph.shape(k, i).unbounded && !graph.shape(k + 1, j).unbounded) pieces_.join(number(k, i), number(k + 1, j));
+          if (!graph.shape(k, i).unbounded && !graph.shape(k + 1, j).unbounded)
+            pieces_.join(number(k, i), number(k + 1, j));
     for (std::size_t k = 0; k < graph.slabs(); ++k)
       for (std::uint32_t i = 0; i < graph.slices()[k].shapes.size(); ++i)
         for (const std::uint32_t j : graph.above(k, i)) {
@@ -158,7 +162,8 @@ class BitSearch {
       const std::uint32_t piece = pieces_.find(number(beyond, j));
       if (piece == pieces_.find(number(k, i)) || (piece != body_ && !bits_.contains(piece))) continue;
       const BitLink link{slab, up ? i : j, up ? j : i};
-      if (std::find(apart_[slab].begin(), apart_[slab].end(), std::pair{link.lower, link.upper}) != apart_[slab].end()) continue;
+      const ShapePairs& apart = apart_[slab];
+      if (std::find(apart.begin(), apart.end(), std::pair{link.lower, link.upper}) != apart.end()) continue;
       const bool like = ShapeGraph::like(shape, other);
       const double found = gap(shape, other);
       if (found > 0 && ends_by_itself_(k, i, up)) continue;
@@ -201,7 +206,8 @@ class BitSearch {
 
 }  // namespace
 
-std::vector<BitLink> links_of_bits(const ShapeGraph& graph, const std::vector<ShapePairs>& apart, const EndsByItself& ends_by_itself) {
+std::vector<BitLink> links_of_bits(const ShapeGraph& graph, const std::vector<ShapePairs>& apart,
+                                   const EndsByItself& ends_by_itself) {
   return BitSearch(graph, apart, ends_by_itself).run();
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 // Loose bits beside a body: what else hangs free of a structure that is, but for crumbs, one piece.
 //
-// A thin canal that runs flat through few slices leaves two or three sections, each a bead that no rule for steady lines can believe: two
-// points are a line whatever they are. But most of such a structure is one body, and a bead that ends facing it, or another bead, no farther
-// off than some of its own widths is its part sooner than a thing of its own. Where there is no body, as among islands, nothing is said, and
-// where there are many bits none is told from noise.
+// A thin canal that runs flat through few slices leaves two or three sections, each a bead that no rule for steady
+// lines can believe: two points are a line whatever they are. But most of such a structure is one body, and a bead that
+// ends facing it, or another bead, no farther off than some of its own widths is its part sooner than a thing of its
+// own. Where there is no body, as among islands, nothing is said, and where there are many bits none is told from noise.
 //
-// Ends that are running out, as tips do, come last, and only over what they lie on. The shortest gaps are bridged first (a minimum spanning tree: J. B. Kruskal, Proc. AMS 7(1), 1956), as long as they join pieces; what does
-// not reach the body in the end is left alone. Each such link is a guess, and to be told as one.
+// Ends that are running out, as tips do, come last, and only over what they lie on. The shortest gaps are bridged first
+// (a minimum spanning tree: J. B. Kruskal, Proc. AMS 7(1), 1956), as long as they join pieces; what does not reach the
+// body in the end is left alone. Each such link is a guess, and to be told as one.
 
 #include <cstdint>
 #include <functional>
