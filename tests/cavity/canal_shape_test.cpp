@@ -110,7 +110,7 @@ Anatomy of_incisor(double spacing, double without_above) {
   }
   std::erase_if(stack.slices, [](const Slice& slice) { return slice.contours.empty(); });
   const Reconstruction tooth = reconstruct(stack);
-  return measure_anatomy({{"dentine", &tooth.solids.at(0).surface}});
+  return measure_anatomy({{"dentine", &tooth.solids.at(0).surface}}, {}, tooth.counts.slices);
 }
 
 TEST(Orifice, OfAnIncisorStaysWhereItIsWhateverTheSlices) {

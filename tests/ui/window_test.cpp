@@ -61,6 +61,7 @@ TEST(OnADisplay, DISABLED_SamePixels) {
 }
 
 TEST(OnADisplay, DISABLED_OpensShowsAndCloses) {
+  small_molar();   // made once, before the clock runs
   Window window({.size = {900, 600}, .debug = true});
   Viewer viewer(window.context().gl(), ShaderLibrary{}, {.load = [](const LoadRequest&, const Progress&) {
     LoadedModel loaded;
