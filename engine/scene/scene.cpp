@@ -47,8 +47,14 @@ float usual_opacity(const Model& model, const ModelPart& part) {
   return hidden ? middle_opacity : outermost_opacity;
 }
 
+/// Where a cavity and what fills it end between slices, each ends by its own course: it may stick out a little there.
+constexpr double sticks_out = 0.02;   // of the cavity's diagonal
+
 bool filled(const Model& model, const ModelPart& cavity) {
-  const Box box = box_of(cavity);
+  Box box = box_of(cavity);
+  const double margin = sticks_out * glm::length(box.high - box.low);
+  box.low -= margin;
+  box.high += margin;
   return std::any_of(model.parts.begin(), model.parts.end(),
                      [&](const ModelPart& part) { return &part != &cavity && !part.cavity && holds(box, box_of(part)); });
 }
