@@ -53,9 +53,9 @@ constexpr double sticks_out = 0.02;   // of the cavity's diagonal
 
 bool filled(const Model& model, const ModelPart& cavity) {
   Box box = box_of(cavity);
-  const double margin = sticks_out * glm::length(box.high - box.low);
-  box.low -= margin;
-  box.high += margin;
+  const double reach = sticks_out * glm::length(box.high - box.low);
+  box.low -= reach;
+  box.high += reach;
   return std::any_of(model.parts.begin(), model.parts.end(),
                      [&](const ModelPart& part) { return &part != &cavity && !part.cavity && holds(box, box_of(part)); });
 }

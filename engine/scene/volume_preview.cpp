@@ -56,7 +56,6 @@ VolumePreview volume_preview(const Volume& volume) {
   VolumePreview preview;
   preview.size = volume.size;
   preview.spacing_mm = volume.spacing;
-  preview.remarks = volume.remarks;
   preview.values = value_grid(volume, all_of(volume), preview_size);
   const Histogram histogram = histogram_of(volume, validate_volume(volume));
   preview.low = histogram.low;

@@ -28,7 +28,6 @@ struct VolumePreview {
   double low = 0, high = 1;
   std::vector<double> thresholds;  // Otsu's between two classes, then those between three; empty where all values are equal
   std::vector<Label> labels;       // ascending, without 0; empty: grey values
-  std::vector<std::string> remarks;       // see Volume
 };
 
 /// Precondition: `volume` passes validate_volume.

@@ -114,7 +114,8 @@ void Viewer::take_finished_load() {
   try {
     show(std::make_shared<const LoadedModel>(job->take()));
     sample_shown_ = job->request().file.empty();
-    const bool by_name = !job->request().volume && !options_.wants_level(job->request());
+    // As if it were opened by its name alone: of a volume that would be asked about.
+    const bool by_name = !job->request().volume && !options_.wants_level({.file = job->request().file, .volume = {}});
     file_shown_ = by_name ? job->request().file : std::string();
     if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
     notes_may_go_ = false;

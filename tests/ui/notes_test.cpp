@@ -206,6 +206,21 @@ TEST_F(NotesTest, WhereNothingCanBeSavedNothingIsLost) {
   EXPECT_EQ(notes().tour.notes.size(), 1u);
 }
 
+TEST_F(NotesTest, OverAVolumeNameNoFileThatWouldBeAskedAbout) {
+  const ScratchFolder scratch;
+  make_viewer({.load = [](const LoadRequest&, const Progress&) { return toy_tooth(); },
+               .wants_level = [](const LoadRequest& request) { return !request.from_command_line && request.file.ends_with(".nrrd"); },   // the command line said it
+               .folder = scratch.path()});
+  for (const char* file : {"tooth.nrrd", "tooth.json"}) {
+    viewer().open({.file = file, .volume = {}, .from_command_line = true});
+    wait_until_loaded();
+    write_note("Mine");
+    notes().save = true;
+    frame();
+    EXPECT_EQ(notes().tour.model.empty(), std::string(file).ends_with(".nrrd")) << file;
+  }
+}
+
 TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   const ScratchFolder scratch;
   viewer_with(toy_tooth(), {.folder = scratch.path()});
