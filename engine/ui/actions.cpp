@@ -44,7 +44,7 @@ constexpr std::array<ActionKey, 34> keys = {{
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
 }};
 
-constexpr std::array<ActionKey, 23> in_flight = {{
+constexpr std::array<ActionKey, 24> in_flight = {{
     {"C", Action::enter_pulp, "back to outside; from outdoors: into the pulp", U'c'},
     {"X", Action::pass_wall, "through the wall straight ahead", U'x'},
     {"T", Action::next_canal, "ride down the next canal (1 to 9: that one)", U't'},
@@ -55,6 +55,7 @@ constexpr std::array<ActionKey, 23> in_flight = {{
     {"Home", Action::ride_to_start, "ride: to its start; End: to its end", 0, Key::home},
     {"End", Action::ride_to_end, "", 0, Key::end},
     {"B", Action::toggle_labels, "names on or off", U'b'},
+    {"G", Action::toggle_depth, "depth on the wall, on or off", U'g'},
     {"V", Action::turn_where, "small picture: from another side", U'v'},
     {"H", Action::toggle_where, "small pictures on or off", U'h'},
     {"N", Action::write_note, "write a note on this view", U'n'},

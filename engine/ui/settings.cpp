@@ -204,7 +204,8 @@ std::string to_json(const Settings& wanted) {
                    {{"field_of_view_deg", settings.comfort.field_of_view_deg},
                     {"speed_limit", settings.comfort.speed_limit},
                     {"vignette", settings.comfort.vignette},
-                    {"reduced_motion", settings.comfort.reduced_motion}}}};
+                    {"reduced_motion", settings.comfort.reduced_motion},
+                    {"wall_depth", settings.comfort.wall_depth}}}};
   Json looks = Json::object();
   for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
@@ -238,6 +239,7 @@ ReadSettings settings_from_json(const std::string& text) {
   flight.read("speed_limit", settings.comfort.speed_limit, slowest_limit, fastest_limit);
   flight.read("vignette", settings.comfort.vignette);
   flight.read("reduced_motion", settings.comfort.reduced_motion);
+  flight.read("wall_depth", settings.comfort.wall_depth);
   reader.read("looks", settings.looks);
   return read;
 }

@@ -29,6 +29,7 @@ struct Comfort {
   double speed_limit = 24;      // times the usual speed
   bool vignette = false;        // a dark rim while the picture turns
   bool reduced_motion = false;  // no dives, slower turns
+  bool wall_depth = true;       // canals' walls carry their depth: Scene::wall_depth
   friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
