@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 34> keys = {{
+constexpr std::array<ActionKey, 35> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -17,6 +17,7 @@ constexpr std::array<ActionKey, 34> keys = {{
     {"0", Action::view_three_quarter, "from three quarters", U'0'},
     {"F", Action::fit, "fit all into the picture", U'f'},
     {"P", Action::toggle_projection, "perspective or parallel", U'p'},
+    {"H", Action::toggle_names, "names on or off", U'h'},
     {"B", Action::next_back_faces, "back faces: cull, show, tint", U'b'},
     {"W", Action::toggle_wire, "triangle edges", U'w'},
     {"S", Action::toggle_section, "section on or off", U's'},
