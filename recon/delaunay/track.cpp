@@ -21,6 +21,15 @@ struct Proposal {
   bool from_lower = true, from_upper = false;  // which of the two hangs free and asks for it
 };
 
+bool encloses(const std::vector<Point2>& ring, Point2 p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+  }
+  return odd;
+}
+
 class Tracker {
  public:
   Tracker(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs)
@@ -30,6 +39,7 @@ class Tracker {
       for (const RegionLink& link : slabs[k].made) graph_.add(k, link.lower, link.upper);
     }
     result_.links.resize(slabs.size());
+    result_.closed.resize(slabs.size());
   }
 
   Tracking run() {
@@ -300,15 +310,40 @@ class Tracker {
     return !graph_.slices()[k].shapes.empty() && graph_.shape(k, outside).unbounded;
   }
 
-  /// A void that opens into the outside in the next slice, and is running out: it may close before.
+  /// Of voids that are running out: those that open into the outside in the next slice may close before, and do if their drift takes them away
+  /// from it; those that end may open, if it takes them there.
   void ask_about_openings() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) {
-          const auto& beyond = up ? graph_.above(k, i) : graph_.below(k, i);
-          if (graph_.shape(k, i).unbounded || beyond.size() != 1 || !graph_.shape(up ? k + 1 : k - 1, beyond.front()).unbounded) continue;
-          if (running_out(k, i, up)) doubt(Choice::may_part, TrackedBy::overlap, up ? k : k - 1, up ? i : outside, up ? outside : i);
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          if (!has_outside(beyond) || !running_out(k, i, up)) continue;
+          const std::uint32_t lower = up ? i : outside, upper = up ? outside : i;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool opens = links.size() == 1 && graph_.shape(beyond, links.front()).unbounded;
+          const bool leaves = drifts_outside(k, i, up);
+          if (opens && leaves) doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+          if (opens && !leaves) close(slab, lower, upper);
+          if (links.empty() && leaves) doubt(Choice::may_connect, TrackedBy::entry, slab, lower, upper);
         }
+  }
+
+  /// Its middle, seen from above: it is running out. What has no drift stays where it is.
+  bool drifts_outside(std::size_t k, std::uint32_t i, bool up) const {
+    const Point2 by = drift(k, i, up).value_or(Point2{}), from = graph_.shape(k, i).centroid;
+    const Point2 to{from.x + by.x, from.y + by.y};
+    const auto& outlines = graph_.shape(up ? k + 1 : k - 1, outside).contours;
+    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return encloses(ring, to); });
+  }
+
+  void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
+    const auto& tracked = result_.links[slab];
+    if (std::any_of(tracked.begin(), tracked.end(), [&](const TrackedLink& link) { return link.lower == lower && link.upper == upper; }))
+      return doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+    graph_.remove(slab, lower, upper);
+    result_.closed[slab].emplace_back(lower, upper);
+    doubt(Choice::may_connect, TrackedBy::overlap, slab, lower, upper);
   }
 
   /// Does the row of like sections that ends here begin with a tracked link, or hold one?

@@ -424,6 +424,35 @@ TEST(Doubts, ACanalThatIsRunningOutMayCloseWhereItsRootEnds) {
   EXPECT_EQ(closing(short_root(0.3, 0.32)), 0) << "as wide as before";
 }
 
+/// A canal that leans by 0.2 mm a slice and is running out at x = -0.8 in slice 1; the tip of the root, in slice 0, lies where it is asked for.
+ContourStack leaning_canal_over_tip(double tip) {
+  ContourStack stack;
+  stack.slices.push_back({0, {{"tooth", disc_ring({{tip, 0}, 0.25})}}});
+  for (int k = 1; k < 6; ++k) {
+    const double radius = k == 1 ? 0.15 : k == 2 ? 0.25 : 0.3;
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{0, 0}, 2})}, {"tooth", disc_ring({{-0.2 * (5 - k), 0}, radius})}}});
+  }
+  return stack;
+}
+
+long asked_in_lowest_slab(const Tracked& made, Choice choice) {
+  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                       [choice](const DoubtfulLink& d) { return d.choice == choice && d.slab == 0 && d.lower == outside; });
+}
+
+TEST(Tracking, ACanalThatRunsOutTowardsTheTipOfItsRootCloses) {
+  const Tracked under = tracked_voids(leaning_canal_over_tip(-1.1)), away = tracked_voids(leaning_canal_over_tip(1.1));
+  EXPECT_EQ(under.tracking.closed[0].size(), 1u);
+  EXPECT_EQ(asked_in_lowest_slab(under, Choice::may_connect), 1);
+  EXPECT_EQ(away.tracking.closed[0].size(), 0u);
+  EXPECT_EQ(asked_in_lowest_slab(away, Choice::may_part), 1);
+}
+
+TEST(Doubts, ACanalThatRunsOutTowardsTheSurfaceMayOpen) {
+  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.65)), Choice::may_connect), 1);
+  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.9)), Choice::may_connect), 0) << "it stays within";
+}
+
 // ---- what is two things
 // ---------------------------------------------------------------------------------------------------
 
