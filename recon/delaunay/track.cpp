@@ -49,6 +49,7 @@ class Tracker {
     link_entries();
     link_bits();
     link_outlets();
+    link_lobes();
     ask_about_free_ends();
     ask_about_openings();
     for (auto& links : result_.links)
@@ -275,10 +276,22 @@ class Tracker {
                          (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
       if (asked && p.share >= least)
-        make(p.slab, p.lower, p.upper, by, p.share >= clear);
+        make(p.slab, p.lower, p.upper, by, p.share >= clear || nothing_else(p, proposals));
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
+  }
+
+  /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
+  /// a single slice: no real choice.
+  bool nothing_else(const Proposal& p, const std::vector<Proposal>& proposals) const {
+    const bool lower_asks = p.from_lower && alone(p.slab, p.lower), upper_asks = p.from_upper && alone(p.slab + 1, p.upper);
+    if (lower_asks == upper_asks) return false;
+    const std::size_t slice = lower_asks ? p.slab : p.slab + 1;
+    const std::uint32_t shape = lower_asks ? p.lower : p.upper;
+    return std::count_if(proposals.begin(), proposals.end(), [&](const Proposal& other) {
+      return (other.slab == slice && other.lower == shape) || (other.slab + 1 == slice && other.upper == shape);
+    }) == 1;
   }
 
   // ---- bits ---------------------------------------------------------------------------------------------------------
@@ -303,6 +316,22 @@ class Tracker {
           if (has_outside(k) && has_outside(beyond) &&
               leaves_through(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
             make(up ? k : k - 1, up ? i : outside, up ? outside : i, TrackedBy::beside, false);
+        }
+  }
+
+  /// Canals that go on, and lie over a notch of the next slice as well: an accessory canal leaves there, of which one slice shows the beginning
+  /// as a lobe of the canal and the other the end as a notch.
+  void link_lobes() {
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        for (const bool up : {true, false}) {
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool goes_on = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return !graph_.shape(beyond, j).unbounded; });
+          if (!goes_on || links.size() != 1 || !has_outside(k) || !has_outside(beyond)) continue;
+          if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
         }
   }
 

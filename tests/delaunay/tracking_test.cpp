@@ -401,6 +401,35 @@ TEST(Tracking, ACanalLeavesThroughANotchOfTheSurface) {
   EXPECT_EQ(opens(bead_beside_surface(false, 0.95)), 0) << "the root ends, and its canal may close";
 }
 
+/// A root of 1.4 mm with a canal of 0.4 mm all the way. In slice 5 the canal has a lobe up to x = `lobe`, in slice 4 the root a notch down to x = `notch`.
+ContourStack lobe_over_notch(double lobe, double canal = 0.4, double notch = 0.7) {
+  ContourStack stack;
+  for (int k = 0; k < 10; ++k) {
+    Ring root = regular_polygon(60, 1.4, {0, 0}, 0), hollow = disc_ring({{0, 0}, canal});
+    if (k == 4)
+      for (Point2& p : root)
+        if (p.x > 0 && std::abs(p.y) < 0.2) p = {notch, p.y};
+    if (k == 5)
+      for (Point2& p : hollow)
+        if (p.x > 0.8 * canal) p = {lobe, p.y};
+    stack.slices.push_back({cut * k, {{"tooth", root}, {"tooth", hollow}}});
+  }
+  return stack;
+}
+
+TEST(Tracking, AnAccessoryCanalLeavesFromALobeOfTheCanalThroughANotchBeyond) {
+  const auto opens = [](const ContourStack& stack) {
+    const Tracked made = tracked_voids(stack);
+    std::size_t count = 0;
+    for (const auto& links : made.tracking.links) count += links.size();
+    EXPECT_EQ(made.tracking.doubtful.size(), count) << "each is told";
+    return count;
+  };
+  EXPECT_EQ(opens(lobe_over_notch(0.8)), 1u);
+  EXPECT_EQ(opens(lobe_over_notch(0.65)), 0u) << "no point in common";
+  EXPECT_EQ(opens(lobe_over_notch(0.95, 0.8, 0.9)), 0u) << "no canal, but a thin wall that drifts";
+}
+
 /// Two roots, one of them shorter, with a canal as wide in its last two slices as is asked for.
 ContourStack short_root(double last, double last_but_one) {
   ContourStack stack;
@@ -572,6 +601,13 @@ TEST(Doubts, ASmallOverlapMayClose) {
   ASSERT_EQ(made.count(TrackedBy::overlap), 1u);
   ASSERT_EQ(made.tracking.doubtful.size(), 1u);
   EXPECT_EQ(made.tracking.doubtful[0].choice, Choice::may_part);
+}
+
+// A sliver in the last slice of a wall, as at enamel's margin.
+TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
+  EXPECT_TRUE(tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0})}, {circle(1, {1.6, 0})}})).tracking.doubtful.empty());
+  const Tracked two = tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}}));
+  EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
 }
 
 TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {
