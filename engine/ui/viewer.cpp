@@ -351,13 +351,13 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
     draw_fade(state_, viewport);
     for (const ViewPane& pane : panes_) {
       const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
-      if (first) draw_scale_bar(pane, interface_, scale_);
+      if (first && !state_.fly.on) draw_scale_bar(pane, interface_, scale_);   // in a canal, nothing lies at one depth
       if (names_shown() && first) draw_names(state_, pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
       if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
-      if (last) draw_compass(pane, interface_, scale_, hovered_compass_);
+      if (last) draw_compass(pane, interface_, scale_, hovered_compass_, state_.fly.on);
       if (pane.seen && !first) continue;   // over the same place as the other half
       if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }
