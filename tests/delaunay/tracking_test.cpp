@@ -610,6 +610,24 @@ TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
   EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
 }
 
+/// A wall of seven slices, and below it a sliver beside it that is its margin; below that another one, if asked for.
+ContourStack wall_with_margin(bool deeper) {
+  ContourStack stack;
+  for (int k = 0; k < 9; ++k) {
+    if (k == 0 && !deeper) continue;
+    const double x = k == 0 ? 2.2 : k == 1 ? 1.35 : 0;
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{x, 0}, k < 2 ? 0.2 : 1})}}});
+  }
+  return stack;
+}
+
+TEST(Doubts, TheMarginBesideItsWallIsNoChoice) {
+  const Tracked margin = tracked(wall_with_margin(false)), two = tracked(wall_with_margin(true));
+  EXPECT_EQ(margin.count(TrackedBy::beside), 1u);
+  EXPECT_TRUE(margin.tracking.doubtful.empty());
+  EXPECT_FALSE(two.tracking.doubtful.empty()) << "the second is not the first slice of all";
+}
+
 TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {
   // Each canal overlaps a fifth of the other one slice on.
   const Tracked made = tracked(stack_of_discs(parallel_canals(0.7), cut));
