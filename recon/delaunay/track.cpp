@@ -208,7 +208,7 @@ class Tracker {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) propose_entries(k, i, up, proposals);
-    decide(proposals, limits::track_entry, limits::track_entry_clear, TrackedBy::entry);
+    decide(proposals, limits::track_entry_doubtful, limits::track_entry_clear, TrackedBy::entry);
   }
 
   // ---- overlap
@@ -275,12 +275,15 @@ class Tracker {
       const bool asked = (p.from_lower && graph_.free_above(p.slab, p.lower)) ||
                          (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
-      if (asked && p.share >= least)
+      if (asked && p.share >= (by == TrackedBy::entry && leaves(p) ? limits::track_entry : least))
         make(p.slab, p.lower, p.upper, by, p.share >= clear || nothing_else(p, proposals));
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
   }
+
+  /// A way out is not believed as easily as a fork: most ends close.
+  bool leaves(const Proposal& p) const { return graph_.shape(p.slab, p.lower).unbounded || graph_.shape(p.slab + 1, p.upper).unbounded; }
 
   /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
   /// a single slice: no real choice.

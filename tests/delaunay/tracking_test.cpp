@@ -610,6 +610,24 @@ TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
   EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
 }
 
+/// A canal, and a branch that comes down towards it by 0.3 mm a slice and would lie `off` its middle in the slice where it is gone.
+ContourStack fork(double off) {
+  ContourStack stack;
+  for (int k = 0; k < 9; ++k) {
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{0, 0}, 0.3})}}});
+    if (k >= 4) stack.slices.back().contours.push_back({"tooth", disc_ring({{off + 0.3 * (k - 3), 0}, 0.2})});
+  }
+  return stack;
+}
+
+TEST(Doubts, AForkOfWhichAQuarterMeetsTheCanalIsJoinedAndTold) {
+  const Tracked made = tracked(fork(0.36));  // a little more than a quarter of its area
+  EXPECT_EQ(made.count(TrackedBy::entry), 1u);
+  ASSERT_EQ(made.tracking.doubtful.size(), 1u);
+  EXPECT_EQ(made.tracking.doubtful[0].choice, Choice::may_part);
+  EXPECT_EQ(tracked(fork(0.46)).count(TrackedBy::entry), 0u) << "less than a tenth";
+}
+
 /// A wall of seven slices, and below it a sliver beside it that is its margin; below that another one, if asked for.
 ContourStack wall_with_margin(bool deeper) {
   ContourStack stack;
