@@ -226,6 +226,9 @@ class Tracker {
         const bool asks_below = upper_free && (lower_free || !running_out(k + 1, link.upper, false));
         if (asks_above || asks_below)
           proposals.push_back({k, link.lower, link.upper, share, asks_above, asks_below});
+        else if (share >= limits::track_overlap && (lower_free || upper_free) &&
+                 ShapeGraph::like(graph_.shape(k, link.lower), graph_.shape(k + 1, link.upper)))
+          doubt(Choice::may_connect, TrackedBy::overlap, k, link.lower, link.upper);  // a canal that forks narrows too
         else if (share >= limits::track_overlap)
           dispute(k, link.lower, link.upper);
       }
@@ -348,6 +351,8 @@ class Tracker {
           if (opens || links.size() > 1 || !has_outside(k) || !has_outside(beyond)) continue;
           if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
             make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
+          else if (all_but_reaches_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            doubt(Choice::may_connect, TrackedBy::overlap, slab, up ? i : outside, up ? outside : i);
         }
   }
 
