@@ -40,6 +40,8 @@ inline constexpr double outlet_taper = 0.5;
 inline constexpr double canal_share = 0.25;
 /// Least part of a canal's section that lies over a notch: below that it is what contours are off.
 inline constexpr double lobe_share = 1e-3;
+/// Gap between a canal and a notch, over the canal's width, that may be the slab's doing.
+inline constexpr double lobe_gap = 0.05;
 /// Bits beyond which nothing is told from noise.
 inline constexpr std::size_t most_bits = 48;
 
@@ -63,5 +65,8 @@ bool leaves_through(const TrackedShape& end, const TrackedShape& outside_here, c
 
 /// Does a part of a canal's section, a lobe, lie over the outside of the next slice? The other arguments are those of leaves_through.
 bool lies_over_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next);
+
+/// The same with a gap between the two that is next to nothing, and of the wall in the canal's own slice.
+bool all_but_reaches_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next);
 
 }  // namespace odontoscope::delaunay

@@ -208,7 +208,7 @@ class Tracker {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) propose_entries(k, i, up, proposals);
-    decide(proposals, limits::track_entry, limits::track_entry_clear, TrackedBy::entry);
+    decide(proposals, limits::track_entry_doubtful, limits::track_entry_clear, TrackedBy::entry);
   }
 
   // ---- overlap
@@ -226,6 +226,9 @@ class Tracker {
         const bool asks_below = upper_free && (lower_free || !running_out(k + 1, link.upper, false));
         if (asks_above || asks_below)
           proposals.push_back({k, link.lower, link.upper, share, asks_above, asks_below});
+        else if (share >= limits::track_overlap && (lower_free || upper_free) &&
+                 ShapeGraph::like(graph_.shape(k, link.lower), graph_.shape(k + 1, link.upper)))
+          doubt(Choice::may_connect, TrackedBy::overlap, k, link.lower, link.upper);  // a canal that forks narrows too
         else if (share >= limits::track_overlap)
           dispute(k, link.lower, link.upper);
       }
@@ -275,12 +278,15 @@ class Tracker {
       const bool asked = (p.from_lower && graph_.free_above(p.slab, p.lower)) ||
                          (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
-      if (asked && p.share >= least)
+      if (asked && p.share >= (by == TrackedBy::entry && leaves(p) ? limits::track_entry : least))
         make(p.slab, p.lower, p.upper, by, p.share >= clear || nothing_else(p, proposals));
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
   }
+
+  /// A way out is not believed as easily as a fork: most ends close.
+  bool leaves(const Proposal& p) const { return graph_.shape(p.slab, p.lower).unbounded || graph_.shape(p.slab + 1, p.upper).unbounded; }
 
   /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
   /// a single slice: no real choice.
@@ -301,9 +307,22 @@ class Tracker {
       const auto& inner = up ? graph_.below(k, i) : graph_.above(k, i);
       return inner.size() == 1 && running_out(k, i, up, inner.front());
     };
-    for (const BitLink& link : links_of_bits(graph_, apart_, ends_by_itself))
-      make(link.slab, link.lower, link.upper, TrackedBy::beside, false);
+    const auto links = links_of_bits(graph_, apart_, ends_by_itself);
+    std::vector<bool> clear;
+    for (const BitLink& link : links)
+      clear.push_back(outermost(link.slab, link.lower, true) || outermost(link.slab + 1, link.upper, false));
+    for (std::size_t n = 0; n < links.size(); ++n)
+      make(links[n].slab, links[n].lower, links[n].upper, TrackedBy::beside, clear[n]);
     link_entries();
+  }
+
+  /// A piece of the structure's first slice, or its last, that hangs on nothing else: all of that slice is an end, as enamel's margin, and the
+  /// structure must begin with something. Of material only: a row of holes may begin with a pit.
+  bool outermost(std::size_t k, std::uint32_t i, bool lowest) const {
+    if (has_outside(k) || !alone(k, i)) return false;
+    for (std::size_t other = lowest ? 0 : k + 1; other < (lowest ? k : graph_.slices().size()); ++other)
+      if (!graph_.slices()[other].shapes.empty()) return false;
+    return true;
   }
 
   /// Voids that end beside a notch of the next slice. Only what hangs on a tracked link: a horn near the surface is no canal.
@@ -319,8 +338,8 @@ class Tracker {
         }
   }
 
-  /// Canals that go on, and lie over a notch of the next slice as well: an accessory canal leaves there, of which one slice shows the beginning
-  /// as a lobe of the canal and the other the end as a notch.
+  /// Canals that end or go on, and lie over a notch of the next slice: they leave there, or an accessory canal does, of which one slice shows the
+  /// beginning as a lobe of the canal and the other the end as a notch.
   void link_lobes() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
@@ -328,10 +347,12 @@ class Tracker {
           if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
           const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
           const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
-          const bool goes_on = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return !graph_.shape(beyond, j).unbounded; });
-          if (!goes_on || links.size() != 1 || !has_outside(k) || !has_outside(beyond)) continue;
+          const bool opens = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return graph_.shape(beyond, j).unbounded; });
+          if (opens || links.size() > 1 || !has_outside(k) || !has_outside(beyond)) continue;
           if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
             make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
+          else if (all_but_reaches_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            doubt(Choice::may_connect, TrackedBy::overlap, slab, up ? i : outside, up ? outside : i);
         }
   }
 

@@ -8,7 +8,7 @@
 // slice is linked with. Nothing that was made is taken back but some openings (below). In this order:
 //   drift:   two free ends that continue each other's steady drift (drift.h), each the other's best;
 //   entry:   a free end that its drift takes into a shape, be that linked or not: a canal that joins the chamber, a
-//     fork. Not where the end is running out: a cusp's tip that leans towards another cusp is not joined with it;
+//     fork; a quarter of it is enough, half of it where that is the outside. Not where the end is running out: a cusp's tip that leans towards another cusp is not joined with it;
 //   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made, and for what is linked with
 //     nothing at all whatever it lies over);
 //   beside:  loose bits beside a body (bits.h), always doubtful.

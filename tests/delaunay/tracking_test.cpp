@@ -417,6 +417,12 @@ ContourStack lobe_over_notch(double lobe, double canal = 0.4, double notch = 0.7
   return stack;
 }
 
+long asked_of_lobe(const ContourStack& stack) {
+  const Tracked made = tracked_voids(stack);
+  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                       [](const DoubtfulLink& d) { return d.choice == Choice::may_connect && d.slab == 4 && d.lower == outside; });
+}
+
 TEST(Tracking, AnAccessoryCanalLeavesFromALobeOfTheCanalThroughANotchBeyond) {
   const auto opens = [](const ContourStack& stack) {
     const Tracked made = tracked_voids(stack);
@@ -427,6 +433,7 @@ TEST(Tracking, AnAccessoryCanalLeavesFromALobeOfTheCanalThroughANotchBeyond) {
   };
   EXPECT_EQ(opens(lobe_over_notch(0.8)), 1u);
   EXPECT_EQ(opens(lobe_over_notch(0.65)), 0u) << "no point in common";
+  EXPECT_EQ(asked_of_lobe(lobe_over_notch(0.69)), 1) << "but nearly";
   EXPECT_EQ(opens(lobe_over_notch(0.95, 0.8, 0.9)), 0u) << "no canal, but a thin wall that drifts";
 }
 
@@ -608,6 +615,67 @@ TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
   EXPECT_TRUE(tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0})}, {circle(1, {1.6, 0})}})).tracking.doubtful.empty());
   const Tracked two = tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}}));
   EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
+}
+
+/// A canal, and a branch that comes down towards it by 0.3 mm a slice and would lie `off` its middle in the slice where it is gone.
+ContourStack fork(double off) {
+  ContourStack stack;
+  for (int k = 0; k < 9; ++k) {
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{0, 0}, 0.3})}}});
+    if (k >= 4) stack.slices.back().contours.push_back({"tooth", disc_ring({{off + 0.3 * (k - 3), 0}, 0.2})});
+  }
+  return stack;
+}
+
+TEST(Doubts, AForkOfWhichAQuarterMeetsTheCanalIsJoinedAndTold) {
+  const Tracked made = tracked(fork(0.36));  // a little more than a quarter of its area
+  EXPECT_EQ(made.count(TrackedBy::entry), 1u);
+  ASSERT_EQ(made.tracking.doubtful.size(), 1u);
+  EXPECT_EQ(made.tracking.doubtful[0].choice, Choice::may_part);
+  EXPECT_EQ(tracked(fork(0.46)).count(TrackedBy::entry), 0u) << "less than a tenth";
+}
+
+/// Two canals that begin over one, like it in size but narrowing towards it; the second lies less over it, by so much aside.
+ContourStack two_over_one(double aside) {
+  ContourStack stack;
+  for (int k = 0; k < 7; ++k) {
+    stack.slices.push_back({cut * k, {}});
+    auto& contours = stack.slices.back().contours;
+    if (k < 3) contours.push_back({"tooth", disc_ring({{0, 0}, 0.35})});
+    const double radius = k == 3 ? 0.19 : 0.28;
+    if (k >= 3) contours.push_back({"tooth", disc_ring({{-0.2, 0}, radius})});
+    if (k >= 3) contours.push_back({"tooth", disc_ring({{aside, 0}, radius})});
+  }
+  return stack;
+}
+
+TEST(Doubts, ACanalThatNarrowsTowardsItsForkIsAskedAbout) {
+  const auto settled = [](double aside) {
+    const Tracked made = tracked(two_over_one(aside));
+    const auto joined = made.links();
+    const bool linked = std::any_of(joined.begin(), joined.end(), [](const auto& link) { return link == std::tuple(2u, 0u, 1u); });
+    return linked || std::any_of(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulLink& d) { return d.slab == 2 && d.upper == 1; });
+  };
+  EXPECT_TRUE(settled(0.42));
+  EXPECT_FALSE(settled(0.7)) << "beside it";
+}
+
+/// A wall of seven slices, and below it a sliver beside it that is its margin; below that another one, if asked for.
+ContourStack wall_with_margin(bool deeper) {
+  ContourStack stack;
+  for (int k = 0; k < 9; ++k) {
+    if (k == 0 && !deeper) continue;
+    const double x = k == 0 ? 2.2 : k == 1 ? 1.35 : 0;
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{x, 0}, k < 2 ? 0.2 : 1})}}});
+  }
+  return stack;
+}
+
+TEST(Doubts, TheMarginBesideItsWallIsNoChoice) {
+  const Tracked margin = tracked(wall_with_margin(false)), two = tracked(wall_with_margin(true));
+  EXPECT_EQ(margin.count(TrackedBy::beside), 1u);
+  EXPECT_TRUE(margin.tracking.doubtful.empty());
+  EXPECT_FALSE(two.tracking.doubtful.empty()) << "the second is not the first slice of all";
 }
 
 TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {
