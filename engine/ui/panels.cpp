@@ -322,12 +322,12 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     section_section(state, interface);
     measure_section(state, interface);
     camera_section(state, interface);
+    if (!state.lab.on) lab_section(state, interface);
     notes_section(state, interface);
     picture_section(state, interface);
     if (good) report_section(state, interface);
     faces_section(state, interface);
     overlays_section(state, interface);
-    if (!state.lab.on) lab_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});
   if (state.shown && state.headset_possible && widgets::wide_button("Enter the headset")) state.headset_asked = true;

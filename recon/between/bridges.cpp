@@ -52,23 +52,30 @@ class Carrier {
   void add(const std::vector<ContourLink>& links, bool hollow) {
     for (const ContourLink& link : links) {
       if ((link.lower == outside && link.upper == outside) || by_themselves(links, link)) continue;
-      const bool carry_lower = link.upper == outside || (link.lower != outside && area(at_lower, link.lower) <= area(at_upper, link.upper));
-      if (carry_lower) carry(at_lower, link.lower, at_upper, link.upper, hollow);
-      else carry(at_upper, link.upper, at_lower, link.lower, hollow);
+      const bool carry_lower =
+          link.upper == outside || (link.lower != outside && area(at_lower, link.lower) <= area(at_upper, link.upper));
+      if (carry_lower)
+        carry(at_lower, link.lower, at_upper, link.upper, hollow);
+      else
+        carry(at_upper, link.upper, at_lower, link.lower, hollow);
     }
   }
 
   static bool by_themselves(const std::vector<ContourLink>& links, const ContourLink& link) {
-    return link.lower != outside && link.upper != outside && std::count_if(links.begin(), links.end(), [&](const ContourLink& other) {
-      return other.lower == link.lower || other.upper == link.upper;
-    }) == 1;
+    return link.lower != outside && link.upper != outside &&
+           std::count_if(links.begin(), links.end(), [&](const ContourLink& other) {
+             return other.lower == link.lower || other.upper == link.upper;
+           }) == 1;
   }
 
-  const std::vector<Point2>& ring(std::size_t slice, std::size_t contour) const { return (*slices_.outlines[slice])[contour]; }
+  const std::vector<Point2>& ring(std::size_t slice, std::size_t contour) const {
+    return (*slices_.outlines[slice])[contour];
+  }
   double area(std::size_t slice, std::size_t contour) const { return std::abs(slices_.facts[slice][contour].area); }
 
   bool has_contours_in(std::size_t slice, std::size_t contour) const {
-    return std::any_of(slices_.facts[slice].begin(), slices_.facts[slice].end(), [&](const ContourFacts& f) { return f.parent == contour; });
+    return std::any_of(slices_.facts[slice].begin(), slices_.facts[slice].end(),
+                       [&](const ContourFacts& f) { return f.parent == contour; });
   }
 
   /// Is the point in what the contour bounds, of material or void? `outside` is whatever lies in no outer contour.
@@ -84,7 +91,8 @@ class Carrier {
   bool overlaps(std::size_t slice, std::size_t contour, std::size_t other_slice, std::size_t other) const {
     const auto& points = ring(slice, contour);
     const auto in_other = [&](Point2 p) { return holds(other_slice, other, p); };
-    if (in_other(slices_.facts[slice][contour].centroid) || std::any_of(points.begin(), points.end(), in_other)) return true;
+    if (in_other(slices_.facts[slice][contour].centroid) || std::any_of(points.begin(), points.end(), in_other))
+      return true;
     if (other == outside) return false;
     const auto& others = ring(other_slice, other);
     return std::any_of(others.begin(), others.end(), [&](Point2 p) { return within(points, p); });
@@ -139,6 +147,8 @@ class Carrier {
 
 }  // namespace
 
-std::vector<Bridge> bridges(const SliceSet& slices, const Surroundings& surroundings) { return Carrier(slices, surroundings).run(); }
+std::vector<Bridge> bridges(const SliceSet& slices, const Surroundings& surroundings) {
+  return Carrier(slices, surroundings).run();
+}
 
 }  // namespace odontoscope::between
