@@ -21,6 +21,24 @@ namespace {
 
 using widgets::scaled;
 
+struct VerdictLook {
+  Certificate::Mark mark;
+  ImU32 edge, ground;
+};
+
+VerdictLook look_of(Certificate::Verdict verdict) {
+  switch (verdict) {
+    case Certificate::Verdict::certified:
+    case Certificate::Verdict::sound:
+      return {Certificate::Mark::good, theme::good, theme::good_back};
+    case Certificate::Verdict::look_here:
+      return {Certificate::Mark::look, theme::amber, theme::amber_back};
+    case Certificate::Verdict::wanting:
+      break;
+  }
+  return {Certificate::Mark::bad, theme::bad, theme::bad_back};
+}
+
 void heading(ViewerState& state, const Interface& interface) {
   ImGui::PushFont(interface.large);
   ImGui::TextUnformatted(state.shown ? state.shown->title.c_str() : "Odontoscope");
@@ -31,6 +49,12 @@ void heading(ViewerState& state, const Interface& interface) {
   if (!state.shown) return;
   const std::size_t structures = state.shown->scene.looks.size();
   widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
+  // In a word; what wants a look has its report above all else.
+  const Certificate::Verdict verdict = state.shown->certificate.verdict;
+  if (look_of(verdict).mark != Certificate::Mark::good) return;
+  ImGui::PushFont(interface.small);
+  widgets::marked(interface, Certificate::Mark::good, verdict == Certificate::Verdict::certified ? "Certified: the report is below" : "Sound: the report is below");
+  ImGui::PopFont();
 }
 
 /// true: colour or opacity were changed by hand.
@@ -76,24 +100,6 @@ bool looks_are_usual(const ViewerState& state) {
 }  // namespace
 
 namespace {
-
-struct VerdictLook {
-  Certificate::Mark mark;
-  ImU32 edge, ground;
-};
-
-VerdictLook look_of(Certificate::Verdict verdict) {
-  switch (verdict) {
-    case Certificate::Verdict::certified:
-    case Certificate::Verdict::sound:
-      return {Certificate::Mark::good, theme::good, theme::good_back};
-    case Certificate::Verdict::look_here:
-      return {Certificate::Mark::look, theme::amber, theme::amber_back};
-    case Certificate::Verdict::wanting:
-      break;
-  }
-  return {Certificate::Mark::bad, theme::bad, theme::bad_back};
-}
 
 void headline(const Certificate& certificate, const VerdictLook& look, const Interface& interface) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -253,6 +259,7 @@ void camera_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "View")) return;
   int projection = static_cast<int>(state.scene.camera.projection);
   if (widgets::choice("projection", projection, {"Perspective", "Parallel"})) state.todo.push_back(Action::toggle_projection);
+  widgets::toggle("Names (H)", state.settings.names);
   two_buttons(state, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
   int backdrop = static_cast<int>(state.settings.backdrop);
   if (widgets::choice("backdrop", backdrop, {"Dark", "Light", "White"})) {
@@ -306,17 +313,21 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     fly_sections(state, interface);
     notes_section(state, interface);
   } else if (state.shown) {
+    // What people come for first; what was proven comes before it only where it wants a look.
+    const bool good = look_of(state.shown->certificate.verdict).mark == Certificate::Mark::good;
     fly_entrance(state, interface);
-    lab_section(state, interface);
-    report_section(state, interface);
+    if (state.lab.on) lab_section(state, interface);
+    if (!good) report_section(state, interface);
     structures_section(state, interface);
-    faces_section(state, interface);
     section_section(state, interface);
     measure_section(state, interface);
-    overlays_section(state, interface);
     camera_section(state, interface);
     notes_section(state, interface);
     picture_section(state, interface);
+    if (good) report_section(state, interface);
+    faces_section(state, interface);
+    overlays_section(state, interface);
+    if (!state.lab.on) lab_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});
   if (state.shown && state.headset_possible && widgets::wide_button("Enter the headset")) state.headset_asked = true;

@@ -10,7 +10,7 @@ std::string sentence(std::string_view place, std::string_view wrong, std::string
   if (!place.empty()) text += fmt::format("{}: ", place);
   text += wrong;
   if (!remedy.empty()) text += fmt::format(". {}", remedy);
-  if (!text.empty() && text.back() != '.') text += '.';
+  if (!text.empty() && text.back() != '.' && text.back() != '?') text += '.';
   return text;
 }
 

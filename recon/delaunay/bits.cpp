@@ -217,4 +217,23 @@ bool leaves_through(const TrackedShape& end, const TrackedShape& outside_here, c
   return area_beside(end, outside_next) >= outlet_taper * area_beside(end, outside_here);
 }
 
+namespace {
+
+bool is_canal(const TrackedShape& hole, const TrackedShape& outside_here, const TrackedShape& outside_next) {
+  const double around = area_beside(hole, outside_here);
+  return hole.area <= canal_share * around && area_beside(hole, outside_next) >= outlet_taper * around;
+}
+
+}  // namespace
+
+bool lies_over_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next) {
+  return is_canal(canal, outside_here, outside_next) && overlap_area(canal, {}, outside_next) >= lobe_share * canal.area;
+}
+
+bool all_but_reaches_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next) {
+  if (!is_canal(canal, outside_here, outside_next)) return false;
+  const double left = gap(canal, outside_next);
+  return left <= lobe_gap * width(canal) && left <= outlet_wall * gap(canal, outside_here);
+}
+
 }  // namespace odontoscope::delaunay

@@ -21,6 +21,15 @@ struct Proposal {
   bool from_lower = true, from_upper = false;  // which of the two hangs free and asks for it
 };
 
+bool encloses(const std::vector<Point2>& ring, Point2 p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+  }
+  return odd;
+}
+
 class Tracker {
  public:
   Tracker(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs)
@@ -30,6 +39,7 @@ class Tracker {
       for (const RegionLink& link : slabs[k].made) graph_.add(k, link.lower, link.upper);
     }
     result_.links.resize(slabs.size());
+    result_.closed.resize(slabs.size());
   }
 
   Tracking run() {
@@ -39,6 +49,7 @@ class Tracker {
     link_entries();
     link_bits();
     link_outlets();
+    link_lobes();
     ask_about_free_ends();
     ask_about_openings();
     for (auto& links : result_.links)
@@ -197,7 +208,7 @@ class Tracker {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) propose_entries(k, i, up, proposals);
-    decide(proposals, limits::track_entry, limits::track_entry_clear, TrackedBy::entry);
+    decide(proposals, limits::track_entry_doubtful, limits::track_entry_clear, TrackedBy::entry);
   }
 
   // ---- overlap
@@ -215,6 +226,9 @@ class Tracker {
         const bool asks_below = upper_free && (lower_free || !running_out(k + 1, link.upper, false));
         if (asks_above || asks_below)
           proposals.push_back({k, link.lower, link.upper, share, asks_above, asks_below});
+        else if (share >= limits::track_overlap && (lower_free || upper_free) &&
+                 ShapeGraph::like(graph_.shape(k, link.lower), graph_.shape(k + 1, link.upper)))
+          doubt(Choice::may_connect, TrackedBy::overlap, k, link.lower, link.upper);  // a canal that forks narrows too
         else if (share >= limits::track_overlap)
           dispute(k, link.lower, link.upper);
       }
@@ -264,11 +278,26 @@ class Tracker {
       const bool asked = (p.from_lower && graph_.free_above(p.slab, p.lower)) ||
                          (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
-      if (asked && p.share >= least)
-        make(p.slab, p.lower, p.upper, by, p.share >= clear);
+      if (asked && p.share >= (by == TrackedBy::entry && leaves(p) ? limits::track_entry : least))
+        make(p.slab, p.lower, p.upper, by, p.share >= clear || nothing_else(p, proposals));
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
+  }
+
+  /// A way out is not believed as easily as a fork: most ends close.
+  bool leaves(const Proposal& p) const { return graph_.shape(p.slab, p.lower).unbounded || graph_.shape(p.slab + 1, p.upper).unbounded; }
+
+  /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
+  /// a single slice: no real choice.
+  bool nothing_else(const Proposal& p, const std::vector<Proposal>& proposals) const {
+    const bool lower_asks = p.from_lower && alone(p.slab, p.lower), upper_asks = p.from_upper && alone(p.slab + 1, p.upper);
+    if (lower_asks == upper_asks) return false;
+    const std::size_t slice = lower_asks ? p.slab : p.slab + 1;
+    const std::uint32_t shape = lower_asks ? p.lower : p.upper;
+    return std::count_if(proposals.begin(), proposals.end(), [&](const Proposal& other) {
+      return (other.slab == slice && other.lower == shape) || (other.slab + 1 == slice && other.upper == shape);
+    }) == 1;
   }
 
   // ---- bits ---------------------------------------------------------------------------------------------------------
@@ -278,9 +307,22 @@ class Tracker {
       const auto& inner = up ? graph_.below(k, i) : graph_.above(k, i);
       return inner.size() == 1 && running_out(k, i, up, inner.front());
     };
-    for (const BitLink& link : links_of_bits(graph_, apart_, ends_by_itself))
-      make(link.slab, link.lower, link.upper, TrackedBy::beside, false);
+    const auto links = links_of_bits(graph_, apart_, ends_by_itself);
+    std::vector<bool> clear;
+    for (const BitLink& link : links)
+      clear.push_back(outermost(link.slab, link.lower, true) || outermost(link.slab + 1, link.upper, false));
+    for (std::size_t n = 0; n < links.size(); ++n)
+      make(links[n].slab, links[n].lower, links[n].upper, TrackedBy::beside, clear[n]);
     link_entries();
+  }
+
+  /// A piece of the structure's first slice, or its last, that hangs on nothing else: all of that slice is an end, as enamel's margin, and the
+  /// structure must begin with something. Of material only: a row of holes may begin with a pit.
+  bool outermost(std::size_t k, std::uint32_t i, bool lowest) const {
+    if (has_outside(k) || !alone(k, i)) return false;
+    for (std::size_t other = lowest ? 0 : k + 1; other < (lowest ? k : graph_.slices().size()); ++other)
+      if (!graph_.slices()[other].shapes.empty()) return false;
+    return true;
   }
 
   /// Voids that end beside a notch of the next slice. Only what hangs on a tracked link: a horn near the surface is no canal.
@@ -296,19 +338,62 @@ class Tracker {
         }
   }
 
+  /// Canals that end or go on, and lie over a notch of the next slice: they leave there, or an accessory canal does, of which one slice shows the
+  /// beginning as a lobe of the canal and the other the end as a notch.
+  void link_lobes() {
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        for (const bool up : {true, false}) {
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool opens = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return graph_.shape(beyond, j).unbounded; });
+          if (opens || links.size() > 1 || !has_outside(k) || !has_outside(beyond)) continue;
+          if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
+          else if (all_but_reaches_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            doubt(Choice::may_connect, TrackedBy::overlap, slab, up ? i : outside, up ? outside : i);
+        }
+  }
+
   bool has_outside(std::size_t k) const {
     return !graph_.slices()[k].shapes.empty() && graph_.shape(k, outside).unbounded;
   }
 
-  /// A void that opens into the outside in the next slice, and is running out: it may close before.
+  /// Of voids that are running out: those that open into the outside in the next slice may close before, and do if their drift takes them away
+  /// from it; those that end may open, if it takes them there.
   void ask_about_openings() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) {
-          const auto& beyond = up ? graph_.above(k, i) : graph_.below(k, i);
-          if (graph_.shape(k, i).unbounded || beyond.size() != 1 || !graph_.shape(up ? k + 1 : k - 1, beyond.front()).unbounded) continue;
-          if (running_out(k, i, up)) doubt(Choice::may_part, TrackedBy::overlap, up ? k : k - 1, up ? i : outside, up ? outside : i);
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          if (!has_outside(beyond) || !running_out(k, i, up)) continue;
+          const std::uint32_t lower = up ? i : outside, upper = up ? outside : i;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool opens = links.size() == 1 && graph_.shape(beyond, links.front()).unbounded;
+          const bool leaves = drifts_outside(k, i, up);
+          if (opens && leaves) doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+          if (opens && !leaves) close(slab, lower, upper);
+          if (links.empty() && leaves) doubt(Choice::may_connect, TrackedBy::entry, slab, lower, upper);
         }
+  }
+
+  /// Its middle, seen from above: it is running out. What has no drift stays where it is.
+  bool drifts_outside(std::size_t k, std::uint32_t i, bool up) const {
+    const Point2 by = drift(k, i, up).value_or(Point2{}), from = graph_.shape(k, i).centroid;
+    const Point2 to{from.x + by.x, from.y + by.y};
+    const auto& outlines = graph_.shape(up ? k + 1 : k - 1, outside).contours;
+    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return encloses(ring, to); });
+  }
+
+  void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
+    const auto& tracked = result_.links[slab];
+    if (std::any_of(tracked.begin(), tracked.end(), [&](const TrackedLink& link) { return link.lower == lower && link.upper == upper; }))
+      return doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+    graph_.remove(slab, lower, upper);
+    result_.closed[slab].emplace_back(lower, upper);
+    doubt(Choice::may_connect, TrackedBy::overlap, slab, lower, upper);
   }
 
   /// Does the row of like sections that ends here begin with a tracked link, or hold one?

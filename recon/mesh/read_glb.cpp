@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "recon/core/free_memory.h"
 #include "recon/core/limits.h"
 #include "recon/mesh/gltf_accessors.h"
 #include "recon/mesh/parsing.h"
@@ -126,6 +129,17 @@ class SceneReader {
     to_ours.m[0][0] = to_ours.m[2][1] = millimetres_per_metre;
     to_ours.m[1][2] = -millimetres_per_metre;
 
+    check_size();
+    walk(to_ours, [this](const json& node, const Transform& world) { add_mesh(node, world); });
+    tell();
+    return std::move(meshes_);
+  }
+
+ private:
+  /// Calls for each node that draws a mesh, in the order of the tree.
+  template <class Call>
+  void walk(const Transform& to_ours, const Call& call) {
+    std::fill(visited_.begin(), visited_.end(), false);
     std::vector<std::pair<std::size_t, Transform>> waiting;
     const std::vector<std::size_t> roots = root_nodes();
     for (auto root = roots.rbegin(); root != roots.rend(); ++root) waiting.emplace_back(*root, to_ours);
@@ -137,15 +151,48 @@ class SceneReader {
       visited_[index] = true;
       const json& node = gltf::entry(glb_, "nodes", index);
       const Transform world = parent * local_transform(glb_, node);
-      if (node.contains("mesh")) add_mesh(node, world);
+      if (node.contains("mesh")) call(node, world);
       const std::vector<std::size_t> children = node_list(node, "children");
       for (auto child = children.rbegin(); child != children.rend(); ++child) waiting.emplace_back(*child, world);
     }
-    tell();
-    return std::move(meshes_);
   }
 
- private:
+  /// A small file can draw one mesh from many nodes: what it would take, by what it says, before it is taken.
+  void check_size() {
+    std::map<std::size_t, std::size_t> drawn;
+    walk({}, [&](const json& node, const Transform&) { ++drawn[gltf::index_into(glb_, node, "mesh", "meshes")]; });
+    double triangles = 0, vertices = 0, meshes = 0;
+    for (const auto& [mesh, times] : drawn) {
+      meshes += static_cast<double>(times);
+      const json& object = gltf::entry(glb_, "meshes", mesh);
+      const auto primitives = object.find("primitives");
+      if (primitives == object.end() || !primitives->is_array()) continue;   // refused when it is read
+      for (const json& primitive : *primitives) {
+        const double points = count_of(primitive.is_object() && primitive.contains("attributes") ? primitive["attributes"] : json(), "POSITION");
+        const double corners = primitive.is_object() && primitive.contains("indices") ? count_of(primitive, "indices") : points;
+        vertices += static_cast<double>(times) * points;
+        triangles += static_cast<double>(times) * corners / 3;
+      }
+    }
+    if (triangles > static_cast<double>(limits::triangles) || vertices > 3.0 * static_cast<double>(limits::triangles)) {
+      glb_.refuse("too-large", fmt::format("the scene has more than {} triangles", limits::triangles));
+    }
+    // As read and as joined, and a name, lists and remarks for each mesh.
+    constexpr double bytes_of_mesh = 512;
+    check_memory(glb_.file, 2 * (triangles * sizeof(Triangle) + vertices * sizeof(Point3)) + meshes * bytes_of_mesh, "Export it with fewer copies of its meshes, or use a larger machine");
+  }
+
+  /// Of the accessor that `object[key]` names, as it says; 0 where it says nothing of use, which is refused when it is read.
+  double count_of(const json& object, const char* key) const {
+    if (!object.is_object()) return 0;
+    const auto index = object.find(key);
+    const json& accessors = gltf::list(glb_, "accessors");
+    if (index == object.end() || !index->is_number_unsigned() || index->get<std::size_t>() >= accessors.size()) return 0;
+    const json& accessor = accessors[index->get<std::size_t>()];
+    const auto count = accessor.is_object() ? accessor.find("count") : accessor.end();
+    return accessor.is_object() && count != accessor.end() && count->is_number_unsigned() ? count->get<double>() : 0;
+  }
+
   void tell() {
     if (meshes_.empty()) return;
     std::vector<std::string>& remarks = meshes_.front().remarks;

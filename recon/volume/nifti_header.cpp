@@ -14,6 +14,7 @@
 #include "recon/core/limits.h"
 #include "recon/volume/volume_header.h"
 #include "recon/volume/byte_source.h"
+#include "recon/volume/text_header.h"
 
 namespace odontoscope {
 namespace {
@@ -245,7 +246,7 @@ std::string header_of_pair(const std::string& path) {
   return header.string();
 }
 
-void read_pixels_place(const std::string& path, const std::string& header_path, const Fields& header, PixelFiles& pixels) {
+void read_pixels_place(const std::string& path, const std::string& header_path, const Fields& header, bool allow_outside, PixelFiles& pixels) {
   const bool one_file = header.magic() == "n+1" || header.magic() == "n+2";
   if (!one_file && header.magic() != "ni1" && header.magic() != "ni2") {
     refuse_nifti("unreadable-volume", path, "it lacks the mark of NIfTI (Analyze 7.5 is not read, since it does not say which side is left)");
@@ -258,6 +259,7 @@ void read_pixels_place(const std::string& path, const std::string& header_path, 
     pixels.intercept = std::isfinite(header.intercept()) ? header.intercept() : 0;
   }
   pixels.paths = {one_file ? path : image_of_pair(header_path)};
+  if (!one_file && !allow_outside) check_inside(header_path, pixels.paths[0]);
   pixels.packed_whole = is_gzip(pixels.paths[0]);
 
   // The header and the four bytes that announce extensions; 0 is what programs write that mean just this.
@@ -277,7 +279,7 @@ VolumeHeader read_nifti_header(const std::string& path, const ReadVolumeOptions&
   const Fields fields(header_path);
   VolumeHeader header;
   header.image.source = path;
-  read_pixels_place(path, header_path, fields, header.pixels);
+  read_pixels_place(path, header_path, fields, options.allow_outside, header.pixels);
   const std::vector<double> sizes = sizes_of(path, fields);
   for (std::size_t n = 0; n < 3; ++n) header.image.size[n] = static_cast<std::size_t>(sizes[n]);
   read_geometry(path, fields, options, header);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "recon/core/error.h"
+#include "recon/core/free_memory.h"
 #include "recon/core/limits.h"
 #include "recon/volume/byte_source.h"
 #include "recon/volume/text_header.h"
@@ -215,6 +216,11 @@ std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const
     else append_bytes(decoder, files, path, each, values);
   }
   return values;
+}
+
+void check_memory(const std::string& file, std::size_t voxels) {
+  check_memory(file, static_cast<double>(voxels) * sizeof(float),
+               "crop it to the tooth or resample it more coarsely (with another program, if this one cannot even read it), or use a larger machine");
 }
 
 }  // namespace odontoscope

@@ -108,6 +108,8 @@ bool lies_below(const fs::path& file, const fs::path& folder) {
   return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
 }
 
+}  // namespace
+
 /// Links followed: one in the header's folder that leads out of it lies outside.
 void check_inside(const std::string& header, const std::string& file) {
   std::error_code error;
@@ -118,8 +120,6 @@ void check_inside(const std::string& header, const std::string& file) {
   throw InputError("outside-folder", in_file(header), fmt::format("its pixels are to come from {}, which lies outside the header's own folder", file),
                    "put the pixels beside the header, or give --allow-outside if you trust it");
 }
-
-}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r\n";

@@ -95,6 +95,39 @@ TEST(TrackedStacks, FiveHundredIslandsStayApart) {
   EXPECT_TRUE(made.doubts.empty());
 }
 
+/// A cone of slices 1 mm apart, as wide as is asked for, between empty slices.
+ContourStack cone(const std::vector<double>& radii) {
+  ContourStack stack;
+  stack.slices.push_back({0, {}});
+  for (const double radius : radii)
+    stack.slices.push_back({static_cast<double>(stack.slices.size()), {{"tooth", regular_polygon(40, radius, {0, 0})}}});
+  stack.slices.push_back({static_cast<double>(stack.slices.size()), {}});
+  return stack;
+}
+
+double highest(const Reconstruction& made) {
+  double z = 0;
+  for (const Point3& p : made.solids.at(0).surface.points) z = std::max(z, p.z);
+  return z;
+}
+
+// Where the slice before tells how it narrows, a structure ends between its last slice and the empty one; where it does not narrow, in its slice.
+TEST(TrackedStacks, AStructureEndsWhereItsNarrowingRunsOut) {
+  const auto top = [](const std::vector<double>& radii, Between between) {
+    ReconstructOptions options;
+    options.between = between;
+    const Reconstruction made = certified(cone(radii), options);
+    EXPECT_EQ(topology_of(made), shells({"tooth external genus 0"}));
+    return highest(made);
+  };
+  EXPECT_LT(top({1.5, 1.0, 0.5}, Between::delaunay), 3.01);
+  const double slow = top({1.5, 1.0, 0.5}, Between::blended), quick = top({1.8, 1.2, 0.45}, Between::blended);
+  EXPECT_GT(slow, 3.3);
+  EXPECT_LT(slow, 4) << "the next slice has nothing of it";
+  EXPECT_LT(quick, slow) << "it narrows more quickly";
+  EXPECT_GT(quick, 3.01);
+}
+
 TEST(TrackedStacks, TwoRootsBesideEachOtherStayApart) {
   const Reconstruction made = certified(two_roots(), by_default());
   EXPECT_EQ(made.solids.at(0).report.shells.size(), 2u);

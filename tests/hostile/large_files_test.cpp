@@ -156,13 +156,14 @@ std::string glb_of(std::string json, const std::string& more = "") {
          little_endian(static_cast<std::uint32_t>(json.size())) + "JSON" + json + more;
 }
 
-std::string one_triangle_drawn_by(const std::string& nodes) {
-  const std::string corners(36, '\0');
+std::string triangles_drawn_by(std::size_t triangles, const std::string& nodes) {
+  const std::string corners(36 * triangles, '\0'), count = std::to_string(3 * triangles), bytes = std::to_string(corners.size());
   return glb_of("{\"nodes\":[" + nodes +
-                    "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,"
-                    "\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],\"buffers\":[{\"byteLength\":36}]}",
-                little_endian(36) + std::string("BIN\0", 4) + corners);
+                    "],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" + count +
+                    ",\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":" + bytes + "}],\"buffers\":[{\"byteLength\":" + bytes + "}]}",
+                little_endian(static_cast<std::uint32_t>(corners.size())) + std::string("BIN\0", 4) + corners);
 }
+std::string one_triangle_drawn_by(const std::string& nodes) { return triangles_drawn_by(1, nodes); }
 
 std::string stl_facet() { return "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"; }
 
@@ -224,6 +225,9 @@ std::vector<Large> mesh_files() {
       {"glb", "a million brackets", [] { return glb_of(times(1'000'000, "[")); }, "unparsable"},
       {"glb", "a million chunks of nothing", [] { return glb_of("{}", times(1'000'000, std::string(4, '\0') + "ABCD")); }, "empty-mesh"},
       {"glb", "a hundred thousand nodes that draw one triangle", [] { return one_triangle_drawn_by(times(100'000, "{\"mesh\":0}", ",")); }, "accepted"},
+      {"glb", "a million nodes that draw one triangle", [] { return one_triangle_drawn_by(times(1'000'000, "{\"mesh\":0}", ",")); }, "cannot be read", {.megabytes = 1024}},
+      {"glb", "ninety thousand nodes that draw a thousand triangles", [] { return triangles_drawn_by(1'000, times(90'000, "{\"mesh\":0}", ",")); }, "cannot be read"},
+      {"glb", "two hundred thousand nodes that draw a thousand triangles", [] { return triangles_drawn_by(1'000, times(200'000, "{\"mesh\":0}", ",")); }, "too-large"},
       {"glb", "a chain of a hundred thousand nodes", [] { return one_triangle_drawn_by("{\"mesh\":0}," + numbered(100'000, "{\"children\":[#]}")); }, "accepted"},
       {"glb", "a node with a hundred thousand children that are one", [] { return one_triangle_drawn_by("{\"mesh\":0},{\"children\":[" + times(100'000, "0", ",") + "]}"); }, "bad-node-tree"},
       {"volume", "a line of two megabytes", [] { return nrrd("sizes: " + std::string(2u << 20, '1') + "\n"); }, "unreadable-volume"},

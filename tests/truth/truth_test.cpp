@@ -55,7 +55,7 @@ Tally tally_of(std::uint64_t first, std::uint64_t last) {
 
 struct Bar {
   std::uint64_t first;
-  // To be raised with the engine, never lowered. It has 26 of 28, 21 of 23, 20 of 21 and 24 of 26 right.
+  // To be raised with the engine, never lowered. It has 28 of 28, 21 of 23, 21 of 21 and 26 of 26 right.
   std::size_t right;
 };
 
@@ -73,7 +73,7 @@ TEST_P(Family, HasTheTopologyOfTheTruthAsOftenAsTheBarSays) {
   // A rule that called everything hidden would make any engine right.
   EXPECT_GE(tally.visible, 17u);
 }
-INSTANTIATE_TEST_SUITE_P(Tens, Family, testing::Values(Bar{1, 25}, Bar{11, 20}, Bar{21, 19}, Bar{31, 23}),
+INSTANTIATE_TEST_SUITE_P(Tens, Family, testing::Values(Bar{1, 27}, Bar{11, 20}, Bar{21, 20}, Bar{31, 25}),
                          [](const auto& ten) { return "From" + std::to_string(ten.param.first); });
 
 TEST(RandomTooth, IsTheSameForTheSameSeed) {

@@ -170,6 +170,23 @@ TEST(VolumeKinds, AHeaderNamesNoFileOutsideItsFolderUnlessItMay) {
   EXPECT_EQ(read_volume((folder / "inner/a.nhdr").string()).values[1], 2);
 }
 
+TEST(VolumeKinds, AnImageBesideItsHeaderIsNoLinkOutOfTheirFolderUnlessItMay) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "inner");
+  put(folder / "secret.raw", bytes_of(telling_voxels()));
+  std::filesystem::create_symlink(folder / "secret.raw", folder / "inner/a.img");
+  put(folder / "inner/a.hdr", Nifti{.vox_offset = 0, .magic = "ni1", .pixels = ""}.bytes().substr(0, 348));
+  for (const char* name : {"inner/a.hdr", "inner/a.img"}) {
+    try {
+      read_volume((folder / name).string());
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.cause(), "outside-folder") << name;
+    }
+    EXPECT_EQ(read_volume((folder / name).string(), {.allow_outside = true}).values, telling_floats());
+  }
+}
+
 TEST(VolumeKinds, NrrdComesInEveryEncoding) {
   const std::string pixels = bytes_of(telling_voxels()), geo = geometry("LPS", {1, 1, 1});
   std::string hex, text;

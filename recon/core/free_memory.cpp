@@ -1,3 +1,5 @@
+#include "recon/core/free_memory.h"
+
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -7,8 +9,6 @@
 #include <string>
 
 #include "recon/core/error.h"
-#include "recon/core/limits.h"
-#include "recon/volume/pixel_file.h"
 
 namespace odontoscope {
 namespace {
@@ -39,13 +39,11 @@ double left_by_limit() {
 
 }  // namespace
 
-void check_memory(const std::string& file, std::size_t voxels) {
-  const double wanted = static_cast<double>(voxels) * sizeof(float);
+void check_memory(const std::string& file, double bytes, std::string_view remedy) {
   const double there = std::min(available_on_machine(), left_by_limit());
-  if (wanted <= there) return;
+  if (bytes <= there) return;
   constexpr double megabyte = 1e6;
-  throw FileError(file, fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", wanted / megabyte, there / megabyte),
-                  "crop it to the tooth or resample it more coarsely (with another program, if this one cannot even read it), or use a larger machine");
+  throw FileError(file, fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", bytes / megabyte, there / megabyte), remedy);
 }
 
 }  // namespace odontoscope
