@@ -39,10 +39,14 @@ double room_aside(const Point3& at, const Direction& side, const WallTree& wall)
 }
 
 void measure_widths(const CentreLine& line, const std::vector<double>& widths, std::size_t first, std::size_t last, MeasuredCanal& canal) {
-  double sum = 0;
+  double sum = 0, ball = 0;
   for (std::size_t i = first; i < last; ++i) {
     sum += widths[i];
-    if (!canal.narrowest || widths[i] < canal.narrowest->width) canal.narrowest = MeasuredPlace{widths[i], line.points[i].at};
+    // All of a window is equally wide: the place is where its ball is smallest.
+    const bool narrower = !canal.narrowest || widths[i] < canal.narrowest->width || (widths[i] == canal.narrowest->width && line.points[i].ball < ball);
+    if (!narrower) continue;
+    canal.narrowest = MeasuredPlace{widths[i], line.points[i].at};
+    ball = line.points[i].ball;
   }
   if (last > first) {
     // Rounding, where all of it is equally wide.
