@@ -67,7 +67,7 @@ std::vector<Bent> all_kinds() {
     kinds.push_back({"Round" + arc, bend});
     kinds.push_back({"WideAcross" + arc, bend, 1.7, 1, 0.28, 15});
     kinds.push_back({"WideAside" + arc, bend, 1, 1.7, 0.28, 20});
-    if (bend < 30) kinds.push_back({"Ribbon" + arc, bend, 2.6, 1, 0.28, 10});   // a bow of 0.1 mm in 1.5 mm: docs/navigation.md, known gaps
+    if (bend < 30) kinds.push_back({"Ribbon" + arc, bend, 2.6, 1, 0.28, 10});   // 30 mm is told as 0.4: docs/navigation.md, known gaps
     kinds.push_back({"Tapering" + arc, bend, 1.3, 1, 0.2, 15});
     kinds.push_back({"Part" + arc, bend, 1.5, 1, 0.28, 10, 2.5, 3});
   }
