@@ -129,8 +129,9 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.handles = lines.loops.size();
   const auto genus = static_cast<std::size_t>(wall.shells.front().genus);
   made.narrow_handles = genus - std::min(made.handles, genus);
+  made.slice_spacing = spacing_of(model, hollow.wall, slices);
   const WallTree tree(hollow.wall);
-  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, tree));
+  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, hollow.wall, tree, made.slice_spacing));
   made.shapes = canal_shapes(hollow, lines, progress);
   made.accessory_canals = accessory_canals(hollow, lines);
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);
@@ -139,9 +140,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
     progress.tell(measure_stage, 0.5);
     made.roots = roots_along(made.axis, hollow, lines, outside.surface, made.canals);
   }
-  made.slice_spacing = spacing_of(model, hollow.wall, slices);
-  const cavity::SliceKnowledge known = cavity::slice_knowledge(hollow.wall, outside.surface, made.slice_spacing, lines.chamber_radius);
-  for (std::size_t c = 0; c < made.canals.size(); ++c) made.uncertainties.push_back(cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], known));
+  const cavity::SliceKnowledge known = cavity::slice_knowledge(outside.surface, made.slice_spacing, lines.chamber_radius, hollow.mouths);
+  for (std::size_t c = 0; c < made.canals.size(); ++c) made.uncertainties.push_back(cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], hollow.wall, known));
   made.graph = canal_graph(lines);
   for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));
   made.lines = std::move(lines);

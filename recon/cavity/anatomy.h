@@ -44,7 +44,7 @@ struct MeasuredCanal {
   double schneider_deg = 0;
   double smallest_bend = 0;     // radius, see bend.h; infinite if straight
   double bend_fit = 0;          // Bend::uncertainty
-  /// Widths are those of the widest balls in the cross-sections, no nearer to a blind end than their median; nothing where all of the canal is as near.
+  /// Widths are those of the widest balls in the cross-sections, without narrow places shorter than slices are apart (known_widths), no nearer to a blind end than their median; nothing where all of the canal is as near.
   std::optional<MeasuredPlace> narrowest;
   double mean_width = 0;        // over the same part, so that it is not less than the narrowest; of all of the canal where there is no such part
   /// The least distance from the canal's wall to the outside of the solid that it runs in; nothing if that solid is not there. Not looked for nearer to a

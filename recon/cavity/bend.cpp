@@ -151,7 +151,8 @@ Bend smallest_bend(const std::vector<Point3>& all, double width, const Looseness
     if (fit.bow <= limits::bend_bow * known || fit.radius >= bend.radius) continue;
     const double off = std::max(known, loose ? loosest(line, first, last, loose) : 0);
     if (fit.bow <= limits::bend_bow * off) continue;
-    bend = {fit.radius, 2 * fit.radius * off / fit.bow};   // middle and ends may be off either way
+    // Middle and ends may be off either way; and the stretch goes on beyond the arc's ends until it is off by as much again.
+    bend = {fit.radius, 4 * fit.radius * off / fit.bow};
   }
   return bend;
 }

@@ -32,6 +32,7 @@ class Owners {
 
   struct Owner {
     std::size_t canal = 0, third = 0;   // `canal`: as many as there are canals if it is no canal
+    Direction out{};                    // of a place just below an orifice: along the canal, unit
   };
   Owner of(const Point3& p) const {
     const Entry* best = &entries_.front();
@@ -58,7 +59,12 @@ class Owners {
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const double part = (line.points[i].along - begin + before) / whole;
       const bool below = canal < canals_ && i >= line.orifice;
-      entries_.push_back({line.points[i].at, {below ? canal : canals_, std::min<std::size_t>(2, static_cast<std::size_t>(std::max(0.0, 3 * part)))}});
+      Owner owner{below ? canal : canals_, std::min<std::size_t>(2, static_cast<std::size_t>(std::max(0.0, 3 * part)))};
+      if (below && line.orifice > 0 && line.points[i].along - begin < line.points[i].ball) {
+        const Direction along = cavity::direction_at(line, line.points[i].along);
+        owner.out = (1 / length(along)) * along;
+      }
+      entries_.push_back({line.points[i].at, owner});
     }
   }
   std::size_t canals_;
@@ -82,7 +88,10 @@ void share_triangle(const std::array<Point3, 3>& p, double finest, const Owners&
   }
   const Point3 centre{(p[0].x + p[1].x + p[2].x) / 3, (p[0].y + p[1].y + p[2].y) / 3, (p[0].z + p[1].z + p[2].z) / 3};
   const Owners::Owner owner = owners.of(centre);
-  if (owner.canal < shapes.size()) shapes[owner.canal].thirds[owner.third].area += length(cross(p[1] - p[0], p[2] - p[0])) / 2;
+  if (owner.canal >= shapes.size()) return;
+  const Direction normal = cross(p[1] - p[0], p[2] - p[0]);
+  const bool is_floor = std::abs(dot(normal, owner.out)) > limits::floor_cosine * length(normal);
+  if (!is_floor) shapes[owner.canal].thirds[owner.third].area += length(normal) / 2;
 }
 
 /// The sum over each canal's part of the wall of edge length times outer angle.
@@ -177,7 +186,9 @@ std::vector<CanalShape> canal_shapes(const Cavity& cavity, const CentreLines& li
   for (std::size_t c = 0; c < shapes.size(); ++c) measure_sections(cavity, lines.canals[c], shapes[c], progress);
   double finest = std::numeric_limits<double>::infinity();
   for (const CentreLine& line : lines.canals) finest = std::min(finest, line.points[line.points.size() / 2].ball);
-  for (const Triangle& t : cavity.wall.triangles) {
+  // Where the canal opens to the outside there is no wall.
+  for (std::size_t i = 0; i + cavity.cap_triangles < cavity.wall.triangles.size(); ++i) {
+    const Triangle& t = cavity.wall.triangles[i];
     progress.check();
     share_triangle({cavity.wall.points[t[0]], cavity.wall.points[t[1]], cavity.wall.points[t[2]]}, finest, owners, shapes);
   }

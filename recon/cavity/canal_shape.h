@@ -21,7 +21,7 @@ struct ApicalSection {
 /// A third of a canal's length: 0 coronal, 1 middle, 2 apical.
 struct CanalThird {
   double volume = 0;   // mm^3: section areas over the line; shared where canals run together
-  double area = 0;     // mm^2, of the wall that is nearest to it
+  double area = 0;     // mm^2, of the wall that is nearest to it, without caps, and without the chamber's floor round an orifice (limits::floor_cosine)
 };
 
 struct CanalShape {

@@ -156,7 +156,9 @@ class Centring {
     for (std::size_t i = 0; i < line_.size(); ++i) {
       along += i > 0 ? length(line_[i] - line_[i - 1]) : 0;
       const double radius = std::max(tree_.clearance(line_[i]), 0.0);
-      const double widest = tree_.clearance(widest_near(line_[i], tangent(i), 0.16, limits::ball_fineness));
+      // First as for the line, which keeps to its canal; then freely: in a flat canal the pull would stop short of the widest place.
+      const Point3 near = widest_near(line_[i], tangent(i), 0.16, 0.04);
+      const double widest = tree_.clearance(widest_near(near, tangent(i), 0.04, limits::ball_fineness, limits::ball_pull));
       made.push_back({line_[i], radius, along, std::max(radius, widest)});
     }
     return made;
@@ -208,7 +210,8 @@ class Centring {
     std::size_t next_ = 0, count_ = 0;
   };
 
-  Point3 widest_near(const Point3& start, const Direction& along, double first, double finest) {
+  /// `pull`: back, so that in a flat section points stay about where they are; in a round one it is next to nothing.
+  Point3 widest_near(const Point3& start, const Direction& along, double first, double finest, double pull = 0.3) {
     // Two directions across.
     const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z) ? Direction{1, 0, 0}
                             : std::abs(along.y) <= std::abs(along.z)                                        ? Direction{0, 1, 0}
@@ -220,7 +223,6 @@ class Centring {
     double best = here.front ? here.distance : -here.distance, x = 0, y = 0;
     const double radius = std::max(best, 0.06 * median_);
     constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
-    constexpr double pull = 0.3;  // back: in a flat section points stay about where they are, and in a round one it is next to nothing
     constexpr int most_moves = 40;
     int moves = 0;
     for (double size = first * radius; size >= finest * radius && moves < most_moves;) {

@@ -60,6 +60,8 @@ inline constexpr double tip_gap = 0.2;
 inline constexpr double orifice_drop = 1.5;
 /// Nearer to its orifice than this share of its radius a canal's wall is as much the chamber's.
 inline constexpr double orifice_rim = 0.5;
+/// Within a radius below it, a wall that faces along the canal, its normal at less than 45 degrees from the line, is the chamber's floor.
+inline constexpr double floor_cosine = 0.7;
 /// Of several such places the last one whose drop, as a logarithm, is this share of the greatest.
 inline constexpr double orifice_great = 0.6;
 /// It is looked for in this first part of a line.
@@ -72,7 +74,9 @@ inline constexpr double wall_samples = 4000;
 /// Where smoothing would leave less than this share of the clearance that a point had, it is not smoothed.
 inline constexpr double line_share = 0.96;
 /// Widest balls are found to this share of their radius: what is missed shows in every width.
-inline constexpr double ball_fineness = 0.005;
+inline constexpr double ball_fineness = 0.001;
+/// What moving a ball costs while its width is looked for: the square of the way in radii times this share of its radius, so that it stays in its canal.
+inline constexpr double ball_pull = 0.02;
 /// How near to its known end a sample tooth's canal must end to be taken for it, mm: a slice's spacing and a little more.
 inline constexpr double known_end = 0.6;
 /// Distance of a line's points, over its median radius, and the most points of a line.
@@ -89,6 +93,9 @@ inline constexpr double bend_stretch = 2;
 inline constexpr double bend_noise = 4, bend_finest = 0.005, bend_coarsest = 0.03;
 /// What bows no more than this many times as much is straight.
 inline constexpr double bend_bow = 5;
+/// A section is compact if it fills this share of its convex hull (polygons of a noisy scan fill less than all of it), and is no larger than so many squares of its widest ball's
+/// radius: an ellipse five times as wide as thick is.
+inline constexpr double section_solidity = 0.95, section_flatness = 16;
 /// All stretches of so many points are tried: some ten thousand.
 inline constexpr std::size_t bend_points = 160;
 

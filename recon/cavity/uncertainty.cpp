@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -30,15 +31,37 @@ std::vector<double> edge_lengths(const SurfaceMesh& wall) {
   return lengths;
 }
 
-/// Of contours: edges within a plane of constant z.
-double side_length(const SurfaceMesh& wall, double share) {
+/// Of contours: edges within a plane of constant z that `counts`.
+template <class Counts>
+double side_length(const SurfaceMesh& wall, double share, const Counts& counts) {
   std::vector<double> lengths;
   for (const Triangle& t : wall.triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Point3 &a = wall.points[t[k]], &b = wall.points[t[(k + 1) % 3]];
-      if (a.z == b.z) lengths.push_back(length(b - a));
+      if (a.z == b.z && counts(a)) lengths.push_back(length(b - a));
     }
   return part_of(std::move(lengths), share);
+}
+
+/// A ball touches a polygon's longest sides, and a wall is thinnest beside one: nineteen in twenty are shorter.
+constexpr double long_ones = 0.95;
+
+/// Of the contours about a canal. The chamber's are longer.
+double side_beside(const SurfaceMesh& wall, const CentreLine& line) {
+  constexpr double reach = 2;   // balls: as far as an oval canal's wall
+  return side_length(wall, long_ones, [&](const Point3& p) {
+    const CentrePoint* nearest = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const CentrePoint& one : line.points) {
+      const Direction off = p - one.at;
+      const double square = dot(off, off);
+      if (square >= least) continue;
+      least = square;
+      nearest = &one;
+    }
+    const CentrePoint& orifice = line.points[line.orifice];
+    return nearest != nullptr && nearest->along >= orifice.along + (line.orifice > 0 ? orifice.ball : 0) && least < reach * reach * nearest->ball * nearest->ball;
+  });
 }
 
 struct Slope {
@@ -98,13 +121,12 @@ double slice_spacing_of(const SurfaceMesh& wall) {
   return median(gaps);
 }
 
-SliceKnowledge slice_knowledge(const SurfaceMesh& wall, const SurfaceMesh& outside, double spacing, double chamber_radius) {
-  constexpr double usual = 0.5, long_ones = 0.95;   // a wall is thinnest beside a long side
-  return {spacing, side_length(wall, usual), side_length(outside, long_ones), chamber_radius};
+SliceKnowledge slice_knowledge(const SurfaceMesh& outside, double spacing, double chamber_radius, const std::vector<Cavity::Mouth>& mouths) {
+  return {spacing, side_length(outside, long_ones, [](const Point3&) { return true; }), chamber_radius, mouths};
 }
 
-CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SliceKnowledge& known) {
-  const double spacing = known.spacing, side = known.side;
+CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SurfaceMesh& wall, const SliceKnowledge& known) {
+  const double spacing = known.spacing, side = side_beside(wall, line);
   const auto of_width = [&](std::size_t i) {
     const double ball = line.points[i].ball;
     const Slope slope = slope_at(line, i, std::max(spacing, ball));
@@ -113,6 +135,10 @@ CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& sh
   CanalUncertainty made;
   const double step = line.points.size() > 1 ? line.points[1].along : 0;
   made.length = spacing + step;
+  for (const Cavity::Mouth& mouth : known.mouths) {
+    const double radius = std::sqrt(mouth.area / std::numbers::pi);
+    if (length(mouth.at - canal.end) < radius) made.length += 2 * radius;
+  }
   const auto [first, last] = between_ends(line);
   for (std::size_t i = first; i < last; ++i) made.mean_width += of_width(i) / static_cast<double>(last - first);
   if (first == last) made.mean_width = of_width(line.orifice);

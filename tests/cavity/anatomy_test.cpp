@@ -334,6 +334,25 @@ TEST(Anatomy, OfAClosedCanalHasTheWidthOfItsPolygons) {
   }
 }
 
+/// A tube of 10 mm that is pinched over a part of its length.
+Anatomy of_pinched(double part) {
+  const auto pinched = [=](const Point3& p) { return test::tube_distance(p, {{0, 0, 0}, {0, 0, -10}}, 0.5) + 0.15 * std::max(0.0, 1 - std::abs(p.z + 5) / (part / 2)); };
+  const Cavity tube = test::void_of(pinched, {-1, -1, -11}, {1, 1, 1}, 0.06);
+  const SurfaceMesh block = block_round(tube);
+  constexpr std::size_t slices = 41;   // of the block's 20 mm: 0.5 mm apart
+  return measure_anatomy({{"block", &block}}, {}, slices);
+}
+
+TEST(Anatomy, TellsNoNarrowPlaceThatIsShorterThanSlicesAreApart) {
+  const Anatomy between_slices = of_pinched(0.4), seen = of_pinched(2);
+  ASSERT_TRUE(between_slices.canals.at(0).narrowest);
+  EXPECT_NEAR(between_slices.canals[0].narrowest->width, 1, 0.03);
+  EXPECT_LE(between_slices.canals[0].narrowest->width, between_slices.canals[0].mean_width);
+  ASSERT_TRUE(seen.canals.at(0).narrowest);
+  EXPECT_NEAR(seen.canals[0].narrowest->width, 0.7, 0.12);   // half a spacing away it is that much wider
+  EXPECT_NEAR(seen.canals[0].narrowest->at.z, -5, 0.3);
+}
+
 TEST(Anatomy, KnowsTheGivenSlicesWhateverLiesBetween) {
   ReconstructOptions blended;
   blended.between = Between::blended;

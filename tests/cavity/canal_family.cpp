@@ -142,6 +142,104 @@ KnownRoot kind_of(std::uint64_t kind, Dice& dice) {
   return root;
 }
 
+/// Straight, an arc, straight again.
+std::vector<Point3> part_arc(double above, double bend, double turn, double below) {
+  std::vector<Point3> axis = arc_axis(above, bend, above + bend * turn);
+  const Point3 last = axis.back();
+  axis.push_back({last.x + below * std::sin(turn), 0, last.z - below * std::cos(turn)});
+  return axis;
+}
+
+/// An arc to one side and one of another radius to the other.
+std::vector<Point3> double_curve(double above, double first, double second, double turn) {
+  std::vector<Point3> axis = arc_axis(above, first, above + first * turn);
+  const Point3 from = axis.back();
+  constexpr int pieces = 120;
+  for (int i = 1; i <= pieces; ++i) {
+    const double gone = 1.6 * turn * i / pieces;   // beyond upright again
+    axis.push_back({from.x + second * (std::cos(turn - gone) - std::cos(turn)), 0, from.z - second * (std::sin(turn) - std::sin(turn - gone))});
+  }
+  return axis;
+}
+
+KnownRoot bent(const std::string& kind, double bend, std::vector<Point3> axis, double radius) {
+  KnownRoot root = straight(fmt::format("{} {} mm", kind, bend), radius, radius, 1);
+  root.canals[0].axis = std::move(axis);
+  root.block = 4.4;
+  root.bend = bend;
+  return root;
+}
+
+KnownRoot three_in_a_row(Dice& dice) {
+  const double radius = dice.between(0.28, 0.34);
+  KnownRoot root{.kind = "isthmus III", .vertucci = "VIII", .sections = {3}};
+  root.canals = {{{{0, 0, 0}, {0, 0, -11}}, radius, radius}, {{{0, 0, 0}, {-1.3, 0, -3}, {-1.3, 0, -11}}, radius, radius}, {{{0, 0, 0}, {1.3, 0, -3}, {1.3, 0, -10.8}}, radius, radius}};
+  root.wing = Wing{dice.between(0.12, 0.2) * 2 * radius, -1.3, 1.3, dice.between(-9.2, -8.5), dice.between(-6, -5)};
+  root.isthmus = "III";
+  return root;
+}
+
+KnownRoot rare_kind(std::uint64_t kind, double bend, Dice& dice) {
+  const double radius = dice.between(0.22, 0.36), above = dice.between(2.5, 4), turn = std::min(dice.between(3.5, 5) / bend, 0.5);
+  const double whole = above + std::min(0.7 * bend, dice.between(7, 8.5));
+  KnownRoot root;
+  switch (kind) {
+    case 0:
+      root = bent("arc, wide to where it bends,", bend, arc_axis(above, bend, whole), radius);
+      root.canals[0].aside = dice.between(1.3, 2);
+      return root;
+    case 1: return bent("part of an arc", bend, part_arc(above, bend, turn, dice.between(2.5, 3.5)), radius);
+    case 2:
+      root = bent("tapering arc", bend, arc_axis(above, bend, whole), radius);
+      root.canals[0].radius_above = dice.between(0.38, 0.45);
+      root.canals[0].radius_below = dice.between(0.15, 0.2);
+      root.oval = dice.between(1, 1.8);
+      return root;
+    case 3: return bent("double curve", bend, double_curve(2.5, 1.25 * bend, bend, std::min(0.6, 4.5 / bend)), radius);
+    case 4:   // out at the root's side
+      root = bent("to the side", 4, arc_axis(dice.between(5, 6), 4, 12), radius);
+      root.block = 2;
+      return root;
+    case 5:
+      root = straight("blunderbuss", 0.3, dice.between(0.7, 0.9), 12);
+      root.block_low = dice.between(-8, -6.5);
+      return root;
+    case 6:
+      root = straight("gutter", 0.2, 0.2, 1);
+      root.canals[0].axis = {{0, 0, 0}, {1, 0, 0}, {1, 0, -11}};
+      root.canals[0].radius_above = root.canals[0].radius_below = dice.between(0.15, 0.25);
+      root.gutter = Gutter{1, 2 * root.canals[0].radius_above, dice.between(70, 130), -11};
+      root.chamber = 1.35;
+      root.alone = false;
+      return root;
+    case 7: {
+      root = straight("delta", 0.35, 0.3, 11.5);
+      const double high = dice.between(9.6, 10.1), turned = dice.between(0, 1);
+      for (int i = 0; i < 3; ++i) {
+        const double angle = turned + 2 * std::numbers::pi * i / 3, far = dice.between(1.3, 1.6);
+        root.accessory.push_back({{0, 0, -high}, {far * std::cos(angle), far * std::sin(angle), -high - dice.between(0.7, 1.1)}, dice.between(0.1, 0.13)});
+      }
+      root.alone = false;
+      return root;
+    }
+    case 8:
+      root = bent("flat, part of an arc", bend, part_arc(above, bend, turn, 3), radius);
+      root.oval = dice.between(2, 2.5);
+      root.chamber = 1.15;
+      return root;
+    case 9:
+      root = straight("straight oval taper", dice.between(0.35, 0.42), dice.between(0.16, 0.22), 11);
+      root.canals[0].aside = dice.between(1.3, 2);
+      return root;
+    case 10:
+      root = bent("flat arc", bend, arc_axis(above, bend, whole), radius);
+      root.oval = dice.between(2, 2.8);
+      root.chamber = 1.15;
+      return root;
+    default: return three_in_a_row(dice);
+  }
+}
+
 std::string counts_of(const Anatomy& made) {
   std::string told = made.roots.size() == 1 ? made.roots[0].vertucci + " [" : fmt::format("{} roots [", made.roots.size());
   for (const MeasuredRoot& one : made.roots)
@@ -155,10 +253,11 @@ std::string counts_of(const Anatomy& made) {
 /// Also that no other is told.
 bool beside_right(const KnownRoot& root, const Anatomy& made) {
   if (made.accessory_canals.size() != root.accessory.size() || made.roots.size() != 1) return false;
-  if (!root.accessory.empty() && made.accessory_canals[0].third != 2) return false;
+  if (std::any_of(made.accessory_canals.begin(), made.accessory_canals.end(), [](const AccessoryCanal& one) { return one.third != 2; })) return false;
   const std::vector<Isthmus>& told = made.roots[0].isthmuses;
   if (root.isthmus.empty()) return told.empty();
-  if (told.size() != 1 || told[0].type != root.isthmus) return false;
+  if (told.empty() || std::any_of(told.begin(), told.end(), [&](const Isthmus& one) { return one.type != root.isthmus; })) return false;
+  if (root.isthmus != "III" && told.size() != 1) return false;   // among three canals one is told for each two that it joins
   const double apex = 11 + root.canals[0].radius_below;
   return std::abs(told[0].from_apex - apex - root.wing->low) < 0.4 && std::abs(told[0].to_apex - apex - root.wing->high) < 0.4;
 }
@@ -180,7 +279,7 @@ void judge_canal(const KnownRoot& root, const KnownFigures& known, const Measure
   tell("length", known.length, canal.length, off.length);
   tell("narrowest width", known.narrowest, canal.narrowest ? canal.narrowest->width : canal.mean_width, off.narrowest);
   verdict.orifice_off = std::max(verdict.orifice_off, length(canal.orifice - known.orifice));
-  if (known.thinnest_wall > 0 && canal.thinnest_wall && root.accessory.empty() && !root.wing) tell("thinnest wall", known.thinnest_wall, canal.thinnest_wall->width, off.thinnest_wall);
+  if (known.thinnest_wall > 0 && canal.thinnest_wall && root.accessory.empty() && !root.wing && !root.gutter) tell("thinnest wall", known.thinnest_wall, canal.thinnest_wall->width, off.thinnest_wall);
   if (!root.alone) return;
   tell("mean width", known.mean_width, canal.mean_width, off.mean_width);
   if (known.schneider_deg > 5) tell("Schneider's angle", known.schneider_deg, canal.schneider_deg, off.schneider_deg);
@@ -205,6 +304,17 @@ void judge_canal(const KnownRoot& root, const KnownFigures& known, const Measure
 KnownRoot random_root(std::uint64_t seed) {
   Dice dice(seed);
   KnownRoot root = kind_of(seed % kinds_of_roots, dice);
+  if (dice.between(0, 3) > 1) {
+    root.spin_deg = dice.between(0, 360);
+    root.tilt_deg = dice.between(0, 30);
+  }
+  return root;
+}
+
+KnownRoot rare_root(std::uint64_t seed) {
+  constexpr std::array<double, 3> bends = {8, 15, 30};
+  Dice dice(seed);
+  KnownRoot root = rare_kind(seed % rare_kinds, bends[seed / rare_kinds % bends.size()], dice);
   if (dice.between(0, 3) > 1) {
     root.spin_deg = dice.between(0, 360);
     root.tilt_deg = dice.between(0, 30);

@@ -17,6 +17,11 @@ namespace odontoscope::test {
 KnownRoot random_root(std::uint64_t seed);
 inline constexpr std::uint64_t kinds_of_roots = 21;
 
+/// By turns: arcs that bend to the section's long side, arcs that are a part of the canal, tapering arcs, double curves, a foramen at the root's side, an apex that opens like a funnel, a gutter (C-shaped),
+/// a delta, flat canals with a part of an arc, straight oval tapers, flat arcs, an isthmus among three canals.
+KnownRoot rare_root(std::uint64_t seed);
+inline constexpr std::uint64_t rare_kinds = 12;
+
 /// A figure as it was told and as it is.
 struct FigureVerdict {
   std::string name;

@@ -41,6 +41,22 @@ TEST(CanalShape, OfARodWithRoundEnds) {
   }
 }
 
+TEST(CanalShape, CountsNoFloorAndNoMouthAsItsWall) {
+  // From a chamber's ball to where the block ends, 9 mm below the chamber's middle.
+  const double radius = 0.4, chamber = 1.4, low = -9;
+  const auto open = [=](const Point3& p) { return std::min(test::ball_distance(p, {}, chamber), test::tube_distance(p, {{0, 0, 0}, {0, 0, -12}}, radius)); };
+  const auto block = [=](const Point3& p) { return std::max({std::hypot(p.x, p.y) - 3, p.z - 3, low - p.z, -open(p)}); };
+  const Cavity solid = test::void_of(block, {-3.2, -3.2, low - 0.2}, {3.2, 3.2, 3.2}, 0.08);   // turned inside out: a body
+  SurfaceMesh surface = solid.wall;
+  for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
+  const Anatomy made = measure_anatomy({{"block", &surface}});
+  ASSERT_EQ(made.mouths.size(), 1u);
+  ASSERT_EQ(made.shapes.size(), 1u);
+  const double whole = made.canals[0].length;
+  EXPECT_NEAR(whole, -low - std::sqrt(chamber * chamber - radius * radius), 0.2);
+  for (const CanalThird& third : made.shapes[0].thirds) EXPECT_NEAR(third.area, 2 * pi * radius * whole / 3, 0.05 * third.area);
+}
+
 /// Two canals with a wing between them, so thick, from x = -1 to `reach`.
 Anatomy two_canals_with_a_wing(double thick, double reach) {
   const auto winged = [=](const Point3& p) {

@@ -8,6 +8,7 @@
 #include "recon/core/error.h"
 #include "recon/mesh/vector.h"
 #include "recon/sample/trace.h"
+#include "tests/cavity/voids.h"
 
 namespace odontoscope::test {
 namespace {
@@ -38,24 +39,40 @@ double foot(const Point3& p, const Point3& a, const Point3& b) {
   return square > 0 ? std::clamp(dot(p - a, way) / square, 0.0, 1.0) : 0;
 }
 
+/// From a tube's axis, as if it were round: what lies in the plane y = 0 across the axis counts less.
+double across(const Direction& off, const Direction& way, double aside) {
+  if (aside == 1) return length(off);
+  const double along = dot(off, (1 / length(way)) * way);
+  const Direction rest = off + (-along / length(way)) * way;
+  return std::sqrt(along * along + off.y * off.y + (rest.x * rest.x + rest.z * rest.z) / (aside * aside));
+}
+
 double distance_to(const Point3& p, const KnownCanal& canal) {
-  double nearest = std::numeric_limits<double>::infinity(), along = 0, at = 0;
+  double nearest = std::numeric_limits<double>::infinity(), along = 0, at = 0, far = 0;
   for (std::size_t i = 1; i < canal.axis.size(); ++i) {
-    const double t = foot(p, canal.axis[i - 1], canal.axis[i]), piece = length(canal.axis[i] - canal.axis[i - 1]);
-    const double far = length(p - on(canal.axis[i - 1], canal.axis[i], t));
-    if (far < nearest) {
-      nearest = far;
+    const Point3 &a = canal.axis[i - 1], &b = canal.axis[i];
+    const double t = foot(p, a, b), piece = length(b - a);
+    const Direction off = p - on(a, b, t);
+    if (length(off) < nearest) {
+      nearest = length(off);
       at = along + t * piece;
+      far = across(off, b - a, canal.aside);
     }
     along += piece;
   }
-  return nearest - (canal.radius_above + (canal.radius_below - canal.radius_above) * at / along);
+  return far - (canal.radius_above + (canal.radius_below - canal.radius_above) * at / along);
 }
 
 double distance_to(const Point3& p, const SideCanal& canal) { return length(p - on(canal.from, canal.end, foot(p, canal.from, canal.end))) - canal.radius; }
 
 double distance_to(const Point3& p, const Wing& wing) {
   return std::max({std::abs(p.y) - wing.thick / 2, wing.left - p.x, p.x - wing.right, p.z - wing.high, wing.low - p.z});
+}
+
+double distance_to(const Point3& p, const Gutter& gutter) {
+  const double most = gutter.half_angle_deg * pi / 180, angle = std::clamp(std::atan2(p.y, p.x), -most, most);
+  const Point3 middle{gutter.radius * std::cos(angle), gutter.radius * std::sin(angle), std::clamp(p.z, gutter.low, 0.0)};
+  return length(p - middle) - gutter.thick / 2;
 }
 
 /// Negative in the void; changes no faster than the place.
@@ -65,6 +82,7 @@ double void_at(const KnownRoot& root, Point3 p) {
   for (const KnownCanal& canal : root.canals) nearest = std::min(nearest, distance_to(p, canal));
   for (const SideCanal& canal : root.accessory) nearest = std::min(nearest, distance_to(p, canal));
   if (root.wing) nearest = std::min(nearest, distance_to(p, *root.wing));
+  if (root.gutter) nearest = std::min(nearest, distance_to(p, *root.gutter));
   return nearest;
 }
 
@@ -171,7 +189,8 @@ double thinnest_wall(const KnownRoot& root, const KnownCanal& canal, double begi
     for (int k = 0; k < round; ++k) {
       const double turn = 2 * pi * k / round;
       const Point3 p = place(canal.axis, s);
-      const Point3 wall{p.x + here * std::cos(turn) * u.x, root.oval * (p.y + here * std::sin(turn)), p.z + here * std::cos(turn) * u.z};
+      const double wide = canal.aside * here * std::cos(turn);
+      const Point3 wall{p.x + wide * u.x, root.oval * (p.y + here * std::sin(turn)), p.z + wide * u.z};
       least = std::min(least, -block_at(root, wall));
     }
   }
@@ -184,6 +203,26 @@ Point3 as_it_lies(const KnownRoot& root, const Point3& own) {
   const double tilt = root.tilt_deg * pi / 180, spin = root.spin_deg * pi / 180;
   const double x = std::cos(spin) * own.x - std::sin(spin) * own.y, y = std::sin(spin) * own.x + std::cos(spin) * own.y;
   return {x, std::cos(tilt) * y - std::sin(tilt) * own.z, std::sin(tilt) * y + std::cos(tilt) * own.z};
+}
+
+Cavity void_of(const KnownRoot& root, double grid) {
+  const double wide = std::max(root.oval, 1.0);
+  Point3 low{-root.chamber, -wide * root.chamber, -root.chamber}, high{root.chamber, wide * root.chamber, root.chamber};
+  for (const KnownCanal& canal : root.canals) {
+    const double room = std::max(canal.radius_above, canal.radius_below) * wide * canal.aside;
+    for (const Point3& p : canal.axis) {
+      low = {std::min(low.x, p.x - room), std::min(low.y, p.y - room), std::min(low.z, p.z - room)};
+      high = {std::max(high.x, p.x + room), std::max(high.y, p.y + room), std::max(high.z, p.z + room)};
+    }
+  }
+  Point3 from = as_it_lies(root, low), to = from;   // of the box's corners
+  for (int corner = 1; corner < 8; ++corner) {
+    const Point3 p = as_it_lies(root, {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
+    from = {std::min(from.x, p.x), std::min(from.y, p.y), std::min(from.z, p.z)};
+    to = {std::max(to.x, p.x), std::max(to.y, p.y), std::max(to.z, p.z)};
+  }
+  const double room = 3 * grid;
+  return void_of([&](const Point3& p) { return void_at(root, own_of(root, p)); }, {from.x - room, from.y - room, from.z - room}, {to.x + room, to.y + room, to.z + room}, grid);
 }
 
 ContourStack slices_of(const KnownRoot& root, double spacing) {
@@ -238,15 +277,15 @@ KnownFigures figures_of(const KnownRoot& root, const KnownCanal& canal) {
   const auto half_width = [&](double s) { return s <= axis ? radius(s) : std::sqrt(std::max(0.0, canal.radius_below * canal.radius_below - (s - axis) * (s - axis))); };
   for (const double far : {1.0, 2.0, 3.0, 4.0}) {
     known.apical_width.push_back(2 * half_width(whole - far));
-    known.apical_area.push_back(pi * root.oval * half_width(whole - far) * half_width(whole - far));
+    known.apical_area.push_back(pi * root.oval * canal.aside * half_width(whole - far) * half_width(whole - far));
   }
   for (int third = 0; third < 3; ++third) {
     const double from = begin + third * known.length / 3, to = from + known.length / 3;
     double volume = 0;
     constexpr int parts = 2000;
-    for (int i = 0; i < parts; ++i) volume += (to - from) / parts * pi * root.oval * std::pow(half_width(from + (to - from) * (i + 0.5) / parts), 2);
+    for (int i = 0; i < parts; ++i) volume += (to - from) / parts * pi * root.oval * canal.aside * std::pow(half_width(from + (to - from) * (i + 0.5) / parts), 2);
     known.third_volume.push_back(volume);
-    known.third_area.push_back(wall_area(canal, root.oval, whole, from, to));
+    known.third_area.push_back(wall_area(canal, root.oval * canal.aside, whole, from, to));
   }
   return known;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/cavity/cavity.h"
 #include "recon/core/geometry.h"
 #include "recon/input/contour_stack.h"
 
@@ -16,6 +17,7 @@ namespace odontoscope::test {
 struct KnownCanal {
   std::vector<Point3> axis;                  // from the chamber's centre to the middle of its round end
   double radius_above = 0, radius_below = 0; // at the chamber's centre, at the end
+  double aside = 1;                          // so many times as wide in the plane y = 0, at least 1: oval, with the long side where it bends to
 };
 
 /// A round tube that ends somewhere in the block.
@@ -29,6 +31,11 @@ struct Wing {
   double thick = 0, left = 0, right = 0, low = 0, high = 0;   // x, z
 };
 
+/// A section like a C about the z axis, open to -x, all the way down: one thickness, with rounded rims.
+struct Gutter {
+  double radius = 0, thick = 0, half_angle_deg = 0, low = 0;
+};
+
 struct KnownRoot {
   std::string kind = {};                     // "type II", "arc 8 mm"
   std::string vertucci = {};
@@ -36,6 +43,7 @@ struct KnownRoot {
   std::vector<KnownCanal> canals = {};
   std::vector<SideCanal> accessory = {};
   std::optional<Wing> wing = {};
+  std::optional<Gutter> gutter = {};
   std::string isthmus = {};                  // Hsu and Kim's type of the wing; empty: none
   std::optional<double> bend = {};           // radius, infinite if straight; nothing: not known
   bool alone = false;                   // each canal by itself from orifice to end: sections and widths are known all along
@@ -47,6 +55,8 @@ struct KnownRoot {
 
 /// The dentine, on planes so far apart: the block without the void.
 ContourStack slices_of(const KnownRoot& root, double spacing);
+/// The void's wall without any slices, marched on a grid.
+Cavity void_of(const KnownRoot& root, double grid);
 /// From the root's own axes to those of the slices.
 Point3 as_it_lies(const KnownRoot& root, const Point3& own);
 

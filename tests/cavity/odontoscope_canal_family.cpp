@@ -1,4 +1,4 @@
-// odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay]]: random roots with known canals, and how the anatomy of each was told, in tables. Exit code 1: fewer than
+// odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay [rare]]]: random roots with known canals, and how the anatomy of each was told, in tables. Exit code 1: fewer than
 // 99 % counted right.
 
 #include <fmt/format.h>
@@ -41,18 +41,19 @@ void print_table(const std::map<std::string, std::vector<test::FigureVerdict>>& 
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    std::puts("usage: odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay]]");
+    std::puts("usage: odontoscope_canal_family FIRST COUNT [SPACING [blended|delaunay [rare]]]");
     return 2;
   }
   const auto first = std::strtoull(argv[1], nullptr, 10), count = std::strtoull(argv[2], nullptr, 10);
   const double spacing = argc > 3 ? std::atof(argv[3]) : 0.1;
   ReconstructOptions engine;
   engine.between = argc > 4 && std::string(argv[4]) == "delaunay" ? Between::delaunay : Between::blended;   // as the program does
+  const bool rare = argc > 5 && std::string(argv[5]) == "rare";
   std::map<std::string, std::vector<test::FigureVerdict>> figures;
   std::vector<double> orifices;
   unsigned long long right = 0, beside = 0;
   for (auto seed = first; seed < first + count; ++seed) {
-    const test::KnownRoot root = test::random_root(seed);
+    const test::KnownRoot root = rare ? test::rare_root(seed) : test::random_root(seed);
     const test::FamilyVerdict verdict = test::judge(root, test::anatomy_of(reconstruct(test::slices_of(root, spacing), engine)));
     right += verdict.counted ? 1 : 0;
     beside += verdict.beside ? 1 : 0;
