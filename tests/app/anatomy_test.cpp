@@ -51,7 +51,7 @@ void figures_in(const nlohmann::json& value, const std::string& path, std::map<s
 }
 
 TEST_F(AnatomyCommand, TellsTheSameOfAModelInAFile) {
-  const std::vector<std::pair<std::string, std::string>> teeth{{"premolar", "0.3"}, {"incisor", "0.5"}, {"molar", "0.5"}};
+  const std::vector<std::pair<std::string, std::string>> teeth{{"premolar", "0.3"}, {"incisor", "0.25"}, {"molar", "0.35"}};
   for (const auto& [tooth, spacing] : teeth) {
     ASSERT_EQ(odontoscope({"sample", tooth, "--slice-spacing", spacing, "-o", "t.json"}).exit_code, 0);
     ASSERT_EQ(odontoscope({"anatomy", "t.json", "-o", "contours.json"}).exit_code, 0);
@@ -72,14 +72,19 @@ TEST_F(AnatomyCommand, TellsTheSameOfAModelInAFile) {
         figures_in(model.at("canals")[c], "", other);
         EXPECT_GE(one.size(), 12u);
         EXPECT_EQ(one.size(), other.size()) << tooth;
-        for (const auto& [figure, value] : one) EXPECT_NEAR(value, other[figure], 0.02 * value) << figure << " of the " << tooth << " in " << file;
+        for (const auto& [figure, value] : one) {
+          // As good as straight: the radius of a bow of a few hundredths of a millimetre over the whole canal is any large number.
+          constexpr double straight = 5e-4;   // 1 / mm
+          if (figure.ends_with("smallest_bend_radius")) EXPECT_NEAR(1 / value, 1 / other[figure], std::max(0.02 / value, straight)) << figure << " of the " << tooth << " in " << file;
+          else EXPECT_NEAR(value, other[figure], 0.02 * value) << figure << " of the " << tooth << " in " << file;
+        }
       }
     }
   }
 }
 
 TEST_F(AnatomyCommand, TellsTheLengthsThatThePageTells) {
-  ASSERT_EQ(odontoscope({"sample", "premolar", "--slice-spacing", "0.4", "-o", "p.json"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"sample", "premolar", "--slice-spacing", "0.35", "-o", "p.json"}).exit_code, 0);
   const Ending page = odontoscope({"web", "p.json", "-o", "p.html"});
   if (page.exit_code == 2 && page.complains("was built without its web page")) GTEST_SKIP() << page.err;
   ASSERT_EQ(page.exit_code, 0) << page.err;
