@@ -11,6 +11,7 @@ out Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } to_next;
 
 void main() {
@@ -18,6 +19,7 @@ void main() {
   vec3 position = centre + u * across + v * along;
   vec4 eye = world_to_eye * vec4(position, 1.0);
   to_next.world_position = position;
+  to_next.wall_depth = -1.0;
   to_next.eye_position = eye.xyz;
   to_next.eye_normal = mat3(world_to_eye) * normal;
   gl_Position = eye_to_clip * eye;

@@ -3,6 +3,7 @@ in Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } from;
 
 uniform vec4 section;

@@ -24,10 +24,12 @@ vec3 eye_position(ivec2 pixel, float z) {
 
 vec3 eye_position(ivec2 pixel) { return eye_position(pixel, texelFetch(depth, pixel, 0).r); }
 
-/// Of the neighbours on both sides, the nearer in depth lies on the same surface.
+/// Of the neighbours on both sides, the nearer in depth lies on the same surface. At the frame's edge there is but one.
 vec3 step_along(vec3 here, ivec2 pixel, ivec2 offset) {
   vec3 ahead = eye_position(clamp(pixel + offset, low, high - 1)) - here;
   vec3 behind = here - eye_position(clamp(pixel - offset, low, high - 1));
+  if (any(greaterThanEqual(pixel + offset, high))) return behind;
+  if (any(lessThan(pixel - offset, low))) return ahead;
   return abs(ahead.z) < abs(behind.z) ? ahead : behind;
 }
 
@@ -39,8 +41,8 @@ void main() {
     return;
   }
   vec3 here = eye_position(pixel, z);
-  vec3 normal = cross(step_along(here, pixel, ivec2(1, 0)), step_along(here, pixel, ivec2(0, 1)));
-  normal = normalize(normal + vec3(0.0, 0.0, 1e-20));
+  vec3 across = cross(step_along(here, pixel, ivec2(1, 0)) / reach, step_along(here, pixel, ivec2(0, 1)) / reach);
+  vec3 normal = dot(across, across) > 0.0 ? normalize(across) : vec3(0.0, 0.0, 1.0);
   float w = eye_to_clip[2][3] * here.z + eye_to_clip[3][3];
   float disk = min(0.5 * pixels.y * reach * eye_to_clip[1][1] / w, most_pixels);
 

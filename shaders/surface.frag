@@ -3,6 +3,7 @@
 // GRAIN: a cut material, with its texture.
 // PEEL: only what lies behind the layer before and in front of the opaque surfaces. WIRE: the triangles' edges are drawn.
 #include "lighting.glsl"
+#include "wall_depth.glsl"
 #ifdef DIRECT
 #include "tone.glsl"
 #endif
@@ -15,6 +16,7 @@ in Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } from;
 #ifdef WIRE
 noperspective in vec3 edge_distance;
@@ -27,6 +29,7 @@ uniform vec3 back_colour;        // of triangles seen from behind
 uniform float least_back_opacity;
 uniform vec4 section;            // cut away where dot(section.xyz, position) > section.w
 uniform int parallel;
+uniform int show_depth;          // 1: the wall carries its depth
 uniform float normal_sign;       // -1 for a surface that is shown inside out
 #ifdef PEEL
 uniform sampler2D layer_before;
@@ -63,6 +66,9 @@ void main() {
   float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
   alpha = gl_FrontFacing ? alpha : max(alpha, least_back_opacity);
   vec3 base = gl_FrontFacing ? colour : back_colour;
+#ifndef GRAIN
+  if (show_depth != 0) base = with_depth(base, from.wall_depth, fwidth(from.wall_depth));
+#endif
 #ifdef GRAIN
   base *= grain(from.world_position / grain_size);
 #endif

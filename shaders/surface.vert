@@ -1,6 +1,7 @@
 // A structure's surface. `invariant`: passes that draw it again must meet the very same depths.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
+layout(location = 2) in float wall_depth;   // in steps, see wall_depth.glsl
 
 uniform mat4 world_to_eye;
 uniform mat4 eye_to_clip;
@@ -10,11 +11,13 @@ out Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } to_next;
 
 void main() {
   vec4 eye = world_to_eye * vec4(position, 1.0);
   to_next.world_position = position;
+  to_next.wall_depth = wall_depth;
   to_next.eye_position = eye.xyz;
   to_next.eye_normal = mat3(world_to_eye) * normal;
   gl_Position = eye_to_clip * eye;

@@ -9,11 +9,13 @@ in Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } corner[];
 out Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
+  float wall_depth;
 } to_next;
 noperspective out vec3 edge_distance;
 
@@ -25,6 +27,7 @@ void main() {
   vec3 heights = doubled_area / max(vec3(distance(b, c), distance(c, a), distance(a, b)), 1e-6);
   for (int i = 0; i < 3; ++i) {
     to_next.world_position = corner[i].world_position;
+    to_next.wall_depth = corner[i].wall_depth;
     to_next.eye_position = corner[i].eye_position;
     to_next.eye_normal = corner[i].eye_normal;
     edge_distance = vec3(0.0);

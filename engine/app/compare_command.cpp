@@ -58,8 +58,10 @@ void tell(const Comparison& comparison, Console& console) {
                             measured(d.there.mean), measured(d.there.largest), measured(d.back.mean),
                             measured(d.back.largest)));
   }
-  for (const ComparedMethod& method : comparison.methods)
+  for (const ComparedMethod& method : comparison.methods) {
     console.say(fmt::format("{}: {}", method.name, method.made_by));
+    if (!method.verdict.empty()) console.say(method.verdict);
+  }
 }
 
 /// Pictures, where this machine can draw; else why not.

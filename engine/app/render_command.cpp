@@ -269,11 +269,12 @@ ExitCode render(const RenderArguments& options, Session& session) {
   refuse_undrawable(context->gl(), picture.size, picture.render);
   Renderer renderer(context->gl(), shaders_from_environment());
 
-  const Shown shown = model.get();
+  Shown shown = model.get();
   const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
+  if (scene.wall_depth) mark_wall_depths(shown, session);
   Painter painter(options, *context, renderer, shown, scene, session);
   std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});

@@ -41,10 +41,12 @@ std::string rows_of(const RigidMotion& motion) {
 }
 
 /// Labels are values of a list, an iso level all from its value on.
-std::function<bool(float)> belongs_to(const VolumeContourOptions& levels) {
-  return [levels](float value) {
-    return std::any_of(levels.isos.begin(), levels.isos.end(), [value](const IsoLevel& iso) { return value >= iso.threshold; }) ||
-           std::any_of(levels.labels.begin(), levels.labels.end(), [value](const LabelLevel& label) { return value == static_cast<float>(label.label); });
+std::function<bool(float)> belongs_to(const Volume& volume, const VolumeContourOptions& levels) {
+  std::vector<LabelValues> labels;
+  for (const LabelLevel& level : levels.labels) labels.emplace_back(volume, level.label);
+  return [isos = levels.isos, labels](float value) {
+    return std::any_of(isos.begin(), isos.end(), [value](const IsoLevel& iso) { return value >= iso.threshold; }) ||
+           std::any_of(labels.begin(), labels.end(), [value](const LabelValues& label) { return label(value); });
   };
 }
 
@@ -87,7 +89,7 @@ std::optional<RigidMotion> reshape_told(Volume& volume, const ReshapeRequest& re
   }
   if (!request.upright) return std::nullopt;
   const double spacing = *std::min_element(volume.spacing.begin(), volume.spacing.end());
-  UprightVolume standing = upright(volume, belongs_to(levels), spacing, sampling, none_of(volume, sampling), session.progress());
+  UprightVolume standing = upright(volume, belongs_to(volume, levels), spacing, sampling, none_of(volume, sampling), session.progress());
   volume = std::move(standing.volume);
   session.console.say(fmt::format("  stood upright: turned by {:.2f} degrees, onto {} of {} mm, {}", standing.motion.degrees(), size_of(volume), measured(spacing), way));
   session.console.say(fmt::format("  the file's coordinates became these by the matrix [{}]", rows_of(standing.motion)));

@@ -230,6 +230,7 @@ Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const
     scene.occlusion.strength = static_cast<float>(*words.occlusion);
   }
   if (words.wire) scene.wire = true;
+  if (words.wall_depth) scene.wall_depth = true;
   return scene;
 }
 
@@ -281,6 +282,7 @@ void add_scene_options(CLI::App& parser, SceneWords& words) {
       ->type_name("MODE")
       ->group(showing);
   parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
+  parser.add_flag("--wall-depth", words.wall_depth, "Canals' walls tell their depth: colour, a ring every mm")->group(showing);
   repeatable(parser.add_option("--overlay", words.overlays, "contours, edges (faulty ones), tetrahedra[=SLAB]; repeatable"))
       ->type_name("WHAT")
       ->group(showing);

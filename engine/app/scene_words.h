@@ -24,7 +24,7 @@ struct SceneWords {
   std::string section, cap, back_faces, background;
   std::vector<std::string> overlays;   // "contours", "edges", "tetrahedra", "tetrahedra=N"
   std::optional<double> occlusion;
-  bool wire = false;
+  bool wire = false, wall_depth = false;
 };
 
 void add_scene_options(CLI::App& parser, SceneWords& words);

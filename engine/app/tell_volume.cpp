@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/app/words.h"
@@ -94,7 +95,8 @@ void tell_label_map(const Volume& volume, Console& console) {
   std::vector<std::string> words;
   constexpr std::size_t enough = 12;
   for (const float value : values) {
-    if (value == 0) continue;
+    const bool is_overlap = std::any_of(volume.overlaps.begin(), volume.overlaps.end(), [value](const LabelOverlap& o) { return value == static_cast<float>(o.value); });
+    if (value == 0 || is_overlap) continue;
     if (words.size() == enough) {
       words.push_back("...");
       break;

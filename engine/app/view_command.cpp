@@ -12,6 +12,7 @@
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/volume_options.h"
+#include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
 #include "engine/ui/headset_loop.h"
 #include "engine/ui/viewer.h"
@@ -70,6 +71,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
+  mark_wall_depths(shown.model, *loaded.flight);
   loaded.model = std::move(shown.model);
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);

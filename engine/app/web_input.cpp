@@ -99,8 +99,10 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
   if (cavities.empty()) return {};
   std::vector<WebTour> tours;
   try {
-    for (const CentreLine& canal : centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress()).canals) {
+    const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress());
+    for (const CentreLine& canal : lines.canals) {
       tours.push_back({canal.name, {}, canal.length_to_wall()});
+      if (canal.orifice > 0 || !lines.has_chamber) tours.back().orifice_mm = canal.points[canal.orifice].along;
       for (const CentrePoint& point : canal.points) tours.back().points.push_back(point.at);
     }
   } catch (const UsageError&) {

@@ -10,6 +10,7 @@
 #include "engine/headset/section_frame.h"
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/labels.h"
+#include "engine/navigate/wall_depth.h"
 
 namespace odontoscope {
 
@@ -58,6 +59,11 @@ std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, con
     const FlightSpace& cavity = world.cavities[*visit.cavity];
     const std::vector<FlightLabel> labels = labels_inside(cavity);
     for (const FlightLabel* label : seen_names(visit, labels, cavity.walls)) add(label->words, label->at);
+  }
+  if (visit.cavity && visit.wall_depth) {
+    const FlightSpace& cavity = world.cavities[*visit.cavity];
+    const std::vector<FlightLabel> depths = depth_labels(cavity, world.model.depth_step_mm);
+    for (const FlightLabel* label : seen_names(visit, depths, cavity.walls)) add(label->words, label->at);
   }
   return all;
 }

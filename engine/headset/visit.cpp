@@ -75,7 +75,9 @@ Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, co
 Scene scene_of(const Visit& visit, const VisitWorld& world) {
   if (!visit.cavity) return visit.scene;
   const FlightSpace& space = world.cavities[*visit.cavity];
-  return seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.room_mm);
+  Scene inside = seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.room_mm);
+  inside.wall_depth = visit.wall_depth;
+  return inside;
 }
 
 Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {

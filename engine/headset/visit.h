@@ -94,6 +94,7 @@ struct Visit {
   glm::dvec3 off_tour_mm{0};             // where the head leans
   double tour_haste = 0.5;               // the person's part of the usual pace
   bool labels = true;                    // names of canals, inside
+  bool wall_depth = true;                // Scene::wall_depth, inside
   std::vector<VisitAction> todo;
   std::optional<std::size_t> tour_asked; // of rideable(), of the cavity one is in, else of the largest; begun in the next step
   bool leaving = false;                  // asked for on the panel: the headset itself

@@ -16,6 +16,7 @@ struct FlightLabel {
   glm::dvec3 at{0};
   std::string words;
   std::optional<std::size_t> line;   // of rideable(): a click begins the ride
+  bool depth = false;                // no name, but how deep the wall is there
 };
 
 std::vector<FlightLabel> labels_inside(const FlightSpace& space);

@@ -79,6 +79,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.radius = model.radius;
   plan.back_faces = scene.back_faces;
   plan.wire = scene.wire;
+  plan.wall_depth = scene.wall_depth;
   plan.parallel = view.eye_to_clip[2][3] == 0;
   plan.occlusion = scene.occlusion;
   if (scene.headlight) {

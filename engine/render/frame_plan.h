@@ -56,6 +56,7 @@ struct FramePlan {
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
   bool parallel = false;
+  bool wall_depth = false;              // on parts that have depths
   Occlusion occlusion;
   glm::vec4 lamp{0};                    // where the eye's lamp is, metres from the eye, and its reach; reach 0: the studio's lights
 

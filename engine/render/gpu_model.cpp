@@ -30,7 +30,7 @@ void GpuPart::draw() const {
   gl.DrawElements(GL_TRIANGLES, index_count, GL_UNSIGNED_INT, nullptr);
 }
 
-GpuPart upload(const Gl& gl, const ModelPart& part) {
+GpuPart upload(const Gl& gl, const ModelPart& part, double depth_step_mm) {
   GpuPart uploaded{part.structure, part.solid, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
                    static_cast<GLsizei>(part.indices.size()), box_volume(part.positions)};
   gl.BindVertexArray(uploaded.vertex_array.id());
@@ -40,6 +40,14 @@ GpuPart upload(const Gl& gl, const ModelPart& part) {
   fill(gl, GL_ARRAY_BUFFER, uploaded.normals, part.normals);
   gl.VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);
   gl.EnableVertexAttribArray(1);
+  if (part.depths_mm.size() == part.positions.size()) {
+    uploaded.depths = make_buffer(gl);
+    std::vector<float> steps = part.depths_mm;
+    for (float& depth : steps) depth /= static_cast<float>(depth_step_mm);
+    fill(gl, GL_ARRAY_BUFFER, *uploaded.depths, steps);
+    gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
+    gl.EnableVertexAttribArray(2);
+  }
   fill(gl, GL_ELEMENT_ARRAY_BUFFER, uploaded.indices, part.indices);
   gl.BindVertexArray(0);
   return uploaded;
@@ -53,7 +61,7 @@ GpuModel upload(const Gl& gl, const Model& model) {
   uploaded.centre = glm::vec3(metres_per_mm * (model.bounds_mm.centre() - model.origin_mm));
   uploaded.radius = static_cast<float>(metres_per_mm * model.radius_mm);
   for (const ModelPart& part : model.parts)
-    if (!part.indices.empty()) uploaded.parts.push_back(upload(gl, part));
+    if (!part.indices.empty()) uploaded.parts.push_back(upload(gl, part, model.depth_step_mm));
   return uploaded;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A model in the graphics processor's memory. Uploading never compiles a shader.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct GpuPart {
   GlObject vertex_array, positions, normals, indices;
   GLsizei index_count = 0;
   double box_volume = 0;    // m^3; caps of larger structures lie under those of smaller ones
+  std::optional<GlObject> depths = {};   // ModelPart::depths_mm in steps, if it has any
 
   void draw() const;
 };
@@ -28,6 +30,6 @@ struct GpuModel {
 };
 
 GpuModel upload(const Gl& gl, const Model& model);
-GpuPart upload(const Gl& gl, const ModelPart& part);   // that has at least one triangle
+GpuPart upload(const Gl& gl, const ModelPart& part, double depth_step_mm = 1);   // that has at least one triangle
 
 }  // namespace odontoscope

@@ -60,6 +60,7 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
     program.set("back_colour", tint ? linear(alarm) : part.colour);
     program.set("opacity", part.opacity);
     program.set("normal_sign", part.inside_out ? -1.0f : 1.0f);
+    program.set("show_depth", plan.wall_depth && part.part->depths ? 1 : 0);
     gl_->FrontFace(part.inside_out ? GL_CW : GL_CCW);
     part.part->draw();
   }

@@ -35,7 +35,10 @@ struct ModelPart {
   std::vector<glm::vec3> positions;    // metres, relative to the model's origin
   std::vector<glm::vec3> normals;      // unit length, one a position
   std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles
+  std::vector<float> depths_mm = {};   // below the orifice of the canal that it walls, one a position; none: nobody asked. See navigate/wall_depth.h
 };
+/// Of a place that no canal passes.
+inline constexpr float above_orifice = -1;
 
 struct Box {
   glm::dvec3 low{0}, high{0};
@@ -46,6 +49,7 @@ struct Model {
   std::vector<ModelPart> parts;
   glm::dvec3 origin_mm{0};
   Box bounds_mm;          // of all parts, in the user's coordinates
+  double depth_step_mm = 1;   // from ring to ring of walls that tell their depth
   double radius_mm = 1;   // of the ball around bounds_mm's centre that holds everything; never 0
 };
 

@@ -95,6 +95,9 @@ struct Scene {
   Background background;
   Occlusion occlusion;
   std::optional<Headlight> headlight;
+  /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one every five of them
+  /// (ModelPart::depths_mm).
+  bool wall_depth = false;
 
   Look* look_of(std::string_view structure);
   const Look* look_of(std::string_view structure) const;

@@ -305,6 +305,7 @@ std::string to_json(const Scene& scene) {
                                {"strength", short_number(scene.occlusion.strength)},
                                {"reach", short_number(scene.occlusion.reach)}};
   if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
+  if (scene.wall_depth) json["wall_depth"] = true;
   return json.dump(2) + "\n";
 }
 
@@ -327,6 +328,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   read_cap(reader, file, scene.cap);
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
+  reader.read("wall_depth", scene.wall_depth);
   read_overlays(reader, file, scene.overlays);
   read_surroundings(reader, file, scene);
   return scene;

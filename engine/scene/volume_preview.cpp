@@ -37,6 +37,11 @@ std::vector<float> bars_of(const Histogram& histogram) {
 std::vector<VolumePreview::Label> labels_of(const Volume& volume) {
   std::map<std::int64_t, VolumePreview::Label> labels;
   for (const float value : volume.values) ++labels[static_cast<std::int64_t>(value)].voxels;
+  for (const LabelOverlap& overlap : volume.overlaps) {
+    const std::size_t shared = labels[overlap.value].voxels;
+    for (const std::int64_t label : overlap.labels) labels[label].voxels += shared;
+    labels.erase(overlap.value);
+  }
   for (const VolumeLabel& named : volume.labels)
     if (const auto found = labels.find(named.value); found != labels.end()) found->second.name = named.name;
   std::vector<VolumePreview::Label> all;

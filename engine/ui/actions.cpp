@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr std::array<ActionKey, 34> keys = {{
+constexpr std::array<ActionKey, 35> keys = {{
     {"1", Action::view_buccal, "from buccal (the cheek)", U'1'},
     {"2", Action::view_lingual, "from lingual (the tongue)", U'2'},
     {"3", Action::view_mesial, "from mesial (towards the midline)", U'3'},
@@ -17,6 +17,7 @@ constexpr std::array<ActionKey, 34> keys = {{
     {"0", Action::view_three_quarter, "from three quarters", U'0'},
     {"F", Action::fit, "fit all into the picture", U'f'},
     {"P", Action::toggle_projection, "perspective or parallel", U'p'},
+    {"H", Action::toggle_names, "names on or off", U'h'},
     {"B", Action::next_back_faces, "back faces: cull, show, tint", U'b'},
     {"W", Action::toggle_wire, "triangle edges", U'w'},
     {"S", Action::toggle_section, "section on or off", U's'},
@@ -44,7 +45,7 @@ constexpr std::array<ActionKey, 34> keys = {{
     {"Esc", Action::escape, "put away what is open; stop loading", 0, Key::escape},
 }};
 
-constexpr std::array<ActionKey, 23> in_flight = {{
+constexpr std::array<ActionKey, 24> in_flight = {{
     {"C", Action::enter_pulp, "back to outside; from outdoors: into the pulp", U'c'},
     {"X", Action::pass_wall, "through the wall straight ahead", U'x'},
     {"T", Action::next_canal, "ride down the next canal (1 to 9: that one)", U't'},
@@ -55,6 +56,7 @@ constexpr std::array<ActionKey, 23> in_flight = {{
     {"Home", Action::ride_to_start, "ride: to its start; End: to its end", 0, Key::home},
     {"End", Action::ride_to_end, "", 0, Key::end},
     {"B", Action::toggle_labels, "names on or off", U'b'},
+    {"G", Action::toggle_depth, "depth on the wall, on or off", U'g'},
     {"V", Action::turn_where, "small picture: from another side", U'v'},
     {"H", Action::toggle_where, "small pictures on or off", U'h'},
     {"N", Action::write_note, "write a note on this view", U'n'},

@@ -71,12 +71,15 @@ std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& p
   const double slice = pictures.width > 0 ? slice_height * scale + 8 * scale : 0;
   pictures.top -= slice;
   pictures.height += slice;
+  const double farthest_depth = 0.5 * state.shown->model.radius_mm;   // beyond, numbers would crowd
   std::vector<DrawnLabel> drawn;
   for (const SeenLabel& seen : seen_labels(fly.labels, pane.camera, pane.area.aspect(), walls, slack)) {
     const FlightLabel& label = fly.labels[seen.label];
+    if (label.depth && (!state.settings.comfort.wall_depth || seen.distance > farthest_depth)) continue;
     const glm::dvec2 at = pixel_of(pane.area, seen.place);
-    const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, label.words.c_str());
-    const float width = extent.x + 18 * scale, height = extent.y + 10 * scale;
+    const ImFont* font = label.depth ? interface.small : interface.bold;
+    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, label.words.c_str());
+    const float width = extent.x + (label.depth ? 10 : 18) * scale, height = extent.y + (label.depth ? 4 : 10) * scale;
     const ImVec2 right = vec(at.x + 12 * scale, at.y - height / 2), left{right.x - 24 * scale - width, right.y};
     const auto fits = [&](const ImVec2& low) {
       const Area box{low.x, low.y, width, height};
@@ -94,6 +97,11 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const auto drawn = drawn_labels(state, pane, interface, scale);
   for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
+    if (label->label->depth) {
+      list.AddRectFilled(label->low, label->high, faded(theme::rgb(0x14181c, 150), label->opacity), 4 * scale);
+      list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale}, faded(theme::text, label->opacity), label->label->words.c_str());
+      continue;
+    }
     const bool rides = label->label->line.has_value();
     const ImU32 ground = theme::rgb(0x14181c, 205), ink = rides ? theme::mark : theme::text;
     const float side = label->low.x > label->dot.x ? label->low.x + 2 * scale : label->high.x - 2 * scale;

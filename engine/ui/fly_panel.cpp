@@ -59,6 +59,10 @@ void where_section(ViewerState& state, const Interface& interface) {
   widgets::remark(interface, where_in_words(state));
   if (const std::string measured = measured_in_words(state); !measured.empty()) widgets::remark(interface, measured);
   widgets::toggle("Names (B)", fly.show_labels);
+  widgets::toggle("Depth on the wall (G)", state.settings.comfort.wall_depth);
+  if (state.settings.comfort.wall_depth)
+    widgets::remark(interface, fmt::format("Below the orifice: a ring every {:.0f} mm, a bold one every {:.0f}. Amber near the crown, teal and blue towards the apex.",
+                                           state.shown->model.depth_step_mm, 5 * state.shown->model.depth_step_mm));
   widgets::toggle("Tooth and slice, small (H)", fly.show_where);
 }
 

@@ -82,6 +82,7 @@ void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
   widgets::toggle("Names", visit.labels);
+  widgets::toggle("Depth on the walls", visit.wall_depth);
   int travel = static_cast<int>(visit.travel);
   say("The trigger");
   if (widgets::choice("travel", travel, {"glides there", "leaps there"})) visit.travel = static_cast<Travel>(travel);

@@ -84,11 +84,11 @@ std::optional<Action> compass_hit(const ViewPane& pane, float scale, double x, d
   return std::nullopt;
 }
 
-void draw_compass(const ViewPane& pane, const Interface& interface, float scale, std::optional<Action> hovered) {
+void draw_compass(const ViewPane& pane, const Interface& interface, float scale, std::optional<Action> hovered, bool in_flight) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const double x = pane.area.left + pane.area.width - scale * compass_margin, y = pane.area.top + scale * compass_margin;
   list.AddCircleFilled(vec(x, y), static_cast<float>(scale * (compass_radius + 20)), theme::rgb(0x14181c, hovered ? 150 : 110), 64);
-  const char* words = nullptr;
+  std::string words;
   for (const PlacedPoint& p : placed(pane, scale)) {
     const bool lit = hovered == p.point->action, nearest = p.depth > 0.92;
     const double opacity = lit ? 1 : 0.35 + 0.65 * (0.5 + 0.5 * p.depth);
@@ -99,11 +99,12 @@ void draw_compass(const ViewPane& pane, const Interface& interface, float scale,
     const float size = interface.small->FontSize;
     const ImVec2 extent = interface.small->CalcTextSizeA(size, 1e9f, 0, p.point->letter);
     list.AddText(interface.small, size, vec(p.x - extent.x / 2, p.y - extent.y / 2), faded(theme::rgb(0x10151a), std::max(opacity, 0.7)), p.point->letter);
-    if (lit || (nearest && !hovered)) words = p.point->name;
+    if (lit || (nearest && !hovered && !in_flight)) words = p.point->name;
+    if (in_flight && !hovered && p.depth < -0.92) words = std::string("towards ") + p.point->name;   // inside, where one looks matters, not from where
   }
-  if (!words) return;
-  const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, words);
-  outlined(list, interface.bold, interface.bold->FontSize, vec(x - extent.x / 2, y + scale * (compass_radius + 26)), theme::text, words);
+  if (words.empty()) return;
+  const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, words.c_str());
+  outlined(list, interface.bold, interface.bold->FontSize, vec(x - extent.x / 2, y + scale * (compass_radius + 26)), theme::text, words.c_str());
 }
 
 ScaleBar scale_bar(const ViewPane& pane, double most_pixels) {

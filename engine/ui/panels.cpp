@@ -253,6 +253,7 @@ void camera_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "View")) return;
   int projection = static_cast<int>(state.scene.camera.projection);
   if (widgets::choice("projection", projection, {"Perspective", "Parallel"})) state.todo.push_back(Action::toggle_projection);
+  widgets::toggle("Names (H)", state.settings.names);
   two_buttons(state, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
   int backdrop = static_cast<int>(state.settings.backdrop);
   if (widgets::choice("backdrop", backdrop, {"Dark", "Light", "White"})) {
@@ -306,17 +307,21 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     fly_sections(state, interface);
     notes_section(state, interface);
   } else if (state.shown) {
+    // What people come for first; what was proven comes before it only where it wants a look.
+    const bool good = look_of(state.shown->certificate.verdict).mark == Certificate::Mark::good;
     fly_entrance(state, interface);
-    lab_section(state, interface);
-    report_section(state, interface);
+    if (state.lab.on) lab_section(state, interface);
+    if (!good) report_section(state, interface);
     structures_section(state, interface);
-    faces_section(state, interface);
     section_section(state, interface);
     measure_section(state, interface);
-    overlays_section(state, interface);
     camera_section(state, interface);
     notes_section(state, interface);
     picture_section(state, interface);
+    if (good) report_section(state, interface);
+    faces_section(state, interface);
+    overlays_section(state, interface);
+    if (!state.lab.on) lab_section(state, interface);
   }
   ImGui::Dummy({0, scaled(2)});
   if (state.shown && state.headset_possible && widgets::wide_button("Enter the headset")) state.headset_asked = true;

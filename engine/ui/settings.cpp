@@ -190,6 +190,7 @@ std::string to_json(const Settings& wanted) {
   Json json{{"format", format_name},
                   {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
                   {"panel", settings.panel},
+                    {"names", settings.names},
                   {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
                   {"back_faces", word_for(settings.back_faces, back_faces_words)},
                   {"projection", word_for(settings.projection, projection_words)},
@@ -204,7 +205,8 @@ std::string to_json(const Settings& wanted) {
                    {{"field_of_view_deg", settings.comfort.field_of_view_deg},
                     {"speed_limit", settings.comfort.speed_limit},
                     {"vignette", settings.comfort.vignette},
-                    {"reduced_motion", settings.comfort.reduced_motion}}}};
+                    {"reduced_motion", settings.comfort.reduced_motion},
+                    {"wall_depth", settings.comfort.wall_depth}}}};
   Json looks = Json::object();
   for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
@@ -223,6 +225,7 @@ ReadSettings settings_from_json(const std::string& text) {
   window.read("width", settings.window.width, smallest_window_side, largest_window_side);
   window.read("height", settings.window.height, smallest_window_side, largest_window_side);
   reader.read("panel", settings.panel);
+  reader.read("names", settings.names);
   reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);
@@ -238,6 +241,7 @@ ReadSettings settings_from_json(const std::string& text) {
   flight.read("speed_limit", settings.comfort.speed_limit, slowest_limit, fastest_limit);
   flight.read("vignette", settings.comfort.vignette);
   flight.read("reduced_motion", settings.comfort.reduced_motion);
+  flight.read("wall_depth", settings.comfort.wall_depth);
   reader.read("looks", settings.looks);
   return read;
 }

@@ -29,6 +29,7 @@ struct Comfort {
   double speed_limit = 24;      // times the usual speed
   bool vignette = false;        // a dark rim while the picture turns
   bool reduced_motion = false;  // no dives, slower turns
+  bool wall_depth = true;       // canals' walls carry their depth: Scene::wall_depth
   friend bool operator==(const Comfort&, const Comfort&) = default;
 };
 
@@ -44,6 +45,7 @@ inline constexpr std::size_t most_remembered_looks = 64, most_structure_bytes = 
 struct Settings {
   PixelSize window{1280, 800};
   bool panel = true;
+  bool names = true;          // beside the tooth, from outside
   float text_scale = 1;       // on top of the screen's own
   BackFaces back_faces = BackFaces::cull;
   Camera::Projection projection = Camera::Projection::perspective;

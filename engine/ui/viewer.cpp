@@ -14,6 +14,7 @@
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/marks.h"
+#include "engine/ui/names.h"
 #include "engine/ui/notes_panel.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
@@ -152,6 +153,8 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   if (!shown->camera_given)
     state_.scene.camera = fit(NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
   state_.shown = std::move(shown);
+  state_.names = named_places(state_.shown->model, state_.shown->scene);
+  state_.name_told.reset();
   state_.section_put_away.reset();
   state_.tool = Tool::look;
   state_.measured = {};
@@ -217,6 +220,7 @@ void Viewer::perform(Action action) {
       break;
     }
     case Action::next_back_faces: state.scene.back_faces = after(state.scene.back_faces); break;
+    case Action::toggle_names: state.settings.names = !state.settings.names; break;
     case Action::toggle_wire: state.scene.wire = !state.scene.wire; break;
     case Action::toggle_section: toggle_section(); break;
     case Action::flip_section:
@@ -266,6 +270,7 @@ void Viewer::escape() {
   else if (state_.notes.shown) state_.notes.shown.reset();
   else if (state_.fly.on) leave_flight();
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
+  else if (state_.name_told) state_.name_told.reset();
   else if (state_.canal) state_.canal.reset();
   else if (state_.lab.lesson) state_.lab.lesson.reset();
   else if (state_.lab.artefact) put_artefact_away();
@@ -346,12 +351,13 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
     draw_fade(state_, viewport);
     for (const ViewPane& pane : panes_) {
       const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
-      if (first) draw_scale_bar(pane, interface_, scale_);
+      if (first && !state_.fly.on) draw_scale_bar(pane, interface_, scale_);   // in a canal, nothing lies at one depth
+      if (names_shown() && first) draw_names(state_, pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
       if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
-      if (last) draw_compass(pane, interface_, scale_, hovered_compass_);
+      if (last) draw_compass(pane, interface_, scale_, hovered_compass_, state_.fly.on);
       if (pane.seen && !first) continue;   // over the same place as the other half
       if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }

@@ -65,6 +65,9 @@ class Viewer {
   /// The part of the picture that the panel leaves, and the views in it, as last drawn.
   const std::vector<ViewPane>& panes() const { return panes_; }
 
+  /// Structures' names beside the tooth: from outside, and not beside DB's surface.
+  bool names_shown() const { return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on; }
+
   const Interface& interface() const { return interface_; }
   ViewerState& state() { return state_; }
   const ViewerState& state() const { return state_; }

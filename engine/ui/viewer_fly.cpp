@@ -11,6 +11,7 @@
 
 #include "engine/navigate/moves.h"
 #include "engine/navigate/screen.h"
+#include "engine/navigate/wall_depth.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/viewer.h"
@@ -130,12 +131,15 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
     const Model& model = state_.shown->model;
     state_.scene = seen_within(fly.scene_before, model, state_.shown->flight->cavities[*cavity].wall(), lamp_reach * model.radius_mm);
     state_.scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
+    const auto depths = depth_labels(state_.shown->flight->cavities[*cavity], state_.shown->model.depth_step_mm);
+    fly.labels.insert(fly.labels.end(), depths.begin(), depths.end());
   }
   see_from_flight();
 }
 
 void Viewer::see_from_flight() {
   const FlyState& fly = state_.fly;
+  if (fly.cavity) state_.scene.wall_depth = state_.settings.comfort.wall_depth;
   const double aspect = panes_.front().area.aspect(), angle = state_.settings.comfort.field_of_view_deg;
   const double ahead = walls_now().free_distance(fly.flight.eye, fly.flight.sight);
   state_.scene.camera = camera_of(fly.flight, angle, std::isfinite(ahead) ? ahead : state_.shown->model.radius_mm);

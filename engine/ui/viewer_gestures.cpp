@@ -7,6 +7,7 @@
 #include "engine/ui/actions.h"
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/marks.h"
+#include "engine/ui/names.h"
 #include "engine/ui/viewer.h"
 
 namespace odontoscope {
@@ -141,6 +142,11 @@ void Viewer::on_click(double x, double y) {
     else if (const auto line = label_hit(state_, *pane, interface_, scale_, x, y)) begin_ride(*line);
     return;
   }
+  if (const auto name = names_shown() && pane == &panes_.front() ? name_hit(state_, *pane, interface_, scale_, x, y) : std::nullopt) {
+    state_.name_told = state_.name_told == name ? std::nullopt : name;
+    return;
+  }
+  state_.name_told.reset();
   if (state_.tool != Tool::look) {
     if (hit) measure_at(pickable_of(*pane), *hit);
     return;

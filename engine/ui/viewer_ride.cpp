@@ -88,6 +88,7 @@ bool Viewer::perform_on_ride(Action action) {
   FlyState& fly = state_.fly;
   switch (action) {
     case Action::toggle_labels: fly.show_labels = !fly.show_labels; return true;
+    case Action::toggle_depth: state_.settings.comfort.wall_depth = !state_.settings.comfort.wall_depth; return true;
     case Action::toggle_where: fly.show_where = !fly.show_where; return true;
     case Action::turn_where:
       fly.where_from = fly.where_from == NamedView::buccal ? NamedView::mesial : fly.where_from == NamedView::mesial ? NamedView::occlusal : NamedView::buccal;

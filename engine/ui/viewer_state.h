@@ -26,9 +26,9 @@ enum class Tool { look, distance, thickness };
 enum class Action {
   view_three_quarter, view_buccal, view_lingual, view_mesial, view_distal, view_occlusal, view_apical,
   fit, toggle_projection, next_back_faces, toggle_wire, toggle_section, flip_section,
-  measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_help, open_file, escape,
+  measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_names, toggle_help, open_file, escape,
   enter_pulp, fly_outdoors, enter_here, leave_flight, pass_wall, catch_mouse, faster, slower,
-  ride_play, ride_back, ride_farther, ride_nearer, ride_to_start, ride_to_end, next_canal, toggle_labels, toggle_where, turn_where, write_note,
+  ride_play, ride_back, ride_farther, ride_nearer, ride_to_start, ride_to_end, next_canal, toggle_labels, toggle_depth, toggle_where, turn_where, write_note,
   toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
 };
 
@@ -64,6 +64,13 @@ struct ViewPane {
   friend bool operator==(const ViewPane&, const ViewPane&) = default;
 };
 
+/// Where a structure may be pointed at from outside: see names.h.
+struct NamedPlaces {
+  std::string structure;
+  std::vector<glm::dvec3> places, everywhere;   // mm: near one height, and all over it
+  glm::dvec3 low{0}, high{0};
+};
+
 struct ViewerState {
   std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
   Scene scene;
@@ -73,6 +80,8 @@ struct ViewerState {
   std::optional<glm::dvec3> look_at;    // a place that was asked for, mm: the camera goes there
   std::optional<glm::dvec3> looked_at;  // and that is marked
   std::optional<Hit> under_pointer;
+  std::vector<NamedPlaces> names;                 // beside the tooth, from outside,
+  std::optional<std::size_t> name_told;           // and the one that was clicked
   std::optional<CanalPick> canal;                 // that was clicked from outside,
   std::optional<CanalPick> canal_under_pointer;   // and that could be
   std::optional<Section> section_put_away; // what switching the section off and on again brings back

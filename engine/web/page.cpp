@@ -29,7 +29,7 @@ Json json_of(const WebCertificate& certificate) {
 Json json_of(const WebTour& tour) {
   Json points = Json::array();
   for (const Point3& p : tour.points) points.push_back({p.x, p.y, p.z});
-  return {{"name", tour.name}, {"length_mm", tour.length_mm}, {"points_mm", points}};
+  return {{"name", tour.name}, {"length_mm", tour.length_mm}, {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()}, {"points_mm", points}};
 }
 
 Json description_of(const WebPage& page) {

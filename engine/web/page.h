@@ -50,6 +50,7 @@ struct WebTour {
   std::string name;
   std::vector<Point3> points;
   double length_mm = 0;   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
+  std::optional<double> orifice_mm = {};   // along the points, where depth is counted from; none: nowhere
 };
 
 struct WebPage {

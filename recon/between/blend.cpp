@@ -39,7 +39,7 @@ std::vector<Outline> blend(const Surroundings& surroundings, std::span<const dou
   }
   const SliceSet slices(surroundings);
   const BlendPlan plan = blend_plan(slices, surroundings);
-  const std::optional<Grid> grid = grid_for(slices, options.most_grid_points);
+  const std::optional<Grid> grid = grid_for(slices, options.most_grid_points, options.finer);
   if (!grid) {
     for (const double share : shares) result.push_back(share < 0.5 ? *surroundings.lower : *surroundings.upper);
     return result;

@@ -61,6 +61,8 @@ struct BlendOptions {
   std::size_t most_grid_points = 90'000;
   /// What juts out as a strip (the end of an open ring, a groove) grows along its length. Without, distances alone decide.
   bool strips = true;
+  /// Grid points for each one along either side; `most_grid_points` grows with it. For walls thinner than a step.
+  std::size_t finer = 1;
 };
 
 /// Outlines at z_lower + share * (z_upper - z_lower) for each share, in the same order. Contours are closed, simple and

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "recon/between/bridges.h"
 #include "recon/core/error.h"
 #include "recon/core/union_find.h"
 
@@ -58,7 +59,8 @@ class Linked {
 
 class Planner {
  public:
-  Planner(const SliceSet& slices, const Surroundings& surroundings) : slices_(slices), linked_(slices, surroundings) {
+  Planner(const SliceSet& slices, const Surroundings& surroundings)
+      : slices_(slices), surroundings_(surroundings), linked_(slices, surroundings) {
     for (const std::size_t slice : {at_lower, at_upper}) order_[slice] = outside_in(slices.facts[slice]);
     partners_[at_lower] = partners(slices.facts[at_lower], slices.facts[at_before]);
     partners_[at_upper] = partners(slices.facts[at_upper], slices.facts[at_after]);
@@ -73,11 +75,14 @@ class Planner {
       void_number[root] = result.voids.size();
       result.voids.push_back(void_unit(root));
     }
+    std::vector<std::size_t> group_number(linked_.count(), ContourFacts::none);
     for (std::uint32_t root = 0; root < linked_.count(); ++root) {
       if (is_void_[root] || members_[root].empty()) continue;
+      group_number[root] = result.groups.size();
       BlendGroup& group = result.groups.emplace_back(BlendGroup{material_unit(root), {}});
       for (const std::uint32_t owned : voids_of_[root]) group.voids.push_back(void_number[owned]);
     }
+    add_bridges(result, group_number);
     return result;
   }
 
@@ -124,6 +129,19 @@ class Planner {
     });
   }
 
+  /// What carries material is a group of its own; a void is taken out of the material that it lies in.
+  void add_bridges(BlendPlan& plan, const std::vector<std::size_t>& group_number) {
+    for (Bridge& bridge : bridges(slices_, surroundings_)) {
+      if (!bridge.hollow) {
+        plan.groups.push_back({std::move(bridge.unit), {}});
+        continue;
+      }
+      const std::size_t owner = linked_.root(bridge.slice, slices_.facts[bridge.slice][bridge.contour].parent);
+      plan.groups[group_number[owner]].voids.push_back(plan.voids.size());
+      plan.voids.push_back(std::move(bridge.unit));
+    }
+  }
+
   enum class Change { none, enter, leave };
 
   /// What a contour does to the unit's shape, from outside in; those that change nothing are not of its boundary.
@@ -163,6 +181,7 @@ class Planner {
   }
 
   const SliceSet& slices_;
+  const Surroundings& surroundings_;
   Linked linked_;
   std::array<std::vector<std::size_t>, slices_used> order_, partners_;
   std::vector<std::vector<Member>> members_;                // by root

@@ -62,7 +62,7 @@ Window around(const std::vector<Window>& windows) {
 
 }  // namespace
 
-std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
+std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points, std::size_t finer) {
   Box box;
   double narrow = std::numeric_limits<double>::infinity();
   for (const std::size_t slice : {at_lower, at_upper}) {
@@ -78,7 +78,7 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points) {
                         farthest > 0 ? std::ldexp(1.0, std::ilogb(farthest) + 1 - limits::blend_digits_of_place) : 0);
   const double finest = std::sqrt(width * height / static_cast<double>(most_points));
   const double wanted = std::min(side / limits::blend_columns, narrow / limits::blend_points_across);
-  grid.step = short_below(std::max({wanted, finest, side / static_cast<double>(most_points)}));
+  grid.step = short_below(std::max({wanted, finest, side / static_cast<double>(most_points)}) / static_cast<double>(finer));
   if (!(grid.step > limits::blend_grains_in_step * grid.grain)) return std::nullopt;
   grid.anchor = {grid.step * std::floor(box.low.x / grid.step), grid.step * std::floor(box.low.y / grid.step)};
   return grid;

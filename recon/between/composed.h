@@ -27,8 +27,8 @@ struct Grid {
 };
 
 /// Fine enough for the narrowest contour and wall, and for the slab's size; coarser where that took more than
-/// `most_points`. Empty if doubles are too coarse there for it.
-std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points);
+/// `most_points`; then `finer` times as fine. Empty if doubles are too coarse there for it.
+std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points, std::size_t finer = 1);
 
 /// Values at the grid points (first_i + column, first_j + row), row by row; beyond, all is outside.
 struct Window {

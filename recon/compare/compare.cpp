@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <set>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "recon/compare/peak_memory.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/append.h"
 
@@ -42,17 +46,41 @@ auto timed(ComparedMethod& method, Make make) {
   return std::move(*made);
 }
 
-ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
+/// What a solid's pieces, handles and bubbles come to, over all of its surfaces.
+struct ShellCounts {
+  std::size_t external = 0, cavities = 0;
+  long genus = 0;
+  explicit ShellCounts(const SurfaceReport& report) {
+    for (const Shell& shell : report.shells) {
+      ++(shell.kind == Shell::Kind::cavity ? cavities : external);
+      genus += shell.genus;
+    }
+  }
+  friend bool operator==(const ShellCounts&, const ShellCounts&) = default;
+};
+
+/// By structure; those alone that DT has as its links imply.
+using ImpliedShells = std::map<std::string, ShellCounts>;
+
+ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, ImpliedShells& implied, const Progress& progress) {
   ComparedMethod method;
   method.name = std::string("DT");
-  method.made_by = fmt::format("Delaunay, correspondence {}", name(options.dt.correspondence));
+  method.made_by = fmt::format("Delaunay, correspondence {}, between slices {}", name(options.dt.correspondence),
+                               options.dt.between == Between::blended ? "blended" : "Delaunay alone");
   Reconstruction made = timed(method, [&] { return reconstruct(stack, options.dt, progress); });
   method.certified = made.certified;
+  method.verdict = headline(made);
+  std::set<std::string> otherwise;
+  for (const SlabTopology& slab : made.topology)
+    if (!slab.as_implied()) otherwise.insert(slab.structure);
+  for (const Solid& solid : made.solids)
+    if (!otherwise.contains(solid.structure)) implied.emplace(solid.structure, ShellCounts(solid.report));
+  method.topology = {implied.size(), implied.size()};
   for (Solid& solid : made.solids) method.surfaces.push_back({solid.structure, std::move(solid.surface)});
   return method;
 }
 
-ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it,
+ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it, const ImpliedShells& implied,
                       const Progress& progress) {
   ComparedMethod method;
   method.name = std::move(name_of_it);
@@ -60,7 +88,13 @@ ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::
                                name(options.field.kind), name(options.cases));
   DbReconstruction made = timed(method, [&] { return reconstruct_by_distance(stack, options, progress); });
   method.certified = made.certified;
-  for (DbSurface& one : made.surfaces) method.surfaces.push_back({one.structure, std::move(one.surface)});
+  method.topology.known = implied.size();
+  for (DbSurface& one : made.surfaces) {
+    const SurfaceReport report = inspect(one.surface);
+    const auto known = implied.find(one.structure);
+    method.topology.as_implied += known != implied.end() && report.closed_oriented_manifold() && known->second == ShellCounts(report);
+    method.surfaces.push_back({one.structure, std::move(one.surface)});
+  }
   return method;
 }
 
@@ -127,9 +161,10 @@ Comparison run(const ContourStack& stack, const CompareOptions& options, const P
   DbOptions full = options.db, fewer = options.db;
   full.decimation.reset();
   if (!fewer.decimation) fewer.decimation = DecimateOptions{};
-  result.methods.push_back(run_dt(stack, options, progress));
-  result.methods.push_back(run_db(stack, full, "DB", progress));
-  result.methods.push_back(run_db(stack, fewer, "DB decimated", progress));
+  ImpliedShells implied;
+  result.methods.push_back(run_dt(stack, options, implied, progress));
+  result.methods.push_back(run_db(stack, full, "DB", implied, progress));
+  result.methods.push_back(run_db(stack, fewer, "DB decimated", implied, progress));
   result.methods.back().made_by += fewer.decimation->triangles
                                        ? fmt::format(", decimated to {}", *fewer.decimation->triangles)
                                        : ", decimated to the most possible";

@@ -30,6 +30,12 @@ struct ComparedSurface {
   SurfaceMesh surface;
 };
 
+/// How many structures have the pieces, handles and bubbles that the contours and DT's links between them imply, of those of which that is known
+/// (DT found every slab of them as implied). A DB surface that is not a closed oriented manifold has none of the three.
+struct ImpliedTopology {
+  std::size_t as_implied = 0, known = 0;
+};
+
 /// A picture of a method's model, for pages. Filled in by whoever can draw.
 struct MethodPicture {
   std::vector<std::uint8_t> png;
@@ -50,6 +56,8 @@ struct ComparedMethod {
   std::vector<ComparedSurface> surfaces;  // in order of first appearance of the structure
   SurfaceReport report;                // of all structures' surfaces as one mesh
   bool certified = false;
+  std::string verdict;                     // of DT: what its certificate says in a line; DB has none
+  ImpliedTopology topology;
   ContourFit fit;                          // of all structures, means weighted by length of contours
   double seconds = 0;                      // contours in memory to inspected surface; the least of the runs
   std::optional<std::size_t> peak_memory;  // bytes above what was there before

@@ -71,6 +71,7 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
   add("cavities", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::cavity)); });
   add("open surfaces", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::open)); });
   add("genus, all together", [](Method m) { return genus(m.report); });
+  add("structures whose topology is implied", [](Method m) { return fmt::format("{} of {}", m.topology.as_implied, m.topology.known); });
   add("area, mm^2", [](Method m) { return measured(area(m.report)); });
   add("smallest angle, degrees: median", [](Method m) { return measured(m.report.smallest_angle_deg.median); });
   add("smallest angle, degrees: least", [](Method m) { return measured(m.report.smallest_angle_deg.min); });

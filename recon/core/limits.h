@@ -278,6 +278,8 @@ inline constexpr double blend_bend_of_change = 0.8;
 /// The power of a shape's inner radius that goes down evenly towards its tip: 1 for a cone, 2 for a paraboloid; cusps, horns and
 /// the ends of roots are in between.
 inline constexpr double blend_tip = 1.5;
+/// Pieces, handles and bubbles by which a slab may be off what its links imply for more slices still to be tried: more is noise, and stays so.
+inline constexpr long mendable = 4;
 /// Where a shape ends at the earliest, over the slab's height.
 inline constexpr double blend_least_end = 0.05;
 }  // namespace odontoscope::limits

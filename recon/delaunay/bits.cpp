@@ -217,4 +217,10 @@ bool leaves_through(const TrackedShape& end, const TrackedShape& outside_here, c
   return area_beside(end, outside_next) >= outlet_taper * area_beside(end, outside_here);
 }
 
+bool lies_over_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next) {
+  const double around = area_beside(canal, outside_here);
+  if (!(canal.area <= canal_share * around) || !(area_beside(canal, outside_next) >= outlet_taper * around)) return false;
+  return overlap_area(canal, {}, outside_next) >= lobe_share * canal.area;
+}
+
 }  // namespace odontoscope::delaunay

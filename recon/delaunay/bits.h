@@ -36,6 +36,10 @@ inline constexpr double outlet_wall = 0.25;
 inline constexpr double outlet_gap = 0.5;
 /// What the root measures in the next slice at least, over its own: less is an apex, and its canal may close.
 inline constexpr double outlet_taper = 0.5;
+/// Area of a hole, over that of the root around it, up to which it is a canal, and its wall too thick to be passed over within a slab as enamel's is.
+inline constexpr double canal_share = 0.25;
+/// Least part of a canal's section that lies over a notch: below that it is what contours are off.
+inline constexpr double lobe_share = 1e-3;
 /// Bits beyond which nothing is told from noise.
 inline constexpr std::size_t most_bits = 48;
 
@@ -56,5 +60,8 @@ std::vector<BitLink> links_of_bits(const ShapeGraph& graph, const std::vector<Sh
 /// between the two in its own slice: a notch takes it up. Preconditions: `end` is bounded, the two others are the outside of its own slice and
 /// of the next one.
 bool leaves_through(const TrackedShape& end, const TrackedShape& outside_here, const TrackedShape& outside_next);
+
+/// Does a part of a canal's section, a lobe, lie over the outside of the next slice? The other arguments are those of leaves_through.
+bool lies_over_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next);
 
 }  // namespace odontoscope::delaunay

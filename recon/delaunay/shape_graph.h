@@ -31,6 +31,11 @@ class ShapeGraph {
     down_[slab + 1][upper].push_back(lower);
   }
 
+  void remove(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
+    std::erase(up_[slab][lower], upper);
+    std::erase(down_[slab + 1][upper], lower);
+  }
+
   const std::vector<std::uint32_t>& above(std::size_t k, std::uint32_t i) const { return up_[k][i]; }
   const std::vector<std::uint32_t>& below(std::size_t k, std::uint32_t i) const { return down_[k][i]; }
 

@@ -152,8 +152,10 @@ class StackSolver {
       return;
     }
     long least = -1;
-    for (const auto& [slices, strips] : attempts(k, task)) {
-      std::optional<SolvedSlab> solved = slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, strips);
+    for (const auto& [slices, strips, finer, late] : attempts(k, task)) {
+      if (late && least > limits::mendable) return;
+      std::optional<SolvedSlab> solved =
+          slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, {.strips = strips, .finer = finer});
       if (!solved) continue;
       if (slices > 0) solved->links = links_kept(task);
       const Topology wanted = implied(k, *solved);
@@ -169,16 +171,24 @@ class StackSolver {
 
   struct Attempt {
     std::size_t slices = 0;   // to be interpolated
-    bool strips = false;      // between::BlendOptions::strips
+    bool strips = false;      // this and the next: between::BlendOptions
+    std::size_t finer = 1;
+    bool late = false;        // for what is nearly as it should be
   };
 
   /// In the order in which they are tried. A structure that ends would end flat without any slices.
   std::vector<Attempt> attempts(std::size_t k, const SlabTask& task) const {
     const bool chosen = !task.choices.joined.empty() || !task.choices.apart.empty();
     if (!has_material(k)) return {{3}, {1}, {0}};
+    std::vector<Attempt> list{{1, true}, {3, true}, {1}, {3}};
     const between::SlabNeed need = between::need(outline(k), outline(k + 1));
-    if (chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z)) return {{0}, {1, true}, {3, true}, {1}, {3}, {7}};
-    return {{1, true}, {3, true}, {1}, {3}, {0}, {7}};
+    const bool gentle = chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z);
+    list.insert(gentle ? list.begin() : list.end(), Attempt{});
+    list.push_back({7});
+    // Few slabs come so far: thin walls, and wedges that drift. Each of these is the first that gives some of them what they should have.
+    for (const Attempt& one : {Attempt{5, true}, Attempt{5}, Attempt{1, true, 3}, Attempt{3, false, 3}, Attempt{15}})
+      list.push_back({one.slices, one.strips, one.finer, true});
+    return list;
   }
 
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }
@@ -192,7 +202,7 @@ class StackSolver {
     return all;
   }
 
-  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices, bool strips) const {
+  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices, const between::BlendOptions& options) const {
     const between::Outline lower = outline(k), upper = outline(k + 1);
     between::Outline before, after;
     between::Surroundings around;
@@ -216,7 +226,7 @@ class StackSolver {
       around.voids.push_back({contour_of_void(k, link.lower), contour_of_void(k + 1, link.upper)});
     std::vector<double> shares;
     for (std::size_t i = 1; i <= slices; ++i) shares.push_back(static_cast<double>(i) / static_cast<double>(slices + 1));
-    std::vector<between::Outline> outlines = between::blend(around, shares, {.strips = strips});
+    std::vector<between::Outline> outlines = between::blend(around, shares, options);
     std::vector<Interpolated> made;
     for (std::size_t i = 0; i < slices; ++i)
       made.push_back({around.z_lower + shares[i] * (around.z_upper - around.z_lower), std::move(outlines[i])});

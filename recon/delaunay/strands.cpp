@@ -29,8 +29,10 @@ bool within(const RingBox& a, const RingBox& b, double reach) {
 
 }  // namespace
 
-Strands::Strands(const Reconstruction& made, const ContourStack& ordered, const std::string& structure, Of what) {
+Strands::Strands(const Reconstruction& made, const ContourStack& ordered, const std::string& structure, Of what)
+    : what_(what) {
   for (std::size_t k = 0; k < ordered.slices.size(); ++k) {
+    heights_.push_back(ordered.slices[k].z);
     first_.push_back(sections_.size());
     const auto& contours = ordered.slices[k].contours;
     for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -67,9 +69,23 @@ void Strands::join(std::size_t slice, std::optional<std::size_t> lower, std::opt
              above = upper ? number(slice + 1, *upper) : std::nullopt;
   if (below) sections_[*below].linked_above = true;
   if (above) sections_[*above].linked_below = true;
+  if (below && above) {
+    sections_[*below].area_above += sections_[*above].area;
+    sections_[*above].area_below += sections_[*below].area;
+  }
   if (below && !upper) sections_[*below].open = true;
   if (above && !lower) sections_[*above].open = true;
   if (below && above) pieces_.join(static_cast<std::uint32_t>(*below), static_cast<std::uint32_t>(*above));
+}
+
+/// Will its area be much smaller one slab on, if it goes on changing as it did?
+bool Strands::runs_out(const Section& section, bool upwards) const {
+  const double inner = upwards ? section.area_below : section.area_above;
+  if (!(inner > 0)) return false;
+  const double above = section.slice + 1 < heights_.size() ? heights_[section.slice + 1] - heights_[section.slice] : 0;
+  const double below = section.slice > 0 ? heights_[section.slice] - heights_[section.slice - 1] : 0;
+  const double onwards = upwards ? above : below, before = upwards ? below : above;
+  return section.area + (section.area - inner) * onwards / before < limits::track_taper * section.area;
 }
 
 void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, std::vector<FacingEnds>& found) {
@@ -82,6 +98,7 @@ void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, st
       const Section& above = sections_[b];
       if ((below.linked_above && above.linked_below) || piece(a) == piece(b)) continue;
       const bool both_end = !below.linked_above && !above.linked_below;
+      if (what_ == Of::voids && !both_end && (below.linked_above ? runs_out(above, false) : runs_out(below, true))) continue;
       const double reach = both_end ? limits::facing_gap * std::sqrt(std::min(below.area, above.area)) : 0;
       if (!within(box, other_box, reach)) continue;
       const bool forbidden = std::any_of(apart.begin(), apart.end(), [&](const Link& link) {

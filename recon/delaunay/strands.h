@@ -19,6 +19,7 @@ struct Section {
   double area = 0;  // within the ring
   Point2 centre;
   bool linked_below = false, linked_above = false;
+  double area_below = 0, area_above = 0;  // of what it is linked with
   bool open = false;  // of a void: it goes on to the outside, or lies in a slice at an end of the stack
 };
 
@@ -40,14 +41,17 @@ class Strands {
 
   /// Groups of pairs that have ends in common, the nearest pair first in each; by slice. Two ends face each other if
   /// they overlap, or are no farther apart than limits::facing_gap times the width of the smaller; an end and what goes
-  /// on, if they overlap.
+  /// on, if they overlap; but not the end of a void that is running out, as the bottom of a fissure over the dentine.
   std::vector<std::vector<FacingEnds>> facing(const std::vector<Link>& links);
 
  private:
   std::optional<std::size_t> number(std::size_t slice, std::size_t contour) const;
   void join(std::size_t slice, std::optional<std::size_t> lower, std::optional<std::size_t> upper);
+  bool runs_out(const Section& section, bool upwards) const;
   void face_in_slab(std::size_t slice, const std::vector<Link>& apart, std::vector<FacingEnds>& found);
 
+  Of what_;
+  std::vector<double> heights_;     // of the slices
   std::vector<Section> sections_;   // by slice, then contour
   std::vector<std::size_t> first_;  // of each slice; one more than there are slices
   UnionFind pieces_{0};

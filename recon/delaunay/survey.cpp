@@ -1,5 +1,7 @@
 #include "recon/delaunay/survey.h"
 
+#include <algorithm>
+
 #include "recon/delaunay/overlay.h"
 
 namespace odontoscope::delaunay {
@@ -27,9 +29,11 @@ KnownLinks known_voids(const SlabSurvey& survey, const SliceVoids& lower, const 
   return known;
 }
 
-/// Drops what is wider than `medial`, and adds what was tracked.
-void settle(std::vector<RegionLink>& links, const std::vector<TrackedLink>& tracked) {
-  std::erase_if(links, [](const RegionLink& link) { return link.criterion > LinkCriterion::medial; });
+/// Drops what is wider than `medial` and what was closed, and adds what was tracked.
+void settle(std::vector<RegionLink>& links, const std::vector<TrackedLink>& tracked, const ShapePairs& closed) {
+  std::erase_if(links, [&](const RegionLink& link) {
+    return link.criterion > LinkCriterion::medial || std::find(closed.begin(), closed.end(), std::pair{link.lower, link.upper}) != closed.end();
+  });
   for (const TrackedLink& link : tracked) links.push_back({link.lower, link.upper, LinkCriterion::tracked});
 }
 
@@ -60,8 +64,8 @@ StackDoubts track_stack(const std::vector<ConformedSlice>& slices, const std::ve
   }
   Tracking material = track(region, of_regions), tunnels = track(hollow, of_voids);
   for (std::size_t k = 0; k < surveys.size(); ++k) {
-    settle(surveys[k].material, material.links[k]);
-    settle(surveys[k].voids, tunnels.links[k]);
+    settle(surveys[k].material, material.links[k], material.closed[k]);
+    settle(surveys[k].voids, tunnels.links[k], tunnels.closed[k]);
   }
   return {std::move(material.doubtful), std::move(tunnels.doubtful)};
 }

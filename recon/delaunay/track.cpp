@@ -21,6 +21,15 @@ struct Proposal {
   bool from_lower = true, from_upper = false;  // which of the two hangs free and asks for it
 };
 
+bool encloses(const std::vector<Point2>& ring, Point2 p) {
+  bool odd = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
+  }
+  return odd;
+}
+
 class Tracker {
  public:
   Tracker(const std::vector<ShapeSlice>& slices, const std::vector<KnownLinks>& slabs)
@@ -30,6 +39,7 @@ class Tracker {
       for (const RegionLink& link : slabs[k].made) graph_.add(k, link.lower, link.upper);
     }
     result_.links.resize(slabs.size());
+    result_.closed.resize(slabs.size());
   }
 
   Tracking run() {
@@ -39,6 +49,7 @@ class Tracker {
     link_entries();
     link_bits();
     link_outlets();
+    link_lobes();
     ask_about_free_ends();
     ask_about_openings();
     for (auto& links : result_.links)
@@ -265,10 +276,22 @@ class Tracker {
                          (p.from_upper && graph_.free_below(p.slab + 1, p.upper));
       if (is_linked(p.slab, p.lower, p.upper)) continue;
       if (asked && p.share >= least)
-        make(p.slab, p.lower, p.upper, by, p.share >= clear);
+        make(p.slab, p.lower, p.upper, by, p.share >= clear || nothing_else(p, proposals));
       else if (asked || p.share >= least)
         doubt(Choice::may_connect, by, p.slab, p.lower, p.upper);
     }
+  }
+
+  /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
+  /// a single slice: no real choice.
+  bool nothing_else(const Proposal& p, const std::vector<Proposal>& proposals) const {
+    const bool lower_asks = p.from_lower && alone(p.slab, p.lower), upper_asks = p.from_upper && alone(p.slab + 1, p.upper);
+    if (lower_asks == upper_asks) return false;
+    const std::size_t slice = lower_asks ? p.slab : p.slab + 1;
+    const std::uint32_t shape = lower_asks ? p.lower : p.upper;
+    return std::count_if(proposals.begin(), proposals.end(), [&](const Proposal& other) {
+      return (other.slab == slice && other.lower == shape) || (other.slab + 1 == slice && other.upper == shape);
+    }) == 1;
   }
 
   // ---- bits ---------------------------------------------------------------------------------------------------------
@@ -296,19 +319,60 @@ class Tracker {
         }
   }
 
+  /// Canals that go on, and lie over a notch of the next slice as well: an accessory canal leaves there, of which one slice shows the beginning
+  /// as a lobe of the canal and the other the end as a notch.
+  void link_lobes() {
+    for (std::size_t k = 0; k < graph_.slices().size(); ++k)
+      for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
+        for (const bool up : {true, false}) {
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool goes_on = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return !graph_.shape(beyond, j).unbounded; });
+          if (!goes_on || links.size() != 1 || !has_outside(k) || !has_outside(beyond)) continue;
+          if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
+            make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
+        }
+  }
+
   bool has_outside(std::size_t k) const {
     return !graph_.slices()[k].shapes.empty() && graph_.shape(k, outside).unbounded;
   }
 
-  /// A void that opens into the outside in the next slice, and is running out: it may close before.
+  /// Of voids that are running out: those that open into the outside in the next slice may close before, and do if their drift takes them away
+  /// from it; those that end may open, if it takes them there.
   void ask_about_openings() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
         for (const bool up : {true, false}) {
-          const auto& beyond = up ? graph_.above(k, i) : graph_.below(k, i);
-          if (graph_.shape(k, i).unbounded || beyond.size() != 1 || !graph_.shape(up ? k + 1 : k - 1, beyond.front()).unbounded) continue;
-          if (running_out(k, i, up)) doubt(Choice::may_part, TrackedBy::overlap, up ? k : k - 1, up ? i : outside, up ? outside : i);
+          if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
+          const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
+          if (!has_outside(beyond) || !running_out(k, i, up)) continue;
+          const std::uint32_t lower = up ? i : outside, upper = up ? outside : i;
+          const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
+          const bool opens = links.size() == 1 && graph_.shape(beyond, links.front()).unbounded;
+          const bool leaves = drifts_outside(k, i, up);
+          if (opens && leaves) doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+          if (opens && !leaves) close(slab, lower, upper);
+          if (links.empty() && leaves) doubt(Choice::may_connect, TrackedBy::entry, slab, lower, upper);
         }
+  }
+
+  /// Its middle, seen from above: it is running out. What has no drift stays where it is.
+  bool drifts_outside(std::size_t k, std::uint32_t i, bool up) const {
+    const Point2 by = drift(k, i, up).value_or(Point2{}), from = graph_.shape(k, i).centroid;
+    const Point2 to{from.x + by.x, from.y + by.y};
+    const auto& outlines = graph_.shape(up ? k + 1 : k - 1, outside).contours;
+    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return encloses(ring, to); });
+  }
+
+  void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
+    const auto& tracked = result_.links[slab];
+    if (std::any_of(tracked.begin(), tracked.end(), [&](const TrackedLink& link) { return link.lower == lower && link.upper == upper; }))
+      return doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
+    graph_.remove(slab, lower, upper);
+    result_.closed[slab].emplace_back(lower, upper);
+    doubt(Choice::may_connect, TrackedBy::overlap, slab, lower, upper);
   }
 
   /// Does the row of like sections that ends here begin with a tracked link, or hold one?

@@ -5,13 +5,15 @@
 //
 // A criterion for one slab sees two slices; a canal that drifts by more than its own width falls to beads there. Its
 // drift over several slices tells where it goes on. Only free ends get links: shapes that nothing in a neighbouring
-// slice is linked with. Nothing that was made is taken back. In this order:
+// slice is linked with. Nothing that was made is taken back but some openings (below). In this order:
 //   drift:   two free ends that continue each other's steady drift (drift.h), each the other's best;
 //   entry:   a free end that its drift takes into a shape, be that linked or not: a canal that joins the chamber, a
 //     fork. Not where the end is running out: a cusp's tip that leans towards another cusp is not joined with it;
 //   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made, and for what is linked with
 //     nothing at all whatever it lies over);
 //   beside:  loose bits beside a body (bits.h), always doubtful.
+// A void that only lies over the outside of the next slice, as a canal does beside a root's tip, opens there; not if it is running out and its
+// drift takes it under the tip: then it closes before. Either is doubtful, and so is one that is running out beside the surface it drifts through.
 // Tracked links alone close no loop. Not supported: a line whose sections are linked wrongly already (two parallel
 // canals, so near that each lies over the other one slice on).
 
@@ -55,7 +57,8 @@ struct DoubtfulLink {
 
 struct Tracking {
   std::vector<std::vector<TrackedLink>> links;  // of each slab: those to add, by lower, upper
-  std::vector<DoubtfulLink> doubtful;         // by slab, lower, upper; each pair once
+  std::vector<ShapePairs> closed;               // of each slab: made links that do not hold after all
+  std::vector<DoubtfulLink> doubtful;           // by slab, lower, upper; each pair once
 };
 
 /// Preconditions: slices by ascending z, one KnownLinks for each pair of neighbours, shape numbers within range.

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "recon/core/limits.h"
-#include "recon/exchange/character_set.h"
+#include "recon/input/character_set.h"
 #include "recon/exchange/dicom_set.h"
 #include "recon/exchange/limits.h"
 #include "recon/exchange/parallel_planes.h"

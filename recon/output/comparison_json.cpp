@@ -14,6 +14,8 @@ Json json_of(const PassageCounts& counts) {
 
 Json json_of(const ComparedMethod& method) {
   Json json{{"name", method.name}, {"made_by", method.made_by}, {"certified", method.certified}};
+  if (!method.verdict.empty()) json["verdict"] = method.verdict;
+  json["topology"] = {{"as_implied", method.topology.as_implied}, {"known", method.topology.known}};
   json["surface"] = json_of(std::vector{&method.report});
   json.update(quality_json(method.report));
   json["contours_to_surface"] = json_of(method.fit.contours_to_surface);

@@ -86,8 +86,9 @@ std::string charts(const Comparison& comparison) {
   std::string html = "<div class=\"row\">\n";
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], colours[i % 3]));
-    html += fmt::format("<figcaption>{}: {}</figcaption></figure>\n", escaped_html(comparison.methods[i].name),
-                        escaped_html(comparison.methods[i].made_by));
+    const ComparedMethod& method = comparison.methods[i];
+    html += fmt::format("<figcaption>{}: {}{}</figcaption></figure>\n", escaped_html(method.name), escaped_html(method.made_by),
+                        method.verdict.empty() ? "" : "<br>" + escaped_html(method.verdict));
   }
   return html + "</div>\n";
 }

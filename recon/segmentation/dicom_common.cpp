@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "recon/exchange/character_set.h"
+#include "recon/input/character_set.h"
 
 namespace odontoscope {
 namespace {

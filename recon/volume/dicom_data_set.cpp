@@ -43,6 +43,9 @@ std::size_t binary_width(const DicomElement& element) {
     case dicom::bits_stored:
     case dicom::high_bit:
     case dicom::is_signed:
+    case dicom::segment_number:
+    case dicom::referenced_segment:
+    case dicom::fraction_of:
     case dicom::frame_increment: return 2;
     case dicom::temporal_index: return 4;
     case dicom::slice_location_vector: return 0;

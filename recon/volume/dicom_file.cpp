@@ -64,7 +64,7 @@ constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syn
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 56> wanted{
+constexpr std::array<std::uint32_t, 67> wanted{
     dicom::image_type, dicom::class_uid, dicom::instance_uid, dicom::modality, dicom::series_description, dicom::slice_thickness,
     dicom::spacing_between_slices, dicom::frame_time, dicom::frame_time_vector, dicom::magnification, dicom::imager_spacing,
     dicom::slice_location_vector, dicom::nominal_spacing, dicom::series_uid, dicom::instance_number, dicom::position, dicom::orientation,
@@ -74,7 +74,9 @@ constexpr std::array<std::uint32_t, 56> wanted{
     dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups,
     dicom::character_set, dicom::study_date, dicom::study_time, dicom::accession, dicom::referring, dicom::study_description, dicom::patient_name,
     dicom::patient_id, dicom::patient_birth, dicom::patient_sex, dicom::study_uid, dicom::study_id, dicom::frame_of_reference,
-    dicom::position_indicator};
+    dicom::position_indicator, dicom::segmentation_type, dicom::segments, dicom::segment_number, dicom::segment_label, dicom::segment_identification,
+    dicom::referenced_segment, dicom::fraction_of, dicom::referenced_series, dicom::referenced_instances, dicom::referenced_class,
+    dicom::referenced_instance};
 
 bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
 
@@ -241,6 +243,7 @@ class Walk {
   }
 
   static bool is_wanted_sequence(std::uint32_t tag) {
+    if (tag == dicom::segments || tag == dicom::segment_identification || tag == dicom::referenced_series || tag == dicom::referenced_instances) return true;
     return tag == dicom::frame_content || tag == dicom::plane_position || tag == dicom::plane_orientation || tag == dicom::modality_table ||
            tag == dicom::pixel_measures || tag == dicom::value_transformation || tag == dicom::shared_groups || tag == dicom::frame_groups;
   }

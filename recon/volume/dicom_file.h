@@ -114,7 +114,10 @@ inline constexpr std::uint32_t
     character_set = tag(0x0008, 0x0005), study_date = tag(0x0008, 0x0020), study_time = tag(0x0008, 0x0030), accession = tag(0x0008, 0x0050),
     referring = tag(0x0008, 0x0090), study_description = tag(0x0008, 0x1030), patient_name = tag(0x0010, 0x0010), patient_id = tag(0x0010, 0x0020),
     patient_birth = tag(0x0010, 0x0030), patient_sex = tag(0x0010, 0x0040), study_uid = tag(0x0020, 0x000d), study_id = tag(0x0020, 0x0010),
-    frame_of_reference = tag(0x0020, 0x0052), position_indicator = tag(0x0020, 0x1040),
+    segmentation_type = tag(0x0062, 0x0001), segments = tag(0x0062, 0x0002), segment_number = tag(0x0062, 0x0004), segment_label = tag(0x0062, 0x0005),
+    segment_identification = tag(0x0062, 0x000a), referenced_segment = tag(0x0062, 0x000b), fraction_of = tag(0x0062, 0x000e),
+    referenced_series = tag(0x0008, 0x1115), referenced_instances = tag(0x0008, 0x114a), referenced_class = tag(0x0008, 0x1150),
+    referenced_instance = tag(0x0008, 0x1155), frame_of_reference = tag(0x0020, 0x0052), position_indicator = tag(0x0020, 0x1040),
     shared_groups = tag(0x5200, 0x9229), frame_groups = tag(0x5200, 0x9230), float_pixels = tag(0x7fe0, 0x0008), double_pixels = tag(0x7fe0, 0x0009),
     pixel_data = tag(0x7fe0, 0x0010);
 

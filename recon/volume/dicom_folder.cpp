@@ -1,6 +1,7 @@
 #include "recon/volume/dicom_folder.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
@@ -11,6 +12,7 @@
 #include "recon/core/limits.h"
 #include "recon/core/lower_case.h"
 #include "recon/volume/byte_source.h"
+#include "recon/volume/dicom_segmentation.h"
 #include "recon/volume/dicom_stack.h"
 
 namespace odontoscope {
@@ -43,7 +45,7 @@ std::vector<std::string> candidates(const std::string& folder, Depth depth, cons
 
 std::string key_of(const DicomFile& file) {
   const std::string uid = file.data.text(dicom::series_uid);
-  if (file.data.number(dicom::frames).value_or(1) <= 1) return uid;
+  if (file.data.number(dicom::frames).value_or(1) <= 1 && !is_dicom_segmentation(file)) return uid;
   const std::string whole = file.data.text(dicom::concatenation_uid);
   return uid + "\n" + (whole.empty() ? file.data.text(dicom::instance_uid) + file.path : whole);
 }
@@ -96,6 +98,7 @@ std::string in_words(const DicomSeries& series, std::size_t number) {
     return fmt::format("{}, {} [{}]", words, place, error.cause());
   }
   if (images.empty()) return fmt::format("{}, {}", words, place);
+  if (is_dicom_segmentation(first)) return fmt::format("{}, segments {}, {}", words, fmt::join(segment_names(images.front()), ", "), place);
   std::vector<const DicomImage*> all;
   std::size_t slices = 0;
   for (const DicomImage& image : images) {
@@ -130,6 +133,7 @@ std::string list_of(const DicomFolder& folder) {
   std::string list;
   for (std::size_t n = 0; n < std::min(folder.series.size(), most_lines); ++n) list += fmt::format("  {}\n", in_words(folder.series[n], n + 1));
   if (folder.series.size() > most_lines) list += fmt::format("  and {} more\n", folder.series.size() - most_lines);
+  if (!list.empty()) list.pop_back();   // a message goes on behind it
   return list;
 }
 

@@ -9,6 +9,7 @@
 
 #include "recon/core/limits.h"
 #include "recon/volume/byte_source.h"
+#include "recon/volume/limits.h"
 #include "recon/volume/text_header.h"
 
 namespace odontoscope {
@@ -19,6 +20,7 @@ namespace {
 constexpr std::array<std::string_view, 5> image_classes{"1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.4",
                                                         "1.2.840.10008.5.1.4.1.1.7", "1.2.840.10008.5.1.4.1.1.13.1",
                                                         "1.2.840.10008.5.1.4.1.1.128"};
+constexpr std::string_view segmentation_class = "1.2.840.10008.5.1.4.1.1.66.4", label_map_class = "1.2.840.10008.5.1.4.1.1.66.7";
 constexpr std::string_view nuclear_class = "1.2.840.10008.5.1.4.1.1.20", dose_class = "1.2.840.10008.5.1.4.1.1.481.2";
 
 bool is_image_class(std::string_view name) {
@@ -103,6 +105,9 @@ void read_groups(const DicomImage& image, const DicomDataSet& data, DicomFrame& 
     if (const auto spacing = spacing_of(file, *item, dicom::pixel_spacing)) frame.spacing = spacing;
     if (const auto between = item->number(dicom::spacing_between_slices)) frame.slice_spacing = between;
     if (const auto thickness = item->number(dicom::slice_thickness)) frame.thickness = thickness;
+  }
+  if (const DicomDataSet* item = data.item(dicom::segment_identification)) {
+    frame.segment = static_cast<std::uint32_t>(std::clamp(item->number(dicom::referenced_segment).value_or(0), 0.0, 65535.0));
   }
   if (const DicomDataSet* item = data.item(dicom::value_transformation)) {
     frame.slope = item->number(dicom::slope).value_or(frame.slope);
@@ -220,6 +225,9 @@ void read_frames(DicomImage& image, std::size_t count) {
       image.position_grain = image.position_grain == 0 ? grain : std::min(image.position_grain, grain);
     }
   }
+  if (placed == 0 && is_dicom_segmentation(image.file)) {
+    refuse("no-positions", image.file, "it does not say where its frames lie", "export it as a label map (NRRD or NIfTI)");
+  }
   if (placed != 0 && placed != count) refuse("unreadable-volume", image.file, fmt::format("only {} of its {} frames have a place", placed, count), convert_it);
   if (placed == 0 && count > 1) place_along_normal(image);
   if (count > 1 && placed == 0 && !image.frames.front().position) image.position_grain = 0;
@@ -236,7 +244,7 @@ void check_length(const DicomImage& image) {
            "get a whole copy of the file");
   }
   // At most 2^16 * 2^16 * 2^32 * 2^6: in floating point, since it overflows 64 bits.
-  const double needed = static_cast<double>(image.pixels()) * static_cast<double>(image.frames.size()) * image.bits_allocated / 8;
+  const double needed = std::ceil(static_cast<double>(image.pixels()) * static_cast<double>(image.frames.size()) * image.bits_allocated / 8);
   if (static_cast<double>(pixels.length) >= needed) return;
   refuse("truncated-volume", image.file, fmt::format("{} frames of {} rows of {} pixels need {:.0f} bytes, it has {}", image.frames.size(), image.rows,
                                                       image.columns, needed, pixels.length),
@@ -249,7 +257,7 @@ void read_pixel_format(DicomImage& image) {
   if (const std::size_t samples = whole(file, dicom::samples, "number of samples a pixel", 1, 65535, 1); samples != 1) {
     refuse("not-scalar", file, fmt::format("each pixel has {} numbers (a colour)", samples), "give a grey-scale series");
   }
-  if (image.photometric == "PALETTE COLOR") refuse("not-scalar", file, "its pixels are colours of a palette", "give a grey-scale series");
+  if (image.photometric == "PALETTE COLOR" && !is_dicom_segmentation(file)) refuse("not-scalar", file, "its pixels are colours of a palette", "give a grey-scale series");
   image.rows = whole(file, dicom::rows, "number of rows", 1, 65535, 0);
   image.columns = whole(file, dicom::columns, "number of columns", 1, 65535, 0);
   image.bits_allocated = static_cast<unsigned>(whole(file, dicom::bits_allocated, "number of bits a pixel", 1, 64, 0));
@@ -261,8 +269,9 @@ void read_pixel_format(DicomImage& image) {
   const unsigned float_bits = file.pixels.tag == dicom::float_pixels ? 32 : 64;
   const bool known = floating ? image.bits_allocated == float_bits && !file.pixels.encapsulated
                               : image.bits_allocated == 8 || image.bits_allocated == 16 || image.bits_allocated == 32;
-  if (!known) {
-    refuse("pixel-type", file, fmt::format("its pixels have {} bits", image.bits_allocated),
+  const bool of_bits = image.bits_allocated == 1 && is_dicom_segmentation(file) && !file.pixels.encapsulated && !file.big_endian;
+  if (!known && !of_bits) {
+    refuse("pixel-type", file, fmt::format("its pixels have {}", image.bits_allocated == 1 ? "one bit, in an unusual coding" : fmt::format("{} bits", image.bits_allocated)),
            image.bits_allocated == 1 ? "export the segmentation as a label map (NRRD or NIfTI)" : convert_it);
   }
   if (file.data.item(dicom::modality_table) != nullptr) {
@@ -271,6 +280,11 @@ void read_pixel_format(DicomImage& image) {
 }
 
 }  // namespace
+
+bool is_dicom_segmentation(const DicomFile& file) {
+  const std::string name = file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid);
+  return name == segmentation_class || name == label_map_class;
+}
 
 bool is_dicom_image(const DicomFile& file) {
   return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid));
@@ -294,9 +308,10 @@ std::optional<DicomImage> dicom_image(DicomFile file) {
   if (image.file.odd_lengths) image.remarks.push_back("it has values with an odd number of bytes, which DICOM does not allow; it was read all the same");
   // Before frames are made for it, what it promises is held against what it has.
   const std::size_t count = whole(image.file, dicom::frames, "number of frames", 1, 4294967295.0, 1);
-  const std::size_t most = image.file.pixels.encapsulated ? image.file.pixels.fragments.size() : static_cast<std::size_t>(image.file.pixels.length);
+  const std::size_t most = image.file.pixels.encapsulated ? image.file.pixels.fragments.size() : static_cast<std::size_t>(image.file.pixels.length * 8);
+  const std::size_t limit = is_dicom_segmentation(image.file) ? limits::segment_frames : limits::slices;
   if (count > most) refuse("truncated-volume", image.file, fmt::format("it promises {} frames, which its pixels are too few for", count), "get a whole copy of the file");
-  if (count > limits::slices) refuse("too-many-voxels", image.file, fmt::format("it has {} frames; the limit is {}", count, limits::slices), "crop it to the tooth");
+  if (count > limit) refuse("too-many-voxels", image.file, fmt::format("it has {} frames; the limit is {}", count, limit), "crop it to the tooth");
   read_frames(image, count);
   check_length(image);
   return image;

@@ -26,6 +26,8 @@ struct DicomFrame {
   std::optional<std::array<double, 2>> spacing;
   std::optional<double> slice_spacing, thickness;
   double slope = 1, intercept = 0;
+  /// Of a segmentation: the segment whose pixels it has; 0 if it does not say.
+  std::uint32_t segment = 0;
 };
 
 struct DicomImage {
@@ -52,6 +54,9 @@ struct DicomImage {
 /// pixels, or with fewer than its size makes), not-scalar (colours), pixel-type, time-series (its frames follow each other in time),
 /// unreadable-volume.
 std::optional<DicomImage> dicom_image(DicomFile file);
+
+/// A segmentation: one frame for each segment and slice (PS3.3, A.51), or one for each slice, whose pixels are segments' numbers. See dicom_segmentation.h.
+bool is_dicom_segmentation(const DicomFile& file);
 
 /// Is it an image, of whatever kind? What is found out without looking at its frames.
 bool is_dicom_image(const DicomFile& file);

@@ -154,6 +154,8 @@ class Reader {
   std::size_t pending_bytes_ = 0;
 };
 
+}  // namespace
+
 /// Compressed frames that are few bytes and become more than a gigabyte are made to fill memory.
 void check_plausible(const std::vector<DicomPlane>& planes) {
   const std::size_t voxels = planes.size() * planes.front().image->pixels();
@@ -172,7 +174,16 @@ void check_plausible(const std::vector<DicomPlane>& planes) {
                    fmt::format("{} compressed bytes would become {} voxels: no scan packs like that", packed, voxels), "crop it, or store it uncompressed");
 }
 
-}  // namespace
+void read_bits(const DicomImage& image, std::size_t frame, DicomBytes& bytes, std::vector<float>& to) {
+  const std::uint64_t first = std::uint64_t{frame} * image.pixels(), end = first + image.pixels();
+  std::string raw(static_cast<std::size_t>((end + 7) / 8 - first / 8), '\0');
+  bytes.read(image.file.pixels.at + first / 8, raw.data(), raw.size());
+  to.resize(image.pixels());
+  for (std::size_t n = 0; n < to.size(); ++n) {
+    const std::uint64_t bit = first % 8 + n;
+    to[n] = static_cast<float>(static_cast<unsigned char>(raw[bit / 8]) >> (bit % 8) & 1);
+  }
+}
 
 std::vector<float> read_planes(const std::vector<DicomPlane>& planes, const Progress& progress) {
   check_plausible(planes);

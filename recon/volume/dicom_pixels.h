@@ -23,4 +23,10 @@ struct DicomPlane {
 /// be decoded), too-well-packed, unreadable-volume (a compression that GDCM does not know).
 std::vector<float> read_planes(const std::vector<DicomPlane>& planes, const Progress& progress);
 
+/// Pixels of a binary segmentation, one bit each, frames without a gap: 0 or 1. `bytes` is of the image's file. Throws InputError truncated-volume.
+void read_bits(const DicomImage& image, std::size_t frame, DicomBytes& bytes, std::vector<float>& to);
+
+/// Throws InputError too-well-packed for compressed planes that are few bytes and would become more than a gigabyte.
+void check_plausible(const std::vector<DicomPlane>& planes);
+
 }  // namespace odontoscope

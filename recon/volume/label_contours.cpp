@@ -17,7 +17,7 @@ using trace::Vertex;
 
 class LabelField {
  public:
-  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, std::size_t k, float label)
+  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, std::size_t k, const LabelValues& label)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
@@ -27,7 +27,7 @@ class LabelField {
         k_(k) {}
 
   bool inside(Vertex v) const {
-    return in_image(v) && pixels_[v.j * width_ + v.i] == label_;
+    return in_image(v) && label_(pixels_[v.j * width_ + v.i]);
   }
   /// Never: joining one label across a cell's corner could cross another's join over the other diagonal.
   bool joined(Vertex, Vertex, Vertex, Vertex) const { return false; }
@@ -47,7 +47,7 @@ class LabelField {
 
   const float* pixels_;
   std::ptrdiff_t width_, height_;
-  float label_;
+  const LabelValues& label_;
   const Lattice& lattice_;
   const SmoothLabels* smooth_;
   std::size_t k_;
@@ -58,7 +58,8 @@ std::string some_values(const Volume& volume) {
   constexpr std::size_t enough = 12;
   std::set<float> seen;
   for (const float value : volume.values) {
-    if (seen.insert(value).second && seen.size() > enough) break;
+    const bool is_overlap = std::any_of(volume.overlaps.begin(), volume.overlaps.end(), [value](const LabelOverlap& o) { return value == static_cast<float>(o.value); });
+    if (!is_overlap && seen.insert(value).second && seen.size() > enough) break;
   }
   const bool more = seen.size() > enough;
   if (more) seen.erase(std::prev(seen.end()));
@@ -72,7 +73,7 @@ void check_label(const Volume& volume, std::int64_t label) {
     throw UsageError(fmt::format("the label {} is beyond {}", label, limits::largest_label),
                      "number the labels from 1 up");
   }
-  if (std::find(volume.values.begin(), volume.values.end(), static_cast<float>(label)) != volume.values.end()) return;
+  if (std::any_of(volume.values.begin(), volume.values.end(), LabelValues(volume, label))) return;
   Place place;
   place.file = volume.source;
   throw InputError("label-not-found", place,
@@ -87,6 +88,9 @@ std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::ve
   std::vector<float> values;
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
+    if (LabelValues(volume, level.label).any_shared()) {
+      throw UsageError(fmt::format("\"{}\" overlaps other segments, and --smooth moves borders that two labels share", level.structure), "Leave out --smooth");
+    }
     values.push_back(static_cast<float>(level.label));
   }
   std::sort(values.begin(), values.end());
@@ -99,7 +103,7 @@ std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<L
   std::vector<LevelTracer> tracers;
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
-    const auto trace_slice = [&volume, smooth, lattice = Lattice(volume), label = static_cast<float>(level.label)](
+    const auto trace_slice = [&volume, smooth, lattice = Lattice(volume), label = LabelValues(volume, level.label)](
                                  std::size_t k, const LevelTracer::Take& take) {
       trace::contours(LabelField(volume, lattice, smooth.get(), k, label), volume.size[0], volume.size[1], take);
     };

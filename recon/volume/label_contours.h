@@ -25,13 +25,14 @@ struct LabelLevel {
   std::string structure = "tooth";
 };
 
+/// Where labels overlap (Volume::overlaps), a pixel is inside each of them, and their contours may cross.
 /// Throws InputError label-not-found, naming labels that are there, and what validate_volume and trace_levels throw;
 /// UsageError for a label beyond limits::largest_label. A label that fills the whole volume is contoured along the
 /// border.
 TracedContours label_contours(const Volume& volume, const std::vector<LabelLevel>& labels,
                               const TraceOptions& options = {}, const Progress& progress = {});
 
-/// The labels' smoothed borders, for label_tracers. Throws as label_contours and SmoothLabels do.
+/// The labels' smoothed borders, for label_tracers. Throws as label_contours and SmoothLabels do; UsageError for labels that overlap others.
 std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::vector<LabelLevel>& labels,
                                              const SmoothLabelsOptions& options, const Progress& progress = {});
 

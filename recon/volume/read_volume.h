@@ -14,8 +14,7 @@
 // **What a file does not say.** A file without orientation is taken as it stands, one without spacing with 1 mm, one without unit in millimetres; each
 // such assumption is a line of Volume::remarks. Units that are not known, and NRRD's left-handed space, are refused.
 //
-// Not supported: colour and vectors, time series, DICOM series with missing or unevenly spaced slices, shear in a NIfTI sform, NRRD packed by bzip2,
-// DICOM segmentations.
+// Not supported: colour and vectors, time series, DICOM series with missing or unevenly spaced slices, shear in a NIfTI sform, NRRD packed by bzip2.
 
 #include <array>
 #include <optional>

@@ -10,6 +10,7 @@
 #include "recon/volume/byte_source.h"
 #include "recon/volume/dicom_folder.h"
 #include "recon/volume/dicom_pixels.h"
+#include "recon/volume/dicom_segmentation.h"
 #include "recon/volume/dicom_stack.h"
 
 namespace odontoscope {
@@ -71,7 +72,7 @@ Found beside(const std::string& path, DicomFile own, const ReadVolumeOptions& op
   if (is_directory_file(own, path)) return in_folder(path, folder_of(path), options, Depth::below_too, progress);
   if (!is_dicom_image(own)) throw InputError("no-dicom-images", in_file(path), "the file is DICOM, but no image", "give a file of an image series");
   Found found;
-  const bool whole = own.data.number(dicom::frames).value_or(1) > 1 && own.data.text(dicom::concatenation_uid).empty();
+  const bool whole = is_dicom_segmentation(own) || (own.data.number(dicom::frames).value_or(1) > 1 && own.data.text(dicom::concatenation_uid).empty());
   const std::string uid = own.data.text(dicom::series_uid), together = own.data.text(dicom::concatenation_uid);
   if (whole || uid.empty()) {
     found.files.push_back(std::move(own));
@@ -94,10 +95,9 @@ Found files_of(const std::string& path, const ReadVolumeOptions& options, const 
   return beside(path, read_dicom_file(path), options, progress);
 }
 
-/// Whose images they are, and which.
-std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
+/// Whose images they are.
+std::shared_ptr<DicomOrigin> identity_of(const DicomImage& first) {
   auto origin = std::make_shared<DicomOrigin>();
-  const DicomImage& first = *stack.planes.front().image;
   const DicomDataSet& data = first.file.data;
   for (const std::uint32_t tag : dicom::identity) {
     if (std::string text = data.text(tag); !text.empty()) origin->identity.emplace(tag, std::move(text));
@@ -106,6 +106,13 @@ std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
   origin->frame_of_reference = data.text(dicom::frame_of_reference);
   origin->position_indicator = data.text(dicom::position_indicator);
   origin->study = data.text(dicom::study_uid);
+  return origin;
+}
+
+/// And which.
+std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
+  const DicomImage& first = *stack.planes.front().image;
+  std::shared_ptr<DicomOrigin> origin = identity_of(first);
   origin->series = first.series;
   const Vector3& normal = stack.image.direction[2];
   for (const DicomPlane& plane : stack.planes) {
@@ -118,6 +125,28 @@ std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
   return origin;
 }
 
+/// The images that a segmentation was made on, as far as it names them; where each of them lies it does not say.
+std::shared_ptr<const DicomOrigin> referenced_by(const DicomImage& image) {
+  std::shared_ptr<DicomOrigin> origin = identity_of(image);
+  const DicomDataSet* series = image.file.data.item(dicom::referenced_series);
+  if (series == nullptr) return origin;
+  origin->series = series->text(dicom::series_uid);
+  if (const DicomElement* instances = series->find(dicom::referenced_instances)) {
+    for (const DicomDataSet& item : instances->items) {
+      origin->instances.push_back({item.text(dicom::referenced_class), item.text(dicom::referenced_instance), 0, std::nullopt});
+    }
+  }
+  return origin;
+}
+
+Volume segmentation_volume(const DicomImage& image, std::vector<std::string> remarks, const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
+  Volume volume = dicom_segmentation(image, path, options, progress);
+  volume.patient.dicom = referenced_by(image);
+  remarks.insert(remarks.end(), volume.remarks.begin(), volume.remarks.end());
+  volume.remarks = std::move(remarks);
+  return volume;
+}
+
 }  // namespace
 
 Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
@@ -126,6 +155,7 @@ Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& optio
   for (DicomFile& file : found.files) {
     if (auto image = dicom_image(std::move(file))) images.push_back(std::move(*image));
   }
+  if (images.size() == 1 && is_dicom_segmentation(images.front().file)) return segmentation_volume(images.front(), std::move(found.remarks), path, options, progress);
   std::vector<const DicomImage*> all;
   for (const DicomImage& image : images) all.push_back(&image);
   DicomStack stack = stack_planes(all, path, options);

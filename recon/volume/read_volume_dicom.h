@@ -7,7 +7,7 @@
 // folder was given and not a file in it.
 //
 // Enhanced and other multi-frame objects: each frame's place, orientation, pixel spacing and rescaling is its own (dicom_image.h); frames may be stored in
-// any order. Parts of a concatenation are put together.
+// any order. Parts of a concatenation are put together. Segmentations (SEG) become label maps (dicom_segmentation.h).
 
 #include <string>
 

@@ -33,6 +33,7 @@ Volume like(const Volume& volume) {
   other.tilt_degrees = volume.tilt_degrees;
   other.patient = volume.patient;
   other.labels = volume.labels;
+  other.overlaps = volume.overlaps;
   other.remarks = volume.remarks;
   return other;
 }

@@ -128,4 +128,10 @@ ValueRange validate_volume(const Volume& volume) {
   return scan.range;
 }
 
+LabelValues::LabelValues(const Volume& volume, std::int64_t label) : label_(static_cast<float>(label)) {
+  for (const LabelOverlap& overlap : volume.overlaps) {
+    if (std::binary_search(overlap.labels.begin(), overlap.labels.end(), label)) shared_.push_back(static_cast<float>(overlap.value));
+  }
+}
+
 }  // namespace odontoscope

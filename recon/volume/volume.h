@@ -21,6 +21,12 @@ struct VolumeLabel {
   std::string name;
 };
 
+/// A value that voxels have which are of several labels at once.
+struct LabelOverlap {
+  std::int64_t value = 0;
+  std::vector<std::int64_t> labels;  // ascending
+};
+
 struct Volume {
   /// Voxels along x, y and z.
   std::array<std::size_t, 3> size{};
@@ -38,11 +44,30 @@ struct Volume {
   PatientOrigin patient;
   /// By value; only some formats name them.
   std::vector<VolumeLabel> labels;
+  /// By value. None of the values is a label.
+  std::vector<LabelOverlap> overlaps;
   /// What the file does not say and was assumed, and what was left out: one line each, to be told.
   std::vector<std::string> remarks;
 
   std::size_t pixels_per_slice() const { return size[0] * size[1]; }
   const float* slice(std::size_t k) const { return values.data() + k * pixels_per_slice(); }
+};
+
+/// Whether a voxel's value makes it one of a label's.
+class LabelValues {
+ public:
+  LabelValues(const Volume& volume, std::int64_t label);
+  bool operator()(float value) const {
+    if (value == label_) return true;
+    for (const float shared : shared_)
+      if (value == shared) return true;
+    return false;
+  }
+  bool any_shared() const { return !shared_.empty(); }
+
+ private:
+  float label_;
+  std::vector<float> shared_;
 };
 
 struct ValueRange {

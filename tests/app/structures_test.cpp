@@ -40,6 +40,8 @@ TEST_F(Structures, ComeBackFromALabelMapByName) {
   must({"contours", "cube.json", "--voxels", "0.1,0.1,1", "-o", "a.seg.nrrd", "-o", "a.seg.dcm"});
   const Ending read = must({"contours", "a.seg.nrrd", "--label", "tooth", "-o", "b.json"});
   EXPECT_TRUE(read.says("tooth: 2 contours")) << read.out;
+  must({"contours", "a.seg.dcm", "--label", "tooth", "-o", "d.json"});
+  EXPECT_EQ(bytes_of("d.json"), bytes_of("b.json"));
   must({"contours", "b.json", "--voxels", "0.1,0.1,1", "--voxel-origin", "-0.1,-0.1,0", "-o", "c.seg.nrrd"});
   must({"contours", "c.seg.nrrd", "--label", "tooth", "-o", "c.json"});
   EXPECT_EQ(nlohmann::json::parse(bytes_of("c.json"))["slices"][0]["contours"][0]["points"].size(), nlohmann::json::parse(bytes_of("b.json"))["slices"][0]["contours"][0]["points"].size());

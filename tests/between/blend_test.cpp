@@ -250,6 +250,34 @@ TEST(Blend, ForksFromOnePieceToTwo) {
   EXPECT_EQ(made[1].size(), 2u);
 }
 
+/// Halfway up, at a place in the middle of its way, is what is carried there?
+bool carried_at(const Slab& slab, Point2 at, bool hollow) {
+  constexpr std::array middle{0.5};
+  return covers(slab.blended(middle)[0], at) != hollow;
+}
+
+// A bead beside the chamber, which has a section of its own to go on to.
+TEST(Blend, CarriesABeadIntoTheChamberThatItDoesNotOverlap) {
+  const Ring chamber = circle(1), bead = circle(0.2, {1.6, 0});
+  EXPECT_TRUE(carried_at({{chamber, bead}, {chamber}, {{{0, 0}, {1, 0}}, {}}, {}, {}}, {1.2, 0}, false));
+  EXPECT_FALSE(carried_at({{chamber, bead}, {chamber}, {{{0, 0}}, {}}, {}, {}}, {1.2, 0}, false)) << "not linked";
+  EXPECT_TRUE(carried_at({{circle(3), hole(chamber), hole(bead)}, {circle(3), hole(chamber)}, {{{0, 0}}, {{1, 1}, {2, 1}}}, {}, {}}, {1.2, 0}, true));
+}
+
+TEST(Blend, CarriesAHoleOutThroughTheWallBesideIt) {
+  const Ring bead = circle(0.2, {2.6, 0});
+  EXPECT_TRUE(carried_at({{circle(3), hole(bead)}, {circle(2.95)}, {{{0, 0}}, {{1, between::outside}}}, {}, {}}, {2.85, 0}, true));
+}
+
+TEST(Blend, AFinerGridKeepsAWallThinnerThanAStep) {
+  const Outline walled{rectangle({0, 0}, {12, 12}), hole(rectangle({1, 1}, {5.98, 11})), hole(rectangle({6.02, 1}, {11, 11}))};
+  const Links links = overlap_links(walled, walled);
+  Surroundings s{nullptr, &walled, &walled, nullptr, 0, 0, 1, 0, links.material, links.voids};
+  constexpr std::array middle{0.5};
+  EXPECT_LT(blend(s, middle, {.most_grid_points = 10'000}).front().size(), 3u);
+  EXPECT_EQ(blend(s, middle, {.most_grid_points = 10'000, .finer = 4}).front().size(), 3u);
+}
+
 TEST(Blend, OpensAHoleThroughTheMouthOfAC) {
   const Slab slab = overlapping({c_shape(2, 1.6, 0.5)}, ring(2, 1.6));
   constexpr std::array shares{0.25, 0.98};

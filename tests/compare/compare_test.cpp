@@ -45,6 +45,22 @@ TEST(Compare, JudgesWhatTheEnginesMake) {
   EXPECT_GT(comparison.pairs[0].distance.back.largest, 0.1);
 }
 
+TEST(Compare, CountsStructuresWhoseTopologyIsImplied) {
+  // A canal finer than the grid: DT has it, DB does not.
+  const ContourStack canal = stack_of({{circle(3), circle(0.1)}, {circle(3), circle(0.1)}, {circle(3), circle(0.1)}});
+  CompareOptions options = coarse();
+  options.db.grid.columns = options.db.grid.rows = 12;
+  options.db.cases = CaseTable::consistent;
+  const Comparison comparison = compare(canal, options);
+  EXPECT_EQ(comparison.methods[0].topology.as_implied, 1u);
+  EXPECT_EQ(comparison.methods[0].verdict.substr(0, 5), "Green");
+  EXPECT_EQ(comparison.methods[1].topology.known, 1u);
+  EXPECT_EQ(comparison.methods[1].topology.as_implied, 0u);
+  EXPECT_TRUE(comparison.methods[1].report.closed_oriented_manifold());
+  options.db.grid.columns = options.db.grid.rows = 120;
+  EXPECT_EQ(compare(canal, options).methods[1].topology.as_implied, 1u);
+}
+
 TEST(Compare, HasARowOfEachMeasureForEachMethod) {
   const Comparison comparison = compare(corners_under_a_block(), coarse());
   const std::vector<ComparisonRow> rows = comparison_rows(comparison);

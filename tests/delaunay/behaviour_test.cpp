@@ -32,7 +32,7 @@ TEST(Threads, DoNotChangeAByte) {
   const Reconstruction one = with(tube, 1);
   for (int threads : {2, 3, 0}) EXPECT_EQ(difference(one, with(tube, threads)), "") << threads;
   EXPECT_EQ(difference(one, with(tube, 1)), "") << "not even with one";
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < random_stacks_of(60); ++seed) {
     const ContourStack stack = random_stack(seed).stack;
     const auto by = [&](int threads) {   // interpolated slices take as long as all the others
       return seed % 4 == 0 ? with(stack, threads) : reconstruct(stack, {.correspondence = Correspondence::medial, .between = Between::delaunay, .links = {}, .threads = threads});

@@ -73,7 +73,7 @@ ReconstructOptions alone(ReconstructOptions options) {
 }
 
 TEST(Correspondence, EachCriterionIncludesTheOneBefore) {
-  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+  for (std::uint64_t seed = 0; seed < random_stacks_of(50); ++seed) {
     const ContourStack stack = random_stack(seed).stack;
     const auto reverse = linked_by_geometry(reconstruct(stack, alone(by(Correspondence::reverse))));
     const auto medial = linked_by_geometry(reconstruct(stack, alone(by(Correspondence::medial))));
@@ -190,7 +190,7 @@ std::vector<Link> random_wishes(const ContourStack& stack, std::uint64_t seed) {
 
 TEST(Links, WinOnRandomStacks) {
   int refused = 0, honoured = 0;
-  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+  for (std::uint64_t seed = 0; seed < random_stacks_of(100); ++seed) {
     const ContourStack stack = sorted(random_stack(seed).stack);
     const std::vector<Link> wishes = random_wishes(stack, seed);
     try {

@@ -401,6 +401,35 @@ TEST(Tracking, ACanalLeavesThroughANotchOfTheSurface) {
   EXPECT_EQ(opens(bead_beside_surface(false, 0.95)), 0) << "the root ends, and its canal may close";
 }
 
+/// A root of 1.4 mm with a canal of 0.4 mm all the way. In slice 5 the canal has a lobe up to x = `lobe`, in slice 4 the root a notch down to x = `notch`.
+ContourStack lobe_over_notch(double lobe, double canal = 0.4, double notch = 0.7) {
+  ContourStack stack;
+  for (int k = 0; k < 10; ++k) {
+    Ring root = regular_polygon(60, 1.4, {0, 0}, 0), hollow = disc_ring({{0, 0}, canal});
+    if (k == 4)
+      for (Point2& p : root)
+        if (p.x > 0 && std::abs(p.y) < 0.2) p = {notch, p.y};
+    if (k == 5)
+      for (Point2& p : hollow)
+        if (p.x > 0.8 * canal) p = {lobe, p.y};
+    stack.slices.push_back({cut * k, {{"tooth", root}, {"tooth", hollow}}});
+  }
+  return stack;
+}
+
+TEST(Tracking, AnAccessoryCanalLeavesFromALobeOfTheCanalThroughANotchBeyond) {
+  const auto opens = [](const ContourStack& stack) {
+    const Tracked made = tracked_voids(stack);
+    std::size_t count = 0;
+    for (const auto& links : made.tracking.links) count += links.size();
+    EXPECT_EQ(made.tracking.doubtful.size(), count) << "each is told";
+    return count;
+  };
+  EXPECT_EQ(opens(lobe_over_notch(0.8)), 1u);
+  EXPECT_EQ(opens(lobe_over_notch(0.65)), 0u) << "no point in common";
+  EXPECT_EQ(opens(lobe_over_notch(0.95, 0.8, 0.9)), 0u) << "no canal, but a thin wall that drifts";
+}
+
 /// Two roots, one of them shorter, with a canal as wide in its last two slices as is asked for.
 ContourStack short_root(double last, double last_but_one) {
   ContourStack stack;
@@ -422,6 +451,35 @@ TEST(Doubts, ACanalThatIsRunningOutMayCloseWhereItsRootEnds) {
   };
   EXPECT_EQ(closing(short_root(0.17, 0.3)), 1);
   EXPECT_EQ(closing(short_root(0.3, 0.32)), 0) << "as wide as before";
+}
+
+/// A canal that leans by 0.2 mm a slice and is running out at x = -0.8 in slice 1; the tip of the root, in slice 0, lies where it is asked for.
+ContourStack leaning_canal_over_tip(double tip) {
+  ContourStack stack;
+  stack.slices.push_back({0, {{"tooth", disc_ring({{tip, 0}, 0.25})}}});
+  for (int k = 1; k < 6; ++k) {
+    const double radius = k == 1 ? 0.15 : k == 2 ? 0.25 : 0.3;
+    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{0, 0}, 2})}, {"tooth", disc_ring({{-0.2 * (5 - k), 0}, radius})}}});
+  }
+  return stack;
+}
+
+long asked_in_lowest_slab(const Tracked& made, Choice choice) {
+  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                       [choice](const DoubtfulLink& d) { return d.choice == choice && d.slab == 0 && d.lower == outside; });
+}
+
+TEST(Tracking, ACanalThatRunsOutTowardsTheTipOfItsRootCloses) {
+  const Tracked under = tracked_voids(leaning_canal_over_tip(-1.1)), away = tracked_voids(leaning_canal_over_tip(1.1));
+  EXPECT_EQ(under.tracking.closed[0].size(), 1u);
+  EXPECT_EQ(asked_in_lowest_slab(under, Choice::may_connect), 1);
+  EXPECT_EQ(away.tracking.closed[0].size(), 0u);
+  EXPECT_EQ(asked_in_lowest_slab(away, Choice::may_part), 1);
+}
+
+TEST(Doubts, ACanalThatRunsOutTowardsTheSurfaceMayOpen) {
+  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.65)), Choice::may_connect), 1);
+  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.9)), Choice::may_connect), 0) << "it stays within";
 }
 
 // ---- what is two things
@@ -543,6 +601,13 @@ TEST(Doubts, ASmallOverlapMayClose) {
   ASSERT_EQ(made.count(TrackedBy::overlap), 1u);
   ASSERT_EQ(made.tracking.doubtful.size(), 1u);
   EXPECT_EQ(made.tracking.doubtful[0].choice, Choice::may_part);
+}
+
+// A sliver in the last slice of a wall, as at enamel's margin.
+TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
+  EXPECT_TRUE(tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0})}, {circle(1, {1.6, 0})}})).tracking.doubtful.empty());
+  const Tracked two = tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}}));
+  EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
 }
 
 TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {

@@ -154,6 +154,28 @@ TEST(LookHere, AVoidThatIsShutInBesideALargerOne) {
   EXPECT_EQ(verdict_of(made_of(chamber)), Verdict::green) << "a chamber that is shut in is none";
 }
 
+/// A fissure that narrows downwards, `last` wide where it is seen last, and a chamber below that lies partly under it.
+ContourStack fissure_over_chamber(double last) {
+  const Ring block = rectangle({-6, -6}, {6, 6}), chamber = rectangle({-4, -4}, {-0.1, 4}), above = rectangle({-4, -4}, {-1, 4});
+  ContourStack stack = storeys({{block, chamber}, {block}});
+  for (std::size_t k = 0; k < tall; ++k) {
+    Slice& slice = stack.slices[tall + k];
+    slice = stack_of({{block, above, circle(k == 0 ? last : 0.6, {k == 0 ? last - 0.3 : 0.3, 0})}}).slices.front();
+    slice.z = spacing * static_cast<double>(tall + k);
+  }
+  return stack;
+}
+
+TEST(LookHere, TheBottomOfAFissureOverTheDentineIsNone) {
+  const auto gaps = [](double last) {
+    const Reconstruction made = made_of(fissure_over_chamber(last));
+    const auto found = kinds(made);
+    return std::count(found.begin(), found.end(), AttentionKind::void_gap);
+  };
+  EXPECT_EQ(gaps(0.3), 0) << "it is running out";
+  EXPECT_EQ(gaps(0.58), 1) << "as wide as before";
+}
+
 TEST(LookHere, ARoofThatMayBeOpen) {
   const ContourStack stack = chamber_under_horn();
   const Reconstruction made = made_of(stack);

@@ -8,7 +8,7 @@
 #include "recon/core/error.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/exchange/character_set.h"
+#include "recon/input/character_set.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/read_csl.h"
 #include "recon/exchange/read_jser.h"

@@ -173,6 +173,7 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
     for (const Placard& placard : placards(visit, input, world)) words.insert(placard.words);
     return words;
   };
+  visit.wall_depth = false;
   const auto in_chamber = written();
   EXPECT_FALSE(in_chamber.empty());
   EXPECT_LT(in_chamber.size(), labels.size());
@@ -183,6 +184,9 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   }
   visit.labels = false;
   EXPECT_TRUE(written().empty());
+  visit.wall_depth = true;
+  for (const std::string& words : written()) EXPECT_TRUE(words.ends_with(" mm")) << words;
+  visit.wall_depth = false;
   visit.labels = true;
   // In one canal, far from the chamber, another one's names are gone.
   begin(0);

@@ -6,6 +6,7 @@
 #include "engine/lab/ridges.h"
 #include "recon/core/error.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/delaunay/verdict.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::testing_support {
@@ -102,7 +103,9 @@ TEST(Lesson, WhatItSaysOfDtIsTrue) {
   std::size_t triangles = 0, points = 0;
   for (const Slice& slice : stack.slices)
     for (const Contour& contour : slice.contours) points += contour.points.size();
-  for (const Solid& solid : reconstruct(stack).solids) {
+  const Reconstruction dt = reconstruct(stack);
+  EXPECT_EQ(verdict_of(dt), Verdict::green);
+  for (const Solid& solid : dt.solids) {
     EXPECT_TRUE(solid.report.closed_oriented_manifold());
     triangles += solid.report.triangles;
     if (solid.structure == "pulp") {

@@ -1,5 +1,6 @@
 // A renderer keeps no picture: what it drew before must not show in what it draws next.
 
+#include "engine/picture/compare.h"
 #include "tests/render/drawing.h"
 #include "tests/render/shapes.h"
 
@@ -59,6 +60,20 @@ TEST_F(Frames, PanesTogetherAreWhatEachIsAlone) {
     renderer.draw(gpu_model, scene, panes, {2});
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(read_pixels(gl(), pixels[i].id(), sizes[i]), alone[i]) << i;
   }
+}
+
+// A wall without a fold is as light where the picture ends, and its pixels have a neighbour less, as in the middle.
+TEST_F(Frames, EndWithoutARim) {
+  const Model model = make_model({{"wall", box({-50, -1, -50}, {50, 1, 50})}});
+  Scene scene = plain_scene(model, 4);
+  scene.camera.position = {40, 60, 0};   // aslant, so that a wrong normal sees one half of the wall above the other
+  for (Look& look : scene.looks) look.opacity = 1;
+  const Image unoccluded = draw(model, scene);
+  scene.occlusion = {.on = true, .strength = 4, .reach = 0.5f};
+  const Image drawn = draw(model, scene);
+  for (std::size_t i = 3; i < drawn.rgba.size(); i += 4) ASSERT_EQ(drawn.rgba[i], 255) << "the wall must fill the picture";
+  const ImageDifference difference = compare(drawn, unoccluded, {1, 0});
+  EXPECT_TRUE(difference.within_tolerance) << difference.pixels << " pixels differ, by up to " << difference.largest;
 }
 
 }  // namespace

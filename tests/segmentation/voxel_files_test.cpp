@@ -165,6 +165,68 @@ TEST(WrittenSeg, HoldsAFrameForEachSegmentAndSlice) {
   EXPECT_EQ(seg_bytes(voxels, {}), bytes);
 }
 
+/// Voxels that a segmentation has and the volume does not give to the label of that name, or the reverse.
+std::size_t differing(const Segmentation& voxels, const Volume& read) {
+  std::size_t differ = 0;
+  for (std::size_t s = 0; s < voxels.segments.size(); ++s) {
+    const LabelValues is_label(read, static_cast<std::int64_t>(s + 1));
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < read.size[2]; ++k)
+      for (std::size_t j = 0; j < read.size[1]; ++j)
+        for (std::size_t i = 0; i < read.size[0]; ++i, ++at) differ += voxels.segments[s].voxels.at(i, j, k) != is_label(read.values[at]);
+  }
+  return differ;
+}
+
+TEST(WrittenSeg, ComesBackVoxelByVoxelWithItsNames) {
+  const TemporaryFolder folder;
+  ContourStack stack = made::tooth();
+  for (const bool overlaps : {false, true}) {
+    if (overlaps) {
+      for (Slice& slice : stack.slices) slice.contours.push_back({"filling", made::polygon(30, 2, {2, 0})});
+    }
+    const Segmentation voxels = rasterised(stack, grid_of_slices(stack, 0.2, 0.25));
+    const std::string file = (folder / "a.seg.dcm").string();
+    std::ofstream(file, std::ios::binary) << seg_bytes(voxels, {});
+    const Volume read = read_volume(file);
+    ASSERT_EQ(read.size, voxels.grid.size);
+    EXPECT_EQ(read.spacing, voxels.grid.spacing);
+    EXPECT_EQ(read.origin, voxels.grid.origin);
+    ASSERT_EQ(read.labels.size(), voxels.segments.size());
+    for (std::size_t s = 0; s < voxels.segments.size(); ++s) EXPECT_EQ(read.labels[s].name, voxels.segments[s].name);
+    EXPECT_EQ(read.overlaps.empty(), !overlaps);
+    EXPECT_EQ(differing(voxels, read), 0u);
+  }
+}
+
+/// Slices without any voxel, at the ends and between, are no frames.
+TEST(WrittenSeg, ComesBackTurnedAndWithoutItsEmptySlices) {
+  const TemporaryFolder folder;
+  Segmentation voxels{{{5, 4, 7}, {0.25, 0.5, 0.5}, {3, 4, 5}}, {}};
+  for (const char* name : {"dentine", "pulp"}) voxels.segments.push_back({name, VoxelBits(voxels.grid.size)});
+  for (const std::size_t k : {1, 2, 5}) voxels.segments[0].voxels.toggle(k - 1, 2, k);
+  voxels.segments[1].voxels.toggle(4, 3, 2);
+  PatientOrigin origin;
+  origin.frame = {{{{1, 0, 0}, {0, 0.8, 0.6}, {0, -0.6, 0.8}}}, {1, 2, 3}};
+  const std::string file = (folder / "a.seg.dcm").string();
+  std::ofstream(file, std::ios::binary) << seg_bytes(voxels, origin);
+  const Volume read = read_volume(file);
+  EXPECT_EQ(read.size, (std::array<std::size_t, 3>{5, 4, 5}));
+  std::size_t set = 0;
+  for (std::size_t k = 0; k < 5; ++k)
+    for (std::size_t j = 0; j < 4; ++j)
+      for (std::size_t i = 0; i < 5; ++i) {
+        const float value = read.slice(k)[j * 5 + i];
+        if (value == 0) continue;
+        ++set;
+        EXPECT_TRUE(voxels.segments[static_cast<std::size_t>(value) - 1].voxels.at(i, j, k + 1)) << i << " " << j << " " << k;
+        const Point3 here{read.origin.x + double(i) * read.spacing[0], read.origin.y + double(j) * read.spacing[1], read.origin.z + double(k) * read.spacing[2]};
+        const Point3 a = read.patient.frame.in_patient(here), b = origin.frame.in_patient({voxels.grid.x(i), voxels.grid.y(j), voxels.grid.z(k + 1)});
+        EXPECT_NEAR(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z), 0, 1e-9);
+      }
+  EXPECT_EQ(set, 4u);
+}
+
 TEST(WrittenSeg, RefusesWhatHasNoVoxel) {
   const ContourStack stack = made::tooth();
   EXPECT_THROW(seg_bytes(rasterised(stack, {{3, 3, 3}, {1, 1, 0.5}, {50, 50, 0.5}}), {}), UsageError);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <vector>
 
@@ -196,5 +197,12 @@ RandomStack random_stack(std::uint64_t seed) {
   } while (!breach(result.stack).empty());
   return result;
 }
+
+std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+std::uint64_t random_stacks_of(std::uint64_t usual) { return std::min(usual, number_from_environment("ODONTOSCOPE_RANDOM_STACKS", usual)); }
 
 }  // namespace odontoscope::test

@@ -20,4 +20,10 @@ struct RandomStack {
 /// empty one among them, sometimes a second structure; contours overlap between slices and nest within them.
 RandomStack random_stack(std::uint64_t seed);
 
+/// A whole number that the environment sets, or `otherwise`.
+std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise);
+
+/// How many of them a test walks through that is not the long proof itself: `usual`, or fewer if ODONTOSCOPE_RANDOM_STACKS says so.
+std::uint64_t random_stacks_of(std::uint64_t usual);
+
 }  // namespace odontoscope::test

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "recon/core/union_find.h"
@@ -129,6 +130,25 @@ Section section_of(const Raster& raster, const Mask& mask) {
   return section;
 }
 
+using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
+
+/// Regions of material of two sections, as places in them, that have a point in common seen from above.
+Pairs over_each_other(const Raster& raster, const Mask& lower, const Mask& upper) {
+  Components below(raster, {lower}, true), above(raster, {upper}, true);
+  const auto places = [](const std::vector<Components::Part>& parts) {
+    std::map<std::uint32_t, std::uint32_t> place;
+    for (std::uint32_t i = 0; i < parts.size(); ++i) place[parts[i].component] = i;
+    return place;
+  };
+  const auto place_below = places(below.parts(0)), place_above = places(above.parts(0));
+  Pairs found;
+  for (std::size_t row = 0; row < raster.rows; ++row)
+    for (std::size_t column = 0; column < raster.columns; ++column)
+      if (lower[raster.index(column, row)] && upper[raster.index(column, row)])
+        found.emplace(place_below.at(below.at(0, column, row)), place_above.at(above.at(0, column, row)));
+  return found;
+}
+
 /// Regions that one true component of a slab holds, as places in their sections.
 struct Joined {
   std::vector<std::uint32_t> lower, upper;
@@ -147,6 +167,85 @@ std::vector<Joined> joined(Components components, std::size_t last, const std::v
   return all;
 }
 
+/// A slab's layers without the passages that neither slice shows: what lies, seen from above, over nothing of its kind in either slice, and
+/// joins regions all of which go on from one slice to the other without it. Where it begins or ends in a region that goes on to nothing
+/// else, that region tells of it.
+class ShownPassages {
+ public:
+  ShownPassages(const Raster& raster, const std::vector<Mask>& layers, bool material)
+      : raster_(raster), layers_(layers), material_(material), found_(layers),
+        shown_(raster, split(true), material), passages_(raster, split(false), material) {}
+
+  std::vector<Mask> layers() {
+    find_ends();
+    for_each_in_passages([&](std::size_t layer, std::size_t column, std::size_t row) {
+      Touched& touched = touched_[passages_.at(layer, column, row)];
+      for_neighbours(layer, column, row, [&](std::size_t l, std::size_t c, std::size_t r) {
+        if (!is(l, raster_.index(c, r)) || !covered(raster_.index(c, r))) return;
+        const std::uint32_t part = shown_.at(l, c, r);
+        touched.parts.insert(part);
+        touched.end = touched.end || in_lower_.contains(part) != in_upper_.contains(part);
+      });
+    });
+    for_each_in_passages([&](std::size_t layer, std::size_t column, std::size_t row) {
+      const Touched& touched = touched_[passages_.at(layer, column, row)];
+      if (!touched.end && touched.parts.size() > 1) found_[layer][raster_.index(column, row)] = material_ ? 0 : 1;
+    });
+    return std::move(found_);
+  }
+
+ private:
+  struct Touched {
+    std::set<std::uint32_t> parts;
+    bool end = false;  // one of them lies in one of the two slices alone
+  };
+
+  bool is(std::size_t layer, std::size_t p) const { return (layers_[layer][p] != 0) == material_; }
+  bool covered(std::size_t p) const { return is(0, p) || is(layers_.size() - 1, p); }
+
+  std::vector<Mask> split(bool covered_ones) const {
+    std::vector<Mask> result(layers_.size(), Mask(raster_.size(), material_ ? 0 : 1));
+    for (std::size_t layer = 0; layer < layers_.size(); ++layer)
+      for (std::size_t p = 0; p < raster_.size(); ++p)
+        if (is(layer, p) && covered(p) == covered_ones) result[layer][p] = material_ ? 1 : 0;
+    return result;
+  }
+
+  void find_ends() {
+    for (const auto& part : shown_.parts(0)) in_lower_.insert(part.component);
+    for (const auto& part : shown_.parts(layers_.size() - 1)) in_upper_.insert(part.component);
+  }
+
+  template <class Visit>
+  void for_each_in_passages(const Visit& visit) {
+    for (std::size_t layer = 1; layer + 1 < layers_.size(); ++layer)
+      for (std::size_t row = 0; row < raster_.rows; ++row)
+        for (std::size_t column = 0; column < raster_.columns; ++column)
+          if (is(layer, raster_.index(column, row)) && !covered(raster_.index(column, row))) visit(layer, column, row);
+  }
+
+  /// By faces, and for material by corners too.
+  template <class Visit>
+  void for_neighbours(std::size_t layer, std::size_t column, std::size_t row, const Visit& visit) const {
+    for (int dl = -1; dl <= 1; ++dl)
+      for (int dr = -1; dr <= 1; ++dr)
+        for (int dc = -1; dc <= 1; ++dc) {
+          if (!material_ && std::abs(dl) + std::abs(dr) + std::abs(dc) > 1) continue;
+          const std::size_t l = layer + static_cast<std::size_t>(dl), r = row + static_cast<std::size_t>(dr),
+                            c = column + static_cast<std::size_t>(dc);  // -1 wraps round, and is too large
+          if (l < layers_.size() && r < raster_.rows && c < raster_.columns) visit(l, c, r);
+        }
+  }
+
+  const Raster& raster_;
+  const std::vector<Mask>& layers_;
+  bool material_;
+  std::vector<Mask> found_;
+  Components shown_, passages_;
+  std::set<std::uint32_t> in_lower_, in_upper_;
+  std::map<std::uint32_t, Touched> touched_;
+};
+
 /// The whole solid, put together slab by slab.
 class Simplest {
  public:
@@ -157,7 +256,8 @@ class Simplest {
       for (std::uint32_t i = 0; i < end->material.size(); ++i) end_flat(*end, i, voids_, end->first_void);
   }
 
-  void add_slab(std::size_t slab, const std::vector<Joined>& material, const std::vector<Joined>& voids) {
+  /// `over`: pairs of regions of material, as places in their sections, that lie partly over each other.
+  void add_slab(std::size_t slab, const std::vector<Joined>& material, const std::vector<Joined>& voids, const Pairs& over) {
     const Section &lower = sections_[slab], &upper = sections_[slab + 1];
     const auto lower_voids = static_cast<std::uint32_t>(lower.voids.size());
     UnionFind own(lower.voids.size() + upper.voids.size());
@@ -171,8 +271,7 @@ class Simplest {
         continue;
       }
       ++pieces;
-      const long below = static_cast<long>(piece.lower.size()), above = static_cast<long>(piece.upper.size());
-      most_cycles_ += below * above - below - above + 1;
+      most_cycles_ += cycles_of(piece, over);
       for (const std::uint32_t i : piece.lower) pieces_.join(lower.first_material + piece.lower[0], lower.first_material + i);
       for (const std::uint32_t i : piece.upper) pieces_.join(lower.first_material + piece.lower[0], upper.first_material + i);
     }
@@ -210,6 +309,20 @@ class Simplest {
     return sections;
   }
 
+  /// Loops that links between regions that lie over each other can make; those that do not only make it whole.
+  static long cycles_of(const Joined& piece, const Pairs& over) {
+    UnionFind sets(piece.lower.size() + piece.upper.size());
+    long cycles = 0;
+    for (std::uint32_t i = 0; i < piece.lower.size(); ++i)
+      for (std::uint32_t j = 0; j < piece.upper.size(); ++j) {
+        const auto upper = static_cast<std::uint32_t>(piece.lower.size()) + j;
+        if (!over.contains({piece.lower[i], piece.upper[j]})) continue;
+        cycles += sets.find(i) == sets.find(upper);
+        sets.join(i, upper);
+      }
+    return cycles;
+  }
+
   /// Around a region that ends on its slice all voids beside it are one.
   static void end_flat(const Section& section, std::uint32_t region, UnionFind& voids, std::uint32_t first) {
     for (const std::uint32_t i : section.beside[region]) voids.join(first + section.beside[region][0], first + i);
@@ -243,8 +356,12 @@ bool visible(const Raster& raster, const std::vector<std::vector<Mask>>& slabs, 
   for (std::size_t slab = 0; slab < slabs.size(); ++slab) {
     const std::vector<Mask>& layers = slabs[slab];
     const Section &lower = solid.section(slab), &upper = solid.section(slab + 1);
-    solid.add_slab(slab, joined(Components(raster, layers, true), layers.size() - 1, lower.material, upper.material),
-                   joined(Components(raster, layers, false), layers.size() - 1, lower.voids, upper.voids));
+    const auto links = [&](bool material, const auto& below, const auto& above) {
+      const std::vector<Mask> shown = ShownPassages(raster, layers, material).layers();
+      return joined(Components(raster, shown, material), layers.size() - 1, below, above);
+    };
+    solid.add_slab(slab, links(true, lower.material, upper.material), links(false, lower.voids, upper.voids),
+                   over_each_other(raster, layers.front(), layers.back()));
   }
   return solid.allows(truth);
 }

@@ -82,6 +82,22 @@ TEST(Visible, ABubbleOrTunnelBetweenTwoSlicesIsNot) {
   EXPECT_FALSE(visible_of({disc, tunnel, disc}));
 }
 
+// An accessory canal from a canal that goes on to the outside, between two slices: what it joins is in both, and nothing tells that it is joined.
+TEST(Visible, ACanalBetweenTwoSlicesFromOneThatGoesOnIsNot) {
+  const Picture pierced{"#####", "#####", "....#", "#####", "#####"}, hollow{"#####", "#####", "##.##", "#####", "#####"};
+  EXPECT_FALSE(visible_of({hollow, hollow, hollow, pierced, hollow, hollow, hollow}));
+  EXPECT_TRUE(visible_of({hollow, hollow, hollow, pierced, pierced, pierced, hollow}));
+}
+
+// Its bead in a slice tells of it: it must come from somewhere.
+TEST(Visible, ACanalOfWhichOneSliceShowsABeadIs) {
+  const Picture bead{"#######", "#######", "#.#.###", "#######", "#######"}, hollow{"#######", "#######", "###.###", "#######", "#######"},
+      branch{"#######", "#######", "#...###", "#######", "#######"};
+  EXPECT_TRUE(visible_of({hollow, hollow, hollow, branch, bead, bead, hollow}));
+}
+
+TEST(Visible, ABridgeBetweenTwoSlicesOfWhatGoesOnIsNot) { EXPECT_FALSE(visible_of({two, two, two, disc, two, two, two})); }
+
 TEST(Visible, APieceBetweenTwoSlicesIsNot) { EXPECT_FALSE(visible_of({nothing, disc, nothing, nothing, disc, disc, disc})); }
 
 TEST(Visible, AnEndThatClosesBeyondTheLastSliceOfAHoleIsNot) {
@@ -92,6 +108,13 @@ TEST(Visible, AnEndThatClosesBeyondTheLastSliceOfAHoleIsNot) {
 TEST(Visible, LegsThatMeetBetweenSlicesAreNot) {
   // A horseshoe whose bow no slice cuts: two regions, nothing above.
   EXPECT_FALSE(visible_of({two, two, two, disc, nothing}));
+}
+
+// Four regions in a chain: three links, and no choice.
+TEST(Visible, ALoopThatNoLinksBetweenRegionsOverEachOtherMakeIsNot) {
+  const Picture lower{"##.####..", "##.####.."}, upper{".####.###", ".####.###"};
+  EXPECT_TRUE(visible_of({lower, upper, upper}, {1, 0, 0}));
+  EXPECT_FALSE(visible_of({lower, upper, upper}, {1, 1, 0}));
 }
 
 TEST(Visible, AnyLinksThatKeepAPieceWholeAreAllowed) {

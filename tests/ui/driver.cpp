@@ -1,4 +1,5 @@
 #include "tests/ui/driver.h"
+#include "engine/navigate/wall_depth.h"
 
 #include <imgui_internal.h>
 
@@ -20,6 +21,7 @@ LoadedModel toy_tooth() {
   loaded.scene = usual_scene(loaded.model, 1.2);
   loaded.scene.occlusion.on = false;
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, loaded.model));
+  mark_wall_depths(loaded.model, *loaded.flight);
   loaded.pickable = std::make_shared<const Pickable>(loaded.model);
   loaded.certificate = {Certificate::Verdict::certified,
                         "Certified: closed, manifold, facing outwards",

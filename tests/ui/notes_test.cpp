@@ -2,8 +2,11 @@
 
 #include <glm/geometric.hpp>
 
+#include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "tests/ui/flight_fixture.h"
 
@@ -171,10 +174,17 @@ TEST_F(NotesTest, AnotherModelAsksBeforeNotesAreLost) {
 
 TEST_F(NotesTest, NotesWrittenWhileAModelIsMadeAreSavedByThemselves) {
   const ScratchFolder scratch;
-  viewer_with(toy_tooth(), {.folder = scratch.path()});
+  std::atomic<bool> may_end = true;
+  const auto load = [&](const LoadRequest&, const Progress&) {
+    while (!may_end) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return toy_tooth();
+  };
+  viewer_with_tooth({.load = load, .folder = scratch.path()});
+  may_end = false;
   viewer().open({});
   ASSERT_TRUE(viewer().loading());
   write_note("In between");
+  may_end = true;
   wait_until_loaded();
   EXPECT_FALSE(tour_in(scratch.path()).empty());
 }

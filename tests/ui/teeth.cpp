@@ -1,4 +1,5 @@
 #include "tests/ui/teeth.h"
+#include "engine/navigate/wall_depth.h"
 
 #include <filesystem>
 #include <map>
@@ -21,6 +22,7 @@ LoadedModel loaded(const ContourStack& stack, const std::string& title) {
   model.model = make_model(surfaces);
   model.overlays.contours = stack;
   model.flight = std::make_shared<const FlightSpaces>(flight_spaces(surfaces, model.model));
+  mark_wall_depths(model.model, *model.flight);
   model.pickable = std::make_shared<const Pickable>(model.model);
   model.scene = usual_scene(model.model, 1.2);
   model.certificate = {Certificate::Verdict::certified, "Certified: closed, manifold, facing outwards", {}};

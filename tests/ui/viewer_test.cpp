@@ -31,6 +31,8 @@ class Looking : public ViewerTest {
 TEST_F(Looking, ShowsTheModelThatRenderShows) {
   // The part of the window beside the panel, away from marks, is what picture_of draws.
   keep_picture("start");
+  viewer().state().settings.names = false;
+  frames(2);
   const Image window = picture();
   EXPECT_TRUE(content_of(window).shows_something());
   PictureOptions options{{static_cast<int>(area().width), static_cast<int>(area().height)}, {1}};

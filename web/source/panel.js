@@ -1,5 +1,6 @@
 // The controls: what can be seen and changed, beside the picture or, on a phone, under it.
 import {views} from './camera.js';
+import {depthStep} from './depth.js';
 import {choice, element, slider} from './dom.js';
 import {sides} from './section.js';
 
@@ -94,9 +95,13 @@ function insideSection(viewer) {
   const tours = viewer.tours.map((tour, index) =>
     element('button', {type: 'button', onclick: () => viewer.startTour(index)}, `\u25b6 ${tour.name}${tour.canalLength > 0 ? `   ${tour.canalLength.toFixed(1)} mm` : ''}`));
   const fly = element('button', {type: 'button', onclick: () => viewer.startFlight()}, viewer.hasInside ? 'Fly inside' : 'Fly');
+  const depth = element('input', {type: 'checkbox', checked: viewer.wallDepth, onchange: e => viewer.setWallDepth(e.target.checked)});
+  const step = depthStep(viewer.description.tours);
+  const told = element('p', {class: 'quiet'}, `Below the orifice: a ring every ${step} mm, a bold one every ${5 * step}. Amber near the crown, teal and blue towards the tip.`);
+  const cues = viewer.description.tours.some(tour => tour.orifice_mm !== null) ? [element('label', {class: 'switch'}, depth, 'Depth on the walls of canals'), told] : [];
   return element('section', {'aria-label': 'Inside'}, element('h2', {}, 'Inside'),
     tours.length > 0 ? element('p', {class: 'quiet'}, 'Tours through the canals, from the chamber to the tip:') : null,
-    element('div', {class: 'row'}, ...tours, fly));
+    element('div', {class: 'row'}, ...tours, fly), ...cues);
 }
 
 function viewSection(viewer, help) {

@@ -6,6 +6,7 @@ import {
 import grain from '../../shaders/grain.glsl';
 import lighting from '../../shaders/lighting.glsl';
 import tone from '../../shaders/tone.glsl';
+import wallDepth from '../../shaders/wall_depth.glsl';
 
 const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
 
@@ -13,10 +14,13 @@ const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
 export const noPeel = -1;
 
 const vertexShader = `
+in float wall_depth;   // in steps, see wall_depth.glsl
+out float depth_here;
 centroid out vec3 place;   // in the model's millimetres
 out vec3 eye_place;
 out vec3 eye_normal;
 void main() {
+  depth_here = wall_depth;
   place = position;
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   eye_place = eye.xyz;
@@ -28,7 +32,10 @@ const fragmentShader = `
 ${lighting}
 ${tone}
 ${grain}
+${wallDepth}
 centroid in vec3 place;
+in float depth_here;
+uniform bool show_depth;
 in vec3 eye_place;
 in vec3 eye_normal;
 uniform vec3 colour;
@@ -63,6 +70,8 @@ void main() {
   float alpha = opacity + (1.0 - opacity) * 0.75 * slant * slant * slant;
   if (!front) alpha = max(alpha, least_back_opacity);
   vec3 base = front ? colour : back_colour;
+  float pixel = fwidth(depth_here);
+  if (show_depth) base = with_depth(base, depth_here, pixel);
   if (grain_size > 0.0) base *= grain(place / grain_size);
   Reflected light = reflected(light_frame * eye_place, light_frame * normal, light_frame * to_eye, base, 0.38);
   if (encode) {
@@ -98,7 +107,7 @@ export function surfaceMaterial(shared, hex) {
     fragmentShader,
     uniforms: {
       ...shared, colour: {value: colour}, back_colour: {value: colour.clone()}, opacity: {value: 1}, least_back_opacity: {value: 0}, normal_sign: {value: 1},
-      turned: {value: false}, grain_size: {value: 0},
+      turned: {value: false}, grain_size: {value: 0}, show_depth: {value: false},
     },
     blending: CustomBlending,
     blendEquation: AddEquation,

@@ -1,8 +1,9 @@
 // The state of the page and what can be done with it. Panel, keys and headset all act through this; none of them draws.
-import {Group, Scene, Vector3, WebGLRenderer} from 'three';
+import {BufferAttribute, Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
 import {boundsOf, partsOf, trianglesOf, voidsOf} from './data.js';
+import {wallDepths} from './depth.js';
 import {Headset} from './headset.js';
 import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
@@ -62,6 +63,7 @@ export class Viewer extends EventTarget {
     });
     this.chosen = 0;
     this.faces = 'cull';
+    this.wallDepth = true;   // canals' walls tell how deep one is
     this.section = new Section(this.bounds);
     this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
     this.labels = new Labels(models[0].parts, this.looks);
@@ -102,7 +104,7 @@ export class Viewer extends EventTarget {
     else this.shared.section.value.set(0, 0, 0, 1);
     this.shown.forEach((shown, index) => {
       shown.group.visible = index === this.chosen;
-      shown.dress({faces: this.faces, section, inside: this.inside});
+      shown.dress({faces: this.faces, section, inside: this.inside, wallDepth: this.wallDepth});
     });
     this.orbit.controls.enabled = !this.inside;
     this.touch();
@@ -110,6 +112,7 @@ export class Viewer extends EventTarget {
   }
 
   show(index) { this.chosen = index; this.dress(); }
+  setWallDepth(wallDepth) { this.wallDepth = wallDepth; this.dress(); }
   setShade(shade) { this.shade = shade; this.dress(); }
   setFaces(faces) { this.faces = faces; this.dress(); }
   setLook(key, change) { Object.assign(this.looks.get(key), change); this.dress(); }
@@ -157,7 +160,17 @@ export class Viewer extends EventTarget {
     this.journey.startFlight(flightStart(this.walls, this.tours, this.cavities, this.bounds));
     this.dress();
   }
-  enter() { if (!this.inside && !this.headset.present) this.dispatchEvent(new Event('enter')); }
+  enter() {
+    this.markDepths();
+    if (!this.inside && !this.headset.present) this.dispatchEvent(new Event('enter'));
+  }
+  /// Once, when they are first to be seen.
+  markDepths() {
+    if (this.depthsMarked) return;
+    this.depthsMarked = true;
+    for (const geometry of this.shown.flatMap(shown => [...shown.voids]))
+      geometry.setAttribute('wall_depth', new BufferAttribute(wallDepths(geometry.getAttribute('position').array, this.description.tours), 1));
+  }
   leave() {
     this.journey.leave();
     this.dress();

@@ -1,4 +1,4 @@
-#include "recon/exchange/character_set.h"
+#include "recon/input/character_set.h"
 
 #include <iconv.h>
 
@@ -31,7 +31,7 @@ struct CharacterSet {
   /// The converter wants the sequence itself before the text.
   bool keeps_sequence = false;
 };
-constexpr CharacterSet known[] = {
+constexpr CharacterSet character_sets[] = {
     {"ISO_IR 192", "", "UTF-8"},          {"GB18030", "", "GB18030"},           {"GBK", "", "GBK"},
     {"ISO_IR 100", "-A", "ISO-8859-1"},   {"ISO_IR 101", "-B", "ISO-8859-2"},   {"ISO_IR 109", "-C", "ISO-8859-3"},
     {"ISO_IR 110", "-D", "ISO-8859-4"},   {"ISO_IR 144", "-L", "ISO-8859-5"},   {"ISO_IR 127", "-G", "ISO-8859-6"},
@@ -53,7 +53,7 @@ const CharacterSet* set_of_term(std::string_view term) {
   if (term.empty()) term = "ISO_IR 6";
   const bool extended = term.starts_with("ISO 2022 IR ");
   const std::string name = extended ? "ISO_IR " + std::string(term.substr(12)) : std::string(term);
-  for (const CharacterSet& set : known) {
+  for (const CharacterSet& set : character_sets) {
     if (set.term == name) return &set;
   }
   return nullptr;
@@ -61,7 +61,7 @@ const CharacterSet* set_of_term(std::string_view term) {
 
 /// By the sequence that `text` begins with, behind the escape.
 const CharacterSet* set_of_sequence(std::string_view text) {
-  for (const CharacterSet& set : known) {
+  for (const CharacterSet& set : character_sets) {
     if (!set.sequence.empty() && text.starts_with(set.sequence)) return &set;
   }
   return nullptr;
