@@ -1,11 +1,12 @@
 #pragma once
 // The cheapest way from one part of a slab's triangulation to another, through faces: Dijkstra.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <queue>
 #include <tuple>
+#include <unordered_map>
 #include <vector>
 
 #include "recon/delaunay/slab.h"
@@ -30,24 +31,27 @@ std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const
 inline Cost operator+(const Cost& a, const Cost& b) { return {a.flat + b.flat, a.count + b.count, a.volume + b.volume}; }
 
 /// The cheapest way through faces from a tetrahedron of `from` to one that `is_target`, over those that `may_pass`; neither end
-/// included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none. `cost` receives its cost.
+/// included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none, or none cheaper than `*bound`,
+/// where one is given. `cost` receives its cost.
 template <class Leave, class MayPass, class IsTarget>
 TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs, const TetList& from,
-                     Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost) {
+                     Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost, const Cost* bound = nullptr) {
   struct Step {
     Cost cost;
     std::uint32_t tet;
     bool operator<(const Step& other) const { return std::tie(other.cost, other.tet) < std::tie(cost, tet); }   // cheapest on top
   };
   std::priority_queue<Step> open;
-  std::map<std::uint32_t, std::pair<Cost, std::uint32_t>> best;   // and the tetrahedron behind
-  for (const std::uint32_t t : from) {
-    best[t] = {Cost{}, none};
-    open.push({Cost{}, t});
+  std::unordered_map<std::uint32_t, std::pair<Cost, std::uint32_t>> best;   // and the tetrahedron behind; looked up, never walked
+  for (const std::uint32_t t : from) best[t] = {Cost{}, none};
+  for (const std::uint32_t t : from) {   // from within nothing begins
+    const auto& nb = tetrahedra[t].nb;
+    if (std::any_of(nb.begin(), nb.end(), [&best](std::uint32_t other) { return other != none && best.count(other) == 0; })) open.push({Cost{}, t});
   }
   while (!open.empty()) {
     const Step step = open.top();
     open.pop();
+    if (bound != nullptr && !(step.cost < *bound)) return {};
     if (best[step.tet].first < step.cost) continue;
     if (best[step.tet].second != none && is_target(step.tet)) {
       TetList way;

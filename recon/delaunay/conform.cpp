@@ -67,6 +67,38 @@ Planar start_planar(Rings rings) {
   return planar;
 }
 
+/// Sorted by `group_of`: of group g, list[first[g]] to list[first[g + 1]], ascending. What has group none is left out.
+template <class GroupOf>
+void sort_by_group(std::size_t groups, std::size_t count, GroupOf group_of, std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& list) {
+  first.assign(groups + 1, 0);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (group_of(i) != none) ++first[group_of(i) + 1];
+  for (std::size_t g = 0; g < groups; ++g) first[g + 1] += first[g];
+  list.resize(first[groups]);
+  std::vector<std::uint32_t> fill(first.begin(), first.end() - 1);
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (group_of(i) != none) list[fill[group_of(i)]++] = i;
+}
+
+RegionLists lists_of(const Planar& planar, std::size_t regions) {
+  RegionLists lists;
+  sort_by_group(regions, planar.points.size(), [&](std::uint32_t p) { return planar.region_of[p]; }, lists.first_point, lists.points);
+  sort_by_group(regions, planar.triangles.size(), [&](std::uint32_t t) { return planar.triangles[t].region; }, lists.first_triangle,
+                lists.triangles);
+  lists.rank.resize(planar.points.size());
+  for (std::uint32_t i = 0; i < planar.insertion_order.size(); ++i) lists.rank[planar.insertion_order[i]] = i;
+  return lists;
+}
+
+/// The entries of the chosen groups, ascending.
+std::vector<std::uint32_t> gathered(const std::vector<std::uint32_t>& chosen, const std::vector<std::uint32_t>& first,
+                                    const std::vector<std::uint32_t>& list) {
+  std::vector<std::uint32_t> all;
+  for (const std::uint32_t g : chosen) all.insert(all.end(), list.begin() + first[g], list.begin() + first[g + 1]);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 bool counter_clockwise(const Contour& contour) {
   const auto& p = contour.points;
   const auto lowest = static_cast<std::size_t>(
@@ -75,40 +107,42 @@ bool counter_clockwise(const Contour& contour) {
   return turn(p[before], p[lowest], p[lowest], p[after]) > 0;
 }
 
-}  // namespace
-
-ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
-                       const Progress& progress) {
+/// With the structure's contours only, and no triangulation yet.
+ConformedSlice as_given(const Slice& slice, const std::string& structure) {
   ConformedSlice result;
   result.z = slice.z;
+  for (std::size_t c = 0; c < slice.contours.size(); ++c)
+    if (slice.contours[c].structure == structure) result.contour_number.push_back(c);
+  return result;
+}
+
+Rings rings_of(const Slice& slice, const ConformedSlice& chosen) {
   Rings rings;
-  for (std::size_t c = 0; c < slice.contours.size(); ++c) {
-    if (slice.contours[c].structure != structure) continue;
+  for (const std::size_t c : chosen.contour_number) {
     const auto& points = slice.contours[c].points;
     rings.points.insert(rings.points.end(), points.begin(), points.end());
     rings.first_point.push_back(static_cast<std::uint32_t>(rings.points.size()));
-    result.contour_number.push_back(c);
   }
-  if (rings.points.empty()) {
-    result.first_point = {0};
-    return result;
-  }
-  const std::size_t given = rings.points.size();
+  return rings;
+}
+
+struct Triangulated {
+  Rings rings;
   Cdt cdt;
   std::vector<std::uint32_t> order;
-  const Rings as_given = rings;
-  try {
-    refine(Fineness::gabriel, slice, number, source, progress, {rings, cdt, order});
-  } catch (const InputError&) {
-    rings = as_given;
-    refine(Fineness::delaunay, slice, number, source, progress, {rings, cdt, order});
-  }
-  result.steiner_points = rings.points.size() - given;
-  result.first_point = rings.first_point;
+};
 
-  Planar& planar = result.planar = start_planar(std::move(rings));
-  planar.insertion_order = std::move(order);
-  copy_triangles(cdt, planar);
+/// Finds the regions, and leaves everything in arrays.
+void finish(const Slice& slice, Triangulated& made, ConformedSlice& result) {
+  result.first_point = made.rings.first_point;
+  if (made.rings.points.empty()) return;
+  std::size_t given = 0;
+  for (const std::size_t c : result.contour_number) given += slice.contours[c].points.size();
+  result.steiner_points = made.rings.points.size() - given;
+
+  Planar& planar = result.planar = start_planar(std::move(made.rings));
+  planar.insertion_order = std::move(made.order);
+  copy_triangles(made.cdt, planar);
   const std::vector<std::uint32_t> left = left_triangles(planar);
   for (std::size_t c = 0; c < result.contour_number.size(); ++c) {
     if (!counter_clockwise(slice.contours[result.contour_number[c]])) continue;
@@ -121,36 +155,66 @@ ConformedSlice conform(const Slice& slice, const std::string& structure, std::si
   if (std::count(planar.region_of.begin(), planar.region_of.end(), none) != 0)
     throw InternalError("a contour bounds no region");
   collect_spokes(planar);
+  result.by_region = lists_of(planar, result.regions());
+}
+
+}  // namespace
+
+ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
+                       const Progress& progress) {
+  ConformedSlice result = as_given(slice, structure);
+  const Rings given = rings_of(slice, result);
+  Triangulated made{given, {}, {}};
+  if (given.points.empty()) {
+    finish(slice, made, result);
+    return result;
+  }
+  try {
+    refine(Fineness::gabriel, slice, number, source, progress, {made.rings, made.cdt, made.order});
+  } catch (const InputError&) {
+    made.rings = given;
+    refine(Fineness::delaunay, slice, number, source, progress, {made.rings, made.cdt, made.order});
+  }
+  finish(slice, made, result);
   return result;
 }
 
-Planar part_of(const Planar& whole, const std::vector<bool>& chosen) {
+ConformedSlice constrained(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source, const Progress& progress) {
+  ConformedSlice result = as_given(slice, structure);
+  Triangulated made{rings_of(slice, result), {}, {}};
+  refine(Fineness::constrained, slice, number, source, progress, {made.rings, made.cdt, made.order});
+  finish(slice, made, result);
+  result.conforming = false;
+  return result;
+}
+
+Planar part_of(const ConformedSlice& slice, const std::vector<std::uint32_t>& chosen) {
+  const Planar& whole = slice.planar;
+  const RegionLists& lists = slice.by_region;
+  const std::vector<std::uint32_t> points = gathered(chosen, lists.first_point, lists.points);
+  const auto number = [&points](std::uint32_t p) {
+    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), p) - points.begin());
+  };
   Planar part;
-  std::vector<std::uint32_t> number(whole.points.size(), none);
-  for (std::uint32_t p = 0; p < whole.points.size(); ++p) {
-    if (!chosen[whole.region_of[p]]) continue;
-    number[p] = static_cast<std::uint32_t>(part.points.size());
+  for (const std::uint32_t p : points) {
     part.points.push_back(whole.points[p]);
     part.slice_point.push_back(whole.slice_point[p]);
     part.region_of.push_back(whole.region_of[p]);
+    part.next.push_back(number(whole.next[p]));
+    part.previous.push_back(number(whole.previous[p]));
   }
-  part.next.resize(part.points.size());
-  part.previous.resize(part.points.size());
-  for (std::uint32_t p = 0; p < whole.points.size(); ++p)
-    if (number[p] != none) {
-      part.next[number[p]] = number[whole.next[p]];
-      part.previous[number[p]] = number[whole.previous[p]];
-    }
-  for (const std::uint32_t p : whole.insertion_order)
-    if (number[p] != none) part.insertion_order.push_back(number[p]);
+  part.insertion_order = points;
+  std::sort(part.insertion_order.begin(), part.insertion_order.end(),
+            [&lists](std::uint32_t a, std::uint32_t b) { return lists.rank[a] < lists.rank[b]; });
+  for (std::uint32_t& p : part.insertion_order) p = number(p);
 
   // Every edge of the regions' triangles is constrained, so that cocircular points are cut the same way as in the whole.
   Cdt cdt;
   const std::vector<Vertex> vertices = insert_points(cdt, part.points, part.insertion_order);
-  for (const PlanarTriangle& triangle : whole.triangles) {
-    if (triangle.region == none || !chosen[triangle.region]) continue;
+  for (const std::uint32_t t : gathered(chosen, lists.first_triangle, lists.triangles)) {
+    const PlanarTriangle& triangle = whole.triangles[t];
     for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = number[triangle.v[(k + 1) % 3]], b = number[triangle.v[(k + 2) % 3]];
+      const std::uint32_t a = number(triangle.v[(k + 1) % 3]), b = number(triangle.v[(k + 2) % 3]);
       if (a < b || part.contour_edge(a, b)) cdt.insert_constraint(vertices[a], vertices[b]);
     }
   }

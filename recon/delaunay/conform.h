@@ -20,13 +20,22 @@
 
 namespace odontoscope::delaunay {
 
+/// Points and triangles sorted by region, so that a few regions of many are found without a look at all.
+struct RegionLists {
+  std::vector<std::uint32_t> first_point, points;         // of region r: points[first_point[r]] to points[first_point[r + 1]], ascending
+  std::vector<std::uint32_t> first_triangle, triangles;   // the same
+  std::vector<std::uint32_t> rank;                        // of each point: its place in Planar::insertion_order
+};
+
 struct ConformedSlice {
   double z = 0;
   Planar planar;                               // of all contours of one structure
+  RegionLists by_region;
   std::vector<std::size_t> contour_number;     // of each contour kept here: its number in the slice's list
   std::vector<std::uint32_t> first_point;      // points of contour c: [first_point[c], first_point[c+1])
   std::vector<std::uint32_t> outer_contour;    // of each region: its outer contour, counted here
   std::size_t steiner_points = 0;
+  bool conforming = true;                      // false: from `constrained`
 
   std::size_t regions() const { return outer_contour.size(); }
 };
@@ -37,8 +46,12 @@ struct ConformedSlice {
 ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
                        const Progress& progress);
 
+/// The slice as it is given, where `conform` refuses: its constrained Delaunay triangulation, without a point added. Its slabs can only be blocks (block.h).
+/// Preconditions as for conform. Does not fail for a valid slice.
+ConformedSlice constrained(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source, const Progress& progress);
+
 /// The triangulation of the chosen regions' points alone; edges stay Gabriel or Delaunay, and the regions' own triangles are the same as in
-/// `whole`. `chosen[r]` says whether region r is in. Regions keep their numbers.
-Planar part_of(const Planar& whole, const std::vector<bool>& chosen);
+/// `slice`. `chosen`: ascending. Regions keep their numbers. Takes no longer for being a part of something large.
+Planar part_of(const ConformedSlice& slice, const std::vector<std::uint32_t>& chosen);
 
 }  // namespace odontoscope::delaunay

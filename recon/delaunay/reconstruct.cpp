@@ -84,6 +84,7 @@ class Reconstructor {
     all.cut_links += counts.cut_links;
     all.isolated_regions += counts.isolated_regions;
     all.raised_slabs += counts.raised_slabs;
+    all.constrained_slices += counts.constrained_slices;
     all.largest_sideways = std::max(all.largest_sideways, counts.largest_sideways);
   }
 

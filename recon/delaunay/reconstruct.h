@@ -98,6 +98,7 @@ struct ReconstructCounts {
   std::size_t cut_links = 0;       // witnessed, but not built: the solids would have crossed one that must stay apart
   std::size_t isolated_regions = 0;    // linked to nothing on either side: made a thin plate
   std::size_t raised_slabs = 0;        // where lifting found no room, and the triangulation was moved off both slices
+  std::size_t constrained_slices = 0;  // whose contours could not be made Delaunay, and whose slabs are blocks therefore (block.h)
   double largest_sideways = 0;     // of a lifted point, over the length of the edge that it split
 };
 

@@ -73,6 +73,7 @@ class Conformer {
       cdt.clear();
       order = spatial_order(rings.points);
       triangulate(rings, cdt, order);
+      if (fineness_ == Fineness::constrained) return;
       const std::vector<std::uint32_t> within = encroached(cdt, rings);
       const std::size_t splits = within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
       if (splits == 0) return;

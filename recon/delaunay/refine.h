@@ -28,8 +28,8 @@ struct Rings {
 
 /// What is asked of each contour edge. Delaunay is less: of the two triangles beside the edge neither has the other's corner in its circumcircle.
 /// It can be had wherever two numbers lie in a gap, while Gabriel edges along a gap must end opposite each other to within its width squared over
-/// their length, which for needles is below the last place.
-enum class Fineness { gabriel, delaunay };
+/// their length, which for needles is below the last place. Constrained asks for nothing: no edge is split.
+enum class Fineness { gabriel, delaunay, constrained };
 
 struct Refinement {
   Rings& rings;

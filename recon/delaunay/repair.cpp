@@ -16,16 +16,20 @@ class Repair {
   Repair(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
          const std::vector<std::uint32_t>& owner, const std::vector<std::uint32_t>& suspects, std::vector<Fate>& fate)
       : tets_(tets), owner_(owner), fate_(fate), costs_(costs_of(tets, lower, upper)),
-        links_(tets, lower.points.size() + upper.points.size(), fate), active_(suspects.begin(), suspects.end()) {}
+        links_(tets, lower.points.size() + upper.points.size(), fate),
+        edges_waiting_(suspects.begin(), suspects.end()), links_waiting_(edges_waiting_) {}
 
   bool run() {
     for (;;) {
       TetList put_back;
-      for (const std::uint32_t v : active_)
+      for (const std::uint32_t v : edges_waiting_)
         if (!mend_edges(v, put_back)) return false;
-      if (put_back.empty())
-        for (const std::uint32_t v : active_)
+      edges_waiting_.clear();   // what is not put back at v leaves v as it is
+      if (put_back.empty()) {
+        for (const std::uint32_t v : links_waiting_)
           if (!mend_link(v, put_back)) return false;
+        links_waiting_.clear();
+      }
       if (put_back.empty()) return true;
       for (const std::uint32_t t : put_back) restore(t);
     }
@@ -51,7 +55,8 @@ class Repair {
     if (links_.in(t)) return;
     fate_[t] = Fate::restored;
     restored_.push_back(t);
-    active_.insert(tets_[t].v.begin(), tets_[t].v.end());
+    edges_waiting_.insert(tets_[t].v.begin(), tets_[t].v.end());
+    links_waiting_.insert(tets_[t].v.begin(), tets_[t].v.end());
   }
 
   /// Quickly, what speaks against taking t out again: with at most one open face it would leave a dent shut in at a vertex; with two, the
@@ -114,7 +119,7 @@ class Repair {
       TetList way = cheapest_way(
           tets_, costs_, fan, [&](std::uint32_t t, int i) { return tets_[t].v[i] != v; },
           [&](std::uint32_t t) { return !links_.in(t) && owner_[t] != none; },
-          [&](std::uint32_t t) { return links_.in(t) && own.count(t) == 0; }, cost);
+          [&](std::uint32_t t) { return links_.in(t) && own.count(t) == 0; }, cost, best.empty() ? nullptr : &least);
       if (!way.empty() && (best.empty() || cost < least)) {
         best = std::move(way);
         least = cost;
@@ -128,7 +133,7 @@ class Repair {
   std::vector<Fate>& fate_;
   std::vector<Cost> costs_;
   Links links_;
-  std::set<std::uint32_t> active_;
+  std::set<std::uint32_t> edges_waiting_, links_waiting_;   // vertices at which something changed since they were looked at
   TetList restored_;
 };
 

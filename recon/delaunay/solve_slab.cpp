@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "recon/delaunay/block.h"
 #include "recon/delaunay/face_table.h"
 #include "recon/delaunay/raise.h"
 
@@ -39,7 +40,7 @@ class SlabSolver {
   SolvedSlab run() {
     const Planar& lower = task_.lower.planar;
     const Planar& upper = task_.upper.planar;
-    whole_ = triangulate_slab(lower, upper);
+    if (conforming()) whole_ = triangulate_slab(lower, upper);
     for (const Component& component : task_.correspondences.components) {
       groups_.push_back({{component}, std::nullopt, {}});
       solve(groups_.back());
@@ -51,27 +52,39 @@ class SlabSolver {
  private:
   static std::uint32_t regions(const ConformedSlice& slice) { return static_cast<std::uint32_t>(slice.regions()); }
 
+  bool conforming() const { return task_.lower.conforming && task_.upper.conforming; }
+
   bool is_whole(const Component& c) const {
     return c.lower.size() == task_.lower.regions() && c.upper.size() == task_.upper.regions();
-  }
-
-  static std::vector<bool> chosen(const std::vector<std::uint32_t>& numbers, std::size_t count) {
-    std::vector<bool> flags(count, false);
-    for (const std::uint32_t r : numbers) flags[r] = true;
-    return flags;
   }
 
   // ---- one group ------------------------------------------------------------------------------------------------------
 
   void solve(Group& group) {
     const Component all = united(group.components);
+    if (!conforming()) {
+      solve_as_block(group, all);
+      return;
+    }
     if (is_whole(all)) {
       solve_in(group, whole_, task_.lower.planar, task_.upper.planar);
       return;
     }
-    const Planar lower = part_of(task_.lower.planar, chosen(all.lower, task_.lower.regions()));
-    const Planar upper = part_of(task_.upper.planar, chosen(all.upper, task_.upper.regions()));
+    const Planar lower = part_of(task_.lower, all.lower), upper = part_of(task_.upper, all.upper);
     solve_in(group, triangulate_slab(lower, upper), lower, upper);
+  }
+
+  void solve_as_block(Group& group, const Component& all) {
+    if (group.components.size() > 1) {
+      if (joins_apart(all, task_.choices)) return;
+      remember_merger(group);
+      group.components = {all};
+    }
+    const Planar lower = part_of(task_.lower, all.lower), upper = part_of(task_.upper, all.upper);
+    SlabSolid solid;
+    const Blocked made = block(lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid);
+    if (made == Blocked::no_height) refuse_too_close(task_);
+    if (made == Blocked::yes) group.solid = std::move(solid);
   }
 
   void solve_in(Group& group, const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper) {

@@ -56,7 +56,7 @@ class StackSolver {
     voids_.resize(slices.size());
     nesting_.resize(slices.size());
     for_each(slices.size(), arena_, "conform", progress_, [&](std::size_t k) {
-      slices[k] = conform(input_.slices[k], task_.structure, task_.input.original_slice[k], input_.source, progress_);
+      slices[k] = taken(k);
       voids_[k] = voids_of(slices[k]);
       nesting_[k] = nesting_of(slices[k], voids_[k]);
     });
@@ -64,9 +64,20 @@ class StackSolver {
       result_.counts.contours += one.contour_number.size();
       result_.counts.points += one.planar.points.size() - one.steiner_points;
       result_.counts.steiner_points += one.steiner_points;
+      result_.counts.constrained_slices += !one.conforming;
     }
   }
 
+  /// Conforming if that can be had.
+  ConformedSlice taken(std::size_t k) const {
+    try {
+      return conform(input_.slices[k], task_.structure, task_.input.original_slice[k], input_.source, progress_);
+    } catch (const InputError&) {
+      return constrained(input_.slices[k], task_.structure, task_.input.original_slice[k], input_.source, progress_);
+    }
+  }
+
+  bool conforming(std::size_t k) const { return slice(k).conforming && slice(k + 1).conforming; }
   bool has_material(std::size_t k) const { return slice(k).regions() > 0 && slice(k + 1).regions() > 0; }
   /// A structure ends in the slab, and the slice before tells how it narrows.
   bool is_end(std::size_t k) const {
@@ -135,7 +146,7 @@ class StackSolver {
   void solve(std::size_t k, Walls walls) {
     const SlabTask task = slab_task(k, walls);
     interpolated_[k] = 0;
-    if ((!has_material(k) && !is_end(k)) || task_.options.between == Between::delaunay) {
+    if ((!has_material(k) && !is_end(k)) || task_.options.between == Between::delaunay || !conforming(k)) {
       solved_[k] = solve_slab(task, progress_);
       implied_[k] = implied(k, solved_[k]);
       return;

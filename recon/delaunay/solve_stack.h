@@ -30,7 +30,7 @@ struct SolvedStructure {
   ReconstructCounts counts;             // all but `slices` and `kept`
 };
 
-/// Throws InputError (too-close, slices-too-close, link-contradiction, link-impossible), Cancelled, InternalError.
+/// Throws InputError (slices-too-close, link-contradiction, link-impossible), Cancelled, InternalError.
 SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
 
 }  // namespace odontoscope::delaunay

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "recon/delaunay/overlay.h"
+
 namespace odontoscope::delaunay {
 namespace {
 
@@ -40,6 +42,7 @@ void settle(std::vector<RegionLink>& links, const std::vector<TrackedLink>& trac
 SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids,
                        const SliceVoids& upper_voids, Correspondence criterion) {
   if (!has_material(lower, upper)) return {};
+  if (!lower.conforming || !upper.conforming) return overlaid_slab(lower, upper, lower_voids, upper_voids);
   const Correspondence widest = criterion == Correspondence::tracked ? Correspondence::overlap : criterion;
   const std::vector<SlabTetrahedron> tetrahedra = walked_slab(lower.planar, upper.planar);
   return {witnessed_links(tetrahedra, lower.planar, upper.planar, widest),

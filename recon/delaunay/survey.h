@@ -16,7 +16,7 @@ struct SlabSurvey {
   std::vector<RegionLink> material, voids;   // by criterion, then by pair; tracked ones last
 };
 
-/// Of one slab. Nothing where one of its slices is empty.
+/// Of one slab. Nothing where one of its slices is empty. Where one is not conforming, all links are `medial` (overlay.h).
 SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids,
                        const SliceVoids& upper_voids, Correspondence criterion);
 

@@ -34,6 +34,7 @@ Json tetrahedra_json(const ReconstructCounts& counts, const std::vector<TetraRep
           {"trimmed", counts.trimmed},
           {"isolated_regions", counts.isolated_regions},
           {"raised_slabs", counts.raised_slabs},
+          {"constrained_slices", counts.constrained_slices},
           {"largest_sideways", counts.largest_sideways},
           {"non_positive", non_positive},
           {"volume", volume},

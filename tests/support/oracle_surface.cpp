@@ -87,10 +87,15 @@ long winding_of_others(const TetraMesh& mesh, const std::vector<Triangle>& trian
                        const std::vector<std::size_t>& shell, std::size_t of) {
   const std::size_t first = std::size_t(std::find(shell.begin(), shell.end(), of) - shell.begin());
   const Point3 eye = mesh.points[triangles[first][0]];
+  double reach = 0;   // brought to about 1 below: products of three minute lengths would be 0
+  for (const Point3& p : mesh.points) reach = std::max({reach, std::abs(p.x - eye.x), std::abs(p.y - eye.y), std::abs(p.z - eye.z)});
+  const auto seen = [&, exponent = -std::ilogb(reach)](PointIndex v) {
+    const Point3& p = mesh.points[v];
+    return Point3{std::scalbn(p.x - eye.x, exponent), std::scalbn(p.y - eye.y, exponent), std::scalbn(p.z - eye.z, exponent)};
+  };
   double sum = 0;
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (shell[t] != of)
-      sum += solid_angle(mesh.points[triangles[t][0]], mesh.points[triangles[t][1]], mesh.points[triangles[t][2]], eye);
+    if (shell[t] != of) sum += solid_angle(seen(triangles[t][0]), seen(triangles[t][1]), seen(triangles[t][2]), {0, 0, 0});
   return std::lround(sum / (4 * std::numbers::pi));
 }
 

@@ -52,6 +52,7 @@ const std::vector<NamedMaker>& label_makers();
 const std::vector<NamedMaker>& attack_makers();
 const std::vector<NamedMaker>& ploy_makers();
 const std::vector<NamedMaker>& trifle_makers();
+const std::vector<NamedMaker>& assault_makers();
 
 }  // namespace odontoscope::test
 

@@ -156,7 +156,7 @@ ContourStack medley(RandomNumbers& random, int points) {
 const std::vector<NamedMaker>& all_makers() {
   static const std::vector<NamedMaker> all = [] {
     std::vector<NamedMaker> makers;
-    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers(), &ploy_makers(), &trifle_makers()})
+    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers(), &ploy_makers(), &trifle_makers(), &assault_makers()})
       makers.insert(makers.end(), some->begin(), some->end());
     makers.push_back({"medley", medley});
     return makers;
@@ -177,7 +177,8 @@ std::vector<std::size_t> outer_contours(const Slice& slice, const std::string& s
   return outer;
 }
 
-std::vector<Link> random_links(RandomNumbers& random, const ContourStack& stack) {
+/// At most `most` of a slab.
+std::vector<Link> random_links(RandomNumbers& random, const ContourStack& stack, int most) {
   std::vector<Link> links;
   std::set<std::array<std::size_t, 3>> taken;
   std::set<std::string> structures;
@@ -188,7 +189,7 @@ std::vector<Link> random_links(RandomNumbers& random, const ContourStack& stack)
     for (std::size_t k = 0; k + 1 < stack.slices.size(); ++k) {
       const auto lower = outer_contours(stack.slices[k], structure), upper = outer_contours(stack.slices[k + 1], structure);
       if (lower.empty() || upper.empty()) continue;
-      for (int i = random.whole(0, 3); i > 0; --i) {
+      for (int i = random.whole(0, most); i > 0; --i) {
         const std::size_t a = lower[std::size_t(random.below(int(lower.size())))], b = upper[std::size_t(random.below(int(upper.size())))];
         if (taken.insert({k, a, b}).second) links.push_back({structure, k, a, b, random.chance(forced)});
       }
@@ -218,7 +219,8 @@ StrangeStack strange_stack(std::uint64_t seed, StrangeSize size) {
     else if (is_valid(result.stack)) break;
   }
   disturb(random, result.stack);
-  if (random.chance(0.25)) result.links = random_links(random, result.stack);
+  const bool knotted = result.kind == "knots";
+  if (knotted || random.chance(0.25)) result.links = random_links(random, result.stack, knotted ? 30 : 3);
   return result;
 }
 

@@ -12,5 +12,5 @@ target_link_libraries(odontoscope_test_support
 # Strange stacks: apart, since label maps are made into contours by the library's own code and so need its volumes.
 add_library(odontoscope_test_strange STATIC EXCLUDE_FROM_ALL
   ${here}/strange_stacks.cpp ${here}/strange_outlines.cpp ${here}/strange_numbers.cpp ${here}/strange_crowds.cpp ${here}/strange_labels.cpp
-  ${here}/strange_attacks.cpp ${here}/strange_ploys.cpp ${here}/strange_trifles.cpp)
+  ${here}/strange_attacks.cpp ${here}/strange_ploys.cpp ${here}/strange_trifles.cpp ${here}/strange_assaults.cpp)
 target_link_libraries(odontoscope_test_strange PUBLIC odontoscope_test_support odontoscope_volume PRIVATE odontoscope_options)
