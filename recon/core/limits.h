@@ -280,6 +280,8 @@ inline constexpr double blend_bend_of_change = 0.8;
 inline constexpr double blend_tip = 1.5;
 /// Pieces, handles and bubbles by which a slab may be off what its links imply for more slices still to be tried: more is noise, and stays so.
 inline constexpr long mendable = 4;
+/// And the most contours, and the least points, that a slab's two slices have together for that.
+inline constexpr std::size_t few_contours = 16, fine_outlines = 80;
 /// Where a shape ends at the earliest, over the slab's height.
 inline constexpr double blend_least_end = 0.05;
 }  // namespace odontoscope::limits

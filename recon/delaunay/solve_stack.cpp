@@ -153,7 +153,7 @@ class StackSolver {
     }
     long least = -1;
     for (const auto& [slices, strips, finer, late] : attempts(k, task)) {
-      if (late && least > limits::mendable) return;
+      if (late && (least > limits::mendable || !deserves_more(k))) return;
       std::optional<SolvedSlab> solved =
           slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, {.strips = strips, .finer = finer});
       if (!solved) continue;
@@ -167,6 +167,18 @@ class StackSolver {
       interpolated_[k] = slices;
       if (off == 0) return;
     }
+  }
+
+  /// Late attempts cost several times all others, and were found to mend what anatomy has: a few outlines of many points. Crowds, toys, and contours so
+  /// near each other that making them Delaunay took more points than they had stay as they are.
+  bool deserves_more(std::size_t k) const {
+    std::size_t contours = 0, points = 0, added = 0;
+    for (const ConformedSlice* one : {&slice(k), &slice(k + 1)}) {
+      contours += one->contour_number.size();
+      points += one->planar.points.size() - one->steiner_points;
+      added += one->steiner_points;
+    }
+    return contours <= limits::few_contours && points >= limits::fine_outlines && added <= points;
   }
 
   struct Attempt {
