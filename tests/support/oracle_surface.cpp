@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
-#include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "tests/support/oracle_parts.h"
@@ -72,31 +74,54 @@ std::vector<std::size_t> shells_by_edges(const std::vector<Triangle>& triangles,
   return shell;
 }
 
-/// The solid angle under which the triangle is seen (van Oosterom and Strackee 1983), positive from within an outward one.
-double solid_angle(Point3 a, Point3 b, Point3 c, Point3 eye) {
-  const auto from_eye = [&](Point3 p) { return Point3{p.x - eye.x, p.y - eye.y, p.z - eye.z}; };
-  const auto dot = [](Point3 u, Point3 v) { return u.x * v.x + u.y * v.y + u.z * v.z; };
-  const Point3 u = from_eye(a), v = from_eye(b), w = from_eye(c);
-  const double lu = std::sqrt(dot(u, u)), lv = std::sqrt(dot(v, v)), lw = std::sqrt(dot(w, w));
-  const Point3 cross{v.y * w.z - v.z * w.y, v.z * w.x - v.x * w.z, v.x * w.y - v.y * w.x};
-  return 2 * std::atan2(dot(u, cross), lu * lv * lw + dot(u, v) * lw + dot(u, w) * lv + dot(v, w) * lu);
+/// How a ray from `eye` to `far` passes the triangle: 1 out through it, -1 in, 0 beside it; none if it meets an edge, a corner, or lies in its plane.
+std::optional<int> passes(const ExactPoint& eye, const ExactPoint& far, const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+  const auto sign = [](const Exact& value) { return value > 0 ? 1 : value < 0 ? -1 : 0; };
+  const int here = sign(six_volumes(a, b, c, eye)), there = sign(six_volumes(a, b, c, far));
+  if (here != 0 && here == there) return 0;
+  const int sides[] = {sign(six_volumes(far, a, b, eye)), sign(six_volumes(far, b, c, eye)), sign(six_volumes(far, c, a, eye))};
+  const bool left = std::count(std::begin(sides), std::end(sides), 1) > 0, right = std::count(std::begin(sides), std::end(sides), -1) > 0;
+  if (left && right) return 0;
+  if (here == 0 || there == 0 || std::count(std::begin(sides), std::end(sides), 0) > 0) return std::nullopt;
+  return here;
 }
 
-/// How often the other shells wind round a point of this one: outside of all of them 0, in the material of one 1.
-long winding_of_others(const TetraMesh& mesh, const std::vector<Triangle>& triangles,
+/// How often the other shells wind round a point of this one: outside of all of them 0, in the material of one 1. Exact: what a ray to far away passes;
+/// doubles only say what lies clearly beside it.
+long winding_of_others(const std::vector<ExactPoint>& points, const TetraMesh& mesh, const std::vector<Triangle>& triangles,
                        const std::vector<std::size_t>& shell, std::size_t of) {
   const std::size_t first = std::size_t(std::find(shell.begin(), shell.end(), of) - shell.begin());
-  const Point3 eye = mesh.points[triangles[first][0]];
-  double reach = 0;   // brought to about 1 below: products of three minute lengths would be 0
+  const PointIndex at = triangles[first][0];
+  const Point3 eye = mesh.points[at];
+  double reach = 0;
   for (const Point3& p : mesh.points) reach = std::max({reach, std::abs(p.x - eye.x), std::abs(p.y - eye.y), std::abs(p.z - eye.z)});
-  const auto seen = [&, exponent = -std::ilogb(reach)](PointIndex v) {
-    const Point3& p = mesh.points[v];
-    return Point3{std::scalbn(p.x - eye.x, exponent), std::scalbn(p.y - eye.y, exponent), std::scalbn(p.z - eye.z, exponent)};
-  };
-  double sum = 0;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (shell[t] != of) sum += solid_angle(seen(triangles[t][0]), seen(triangles[t][1]), seen(triangles[t][2]), {0, 0, 0});
-  return std::lround(sum / (4 * std::numbers::pi));
+  for (double lean = 0.1234567; lean < 1; lean *= 1.0371) {   // until nothing is met at an edge
+    const double across = 0.7310585 * lean;
+    const Exact beyond = 4 * Exact(reach);
+    const ExactPoint far{points[at][0] + Exact(lean) * beyond, points[at][1] + Exact(across) * beyond, points[at][2] + beyond};
+    const auto beside = [&](PointIndex v) {
+      const Point3& p = mesh.points[v];
+      return std::array{(p.x - eye.x) - lean * (p.z - eye.z), (p.y - eye.y) - across * (p.z - eye.z)};
+    };
+    long winding = 0;
+    bool clear = true;
+    for (std::size_t t = 0; t < triangles.size() && clear; ++t) {
+      if (shell[t] == of) continue;
+      const auto [a, b, c] = triangles[t];
+      const std::array off{beside(a), beside(b), beside(c)};
+      const double slack = 1e-9 * reach;
+      const auto apart = [&](std::size_t k) {
+        const auto [low, high] = std::minmax({off[0][k], off[1][k], off[2][k]});
+        return low > slack || high < -slack;
+      };
+      if (apart(0) || apart(1)) continue;
+      const std::optional<int> passed = passes(points[at], far, points[a], points[b], points[c]);
+      clear = passed.has_value();
+      winding += passed.value_or(0);
+    }
+    if (clear) return winding;
+  }
+  return std::numeric_limits<long>::max();
 }
 
 }  // namespace
@@ -191,7 +216,7 @@ std::vector<JudgedShell> judge_shells(const TetraMesh& mesh, const std::vector<T
     const Shell::Kind kind = six > 0 ? Shell::Kind::external : six < 0 ? Shell::Kind::cavity : Shell::Kind::open;
     if (euler % 2 != 0 || kind == Shell::Kind::open) faults.add("a shell that encloses nothing");
     shells.push_back({kind, (2 - euler) / 2, CGAL::to_double(six) / 6});
-    if (winding_of_others(mesh, triangles, shell, s) != (kind == Shell::Kind::external ? 0 : 1))
+    if (winding_of_others(points, mesh, triangles, shell, s) != (kind == Shell::Kind::external ? 0 : 1))
       faults.add("shells that are not nested as material and cavities");
   }
   return shells;
