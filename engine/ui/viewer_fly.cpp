@@ -177,7 +177,10 @@ void Viewer::pass_wall() {
     notice("Straight ahead there is no room beyond the wall. Look another way.");
     return;
   }
-  darken_then([this, passage = *passage] { arrive(passage.cavity, looking(passage.at, state_.fly.flight.sight, state_.fly.flight.up)); });
+  darken_then([this, passage = *passage] {   // outside one turns round: ahead there would be nothing
+    const Flight& flight = state_.fly.flight;
+    arrive(passage.cavity, looking(passage.at, passage.cavity ? flight.sight : -flight.sight, flight.up));
+  });
 }
 
 bool Viewer::perform_in_flight(Action action) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -190,7 +191,19 @@ class SceneReader {
     if (index == object.end() || !index->is_number_unsigned() || index->get<std::size_t>() >= accessors.size()) return 0;
     const json& accessor = accessors[index->get<std::size_t>()];
     const auto count = accessor.is_object() ? accessor.find("count") : accessor.end();
-    return accessor.is_object() && count != accessor.end() && count->is_number_unsigned() ? count->get<double>() : 0;
+    if (!accessor.is_object() || count == accessor.end() || !count->is_number_unsigned()) return 0;
+    return count->get<double>() <= bytes_of_view(accessor) ? count->get<double>() : 0;
+  }
+
+  /// Of the view that it reads from, as that says; without bound where it names none of use. More elements than bytes are a lie.
+  double bytes_of_view(const json& accessor) const {
+    const auto view = accessor.find("bufferView");
+    const json& views = gltf::list(glb_, "bufferViews");
+    constexpr double unbounded = std::numeric_limits<double>::infinity();
+    if (view == accessor.end() || !view->is_number_unsigned() || view->get<std::size_t>() >= views.size()) return unbounded;
+    const json& object = views[view->get<std::size_t>()];
+    const auto bytes = object.is_object() ? object.find("byteLength") : object.end();
+    return object.is_object() && bytes != object.end() && bytes->is_number_unsigned() ? bytes->get<double>() : unbounded;
   }
 
   void tell() {

@@ -44,7 +44,7 @@ export class InsideBar {
     if (tour) {
       this.scrub.max = journey.tour.length;
       this.scrub.value = journey.mm;
-      this.told.textContent = `${journey.mm.toFixed(1)} of ${journey.tour.length.toFixed(1)} mm, ${width}`;
+      this.told.textContent = `${journey.tour.placeInWords(journey.mm)}, ${width}`;
       this.scrub.setAttribute('aria-valuetext', this.told.textContent);
     } else this.told.textContent = width;
     this.markMap();

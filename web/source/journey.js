@@ -15,14 +15,20 @@ export function lengthsFor(radius) {
 
 /// A way of its own parametrised by length in mm, with a direction to look and an up that never flips.
 export class Tour {
-  constructor({name, length_mm, points_mm}, lengths) {
+  constructor({name, length_mm, orifice_mm, points_mm}, lengths) {
     this.lengths = lengths;
     this.name = name;
     this.canalLength = length_mm;   // from the orifice; the way begins in the chamber
+    this.orifice = orifice_mm;      // along the way; null: there is none
     this.curve = new CatmullRomCurve3(points_mm.map(p => new Vector3(...p)), false, 'centripetal');
     this.curve.arcLengthDivisions = 40 * points_mm.length;
     this.length = this.curve.getLength();
     this.ups = this.carriedUps();
+  }
+
+  placeInWords(mm) {
+    if (this.orifice === null) return `${mm.toFixed(1)} of ${this.length.toFixed(1)} mm`;
+    return mm < this.orifice ? 'In the chamber' : `${(mm - this.orifice).toFixed(1)} of ${this.canalLength.toFixed(1)} mm below the orifice`;
   }
 
   place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }
