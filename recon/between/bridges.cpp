@@ -1,9 +1,13 @@
 #include "recon/between/bridges.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
+
+#include "recon/core/ring_holds.h"
 
 namespace odontoscope::between {
 namespace {
@@ -11,15 +15,6 @@ namespace {
 /// How deep a carried shape comes to lie in the other, over the radius of the circle of its area: all of it, or as much
 /// as there is room for.
 constexpr std::array depths{1.0, 0.5, 0.25};
-
-bool within(const std::vector<Point2>& ring, Point2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
 
 Point2 nearest_on(const std::vector<Point2>& ring, Point2 p) {
   Point2 best = ring.front();
@@ -83,9 +78,9 @@ class Carrier {
     for (std::size_t c = 0; c < slices_.facts[slice].size(); ++c) {
       const ContourFacts& facts = slices_.facts[slice][c];
       const bool bounds = contour == outside ? facts.parent == ContourFacts::none : facts.parent == contour;
-      if (bounds && within(ring(slice, c), p)) return false;
+      if (bounds && ring_holds(ring(slice, c), p)) return false;
     }
-    return contour == outside || within(ring(slice, contour), p);
+    return contour == outside || ring_holds(ring(slice, contour), p);
   }
 
   bool overlaps(std::size_t slice, std::size_t contour, std::size_t other_slice, std::size_t other) const {
@@ -95,7 +90,7 @@ class Carrier {
       return true;
     if (other == outside) return false;
     const auto& others = ring(other_slice, other);
-    return std::any_of(others.begin(), others.end(), [&](Point2 p) { return within(points, p); });
+    return std::any_of(others.begin(), others.end(), [&](Point2 p) { return ring_holds(points, p); });
   }
 
   /// The point of the other shape's border that is nearest.

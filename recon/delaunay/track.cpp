@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "recon/core/ring_holds.h"
 #include "recon/core/union_find.h"
 #include "recon/delaunay/bits.h"
 
@@ -20,15 +21,6 @@ struct Proposal {
   double share = 0;
   bool from_lower = true, from_upper = false;  // which of the two hangs free and asks for it
 };
-
-bool encloses(const std::vector<Point2>& ring, Point2 p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
-  }
-  return odd;
-}
 
 class Tracker {
  public:
@@ -384,7 +376,7 @@ class Tracker {
     const Point2 by = drift(k, i, up).value_or(Point2{}), from = graph_.shape(k, i).centroid;
     const Point2 to{from.x + by.x, from.y + by.y};
     const auto& outlines = graph_.shape(up ? k + 1 : k - 1, outside).contours;
-    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return encloses(ring, to); });
+    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return ring_holds(ring, to); });
   }
 
   void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {

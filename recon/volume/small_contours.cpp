@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "recon/core/limits.h"
+#include "recon/core/ring_holds.h"
 
 namespace odontoscope {
 namespace {
@@ -42,20 +43,11 @@ bool near(const Box& a, const Box& b, Point2 reach) {
   return a.low.x < b.high.x + reach.x && b.low.x < a.high.x + reach.x && a.low.y < b.high.y + reach.y && b.low.y < a.high.y + reach.y;
 }
 
-bool holds(const std::vector<Point2>& ring, Point2 at) {
-  bool inside = false;
-  for (std::size_t n = 0; n < ring.size(); ++n) {
-    const Point2 a = ring[n], b = ring[(n + 1) % ring.size()];
-    if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
-  }
-  return inside;
-}
-
 /// Of one kind, with a corner of one inside the other: what only crosses with all corners outside is thinner than a contour of pixels gets.
 bool overlap(const Outline& a, const Outline& b) {
   if (a.is_hole != b.is_hole || !near(a.box, b.box, {0, 0})) return false;
   const auto any_in = [](const Outline& these, const Outline& that) {
-    return std::any_of(these.points->begin(), these.points->end(), [&](const Point2& p) { return holds(*that.points, p); });
+    return std::any_of(these.points->begin(), these.points->end(), [&](const Point2& p) { return ring_holds(*that.points, p); });
   };
   return any_in(a, b) || any_in(b, a);
 }
