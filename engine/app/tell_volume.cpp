@@ -95,8 +95,7 @@ void tell_label_map(const Volume& volume, Console& console) {
   std::vector<std::string> words;
   constexpr std::size_t enough = 12;
   for (const float value : values) {
-    const bool is_overlap = std::any_of(volume.overlaps.begin(), volume.overlaps.end(), [value](const LabelOverlap& o) { return value == static_cast<float>(o.value); });
-    if (value == 0 || is_overlap) continue;
+    if (value == 0 || is_overlap(volume, value)) continue;
     if (words.size() == enough) {
       words.push_back("...");
       break;

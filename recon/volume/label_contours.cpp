@@ -58,8 +58,7 @@ std::string some_values(const Volume& volume) {
   constexpr std::size_t enough = 12;
   std::set<float> seen;
   for (const float value : volume.values) {
-    const bool is_overlap = std::any_of(volume.overlaps.begin(), volume.overlaps.end(), [value](const LabelOverlap& o) { return value == static_cast<float>(o.value); });
-    if (!is_overlap && seen.insert(value).second && seen.size() > enough) break;
+    if (!is_overlap(volume, value) && seen.insert(value).second && seen.size() > enough) break;
   }
   const bool more = seen.size() > enough;
   if (more) seen.erase(std::prev(seen.end()));

@@ -53,6 +53,9 @@ struct Volume {
   const float* slice(std::size_t k) const { return values.data() + k * pixels_per_slice(); }
 };
 
+/// Whether a voxel's value is of several labels at once, and so no label itself.
+bool is_overlap(const Volume& volume, float value);
+
 /// Whether a voxel's value makes it one of a label's.
 class LabelValues {
  public:
