@@ -1,0 +1,38 @@
+#pragma once
+// Which label each tetrahedron of a slab gets, given which points are raised. Inner part of partition_slab.h.
+
+#include <cstdint>
+#include <vector>
+
+#include "recon/delaunay/slab.h"
+#include "recon/partition/dual_labels.h"
+#include "recon/partition/planar_partition.h"
+
+namespace odontoscope::partition {
+
+class SlabLabels {
+ public:
+  SlabLabels(const std::vector<delaunay::SlabTetrahedron>& tetrahedra, const PartitionSlice& lower, const PartitionSlice& upper,
+             const Materials& materials);
+
+  /// Points to raise before anything is labelled: the corners of triangles whose label the point above or below them knows nothing of. Such a
+  /// face ends here.
+  std::vector<std::uint32_t> ending() const;
+
+  /// The label of tetrahedron t. Where two edges contradict each other, the loser's ends are added to `losers`.
+  Label label(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const;
+
+ private:
+  Label of_triangle(std::uint32_t t, const std::vector<bool>& raised) const;
+  Label of_edges(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const;
+  bool knows(const PartitionSlice& slice, std::uint32_t point, Label label) const;
+
+  const std::vector<delaunay::SlabTetrahedron>& tets_;
+  const PartitionSlice& lower_;
+  const PartitionSlice& upper_;
+  const Materials& materials_;
+  std::uint32_t offset_;
+  std::vector<DualLabels> duals_;
+};
+
+}  // namespace odontoscope::partition
