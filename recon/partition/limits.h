@@ -11,6 +11,11 @@ inline constexpr double raise_share = 0.25;
 inline constexpr std::size_t single_mends = 3;
 /// Structures of one partition: one bit each.
 inline constexpr std::size_t most_structures = 64;
+/// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
+inline constexpr double corner_share = 0.25;
+/// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over
+/// the slab's height.
+inline constexpr double sliver_share = 0.05;
 /// Rounds of conforming a slice's borders, counted in points added over points given, before the slice is taken as not conforming.
 inline constexpr std::size_t steiner_factor = 20;
 inline constexpr std::size_t steiner_free = 2000;

@@ -47,6 +47,7 @@ class Overlayer {
     Borders result;
     result.crossings = triangulation_.number_of_vertices() - given_;
     if (materials_.gap > 0) result.closed_gap = close_gaps();
+    if (materials_.sliver > 0) drop_slivers();
     collect(result);
     return result;
   }
@@ -137,6 +138,56 @@ class Overlayer {
     const auto& c = face->vertex(2)->point();
     const double longest = std::sqrt(std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)}));
     return 2 * std::abs(CGAL::area(a, b, c)) / longest;
+  }
+
+  // ---- slivers ------------------------------------------------------------------------------------------------------
+
+  struct Piece {
+    std::vector<Triangulation::Face_handle> faces;
+    double area = 0, around = 0;
+    std::map<Label, double> beside;   // length of common border
+    bool outer = false;
+  };
+
+  /// Faces with little area for their circumference, to the neighbour with the longest common border.
+  void drop_slivers() {
+    for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end(); ++face) face->info().known = false;
+    std::vector<std::pair<std::vector<Triangulation::Face_handle>, Label>> dropped;
+    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
+      if (face->info().known) continue;
+      Piece piece = piece_at(face);
+      if (piece.outer || 2 * piece.area >= materials_.sliver * piece.around) continue;
+      const auto longest = std::max_element(piece.beside.begin(), piece.beside.end(), [](const auto& p, const auto& q) { return p.second < q.second; });
+      dropped.emplace_back(std::move(piece.faces), longest->first);
+    }
+    for (const auto& [faces, label] : dropped)
+      for (const auto& face : faces) face->info().label = label;
+  }
+
+  Piece piece_at(Triangulation::Face_handle start) {
+    Piece piece;
+    std::vector<Triangulation::Face_handle> stack{start};
+    start->info().known = true;
+    while (!stack.empty()) {
+      const auto face = stack.back();
+      stack.pop_back();
+      piece.faces.push_back(face);
+      piece.area += std::abs(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
+      for (int i = 0; i < 3; ++i) {
+        const auto other = face->neighbor(i);
+        if (label(other) != label(start)) {
+          const double length = std::sqrt(CGAL::squared_distance(face->vertex(Triangulation::ccw(i))->point(), face->vertex(Triangulation::cw(i))->point()));
+          piece.around += length;
+          piece.beside[label(other)] += length;
+        } else if (triangulation_.is_infinite(other)) {
+          piece.outer = true;
+        } else if (!other->info().known) {
+          other->info().known = true;
+          stack.push_back(other);
+        }
+      }
+    }
+    return piece;
   }
 
   // ---- borders ------------------------------------------------------------------------------------------------------

@@ -203,8 +203,8 @@ void set_edge_kinds(PartitionSlice& slice) {
   }
 }
 
-/// Each label at most once around each point, and what is not void too.
-void refuse_checkerboards(const PartitionSlice& slice, std::size_t number, const std::string& source) {
+/// Each label at most once around each point.
+void refuse_checkerboards(const PartitionSlice& slice) {
   const Planar& planar = slice.planar;
   for (std::uint32_t v = 0; v < planar.points.size(); ++v) {
     std::vector<Label> runs;
@@ -212,25 +212,15 @@ void refuse_checkerboards(const PartitionSlice& slice, std::size_t number, const
       if (planar.spokes[s].kind == EdgeKind::contour) runs.push_back(slice.label(planar.spokes[s].triangle));
     std::sort(runs.begin(), runs.end());
     if (std::adjacent_find(runs.begin(), runs.end()) == runs.end()) continue;
-    Place place;
-    place.file = source;
-    place.slice = number;
-    place.z = slice.z;
-    place.at = planar.points[v];
-    throw InputError("checkerboard", place, "faces of one material, or of void, meet in a point with others between them",
-                     "Move one of the contours there a little, so that they are apart or overlap");
+    throw InternalError(fmt::format("faces of one label meet in the point ({}, {}) at z = {}", planar.points[v].x, planar.points[v].y, slice.z));
   }
 }
 
 }  // namespace
 
-PartitionSlice planar_partition(const Slice& slice, const Materials& materials, std::size_t number, const std::string& source,
-                                const Progress& progress) {
+PartitionSlice planar_partition(const Borders& borders, double z, const Progress& progress) {
   PartitionSlice result;
-  result.z = slice.z;
-  const Borders borders = overlay(slice, materials);
-  result.crossings = borders.crossings;
-  result.closed_gap = borders.closed_gap;
+  result.z = z;
   if (borders.pieces.empty()) return result;
   for (const Fineness fineness : {Fineness::gabriel, Fineness::delaunay, Fineness::constrained}) {
     Conformer conformer(borders, fineness, progress);
@@ -243,7 +233,7 @@ PartitionSlice planar_partition(const Slice& slice, const Materials& materials, 
   result.steiner_points = result.planar.points.size() - borders.points.size();
   delaunay::collect_spokes(result.planar);
   set_edge_kinds(result);
-  refuse_checkerboards(result, number, source);
+  refuse_checkerboards(result);
   return result;
 }
 

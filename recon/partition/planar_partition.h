@@ -13,8 +13,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/delaunay/planar.h"
-#include "recon/input/contour_stack.h"
-#include "recon/partition/materials.h"
+#include "recon/partition/overlay.h"
 
 namespace odontoscope::partition {
 
@@ -24,8 +23,6 @@ struct PartitionSlice {
   /// is `contour` where labels differ.
   delaunay::Planar planar;
   std::size_t steiner_points = 0;
-  std::size_t crossings = 0;      // points where contours of two structures cross
-  double closed_gap = 0;          // area of void given to structures, mm^2
   bool conforming = true;         // false: some border is no Delaunay edge; no slab beside it can be triangulated
 
   Label label(std::uint32_t triangle) const {
@@ -35,9 +32,7 @@ struct PartitionSlice {
   bool empty() const { return planar.points.empty(); }
 };
 
-/// Preconditions: `slice` is validated. Throws InputError checkerboard where faces of one label meet in a point, with others between
-/// them: whether they are joined there cannot be told. `number` and `source` name the slice in messages.
-PartitionSlice planar_partition(const Slice& slice, const Materials& materials, std::size_t number, const std::string& source,
-                                const Progress& progress);
+/// Precondition: part_corners (corners.h). Throws InternalError if faces of one label meet in a point.
+PartitionSlice planar_partition(const Borders& borders, double z, const Progress& progress);
 
 }  // namespace odontoscope::partition

@@ -5,35 +5,29 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <numeric>
 #include <thread>
 
 #include "recon/core/error.h"
 #include "recon/core/parallel.h"
 #include "recon/delaunay/certify.h"
+#include "recon/delaunay/look_here.h"
 #include "recon/input/validate.h"
 #include "recon/partition/certify_partition.h"
 #include "recon/partition/complex_parts.h"
+#include "recon/partition/corners.h"
+#include "recon/partition/face_contours.h"
+#include "recon/partition/inner_first.h"
+#include "recon/partition/interpolate.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/partition_slab.h"
+#include "recon/partition/partition_topology.h"
 
 namespace odontoscope {
 namespace {
 
 using namespace partition;
 
-double area_of(const Contour& contour) {
-  double twice = 0;
-  const auto& p = contour.points;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point2 a = p[i], b = p[(i + 1) % p.size()];
-    twice += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
-  }
-  return twice / 2;
-}
-
-/// Those that are named first; of the others the one with the least area in all slices first, which lies within the others if any does.
+/// Those that are named first, then the others from the inside out.
 Materials materials_of(const ContourStack& stack, const PartitionOptions& options) {
   Materials materials;
   materials.structures = structures_of(stack);
@@ -41,27 +35,18 @@ Materials materials_of(const ContourStack& stack, const PartitionOptions& option
   const std::size_t count = materials.structures.size();
   Place place;
   place.file = stack.source;
-  if (count > limits::most_structures)
-    throw InputError("too-many-structures", place, fmt::format("a partition of {} structures; at most {} are supported", count, limits::most_structures),
+  if (count > partition::limits::most_structures)
+    throw InputError("too-many-structures", place, fmt::format("a partition of {} structures; at most {} are supported", count, partition::limits::most_structures),
                      "Leave some out, or reconstruct them independently");
   for (const std::string& name : options.priority)
     if (std::find(materials.structures.begin(), materials.structures.end(), name) == materials.structures.end())
       throw InputError("unknown-structure", place, fmt::format("no structure is called \"{}\"", name),
                        fmt::format("The structures are: {}", fmt::join(materials.structures, ", ")));
-  std::vector<double> area(count, 0);
-  for (const Slice& slice : stack.slices)
-    for (const Contour& contour : slice.contours) {
-      const auto found = std::find(materials.structures.begin(), materials.structures.end(), contour.structure);
-      area[static_cast<std::size_t>(found - materials.structures.begin())] += area_of(contour);
-    }
-  std::vector<std::uint32_t> order(count);
-  std::iota(order.begin(), order.end(), 0u);
+  std::vector<std::uint32_t> order = inner_first(stack, materials.structures);
   const auto named = [&](std::uint32_t s) {
     return std::find(options.priority.begin(), options.priority.end(), materials.structures[s]) - options.priority.begin();
   };
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return named(a) != named(b) ? named(a) < named(b) : area[a] < area[b];
-  });
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return named(a) < named(b); });
   materials.rank.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) materials.rank[order[i]] = i;
   return materials;
@@ -69,32 +54,51 @@ Materials materials_of(const ContourStack& stack, const PartitionOptions& option
 
 class PartitionReconstructor {
  public:
-  PartitionReconstructor(const OrderedStack& input, Materials materials, int threads, const Progress& progress)
-      : input_(input), materials_(std::move(materials)), progress_(progress), arena_(threads) {
+  PartitionReconstructor(const OrderedStack& input, Materials materials, Between between, int threads, const Progress& progress)
+      : input_(input), materials_(std::move(materials)), between_(between), progress_(progress), arena_(threads) {
     result_.threads = threads;
   }
 
   Reconstruction run() {
-    const std::vector<Slice>& given = input_.stack.slices;
-    slices_.resize(given.size());
-    timed("slices", [&] {
-      for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
-        slices_[k] = planar_partition(given[k], materials_, input_.original_slice[k], input_.stack.source, progress_);
-      });
-    });
-    slabs_.resize(given.size() - 1);
-    timed("slabs", [&] {
-      for_each(slabs_.size(), arena_, "slabs", progress_, [&](std::size_t k) {
-        slabs_[k] = solve_partition_slab(slices_[k], slices_[k + 1], materials_, place(k), progress_);
-      });
-    });
+    timed("slices", [&] { overlay_slices(); });
+    if (between_ == Between::blended) timed("interpolate", [&] { interpolated_ = interpolate(borders_, materials_, input_, arena_, progress_); });
+    timed("slabs", [&] { solve_slabs(); });
     timed("assemble", [&] { assemble(); });
     timed("certify", [&] { certify(); });
+    timed("topology", [&] { compare_topology(); });
     count();
     return std::move(result_);
   }
 
  private:
+  void overlay_slices() {
+    const std::vector<Slice>& given = input_.stack.slices;
+    borders_.resize(given.size());
+    interpolated_.resize(given.size() - 1);
+    for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
+      borders_[k] = overlay(given[k], materials_);
+      part_corners(borders_[k], materials_);
+    });
+  }
+
+  /// Given slices and those between them, bottom up.
+  void solve_slabs() {
+    std::vector<std::pair<const Borders*, double>> all;
+    for (std::size_t k = 0; k < borders_.size(); ++k) {
+      given_.push_back(all.size());
+      all.emplace_back(&borders_[k], input_.stack.slices[k].z);
+      if (k + 1 == borders_.size()) break;
+      for (const InterpolatedBorders& one : interpolated_[k]) all.emplace_back(&one.borders, one.z);
+    }
+    slices_.resize(all.size());
+    for_each(all.size(), arena_, "slices", progress_,
+             [&](std::size_t i) { slices_[i] = planar_partition(*all[i].first, all[i].second, progress_); });
+    slabs_.resize(all.size() - 1);
+    for_each(slabs_.size(), arena_, "slabs", progress_, [&](std::size_t i) {
+      slabs_[i] = solve_partition_slab(slices_[i], slices_[i + 1], materials_, place(i), progress_);
+    });
+  }
+
   template <class Work>
   void timed(const char* stage, Work work) {
     const auto start = std::chrono::steady_clock::now();
@@ -102,7 +106,9 @@ class PartitionReconstructor {
     result_.seconds.push_back({stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
   }
 
-  Place place(std::size_t k) const {
+  /// Of a slab, which may lie between interpolated slices.
+  Place place(std::size_t slab) const {
+    const std::size_t k = static_cast<std::size_t>(std::upper_bound(given_.begin(), given_.end(), slab) - given_.begin()) - 1;
     Place where;
     where.file = input_.stack.source;
     where.slice = input_.original_slice[k];
@@ -163,13 +169,42 @@ class PartitionReconstructor {
       solid.report = std::move(report);
       for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
     });
-    result_.slices_checked = slices_.size();
+    result_.slices_checked = given_.size();
     result_.certified = true;
+  }
+
+  /// The contours as the partition leaves them, structure after structure.
+  OrderedStack effective() const {
+    OrderedStack stack;
+    stack.original_slice = input_.original_slice;
+    stack.stack.source = input_.stack.source;
+    for (std::size_t k = 0; k < borders_.size(); ++k) {
+      stack.stack.slices.push_back({input_.stack.slices[k].z, {}});
+      auto& contours = stack.stack.slices.back().contours;
+      for (Label l = 1; l <= materials_.structures.size(); ++l) {
+        const auto own = face_contours(borders_[k], materials_.structures[l - 1], [l](Label label) { return label == l; });
+        contours.insert(contours.end(), own.begin(), own.end());
+      }
+    }
+    return stack;
+  }
+
+  void compare_topology() {
+    const OrderedStack stack = effective();
+    std::vector<std::size_t> first;
+    for (const std::size_t slice : given_) first.push_back(ranges_.tetrahedra[slice]);
+    for (Label l = 1; l <= materials_.structures.size(); ++l) {
+      std::vector<SlabTopology> counted = count_topology(stack, materials_.structures[l - 1], l, *result_.complex, first, result_.links,
+                                                         result_.void_links, arena_, progress_);
+      for (SlabTopology& slab : counted) slab.interpolated = interpolated_[slab.slice].size();
+      result_.topology.insert(result_.topology.end(), counted.begin(), counted.end());
+    }
+    result_.attention = delaunay::places_to_look_at(result_, stack.stack, {});
   }
 
   void count() {
     ReconstructCounts& counts = result_.counts;
-    counts.slices = slices_.size();
+    counts.slices = given_.size();
     for (const Slice& slice : input_.stack.slices) {
       counts.contours += slice.contours.size();
       for (const Contour& contour : slice.contours) counts.points += contour.points.size();
@@ -188,9 +223,13 @@ class PartitionReconstructor {
 
   const OrderedStack& input_;
   const Materials materials_;
+  const Between between_;
   const Progress& progress_;
   tbb::task_arena arena_;
-  std::vector<PartitionSlice> slices_;
+  std::vector<Borders> borders_;                               // of the given slices
+  std::vector<std::vector<InterpolatedBorders>> interpolated_;   // above each
+  std::vector<std::size_t> given_;                             // of each given slice: its number among all
+  std::vector<PartitionSlice> slices_;                         // all, bottom up
   std::vector<PartitionSlab> slabs_;
   ComplexRanges ranges_;
   Reconstruction result_;
@@ -203,7 +242,7 @@ Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionO
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   validate(stack, progress);
   const OrderedStack input = ordered(stack);
-  return PartitionReconstructor(input, materials_of(input.stack, options), threads, progress).run();
+  return PartitionReconstructor(input, materials_of(input.stack, options), options.between, threads, progress).run();
 }
 
 }  // namespace odontoscope
