@@ -35,16 +35,13 @@ class StackSolver {
   StackSolver(const StackTask& task, tbb::task_arena& arena, const Progress& progress)
       : task_(task), input_(task.input.stack), arena_(arena), progress_(progress), slabs_(input_.slices.size() - 1) {}
 
-  SurveyedStructure surveyed(bool solve_too) {
+  SurveyedStructure surveyed() {
     conform_slices();
     survey_slabs();
     SurveyedStructure found;
-    found.blends.resize(slabs_);
-    if (solve_too) for_each(slabs_, arena_, "slabs", progress_, [&](std::size_t k) { solve(k, Walls::lifted); });
     for (std::size_t k = 0; k < slabs_; ++k) {
       const SlabTask task = slab_task(k, Walls::lifted);
       found.links.push_back(task.correspondences.links);
-      found.blends[k] = {interpolated_[k], options_[k]};
       found.implied.push_back(implied_with_plates(k, task));
     }
     found.slices = std::move(result_.stack.slices);
@@ -110,7 +107,6 @@ class StackSolver {
     solved_.resize(slabs_);
     implied_.resize(slabs_);
     interpolated_.assign(slabs_, 0);
-    options_.resize(slabs_);
     for_each(slabs_, arena_, "links", progress_, [&](std::size_t k) {
       surveys_[k] = survey_slab(slice(k), slice(k + 1), voids_[k], voids_[k + 1], task_.options.correspondence);
     });
@@ -184,7 +180,6 @@ class StackSolver {
       solved_[k] = std::move(*solved);
       implied_[k] = wanted;
       interpolated_[k] = slices;
-      options_[k] = {.strips = strips, .finer = finer};
       if (off == 0) return;
     }
   }
@@ -412,7 +407,6 @@ class StackSolver {
   std::vector<SolvedSlab> solved_;
   std::vector<Topology> implied_;
   std::vector<std::size_t> interpolated_;
-  std::vector<between::BlendOptions> options_;   // of what was interpolated
 };
 
 }  // namespace
@@ -421,8 +415,8 @@ SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const
   return StackSolver(task, arena, progress).run();
 }
 
-SurveyedStructure survey_stack(const StackTask& task, bool solve, tbb::task_arena& arena, const Progress& progress) {
-  return StackSolver(task, arena, progress).surveyed(solve);
+SurveyedStructure survey_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress) {
+  return StackSolver(task, arena, progress).surveyed();
 }
 
 }  // namespace odontoscope::delaunay

@@ -34,23 +34,16 @@ struct SolvedStructure {
 /// Throws InputError (slices-too-close, link-contradiction, link-impossible), Cancelled, InternalError.
 SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
 
-/// How a slab was interpolated.
-struct SlabBlend {
-  std::size_t slices = 0;   // none: its two slices alone
-  between::BlendOptions options;
-};
-
-/// A stack's links, and how each of its slabs is best interpolated, without the solids.
+/// A stack's links, without the solids.
 struct SurveyedStructure {
   std::vector<ConformedSlice> slices;
   std::vector<SliceVoids> voids;                    // one a slice
-  std::vector<SlabSurvey> surveys;                  // one a slab, as the next three
+  std::vector<SlabSurvey> surveys;                  // one a slab, as the next two
   std::vector<std::vector<RegionLink>> links;       // of material, that hold
-  std::vector<SlabBlend> blends;
   std::vector<Topology> implied;                    // regions that are linked to nothing within the slab count as plates, in every slab
 };
 
-/// The same way as solve_stack up to the slabs' solids. `solve` false: none is made, and `blends` say nothing. Throws as solve_stack does.
-SurveyedStructure survey_stack(const StackTask& task, bool solve, tbb::task_arena& arena, const Progress& progress);
+/// The way of solve_stack up to the slabs' solids. Throws as solve_stack does.
+SurveyedStructure survey_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
 
 }  // namespace odontoscope::delaunay

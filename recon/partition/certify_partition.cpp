@@ -60,8 +60,8 @@ class InPlane {
 
 }  // namespace
 
-void certify_slab(const std::vector<PartitionSlice>& slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k) {
-  InPlane floor(slices[k], ranges.points[k], k), ceiling(slices[k + 1], ranges.points[k + 1], k + 1);
+void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k) {
+  InPlane floor(*slices[k], ranges.points[k], k), ceiling(*slices[k + 1], ranges.points[k + 1], k + 1);
   std::vector<std::uint32_t> in_floor, in_ceiling;
   for (std::size_t t = ranges.tetrahedra[k]; t < ranges.tetrahedra[k + 1]; ++t) {
     const Tetrahedron& tet = mesh.tetrahedra[t];
@@ -71,9 +71,9 @@ void certify_slab(const std::vector<PartitionSlice>& slices, const ComplexRanges
     in_ceiling.clear();
     for (const std::uint32_t v : tet) {
       const double z = mesh.points[v].z;
-      if (!(z >= slices[k].z && z <= slices[k + 1].z)) broken(fmt::format("a point leaves the slab above slice {}", k));
-      if (z == slices[k].z) in_floor.push_back(v);
-      if (z == slices[k + 1].z) in_ceiling.push_back(v);
+      if (!(z >= slices[k]->z && z <= slices[k + 1]->z)) broken(fmt::format("a point leaves the slab above slice {}", k));
+      if (z == slices[k]->z) in_floor.push_back(v);
+      if (z == slices[k + 1]->z) in_ceiling.push_back(v);
     }
     if (!in_floor.empty()) floor.meet(in_floor, mesh.labels[t]);
     if (!in_ceiling.empty()) ceiling.meet(in_ceiling, mesh.labels[t]);

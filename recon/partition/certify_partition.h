@@ -2,6 +2,7 @@
 // The certificate of a partition, from its plain arrays and the slices alone.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "recon/mesh/labelled_complex.h"
@@ -17,6 +18,6 @@ struct ComplexRanges {
 
 /// Every tetrahedron of slab k is positive and lies between its slices; what lies in a slice's plane is a corner, an edge or a triangle of that slice
 /// that has the tetrahedron's label; each triangle of a material has its tetrahedron. Throws InternalError.
-void certify_slab(const std::vector<PartitionSlice>& slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k);
+void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k);
 
 }  // namespace odontoscope::partition

@@ -6,28 +6,44 @@
 
 #include <tbb/task_arena.h>
 
-#include <string>
+#include <cstddef>
 #include <vector>
 
+#include "recon/core/progress.h"
 #include "recon/delaunay/solve_stack.h"
+#include "recon/input/validate.h"
 #include "recon/partition/overlay.h"
 
 namespace odontoscope::partition {
-
-/// The stack of contours round what `count` structures of least rank fill; the structure is called as the last of them.
-OrderedStack filled_by(const std::vector<Borders>& borders, const std::vector<double>& heights, const Materials& materials, std::size_t count,
-                       const OrderedStack& given);
-/// Of one structure alone, as it is left by those that win over it.
-OrderedStack left_of(const std::vector<Borders>& borders, const std::vector<double>& heights, const Materials& materials, std::size_t structure,
-                     const OrderedStack& given);
 
 struct InterpolatedBorders {
   double z = 0;
   Borders borders;
 };
 
-/// Of each slab, ascending; none where its two slices alone do.
-std::vector<std::vector<InterpolatedBorders>> interpolate(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given,
-                                                          tbb::task_arena& arena, const Progress& progress);
+/// How a slab is interpolated.
+struct Interpolation {
+  std::size_t slices = 0;   // none: its two slices alone
+  between::BlendOptions options = {};
+};
+
+class Interpolator {
+ public:
+  /// `borders` of the slices of `given`. Follows links over all slices.
+  Interpolator(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given, tbb::task_arena& arena,
+               const Progress& progress);
+
+  /// In the order in which they are worth trying for slab k.
+  std::vector<Interpolation> attempts(std::size_t k) const;
+
+  /// Ascending; a slice in which nothing is left is missing. May be called for several slabs at once.
+  std::vector<InterpolatedBorders> between(std::size_t k, const Interpolation& how) const;
+
+ private:
+  const Materials& materials_;
+  std::vector<double> heights_;
+  std::vector<std::size_t> structures_;                      // of what is filled: the outermost structure
+  std::vector<delaunay::SurveyedStructure> filled_;
+};
 
 }  // namespace odontoscope::partition

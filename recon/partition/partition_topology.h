@@ -1,8 +1,9 @@
 #pragma once
-// What each structure's solid is like between two given slices, beside what its contours and links imply (recon/delaunay/topology.h).
+// What each structure's solid has to be like between two given slices, as contours and links imply (recon/delaunay/topology.h).
 
 #include <tbb/task_arena.h>
 
+#include <string>
 #include <vector>
 
 #include "recon/core/progress.h"
@@ -11,10 +12,16 @@
 
 namespace odontoscope::partition {
 
-/// Of a structure whose contours, as the partition left them, are in `effective`. Tetrahedra of slab k: [first[k], first[k+1]) of the complex. Where a
-/// region is linked to nothing, what closes over it counts as a plate. Fills `links` and `void_links` with what was taken for granted.
-std::vector<SlabTopology> count_topology(const OrderedStack& effective, const std::string& structure, Label label, const LabelledComplex& complex,
-                                         const std::vector<std::size_t>& first, std::vector<MadeLink>& links, std::vector<MadeVoidLink>& void_links,
-                                         tbb::task_arena& arena, const Progress& progress);
+struct ImpliedTopology {
+  std::vector<Topology> of_slab;
+  std::vector<MadeLink> links;            // that were taken for granted; contours are numbered as in the stack
+  std::vector<MadeVoidLink> void_links;
+};
+
+/// Of a structure of the stack. Where a region is linked to nothing, what closes over it counts as a plate.
+ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena, const Progress& progress);
+
+/// Holes of a structure in the slices of a slab, for place_of_difference.
+std::vector<std::vector<Point2>> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure);
 
 }  // namespace odontoscope::partition

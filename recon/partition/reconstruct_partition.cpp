@@ -10,6 +10,7 @@
 #include "recon/core/error.h"
 #include "recon/core/parallel.h"
 #include "recon/delaunay/certify.h"
+#include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/look_here.h"
 #include "recon/input/validate.h"
 #include "recon/partition/certify_partition.h"
@@ -19,8 +20,8 @@
 #include "recon/partition/inner_first.h"
 #include "recon/partition/interpolate.h"
 #include "recon/partition/limits.h"
-#include "recon/partition/partition_slab.h"
 #include "recon/partition/partition_topology.h"
+#include "recon/partition/solve_between.h"
 
 namespace odontoscope {
 namespace {
@@ -60,42 +61,57 @@ class PartitionReconstructor {
   }
 
   Reconstruction run() {
-    timed("slices", [&] { overlay_slices(); });
-    if (between_ == Between::blended) timed("interpolate", [&] { interpolated_ = interpolate(borders_, materials_, input_, arena_, progress_); });
+    timed("slices", [&] { partition_slices(); });
+    timed("links", [&] { follow_links(); });
     timed("slabs", [&] { solve_slabs(); });
     timed("assemble", [&] { assemble(); });
     timed("certify", [&] { certify(); });
-    timed("topology", [&] { compare_topology(); });
     count();
     return std::move(result_);
   }
 
  private:
-  void overlay_slices() {
+  std::size_t structures() const { return materials_.structures.size(); }
+
+  void partition_slices() {
     const std::vector<Slice>& given = input_.stack.slices;
     borders_.resize(given.size());
-    interpolated_.resize(given.size() - 1);
+    slices_.resize(given.size());
     for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
       borders_[k] = overlay(given[k], materials_);
       part_corners(borders_[k], materials_);
+      slices_[k] = planar_partition(borders_[k], given[k].z, progress_);
     });
   }
 
-  /// Given slices and those between them, bottom up.
-  void solve_slabs() {
-    std::vector<std::pair<const Borders*, double>> all;
+  /// The contours as the partition leaves them, structure after structure.
+  OrderedStack effective() const {
+    OrderedStack stack;
+    stack.original_slice = input_.original_slice;
+    stack.stack.source = input_.stack.source;
     for (std::size_t k = 0; k < borders_.size(); ++k) {
-      given_.push_back(all.size());
-      all.emplace_back(&borders_[k], input_.stack.slices[k].z);
-      if (k + 1 == borders_.size()) break;
-      for (const InterpolatedBorders& one : interpolated_[k]) all.emplace_back(&one.borders, one.z);
+      stack.stack.slices.push_back({input_.stack.slices[k].z, {}});
+      auto& contours = stack.stack.slices.back().contours;
+      for (Label l = 1; l <= structures(); ++l) {
+        const auto own = face_contours(borders_[k], materials_.structures[l - 1], [l](Label label) { return label == l; });
+        contours.insert(contours.end(), own.begin(), own.end());
+      }
     }
-    slices_.resize(all.size());
-    for_each(all.size(), arena_, "slices", progress_,
-             [&](std::size_t i) { slices_[i] = planar_partition(*all[i].first, all[i].second, progress_); });
-    slabs_.resize(all.size() - 1);
-    for_each(slabs_.size(), arena_, "slabs", progress_, [&](std::size_t i) {
-      slabs_[i] = solve_partition_slab(slices_[i], slices_[i + 1], materials_, place(i), progress_);
+    return stack;
+  }
+
+  void follow_links() {
+    left_ = effective();
+    for (const std::string& structure : materials_.structures) implied_.push_back(implied_topology(left_, structure, arena_, progress_));
+    if (between_ == Between::blended) interpolator_.emplace(borders_, materials_, input_, arena_, progress_);
+  }
+
+  void solve_slabs() {
+    between_slices_.resize(slices_.size() - 1);
+    for_each(between_slices_.size(), arena_, "slabs", progress_, [&](std::size_t k) {
+      BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr, k, place(k)};
+      for (const ImpliedTopology& one : implied_) task.implied.push_back(one.of_slab[k]);
+      between_slices_[k] = solve_between(task, progress_);
     });
   }
 
@@ -106,9 +122,7 @@ class PartitionReconstructor {
     result_.seconds.push_back({stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
   }
 
-  /// Of a slab, which may lie between interpolated slices.
-  Place place(std::size_t slab) const {
-    const std::size_t k = static_cast<std::size_t>(std::upper_bound(given_.begin(), given_.end(), slab) - given_.begin()) - 1;
+  Place place(std::size_t k) const {
     Place where;
     where.file = input_.stack.source;
     where.slice = input_.original_slice[k];
@@ -116,45 +130,31 @@ class PartitionReconstructor {
     return where;
   }
 
-  // ---- one complex --------------------------------------------------------------------------------------------------
-
-  /// Points slice by slice, then those that each slab added; what no tetrahedron has is left out last.
+  /// One complex of all slices, given and interpolated, bottom up.
   void assemble() {
+    std::vector<const PartitionSlab*> slabs;
+    for (std::size_t k = 0; k < slices_.size(); ++k) {
+      given_.push_back(all_.size());
+      all_.push_back(&slices_[k]);
+      if (k + 1 == slices_.size()) break;
+      for (const PartitionSlice& slice : between_slices_[k].slices) all_.push_back(&slice);
+      for (const PartitionSlab& slab : between_slices_[k].slabs) slabs.push_back(&slab);
+    }
+    SlabStack stack = stacked(all_, slabs);
     LabelledComplex complex;
     complex.structures = materials_.structures;
-    std::uint64_t count = 0;
-    for (const PartitionSlice& slice : slices_) count += slice.planar.points.size();
-    const std::uint64_t on_slices = count;
-    for (const PartitionSlab& slab : slabs_) count += slab.added.size();
-    if (count >= delaunay::none) throw InternalError("more points than 32-bit numbers can count");
-    TetraMesh& mesh = complex.mesh;
-    mesh.points.reserve(count);
-    for (const PartitionSlice& slice : slices_) {
-      ranges_.points.push_back(static_cast<std::uint32_t>(mesh.points.size()));
-      for (const Point2 p : slice.planar.points) mesh.points.push_back({p.x, p.y, slice.z});
-    }
-    ranges_.points.push_back(static_cast<std::uint32_t>(on_slices));
-    for (std::size_t k = 0; k < slabs_.size(); ++k) {
-      const PartitionSlab& slab = slabs_[k];
-      const std::uint32_t first = ranges_.points[k], in_slices = ranges_.points[k + 2] - first;
-      const auto first_added = static_cast<std::uint32_t>(mesh.points.size());
-      mesh.points.insert(mesh.points.end(), slab.added.begin(), slab.added.end());
-      ranges_.tetrahedra.push_back(mesh.tetrahedra.size());
-      for (Tetrahedron tet : slab.tetrahedra) {
-        for (std::uint32_t& v : tet) v = v < in_slices ? first + v : first_added + (v - in_slices);
-        mesh.tetrahedra.push_back(tet);
-      }
-      mesh.labels.insert(mesh.labels.end(), slab.labels.begin(), slab.labels.end());
-    }
-    ranges_.tetrahedra.push_back(mesh.tetrahedra.size());
-    complex.interfaces = interfaces_of(mesh);
+    complex.mesh = std::move(stack.mesh);
+    complex.interfaces = interfaces_of(complex.mesh);
+    first_tetrahedron_ = std::move(stack.tetrahedra);
+    first_point_ = std::move(stack.points);
     result_.complex = std::move(complex);
   }
 
   void certify() {
     const LabelledComplex& complex = *result_.complex;
-    for_each(slabs_.size(), arena_, "certify", progress_, [&](std::size_t k) { certify_slab(slices_, ranges_, complex.mesh, k); });
-    const std::size_t count = materials_.structures.size();
+    const ComplexRanges ranges{first_tetrahedron_, first_point_};
+    for_each(all_.size() - 1, arena_, "certify", progress_, [&](std::size_t k) { certify_slab(all_, ranges, complex.mesh, k); });
+    const std::size_t count = structures();
     result_.solids.resize(count);
     for_each(count + 1, arena_, "certify", progress_, [&](std::size_t s) {
       const auto label = static_cast<Label>(s == count ? void_label : s + 1);
@@ -171,35 +171,27 @@ class PartitionReconstructor {
     });
     result_.slices_checked = given_.size();
     result_.certified = true;
-  }
-
-  /// The contours as the partition leaves them, structure after structure.
-  OrderedStack effective() const {
-    OrderedStack stack;
-    stack.original_slice = input_.original_slice;
-    stack.stack.source = input_.stack.source;
-    for (std::size_t k = 0; k < borders_.size(); ++k) {
-      stack.stack.slices.push_back({input_.stack.slices[k].z, {}});
-      auto& contours = stack.stack.slices.back().contours;
-      for (Label l = 1; l <= materials_.structures.size(); ++l) {
-        const auto own = face_contours(borders_[k], materials_.structures[l - 1], [l](Label label) { return label == l; });
-        contours.insert(contours.end(), own.begin(), own.end());
-      }
-    }
-    return stack;
+    compare_topology();
   }
 
   void compare_topology() {
-    const OrderedStack stack = effective();
-    std::vector<std::size_t> first;
-    for (const std::size_t slice : given_) first.push_back(ranges_.tetrahedra[slice]);
-    for (Label l = 1; l <= materials_.structures.size(); ++l) {
-      std::vector<SlabTopology> counted = count_topology(stack, materials_.structures[l - 1], l, *result_.complex, first, result_.links,
-                                                         result_.void_links, arena_, progress_);
-      for (SlabTopology& slab : counted) slab.interpolated = interpolated_[slab.slice].size();
+    const LabelledComplex& complex = *result_.complex;
+    for (std::size_t s = 0; s < structures(); ++s) {
+      const std::string& name = materials_.structures[s];
+      std::vector<SlabTopology> counted(between_slices_.size());
+      for_each(counted.size(), arena_, "certify", progress_, [&](std::size_t k) {
+        counted[k] = {name, k, implied_[s].of_slab[k], between_slices_[k].found[s], between_slices_[k].slices.size(), false, {}, {}};
+        if (counted[k].as_implied()) return;
+        const LabelledPart part = part_of(complex.mesh, first_tetrahedron_[given_[k]], first_tetrahedron_[given_[k + 1]], static_cast<Label>(s + 1));
+        if (part.tetrahedra.empty()) return;
+        counted[k].place = delaunay::place_of_difference({complex.mesh.points, part.tetrahedra, part.boundary, holes_beside(left_.stack, k, name)},
+                                                         counted[k].implied, counted[k].found);
+      });
       result_.topology.insert(result_.topology.end(), counted.begin(), counted.end());
+      result_.links.insert(result_.links.end(), implied_[s].links.begin(), implied_[s].links.end());
+      result_.void_links.insert(result_.void_links.end(), implied_[s].void_links.begin(), implied_[s].void_links.end());
     }
-    result_.attention = delaunay::places_to_look_at(result_, stack.stack, {});
+    result_.attention = delaunay::places_to_look_at(result_, left_.stack, {});
   }
 
   void count() {
@@ -209,15 +201,19 @@ class PartitionReconstructor {
       counts.contours += slice.contours.size();
       for (const Contour& contour : slice.contours) counts.points += contour.points.size();
     }
-    for (const PartitionSlice& slice : slices_) {
-      counts.steiner_points += slice.steiner_points;
-      counts.constrained_slices += !slice.conforming;
+    for (const PartitionSlice* slice : all_) {
+      counts.steiner_points += slice->steiner_points;
+      counts.constrained_slices += !slice->conforming;
     }
     counts.kept = result_.complex->mesh.tetrahedra.size();
-    for (const PartitionSlab& slab : slabs_) {
-      counts.restored += slab.relabelled;
-      counts.lifted_points += slab.added.size();
-      counts.raised_slabs += !slab.added.empty();
+    for (const SolvedBetween& one : between_slices_) {
+      bool raised = false;
+      for (const PartitionSlab& slab : one.slabs) {
+        counts.restored += slab.relabelled;
+        counts.lifted_points += slab.added.size();
+        raised = raised || !slab.added.empty();
+      }
+      counts.raised_slabs += raised;
     }
   }
 
@@ -226,12 +222,16 @@ class PartitionReconstructor {
   const Between between_;
   const Progress& progress_;
   tbb::task_arena arena_;
-  std::vector<Borders> borders_;                               // of the given slices
-  std::vector<std::vector<InterpolatedBorders>> interpolated_;   // above each
-  std::vector<std::size_t> given_;                             // of each given slice: its number among all
-  std::vector<PartitionSlice> slices_;                         // all, bottom up
-  std::vector<PartitionSlab> slabs_;
-  ComplexRanges ranges_;
+  std::vector<Borders> borders_;                 // of the given slices
+  std::vector<PartitionSlice> slices_;           // given
+  OrderedStack left_;                            // contours as the partition leaves them
+  std::vector<ImpliedTopology> implied_;         // of each structure
+  std::optional<Interpolator> interpolator_;
+  std::vector<SolvedBetween> between_slices_;    // above each given slice
+  std::vector<const PartitionSlice*> all_;       // given and interpolated, bottom up
+  std::vector<std::size_t> given_;               // of each given slice: its number among all
+  std::vector<std::size_t> first_tetrahedron_;   // of each of their slabs
+  std::vector<std::uint32_t> first_point_;       // of each of them
   Reconstruction result_;
 };
 
