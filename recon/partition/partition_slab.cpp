@@ -242,8 +242,8 @@ class SlabSolver {
     std::vector<bool> touched(cells_.size(), false);
     bool any = false;
     const auto points = static_cast<std::uint32_t>(on_slices_ + result_.added.size());
-    for (std::uint32_t v = 0; v < points; ++v) {
-      if (first_[v] == first_[v + 1] || one_label(v)) continue;
+    for (std::uint32_t v = on_slices_; v < points; ++v) {   // those on the slices were found exact
+      if (one_label(v)) continue;
       const VertexLink around(link(v));
       if (around.regular()) continue;
       any = true;
