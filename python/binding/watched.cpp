@@ -1,5 +1,7 @@
 #include "python/binding/watched.h"
 
+#include <tbb/task_arena.h>
+
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -44,6 +46,13 @@ class News {
   bool ended_ = false;
 };
 
+/// Where all watched work runs. Each thread that computes on its own would get an arena of its own, and oneTBB 2021.8 gives back none of their 9 kB.
+/// Lives until the process ends, since TBB may be gone before what is static here.
+tbb::task_arena& common_arena() {
+  static auto* const arena = new tbb::task_arena;
+  return *arena;
+}
+
 /// With the interpreter's lock. Throws what a signal handler or the listener raises.
 void look_after(News& news, const py::object& listener) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -63,7 +72,7 @@ void run_watched(const py::object& listener, const std::function<void(const Prog
     const py::gil_scoped_release unlocked;
     std::thread worker([&] {
       try {
-        work(progress);
+        common_arena().execute([&] { work(progress); });
       } catch (...) {
         failed = std::current_exception();
       }

@@ -196,7 +196,7 @@ class Leaks(unittest.TestCase):
             with self.assertRaises(odontoscope.InputError):
                 odontoscope.Contours([(0, many)])
 
-        self.assertLess(self.grown(call), 8000)
+        self.assertLess(self.grown(call), 2000)
 
     def test_nor_of_models(self):
         def call():
