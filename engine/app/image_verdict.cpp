@@ -46,8 +46,8 @@ constexpr std::string_view page_style = R"(
 body{font:16px/1.5 system-ui,sans-serif;max-width:90rem;margin:0 auto;padding:1rem}
 h1{font-size:1.5rem}h2{font-size:1.1rem;overflow-wrap:anywhere}
 section{border-top:1px solid #8886;margin:2rem 0;padding-top:.5rem}
-.row{display:flex;flex-wrap:wrap;gap:1rem}
-figure{margin:0;max-width:100%}figcaption{font-size:.9rem}
+.row{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(24rem,100%),1fr));gap:1rem;margin-bottom:1rem}
+figure{margin:0}figcaption{font-size:.9rem}
 img{display:block;max-width:100%;height:auto;border:1px solid #8886;background:repeating-conic-gradient(#bbb 0 25%,#eee 0 50%) 0/16px 16px}
 .near img{width:20rem;image-rendering:pixelated}
 .over{position:relative;width:max-content;max-width:100%}
@@ -59,6 +59,12 @@ img{display:block;max-width:100%;height:auto;border:1px solid #8886;background:r
 PixelBox with_room(const PixelBox& box, const Image& image) {
   constexpr int room = 12;
   return {std::max(0, box.left - room), std::max(0, box.top - room), std::min(image.width - 1, box.right + room), std::min(image.height - 1, box.bottom + room)};
+}
+
+/// Would it be seen better from near to?
+bool is_small(const PixelBox& box, const Image& image) {
+  constexpr int small = 3;   // thirds of each side, two of which at most: it grows by half at least
+  return small * (box.right - box.left + 1) <= 2 * image.width && small * (box.bottom - box.top + 1) <= 2 * image.height;
 }
 
 std::string picture_data(const Image& image) {
@@ -113,14 +119,14 @@ void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& b
     if (found.same_size) {
       const Image difference = difference_picture(both.expected, both.actual, mask);
       sections_ += figure(difference, "difference");
-      if (found.box) {
+      if (found.box && is_small(*found.box, both.expected)) {
         const PixelBox box = with_room(*found.box, both.expected);
         sections_ += "</div><div class=\"row\">\n" + figure(cropped(both.expected, box), fmt::format("expected, from ({}, {}) to ({}, {})", box.left, box.top, box.right, box.bottom), true) +
                      figure(cropped(both.actual, box), "actual", true) + figure(cropped(difference, box), "difference", true);
       }
       const std::string one = picture_data(both.expected), other = picture_data(both.actual);
       bytes_ += one.size() + other.size();
-      sections_ += fmt::format("</div><details><summary>One over the other: draw the lower right corner</summary><div class=\"over\"><img src=\"{}\" alt=\"actual\"><div><img src=\"{}\" alt=\"expected\">"
+      sections_ += fmt::format("</div><details><summary>One over the other: drag the corner below the red line</summary><div class=\"over\"><img src=\"{}\" alt=\"actual\"><div><img src=\"{}\" alt=\"expected\">"
                                "</div></div></details><div>\n", other, one);
     }
     sections_ += "</div>\n";
