@@ -20,6 +20,7 @@
 #include "recon/delaunay/doubt.h"
 #include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
+#include "recon/mesh/labelled_complex.h"
 #include "recon/mesh/meshes.h"
 #include "recon/mesh/surface_report.h"
 
@@ -111,6 +112,8 @@ struct Reconstruction {
   std::vector<Attention> attention;       // where to look, see verdict.h
   std::vector<Doubt> doubts;              // choices that the slices do not settle; by structure, slab, lower, upper
   std::vector<Link> remedies;             // tried: each joins a region that is linked to nothing; for the first few of these
+  /// Of a partition (recon/partition): what the solids share. Empty: each structure was reconstructed by itself.
+  std::optional<LabelledComplex> complex;
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;
