@@ -1,7 +1,9 @@
 #include <pybind11/stl.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "engine/app/sniff.h"
@@ -19,6 +21,7 @@
 #include "recon/output/comparison_json.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
+#include "recon/partition/reconstruct_partition.h"
 
 namespace odontoscope::python {
 namespace {
@@ -26,6 +29,11 @@ namespace {
 /// Words of the program's options.
 struct DtWords {
   std::string correspondence, between, links;   // links: the text of a links file, or empty
+  int threads = 0;
+};
+struct PartitionWords {
+  std::vector<std::string> priority;
+  double gap = 0;
   int threads = 0;
 };
 struct DbWords {
@@ -76,6 +84,21 @@ Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<s
     if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
     return Model{std::move(made), nullptr};
   });
+}
+
+Model made_as_partition(const Contours& contours, const PartitionWords& words, const py::object& listener) {
+  PartitionOptions options;
+  options.priority = words.priority;
+  options.gap = words.gap;
+  options.threads = words.threads;
+  return watched(listener, [&](const Progress& progress) {
+    return Model{std::make_shared<const DtModel>(DtModel{reconstruct_partition(*contours.stack, options, progress), {}}), nullptr};
+  });
+}
+
+std::optional<Complex> complex_of(const Model& model) {
+  if (!model.dt || !model.dt->reconstruction.complex) return std::nullopt;
+  return Complex{model.dt};
 }
 
 Model made_by_db(const Contours& contours, const DbWords& words, const py::object& listener) {
@@ -208,12 +231,25 @@ void add_part(py::module_& module) {
       .def("closed", [](const Part& part) { return part.report->closed_oriented_manifold(); });
 }
 
+void add_complex(py::module_& module) {
+  static_assert(std::is_standard_layout_v<InterfaceTriangle> && offsetof(InterfaceTriangle, outer) == offsetof(InterfaceTriangle, inner) + sizeof(Label));
+  py::class_<Complex, std::shared_ptr<Complex>>(module, "Complex")
+      .def("structures", [](const Complex& self) { return self.get().structures; })
+      .def("points", [](const Complex& self) { return table_view<double, 3>(self.get().mesh.points, self.model); })
+      .def("tetrahedra", [](const Complex& self) { return table_view<PointIndex, 4>(self.get().mesh.tetrahedra, self.model); })
+      .def("labels", [](const Complex& self) { return list_view<Label>(self.get().mesh.labels, self.model); })
+      .def("interfaces", [](const Complex& self) { return member_view<PointIndex, 3>(self.get().interfaces, offsetof(InterfaceTriangle, triangle), self.model); })
+      .def("interface_labels", [](const Complex& self) { return member_view<Label, 2>(self.get().interfaces, offsetof(InterfaceTriangle, inner), self.model); });
+}
+
 }  // namespace
 
 void add_models(py::module_& module) {
   add_part(module);
+  add_complex(module);
   py::class_<Model, std::shared_ptr<Model>>(module, "Model")
       .def("parts", &parts_of)
+      .def("complex", &complex_of)
       .def("certified", [](const Model& model) { return model.dt ? model.dt->reconstruction.certified : model.db->reconstruction.certified; })
       .def("verdict", [](const Model& model) { return std::string(model.dt ? name(verdict_of(model.dt->reconstruction)) : ""); })
       .def("headline", [](const Model& model) { return model.dt ? headline(model.dt->reconstruction) : std::string(); })
@@ -223,6 +259,9 @@ void add_models(py::module_& module) {
       .def("anatomy", &anatomy_of);
   module.def("by_dt", [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles, const py::object& listener) {
     return made_by_dt(contours, dt_words(words), triangles, listener);
+  });
+  module.def("as_partition", [](const Contours& contours, const std::vector<std::string>& priority, double gap, int threads, const py::object& listener) {
+    return made_as_partition(contours, {priority, gap, threads}, listener);
   });
   module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) { return made_by_db(contours, db_words(words), listener); });
   module.def("compare", [](const Contours& contours, const py::dict& dt, const py::dict& db, const py::object& listener) {

@@ -52,6 +52,12 @@ struct Part {
   const TetraMesh* tetrahedra = nullptr;   // null: DB has none
 };
 
+/// What the structures of a partition share.
+struct Complex {
+  std::shared_ptr<const DtModel> model;
+  const LabelledComplex& get() const { return *model->reconstruction.complex; }
+};
+
 struct VolumeImage {
   std::shared_ptr<const Volume> volume;
 };

@@ -37,8 +37,8 @@ from .errors import Error, FileError, InputError, InternalError, UsageError, ref
 
 __version__: str = _core.__version__
 __all__ = [
-    "Contours", "Error", "FileError", "InputError", "InternalError", "Model", "Solid", "UsageError", "Volume", "anatomy", "check", "compare",
-    "contours", "read_mesh", "read_volume", "reconstruct", "sample",
+    "Complex", "Contours", "Error", "FileError", "InputError", "InternalError", "Model", "Solid", "UsageError", "Volume", "anatomy", "check",
+    "compare", "contours", "read_mesh", "read_volume", "reconstruct", "sample",
 ]
 
 Progress = Callable[[str, float], Any]
@@ -381,6 +381,46 @@ class Solid:
         return f"<odontoscope.Solid {self.structure}: {len(self.triangles)} triangles{solids}, {self.volume:.4g} mm^3>"
 
 
+class Complex:
+    """One conforming complex of all structures (``partition=True``), which share their faces: read-only views without copies."""
+
+    def __init__(self, core: Any):
+        self._core = core
+
+    @property
+    def structures(self) -> tuple[str, ...]:
+        """Names; label n is ``structures[n - 1]``."""
+        return tuple(self._core.structures())
+
+    @property
+    def points(self) -> np.ndarray:
+        """Shape (n, 3), float64, mm."""
+        return self._core.points()
+
+    @property
+    def tetrahedra(self) -> np.ndarray:
+        """Shape (n, 4), uint32, indices into ``points``; positive: det(b-a, c-a, d-a) > 0."""
+        return self._core.tetrahedra()
+
+    @property
+    def labels(self) -> np.ndarray:
+        """Structure of each tetrahedron, from 1: shape (n,), uint16."""
+        return self._core.labels()
+
+    @property
+    def interfaces(self) -> np.ndarray:
+        """Every face between two labels, once: shape (n, 3), uint32, indices into ``points``; counter-clockwise seen from the outer side."""
+        return self._core.interfaces()
+
+    @property
+    def interface_labels(self) -> np.ndarray:
+        """Of each interface the labels inside and outside, 0 for void: shape (n, 2), uint16."""
+        return self._core.interface_labels()
+
+    def __repr__(self) -> str:
+        return f"<odontoscope.Complex of {', '.join(self.structures)}: {len(self.tetrahedra)} tetrahedra, {len(self.interfaces)} interfaces>"
+
+
 class Model:
     """What ``reconstruct`` made: solids, links, and the report on both."""
 
@@ -392,6 +432,12 @@ class Model:
     def solids(self) -> list[Solid]:
         """One for each structure, in order of first appearance."""
         return [Solid(part) for part in self._core.parts()]
+
+    @property
+    def complex(self) -> Optional[Complex]:
+        """What the solids share, of a model made with ``partition=True``; else None."""
+        core = self._core.complex()
+        return None if core is None else Complex(core)
 
     def __getitem__(self, structure: str) -> Solid:
         for solid in self.solids:
@@ -434,7 +480,7 @@ class Model:
 
 def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tracked", between: str = "blended", links: Any = None,
                 link: Union[str, Iterable[str]] = (), unlink: Union[str, Iterable[str]] = (), together: Union[str, Iterable[str]] = (),
-                triangles: Optional[int] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
+                partition: bool = False, priority: Union[str, Iterable[str], None] = None, gap: Optional[float] = None, triangles: Optional[int] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
                 decimate: Union[int, str, None] = None, threads: int = 0, progress: Optional[Progress] = None, **reading: Any) -> Model:
     """Contours or a volume to a solid, certified model.
 
@@ -446,6 +492,9 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
         links: your own choices of what connects: dicts as in ``Model.links``, or a file of them. They win.
         link, unlink: single ones, "NAME:N:B-U": contour B of slice N and U of N + 1.
         together: "A,B": make structures one solid, the inner a cavity of the outer.
+        partition: one complex of all structures, which share their faces without gap or overlap (``Model.complex``).
+        priority, gap: with ``partition``: who keeps the place where structures overlap ("A,B"); void narrower than so many mm between two
+            structures is closed.
         triangles: simplify the surfaces to at most so many in all; topology is kept, and ``report["simplification_aim"]`` says whether
             that was reached.
         grid, cases, field, split, decimate: about "db", as in the program.
@@ -468,10 +517,17 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
     for names in _options.names(together):
         stack = stack.together(*names.split(","))
     if method == "db":
-        if triangles is not None or dt["links"]:
-            raise _refuse(UsageError, "triangles, links, link and unlink are about the DT method", "Use decimate and split with method=\"db\"")
+        if triangles is not None or dt["links"] or partition or priority is not None or gap is not None:
+            raise _refuse(UsageError, "triangles, partition, priority, gap, links, link and unlink are about the DT method", "Use decimate and split with method=\"db\"")
         return Model(_core.by_db(stack._core, db, progress), stack.source)
     target = None if triangles is None else _options.whole(triangles, "triangles", 1)
+    if partition:
+        if target is not None or dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
+            raise _refuse(UsageError, "together, triangles, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
+        order = [name for names in _options.names(priority) for name in names.split(",")]
+        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], progress), stack.source)
+    if priority is not None or gap is not None:
+        raise _refuse(UsageError, "priority and gap are about partition", "Give partition=True, or leave them out")
     return Model(_core.by_dt(stack._core, dt, target, progress), stack.source)
 
 

@@ -45,6 +45,14 @@ def optional_number(given: Any, option: str) -> float | None:
     return None if given is None else _number(given, option)
 
 
+def least_zero(given: Any, option: str) -> float:
+    """0 for None."""
+    value = 0.0 if given is None else _number(given, option)
+    if value < 0:
+        raise refuse(UsageError, f"{option}={given!r} is less than 0", f"For example {option}=0.05")
+    return value
+
+
 def whole(given: Any, option: str, least: int) -> int:
     if isinstance(given, bool) or not hasattr(given, "__index__") or given.__index__() < least:
         raise refuse(UsageError, f"{option}={given!r} is no whole number of at least {least}", f"For example {option}={max(least, 8)}")

@@ -131,15 +131,21 @@ def _together(parts: list[tuple[np.ndarray, np.ndarray]]) -> tuple[list[np.ndarr
 
 
 def to_tetrahedra(model: Model) -> vtkUnstructuredGrid:
-    """All structures' tetrahedra in one grid."""
-    solids = model.solids
-    blocks, cells, numbers = _together([(solid.tetrahedron_points, solid.tetrahedra) for solid in solids])
+    """All structures' tetrahedra in one grid; those of a partition share their points."""
+    shared, solids = model.complex, model.solids
+    if shared is not None:
+        names, blocks, cells, labels = list(shared.structures), [shared.points], shared.tetrahedra, shared.labels
+        numbers = labels.astype(np.int32)
+    else:
+        names = [solid.structure for solid in solids]
+        blocks, cells, numbers = _together([(solid.tetrahedron_points, solid.tetrahedra) for solid in solids])
+        labels = np.concatenate([solid.labels for solid in solids])
     grid = vtkUnstructuredGrid()
     grid.SetPoints(_points(blocks))
     grid.SetCells(VTK_TETRA, _cell_array(cells))
     _cell_data(grid, "structure", numbers)
-    _cell_data(grid, "label", np.concatenate([solid.labels for solid in solids]).astype(np.int32))
-    _name_structures(grid, [solid.structure for solid in solids])
+    _cell_data(grid, "label", labels.astype(np.int32))
+    _name_structures(grid, names)
     return grid
 
 
@@ -229,7 +235,7 @@ class _Options:
             return 0
 
 
-_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "threads": 0}
+_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "partition": False, "priority": None, "gap": None, "threads": 0}
 _db = {"grid": 128, "cases": "classic", "field": "hybrid", "split": (), "decimate": None}
 
 

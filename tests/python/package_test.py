@@ -109,6 +109,48 @@ class SameAsTheProgram(InFolder):
         self.assertEqual(theirs, ours)
 
 
+class Partition(InFolder):
+    def rows(self):
+        """A pulp within dentine: two structures with a common wall."""
+        return [(z, circle(radius=r), name) for z in (0, 1, 2) for r, name in ((2, "dentine"), (1, "pulp"))]
+
+    def test_shares_faces_and_adds_up(self):
+        model = odontoscope.reconstruct(self.rows(), partition=True)
+        shared = model.complex
+        self.assertEqual(set(shared.structures), {"dentine", "pulp"})
+        a, b, c, d = (shared.points[shared.tetrahedra[:, n]] for n in range(4))
+        volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6
+        self.assertGreater(volumes.min(), 0)
+        for label, name in enumerate(shared.structures, 1):
+            self.assertAlmostEqual(volumes[shared.labels == label].sum(), model[name].volume, places=9)
+        walls = {tuple(pair) for pair in shared.interface_labels}
+        self.assertEqual(walls, {(1, 0), (2, 0), (1, 2)})
+        between = shared.interfaces[(shared.interface_labels == (1, 2)).all(axis=1)]
+        self.assertGreater(len(between), 0)
+        self.assertLess(between.max(), len(shared.points))
+        self.assertTrue(np.shares_memory(shared.interfaces, model.complex.interfaces))
+        with self.assertRaises(ValueError):
+            shared.interfaces[0] = 0
+        kept, copy = shared.interface_labels, shared.interface_labels.copy()
+        del model, shared
+        np.testing.assert_array_equal(kept, copy)
+
+    def test_is_the_programs(self):
+        odontoscope.Contours(self.rows()).save(self.folder / "t.json")
+        odontoscope.reconstruct(self.folder / "t.json", partition=True, priority="pulp,dentine").save(self.folder / "a.vtu")
+        self.program("reconstruct", "t.json", "--partition", "--priority", "pulp,dentine", "-o", "b.vtu")
+        self.assertEqual((self.folder / "a.vtu").read_bytes(), (self.folder / "b.vtu").read_bytes())
+
+    def test_is_refused_with_what_does_not_go_with_it(self):
+        for options in [{"triangles": 8}, {"link": "tooth:0:0-0"}, {"method": "db"}, {"gap": -1}, {"correspondence": "medial"}]:
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.reconstruct(self.rows(), partition=True, **options)
+        for options in [{"gap": 1}, {"priority": "a,b"}]:
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.reconstruct(self.rows(), **options)
+        self.assertIsNone(odontoscope.reconstruct(self.rows()).complex)
+
+
 class Links(InFolder):
     def two(self):
         """Two rods beside each other: what is forced, joins them; what is forbidden, parts one."""

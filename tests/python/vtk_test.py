@@ -123,6 +123,18 @@ class Filters(unittest.TestCase):
         self.assertEqual(faulty_edges(skin.GetOutputPort()), 0)
         self.assertEqual(grid.GetCellData().GetArray("label").GetNumberOfTuples(), grid.GetNumberOfCells())
 
+    def test_partitions_share_their_points(self):
+        rows = [(z, circle(radius=r), name) for z in (0, 1, 2) for r, name in ((2, "dentine"), (1, "pulp"))]
+        made = fed(vtk.ContoursToTetrahedra, rows, Partition=True)
+        made.Update()
+        self.assertIsNone(made.GetError())
+        self.assertEqual(made.GetOutput().GetNumberOfPoints(), len(made.GetModel().complex.points))
+        skin = vtkDataSetSurfaceFilter()
+        skin.SetInputConnection(made.GetOutputPort())
+        skin.Update()
+        self.assertEqual(skin.GetOutput().GetNumberOfCells(), int((made.GetModel().complex.interface_labels[:, 1] == 0).sum()), "inside, nothing is a boundary")
+        self.assertEqual(faulty_edges(skin.GetOutputPort()), 0)
+
     def test_run_again_when_an_option_changes_and_only_then(self):
         made = fed(vtk.ContoursToSurface, root())
         made.Update()
