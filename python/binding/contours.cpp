@@ -141,9 +141,14 @@ std::vector<double> heights_of(const Contours& contours) {
   return heights;
 }
 
-Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool filled) {
+Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool filled_dentine, bool filled) {
+  SampleOptions options;
+  options.slice_spacing = slice_spacing;
+  options.point_spacing = point_spacing;
+  options.hollow_dentine = !filled_dentine;
+  options.filled = filled;
   for (const ToothKind known : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {
-    if (kind == name(known)) return {std::make_shared<const ContourStack>(sample_tooth(known, {slice_spacing, point_spacing, !filled})), {}, {}};
+    if (kind == name(known)) return {std::make_shared<const ContourStack>(sample_tooth(known, options)), {}, {}};
   }
   throw UsageError("\"" + kind + "\" is no sample tooth", "Say molar, premolar or incisor");
 }

@@ -547,14 +547,18 @@ def anatomy(source: Union[Source, Model], progress: Optional[Progress] = None, *
     return model.anatomy(progress)
 
 
-def sample(kind: str = "molar", *, slice_spacing: float = 0.25, point_spacing: float = 0.22, filled_dentine: bool = False) -> Contours:
+def sample(kind: str = "molar", *, slice_spacing: float = 0.25, point_spacing: float = 0.22, filled_dentine: bool = False,
+           filled: bool = False) -> Contours:
     """Contours of a made-up tooth with known truth: "molar", "premolar" or "incisor" (docs/sample-teeth.md). Spacings in mm.
+
+    ``filled_dentine``: the pulp is no hole of it, for ``together="dentine,pulp"``. ``filled``: every structure overlaps those within it, for
+    ``partition=True``.
 
     >>> sample("molar").structures
     ('dentine', 'pulp', 'enamel')
     """
     return Contours._of(_core.sample(str(kind), _options.optional_number(slice_spacing, "slice_spacing"), _options.optional_number(point_spacing, "point_spacing"),
-                                     bool(filled_dentine)))
+                                     bool(filled_dentine), bool(filled)))
 
 
 def read_mesh(file: Union[str, "os.PathLike[str]"]) -> list[Solid]:

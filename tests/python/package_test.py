@@ -135,6 +135,12 @@ class Partition(InFolder):
         del model, shared
         np.testing.assert_array_equal(kept, copy)
 
+    def test_of_a_filled_sample(self):
+        self.program("sample", "incisor", "--filled", "--slice-spacing", "0.35", "-o", "theirs.json")
+        tooth = odontoscope.sample("incisor", filled=True, slice_spacing=0.35)
+        tooth.save(self.folder / "ours.json")
+        self.assertEqual((self.folder / "ours.json").read_bytes(), (self.folder / "theirs.json").read_bytes())
+
     def test_is_the_programs(self):
         odontoscope.Contours(self.rows()).save(self.folder / "t.json")
         odontoscope.reconstruct(self.folder / "t.json", partition=True, priority="pulp,dentine").save(self.folder / "a.vtu")
