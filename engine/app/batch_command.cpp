@@ -93,7 +93,8 @@ void take_message(BatchRecord& record, const std::string& err) {
   std::string line = last_line(err);
   if (line.starts_with("See odontoscope")) line = last_line(std::string_view(err).substr(0, err.rfind("See odontoscope")));
   if (line.starts_with("odontoscope: ")) line.erase(0, 13);
-  record.message = line;
+  constexpr int no_program = 127;
+  record.message = line.empty() && record.exit_code == no_program ? "this program cannot be started once more: /proc is not mounted, or it was replaced meanwhile" : line;
   const std::size_t open = line.rfind('[');
   if (line.ends_with(']') && open != line.npos) record.cause = line.substr(open + 1, line.size() - open - 2);
 }
