@@ -114,6 +114,7 @@ void name_all(std::vector<BatchItem>& items) {
 }  // namespace
 
 std::vector<std::string> words_in_line(std::string_view line, const std::string& what) {
+  if (line.find('\0') != line.npos) throw UsageError(fmt::format("{}: there is a byte 0 in it", what), "Give a list that is text");
   std::vector<std::string> words;
   bool within = false;
   char quote = 0;

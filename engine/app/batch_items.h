@@ -15,7 +15,7 @@ struct BatchItem {
 };
 
 /// A line in words, as a shell would: parted by blanks, '...' and "..." hold blanks, a backslash takes the next character as it is (but in '...').
-/// UsageError, naming `what`, for a quote that does not end.
+/// UsageError, naming `what`, for a quote that does not end, and for a byte 0.
 std::vector<std::string> words_in_line(std::string_view line, const std::string& what);
 
 /// What `sources` name, in order: a file, or folder of DICOM, stands for itself; a pattern (* ? [) that is no file, for all that match, sorted; a

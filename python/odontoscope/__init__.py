@@ -96,7 +96,9 @@ class Contours(Sequence):
     @property
     def heights(self) -> tuple[float, ...]:
         """z of each slice, mm, in the order of the slices."""
-        return tuple(self._core.heights())
+        if "_heights" not in self.__dict__:
+            self._heights = tuple(self._core.heights())
+        return self._heights
 
     @property
     def structures(self) -> tuple[str, ...]:

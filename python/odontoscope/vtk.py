@@ -165,16 +165,17 @@ def to_surface(solids: list[Solid]) -> vtkPolyData:
 def to_polydata(stack: Contours) -> vtkPolyData:
     """Closed polylines, slice by slice."""
     names = list(stack.structures)
-    blocks, lines, numbers = [], vtkCellArray(), []
+    blocks, rings, numbers = [], [], []
     start = 0
     for z, row in zip(stack.heights, stack):
         for structure, points in row:
             blocks.append(np.column_stack([points, np.full(len(points), z)]))
-            lines.InsertNextCell(len(points) + 1)
-            for n in list(range(start, start + len(points))) + [start]:
-                lines.InsertCellPoint(n)
+            rings.append(np.append(np.arange(start, start + len(points), dtype=np.int64), start))
             numbers.append(names.index(structure) + 1)
             start += len(points)
+    offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.int64)
+    lines = vtkCellArray()
+    lines.SetData(numpy_support.numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_support.numpy_to_vtkIdTypeArray(np.concatenate(rings), deep=True))
     data = vtkPolyData()
     data.SetPoints(_points(blocks))
     data.SetLines(lines)

@@ -103,8 +103,9 @@ TEST_F(Batch, WithStrictTellsThatNothingWasWritten) {
 TEST_F(Batch, ThatMakesNoSenseIsRefusedBeforeAnyWork) {
   given("quote.txt", "teeth/cube.json --between 'delaunay\n");
   given("output.txt", "teeth/cube.json -o x.glb\n");
+  given("zero.txt", std::string("teeth/cube.json\0x\n", 17));
   given("empty.txt", "# nothing\n");
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"none*.json"}, {"teeth/cube.json", "teeth/cube.json"}, {"quote.txt"}, {"output.txt"}, {"empty.txt"},
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"none*.json"}, {"teeth/cube.json", "teeth/cube.json"}, {"quote.txt"}, {"zero.txt"}, {"output.txt"}, {"empty.txt"},
                                                                                    {"list.txt", "--part", "4/3"}, {"list.txt", "--part", "x"}, {"list.txt", "--format", ".docx"},
                                                                                    {"list.txt", "--with", "--report x.json"}, {"list.txt", "--jobs", "0"}}) {
     std::vector<std::string> call{"batch", "-o", "out"};
