@@ -17,6 +17,7 @@
 #include "engine/app/contact_sheet.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/radiograph_options.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/tour_film.h"
@@ -36,6 +37,7 @@ struct RenderArguments {
   DtWords dt;
   VolumeWords volume;
   SceneWords scene;
+  RadiographWords radiograph;
   std::string output, save_scene;
   std::string size;   // empty: as usual
   std::string backend = "auto";
@@ -251,6 +253,32 @@ void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& s
     console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
 }
 
+/// A film has mm instead of pixels, and no looks.
+void refuse_words_about_pictures(const RenderArguments& options) {
+  const SceneWords& scene = options.scene;
+  const bool looks = !scene.opacity.empty() || !scene.colour.empty() || !scene.section.empty() || !scene.cap.empty() || !scene.back_faces.empty() || !scene.background.empty() ||
+                     !scene.overlays.empty() || scene.occlusion || scene.wire || scene.wall_depth;
+  if (looks || !scene.scene_file.empty() || !scene.camera_file.empty() || scene.parallel || scene.zoom != 1 || !options.save_scene.empty())
+    throw UsageError("a radiograph shows shadows: of the options under Looking and Showing only --view and --hide are about it", "Leave the others out.");
+  if (on_tour(options)) throw UsageError("--radiograph and --tour: no film lies in a canal", "Choose one.");
+  if (!options.size.empty()) throw UsageError("--size: a film's size is told in mm", "Give --film WxH and --pixel MM.");
+}
+
+ExitCode render_radiograph(const RenderArguments& options, Session& session) {
+  refuse_words_about_pictures(options);
+  refuse_unwritable(planned_files(options));
+  const NamedView from = options.scene.view.empty() ? NamedView::buccal : view_named(options.scene.view);
+  const std::vector<Image> films =
+      radiographs(options.radiograph, {options.input, options.volume, options.dt, from, options.scene.hide, std::max(options.turntable, 1)}, session);
+  const std::vector<std::string> names = picture_files(options);
+  std::vector<FileContent> files;
+  for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], png_bytes(films[i])});
+  session.progress().check();
+  write_all(files, session.interrupts);
+  session.console.say(files.size() == 1 ? fmt::format("Wrote {}", files[0].file.string()) : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
+  return ExitCode::done;
+}
+
 ExitCode render(const RenderArguments& options, Session& session) {
   if (!on_tour(options)) {
     refuse_tour_words_without_tour(options);
@@ -262,6 +290,8 @@ ExitCode render(const RenderArguments& options, Session& session) {
   const PictureOptions picture = picture_options(options);
   refuse_senseless(options.scene);
   refuse_senseless(options.dt);
+  refuse_senseless(options.radiograph);
+  if (options.radiograph.on) return render_radiograph(options, session);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
   ModelOnTheWay model(options, session);
@@ -307,6 +337,7 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
+  add_radiograph_options(parser, options.radiograph);
   add_dt_options(parser, options.dt);
   add_volume_options(parser, options.volume);
 }
@@ -326,6 +357,7 @@ Command render_command(CLI::App& root) {
       "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n"
       "  odontoscope render --tour canal-1 --size 1280x720 -o canal.mp4\n"
       "  odontoscope render --tour canal-1 --contact-sheet 4x3 -o canal.png\n"
+      "  odontoscope render molar.json --radiograph --tube 20,0 -o film.png\n"
       "\n"
       "Films (.mp4, .webm) are made by ffmpeg, which must be installed (Debian: ffmpeg).\n");
   return {parser, [options](Session& session) { return render(*options, session); }};
