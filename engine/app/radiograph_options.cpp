@@ -16,6 +16,7 @@
 #include "engine/app/options.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/tell_volume.h"
+#include "engine/app/volume_look_words.h"
 #include "engine/app/words.h"
 #include "recon/radiograph/film.h"
 #include "recon/radiograph/length_inside.h"
@@ -65,17 +66,6 @@ std::optional<glm::dvec2> film_from(const std::string& text) {
   const auto both = two_numbers(text, 'x');
   if (both && std::min(both->x, both->y) > 0 && std::max(both->x, both->y) <= longest_mm) return both;
   throw UsageError(fmt::format("--film {}: that is no size of a film", text), "Give width and height in mm: --film 31x41");
-}
-
-struct Greys {
-  double air = 0, dentine = 1;
-};
-
-std::optional<Greys> greys_from(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto both = two_numbers(text, ',');
-  if (both && both->x < both->y) return Greys{both->x, both->y};
-  throw UsageError(fmt::format("--grey {}: those are no two values", text), "Give the value of air, then the higher one of dentine: --grey 20,150");
 }
 
 /// 1/mm, by structure.
@@ -275,22 +265,6 @@ std::vector<Image> through_solids(const RadiographWords& words, const Radiograph
 
 // --- voxels --------------------------------------------------------------------------------------------------------
 
-/// The middle values of what lies below and above Otsu's threshold.
-Greys greys_by_themselves(const Volume& volume) {
-  const Thresholds thresholds(volume);
-  const double parting = thresholds.of({});
-  const Histogram& histogram = thresholds.histogram;
-  const auto median = [&](bool above) {
-    std::uint64_t all = 0, seen = 0;
-    const auto counts = [&](std::size_t bin) { return (histogram.value(bin) >= parting) == above ? histogram.counts[bin] : 0; };
-    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin) all += counts(bin);
-    for (std::size_t bin = 0; bin < histogram.counts.size(); ++bin)
-      if ((seen += counts(bin)) * 2 >= all) return histogram.value(bin);
-    return parting;
-  };
-  return {median(false), median(true)};
-}
-
 std::vector<Image> through_voxels(const RadiographWords& words, const RadiographInput& input, Session& session) {
   if (!words.attenuation.empty()) throw UsageError("--attenuation is about solids, and a volume without --iso has none", "Say with --grey AIR,DENTINE what its values mean.");
   if (!input.hidden.empty()) throw UsageError("--hide: a volume without --iso has no solids");
@@ -301,7 +275,7 @@ std::vector<Image> through_voxels(const RadiographWords& words, const Radiograph
   crop_told(volume, request.reshape, session.console);
   const auto told = greys_from(words.grey);
   if (!told && looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", input.file), "Say with --label N what is solid, or with --grey AIR,DENTINE that they are grey.");
-  const Greys values = told ? *told : greys_by_themselves(volume);
+  const GreyAnchors values = told ? *told : grey_anchors(volume);
   const double energy = effective_energy_kev(words.kv), dentine = linear_attenuation(*tissue_called("dentine"), energy);
   session.console.say(fmt::format("Radiograph at {:g} kV, as of {:g} keV: value {:.6g} is taken as air and {:.6g} as dentine, {} per mm{}", words.kv, energy, values.air, values.dentine,
                                   measured(dentine), told ? "" : " (the middle of either side of Otsu's threshold; --grey says otherwise)"));
@@ -340,7 +314,7 @@ void add_radiograph_options(CLI::App& parser, RadiographWords& words) {
   parser.add_option("--exposure", words.exposure, "So many times the usual one: more is darker")->type_name("F")->check(CLI::Range(1e-3, 1e3).description(""))->group(group);
   parser.add_flag("--inverted", words.inverted, "What is dense is dark")->group(group);
   repeatable(parser.add_option("--attenuation", words.attenuation, "Of a structure, 1/mm or a tissue: crown=0.4, tooth=dentine; repeatable"))->type_name("S=MU")->group(group);
-  parser.add_option("--grey", words.grey, "What values air and dentine have in a volume (default: by its histogram)")->type_name("AIR,DENTINE")->group(group);
+  parser.add_option("--grey", words.grey, "Values of air and dentine in a volume (default: by its histogram)")->type_name("AIR,DENTINE")->group("A volume's grey values");
 }
 
 void refuse_senseless(const RadiographWords& words) {
