@@ -11,25 +11,6 @@
 namespace odontoscope::delaunay {
 namespace {
 
-// ---- from CGAL's structure to arrays ------------------------------------------------------------------------------
-
-void copy_triangles(const Cdt& cdt, Planar& planar) {
-  std::uint32_t count = 0;
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) face->info().value = count++;
-  planar.triangles.resize(count);
-  planar.centres.resize(count);
-  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
-    PlanarTriangle& triangle = planar.triangles[face->info().value];
-    for (int i = 0; i < 3; ++i) {
-      triangle.v[i] = face->vertex(i)->info().value;
-      const Face other = face->neighbor(i);
-      triangle.nb[i] = cdt.is_infinite(other) ? none : other->info().value;
-    }
-    planar.centres[face->info().value] =
-        circumcentre(planar.points[triangle.v[0]], planar.points[triangle.v[1]], planar.points[triangle.v[2]]);
-  }
-}
-
 // Regions spread over triangles from the left of each contour edge, never across one. A region takes the number that
 // `region_of_contour` gives to the contour where its spreading begins.
 template <class Visit>
@@ -159,6 +140,23 @@ void finish(const Slice& slice, Triangulated& made, ConformedSlice& result) {
 }
 
 }  // namespace
+
+void copy_triangles(const Cdt& cdt, Planar& planar) {
+  std::uint32_t count = 0;
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) face->info().value = count++;
+  planar.triangles.resize(count);
+  planar.centres.resize(count);
+  for (auto face = cdt.finite_faces_begin(); face != cdt.finite_faces_end(); ++face) {
+    PlanarTriangle& triangle = planar.triangles[face->info().value];
+    for (int i = 0; i < 3; ++i) {
+      triangle.v[i] = face->vertex(i)->info().value;
+      const Face other = face->neighbor(i);
+      triangle.nb[i] = cdt.is_infinite(other) ? none : other->info().value;
+    }
+    planar.centres[face->info().value] =
+        circumcentre(planar.points[triangle.v[0]], planar.points[triangle.v[1]], planar.points[triangle.v[2]]);
+  }
+}
 
 ConformedSlice conform(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source,
                        const Progress& progress) {

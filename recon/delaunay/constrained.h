@@ -1,6 +1,6 @@
 #pragma once
-// The constrained Delaunay triangulation of a slice's contours in the plane, as CGAL makes it; for conform.cpp and refine.cpp alone, since its headers
-// take long to compile.
+// The constrained Delaunay triangulation of a slice's contours in the plane, as CGAL makes it; for conform.cpp, refine.cpp and the planar partitions
+// alone, since its headers take long to compile.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -25,7 +25,21 @@ using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::
 using Vertex = Cdt::Vertex_handle;
 using Face = Cdt::Face_handle;
 
+/// Along a space-filling curve, which is fast to insert. It starts from the order of coordinates, so that the triangulation of points on
+/// one circle does not depend on how they are numbered.
+std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points);
+
 /// Points in this order, numbered as in `points`.
 std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order);
+
+/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a null handle if none
+/// does: then no other point does, since the triangulation is constrained Delaunay.
+Vertex encroacher(const Cdt& cdt, Face face, int i);
+
+/// Has neither triangle beside the edge the other's corner in its circumcircle?
+bool is_delaunay(const Cdt& cdt, Face face, int i);
+
+/// Triangles, neighbours and circumcentres; vertices are numbered as in `planar.points`.
+void copy_triangles(const Cdt& cdt, Planar& planar);
 
 }  // namespace odontoscope::delaunay

@@ -14,45 +14,6 @@
 namespace odontoscope::delaunay {
 namespace {
 
-/// Along a space-filling curve, which is fast to insert. It starts from the order of coordinates, so that the triangulation of points on
-/// one circle does not depend on how contours are numbered.
-std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points) {
-  std::vector<Kernel::Point_2> sites;
-  sites.reserve(points.size());
-  for (const Point2 p : points) sites.emplace_back(p.x, p.y);
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&sites](std::size_t a, std::size_t b) { return sites[a] < sites[b]; });
-  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(sites)));
-  return {order.begin(), order.end()};
-}
-
-/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a null handle if none
-/// does: then no other point does, since the triangulation is constrained Delaunay.
-Vertex encroacher(const Cdt& cdt, Face face, int i) {
-  const auto& a = face->vertex(Cdt::ccw(i))->point();
-  const auto& b = face->vertex(Cdt::cw(i))->point();
-  const auto height = [&](Vertex v) {
-    return std::abs((b.x() - a.x()) * (v->point().y() - a.y()) - (b.y() - a.y()) * (v->point().x() - a.x()));
-  };
-  Vertex nearest;
-  for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}}) {
-    if (cdt.is_infinite(f) || CGAL::angle(a, f->vertex(k)->point(), b) != CGAL::OBTUSE) continue;
-    const Vertex v = f->vertex(k);
-    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point())) nearest = v;
-  }
-  return nearest;
-}
-
-bool is_delaunay(const Cdt& cdt, Face face, int i) {
-  const Face other = face->neighbor(i);
-  if (cdt.is_infinite(face) || cdt.is_infinite(other)) return true;
-  return CGAL::side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
-                                       other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
-}
-
 /// Splits contour edges until all are Gabriel, or Delaunay. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
 /// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
 /// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever. Edges along a narrow
@@ -219,6 +180,41 @@ class Conformer {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points) {
+  std::vector<Kernel::Point_2> sites;
+  sites.reserve(points.size());
+  for (const Point2 p : points) sites.emplace_back(p.x, p.y);
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&sites](std::size_t a, std::size_t b) { return sites[a] < sites[b]; });
+  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+  CGAL::spatial_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(sites)));
+  return {order.begin(), order.end()};
+}
+
+Vertex encroacher(const Cdt& cdt, Face face, int i) {
+  const auto& a = face->vertex(Cdt::ccw(i))->point();
+  const auto& b = face->vertex(Cdt::cw(i))->point();
+  const auto height = [&](Vertex v) {
+    return std::abs((b.x() - a.x()) * (v->point().y() - a.y()) - (b.y() - a.y()) * (v->point().x() - a.x()));
+  };
+  Vertex nearest;
+  for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}}) {
+    if (cdt.is_infinite(f) || CGAL::angle(a, f->vertex(k)->point(), b) != CGAL::OBTUSE) continue;
+    const Vertex v = f->vertex(k);
+    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point())) nearest = v;
+  }
+  return nearest;
+}
+
+bool is_delaunay(const Cdt& cdt, Face face, int i) {
+  const Face other = face->neighbor(i);
+  if (cdt.is_infinite(face) || cdt.is_infinite(other)) return true;
+  return CGAL::side_of_oriented_circle(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point(),
+                                       other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
+}
 
 std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order) {
   std::vector<Vertex> vertices(points.size());

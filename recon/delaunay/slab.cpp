@@ -60,6 +60,8 @@ struct LowerEdge {
   bool left_inside;   // of a contour edge: is the region on the left of a->b?
 };
 
+/// `regions`: the slices have contours, of which it tells which side a dual point lies on.
+template <bool regions>
 class SlabWalk {
  public:
   SlabWalk(const Planar& lower, const Planar& upper)
@@ -86,8 +88,10 @@ class SlabWalk {
     tet.v = {v[0], v[1], v[2], offset_ + apex};
     tet.triangle = t;
     tet.lower_count = 3;
-    tet.dual_in_lower = lower_.inside(t);
-    tet.dual_in_upper = inside_wedge(lower_, t, upper_, apex, Side::upper);
+    if constexpr (regions) {
+      tet.dual_in_lower = lower_.inside(t);
+      tet.dual_in_upper = inside_wedge(lower_, t, upper_, apex, Side::upper);
+    }
     result_.push_back(tet);
   }
 
@@ -97,8 +101,10 @@ class SlabWalk {
     tet.v = {apex, offset_ + v[0], offset_ + v[1], offset_ + v[2]};
     tet.triangle = t;
     tet.lower_count = 1;
-    tet.dual_in_upper = upper_.inside(t);
-    tet.dual_in_lower = inside_wedge(upper_, t, lower_, apex, Side::lower);
+    if constexpr (regions) {
+      tet.dual_in_upper = upper_.inside(t);
+      tet.dual_in_lower = inside_wedge(upper_, t, lower_, apex, Side::lower);
+    }
     result_.push_back(tet);
   }
 
@@ -106,11 +112,13 @@ class SlabWalk {
   void walk(std::uint32_t from, int k, std::uint32_t start_cell, std::uint32_t end_cell) {
     const PlanarTriangle& triangle = lower_.triangles[from];
     LowerEdge edge{triangle.v[(k + 1) % 3], triangle.v[(k + 2) % 3], EdgeKind::external, false};
-    if (lower_.contour_edge(edge.a, edge.b)) {
-      edge.kind = EdgeKind::contour;
-      edge.left_inside = lower_.next[edge.a] == edge.b;
-    } else if (lower_.inside(from)) {
-      edge.kind = EdgeKind::internal;
+    if constexpr (regions) {
+      if (lower_.contour_edge(edge.a, edge.b)) {
+        edge.kind = EdgeKind::contour;
+        edge.left_inside = lower_.next[edge.a] == edge.b;
+      } else if (lower_.inside(from)) {
+        edge.kind = EdgeKind::internal;
+      }
     }
     std::uint32_t cell = start_cell;
     for (std::size_t steps = 0; cell != end_cell; ++steps) {
@@ -161,11 +169,13 @@ class SlabWalk {
     SlabTetrahedron tet;
     tet.v = {edge.a, edge.b, offset_ + cell, offset_ + other};
     tet.lower_count = 2;
-    tet.lower_edge = edge.kind;
-    tet.upper_edge = upper_.spokes[spoke].kind;
-    tet.dual_in_lower = edge.kind == EdgeKind::internal || (edge.kind == EdgeKind::contour && dual_inside(edge, cell, other));
-    tet.dual_in_upper = tet.upper_edge == EdgeKind::internal ||
-                        (tet.upper_edge == EdgeKind::contour && dual_inside_upper(edge, cell, other, spoke));
+    if constexpr (regions) {
+      tet.lower_edge = edge.kind;
+      tet.upper_edge = upper_.spokes[spoke].kind;
+      tet.dual_in_lower = edge.kind == EdgeKind::internal || (edge.kind == EdgeKind::contour && dual_inside(edge, cell, other));
+      tet.dual_in_upper = tet.upper_edge == EdgeKind::internal ||
+                          (tet.upper_edge == EdgeKind::contour && dual_inside_upper(edge, cell, other, spoke));
+    }
     result_.push_back(tet);
   }
 
@@ -195,7 +205,13 @@ class SlabWalk {
 
 }  // namespace
 
-std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper) { return SlabWalk(lower, upper).run(); }
+std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper) { return SlabWalk<true>(lower, upper).run(); }
+
+std::vector<SlabTetrahedron> bare_slab(const Planar& lower, const Planar& upper) {
+  std::vector<SlabTetrahedron> tetrahedra = SlabWalk<false>(lower, upper).run();
+  link_neighbours(tetrahedra);
+  return tetrahedra;
+}
 
 std::vector<SlabTetrahedron> triangulate_slab(const Planar& lower, const Planar& upper) {
   std::vector<SlabTetrahedron> tetrahedra = walked_slab(lower, upper);

@@ -34,6 +34,10 @@ std::vector<SlabTetrahedron> triangulate_slab(const Planar& lower, const Planar&
 /// The same, without neighbours: enough to see which regions lie over each other.
 std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper);
 
+/// The same of points without contours: nothing is told of regions (edge kinds and `dual_in_...` are left as they are). With neighbours. Of a 2-2 with
+/// corners (a, b, c, d) the Voronoi edge of ab, walked from the left of a->b to its right, passes from the cell of c to that of d.
+std::vector<SlabTetrahedron> bare_slab(const Planar& lower, const Planar& upper);
+
 /// For each face of `tetrahedra` the tetrahedron beyond it (none: only one has it). Throws InternalError if three share a face.
 void link_neighbours(std::vector<SlabTetrahedron>& tetrahedra);
 

@@ -35,6 +35,21 @@ class StackSolver {
   StackSolver(const StackTask& task, tbb::task_arena& arena, const Progress& progress)
       : task_(task), input_(task.input.stack), arena_(arena), progress_(progress), slabs_(input_.slices.size() - 1) {}
 
+  SurveyedStructure surveyed() {
+    conform_slices();
+    survey_slabs();
+    SurveyedStructure found;
+    for (std::size_t k = 0; k < slabs_; ++k) {
+      const SlabTask task = slab_task(k, Walls::lifted);
+      found.links.push_back(task.correspondences.links);
+      found.implied.push_back(implied_with_plates(k, task));
+    }
+    found.slices = std::move(result_.stack.slices);
+    found.voids = std::move(voids_);
+    found.surveys = std::move(surveys_);
+    return found;
+  }
+
   SolvedStructure run() {
     conform_slices();
     survey_slabs();
@@ -193,7 +208,7 @@ class StackSolver {
     const bool chosen = !task.choices.joined.empty() || !task.choices.apart.empty();
     if (!has_material(k)) return {{3}, {1}, {0}};
     std::vector<Attempt> list{{1, true}, {3, true}, {1}, {3}};
-    const between::SlabNeed need = between::need(outline(k), outline(k + 1));
+    const between::SlabNeed need = between::need(outline_of(slice(k)), outline_of(slice(k + 1)));
     const bool gentle = chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z);
     list.insert(gentle ? list.begin() : list.end(), Attempt{});
     list.push_back({7});
@@ -205,48 +220,14 @@ class StackSolver {
 
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }
 
-  /// Contours are numbered as in the conformed slice.
-  between::Outline outline(std::size_t k) const {
-    between::Outline all;
-    const ConformedSlice& from = slice(k);
-    for (std::size_t c = 0; c < from.contour_number.size(); ++c)
-      all.emplace_back(from.planar.points.begin() + from.first_point[c], from.planar.points.begin() + from.first_point[c + 1]);
-    return all;
-  }
-
   std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices, const between::BlendOptions& options) const {
-    const between::Outline lower = outline(k), upper = outline(k + 1);
-    between::Outline before, after;
-    between::Surroundings around;
-    around.lower = &lower;
-    around.upper = &upper;
-    around.z_lower = slice(k).z;
-    around.z_upper = slice(k + 1).z;
-    if (k > 0 && slice(k - 1).regions() > 0) {
-      before = outline(k - 1);
-      around.before = &before;
-      around.z_before = slice(k - 1).z;
-    }
-    if (k + 2 <= slabs_ && slice(k + 2).regions() > 0) {
-      after = outline(k + 2);
-      around.after = &after;
-      around.z_after = slice(k + 2).z;
-    }
-    for (const RegionLink& link : task.correspondences.links)
-      around.material.push_back({slice(k).outer_contour[link.lower], slice(k + 1).outer_contour[link.upper]});
-    for (const RegionLink& link : surveys_[k].voids)
-      around.voids.push_back({contour_of_void(k, link.lower), contour_of_void(k + 1, link.upper)});
-    std::vector<double> shares;
-    for (std::size_t i = 1; i <= slices; ++i) shares.push_back(static_cast<double>(i) / static_cast<double>(slices + 1));
-    std::vector<between::Outline> outlines = between::blend(around, shares, options);
+    const std::vector<double> shares = even_shares(slices);
+    std::vector<between::Outline> outlines =
+        blend_slab(result_.stack.slices, voids_, k, task.correspondences.links, surveys_[k].voids, shares, options);
     std::vector<Interpolated> made;
     for (std::size_t i = 0; i < slices; ++i)
-      made.push_back({around.z_lower + shares[i] * (around.z_upper - around.z_lower), std::move(outlines[i])});
+      made.push_back({slice(k).z + shares[i] * (slice(k + 1).z - slice(k).z), std::move(outlines[i])});
     return solve_through(task, task.correspondences.components, made, progress_);
-  }
-
-  std::size_t contour_of_void(std::size_t k, std::uint32_t number) const {
-    return number == 0 ? between::outside : voids_[k].hole_contour[number - 1];
   }
 
   // ---- topology -----------------------------------------------------------------------------------------------------
@@ -262,6 +243,24 @@ class StackSolver {
   /// Without plates, which are added later.
   Topology implied(std::size_t k, const SolvedSlab& solved) const {
     const SlabLinks links{pairs(solved.links), pairs(surveys_[k].voids), solved.lower_linked, solved.upper_linked};
+    return implied_topology(nesting_[k], nesting_[k + 1], links);
+  }
+
+  /// Of a slab in which what is linked to nothing stands on its slice as a plate.
+  Topology implied_with_plates(std::size_t k, const SlabTask& task) const {
+    SlabLinks links{pairs(task.correspondences.links), pairs(surveys_[k].voids), std::vector<bool>(slice(k).regions(), false),
+                    std::vector<bool>(slice(k + 1).regions(), false)};
+    for (const auto& [lower, upper] : links.material) links.lower_in[lower] = links.upper_in[upper] = true;
+    const auto plates = [&](std::size_t number, const std::vector<bool>& in, std::size_t& count) {
+      for (std::uint32_t r = 0; r < in.size(); ++r) {
+        if (in[r]) continue;
+        ++count;
+        const auto& owner = nesting_[number].owner;
+        links.plate_holes += static_cast<std::size_t>(std::count(owner.begin() + 1, owner.end(), r));
+      }
+    };
+    plates(k, links.lower_in, links.lower_plates);
+    plates(k + 1, links.upper_in, links.upper_plates);
     return implied_topology(nesting_[k], nesting_[k + 1], links);
   }
 
@@ -414,6 +413,10 @@ class StackSolver {
 
 SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress) {
   return StackSolver(task, arena, progress).run();
+}
+
+SurveyedStructure survey_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress) {
+  return StackSolver(task, arena, progress).surveyed();
 }
 
 }  // namespace odontoscope::delaunay

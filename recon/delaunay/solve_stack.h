@@ -9,6 +9,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/delaunay/assemble.h"
+#include "recon/delaunay/stack_blend.h"
 #include "recon/input/validate.h"
 
 namespace odontoscope::delaunay {
@@ -32,5 +33,17 @@ struct SolvedStructure {
 
 /// Throws InputError (slices-too-close, link-contradiction, link-impossible), Cancelled, InternalError.
 SolvedStructure solve_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
+
+/// A stack's links, without the solids.
+struct SurveyedStructure {
+  std::vector<ConformedSlice> slices;
+  std::vector<SliceVoids> voids;                    // one a slice
+  std::vector<SlabSurvey> surveys;                  // one a slab, as the next two
+  std::vector<std::vector<RegionLink>> links;       // of material, that hold
+  std::vector<Topology> implied;                    // regions that are linked to nothing within the slab count as plates, in every slab
+};
+
+/// The way of solve_stack up to the slabs' solids. Throws as solve_stack does.
+SurveyedStructure survey_stack(const StackTask& task, tbb::task_arena& arena, const Progress& progress);
 
 }  // namespace odontoscope::delaunay

@@ -1,0 +1,23 @@
+#pragma once
+// Tolerances and bounds of the partition (see recon/core/limits.h for those of all rooms).
+
+#include <cstddef>
+
+namespace odontoscope::partition::limits {
+
+/// How far a point is raised off its slice, over the slab's height: from both slices together less than the whole, with room between.
+inline constexpr double raise_share = 0.25;
+/// Rounds in which one vertex may be mended by relabelling single parts of its link before the whole of its surroundings gets one label.
+inline constexpr std::size_t single_mends = 3;
+/// Structures of one partition: one bit each.
+inline constexpr std::size_t most_structures = 64;
+/// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
+inline constexpr double corner_share = 0.25;
+/// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over
+/// the slab's height.
+inline constexpr double sliver_share = 0.05;
+/// Rounds of conforming a slice's borders, counted in points added over points given, before the slice is taken as not conforming.
+inline constexpr std::size_t steiner_factor = 20;
+inline constexpr std::size_t steiner_free = 2000;
+
+}  // namespace odontoscope::partition::limits

@@ -1,0 +1,36 @@
+#include "recon/partition/partition_topology.h"
+
+#include "recon/delaunay/ring.h"
+#include "recon/delaunay/solve_stack.h"
+
+namespace odontoscope::partition {
+
+using delaunay::RegionLink;
+
+std::vector<std::vector<Point2>> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure) {
+  std::vector<std::vector<Point2>> holes;
+  for (const std::size_t k : {slab, slab + 1})
+    for (const Contour& contour : stack.slices[k].contours)
+      if (contour.structure == structure && delaunay::signed_area(contour.points) < 0) holes.push_back(contour.points);
+  return holes;
+}
+
+ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena, const Progress& progress) {
+  const delaunay::SurveyedStructure survey = delaunay::survey_stack({stack, structure, {}}, arena, progress);
+  const auto outer = [&](std::size_t k, std::uint32_t region) { return survey.slices[k].contour_number[survey.slices[k].outer_contour[region]]; };
+  const auto hole = [&](std::size_t k, std::uint32_t number) -> std::optional<std::size_t> {
+    if (number == delaunay::outside) return std::nullopt;
+    return survey.slices[k].contour_number[survey.voids[k].hole_contour[number - 1]];
+  };
+  ImpliedTopology implied;
+  implied.of_slab = survey.implied;
+  for (std::size_t k = 0; k < survey.links.size(); ++k) {
+    for (const RegionLink& link : survey.links[k])
+      implied.links.push_back({{structure, k, outer(k, link.lower), outer(k + 1, link.upper), true}, link.criterion});
+    for (const RegionLink& link : survey.surveys[k].voids)
+      implied.void_links.push_back({structure, k, hole(k, link.lower), hole(k + 1, link.upper), link.criterion});
+  }
+  return implied;
+}
+
+}  // namespace odontoscope::partition

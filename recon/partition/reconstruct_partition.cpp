@@ -1,0 +1,256 @@
+#include "recon/partition/reconstruct_partition.h"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "recon/core/error.h"
+#include "recon/core/parallel.h"
+#include "recon/delaunay/certify.h"
+#include "recon/delaunay/difference_place.h"
+#include "recon/delaunay/look_here.h"
+#include "recon/input/validate.h"
+#include "recon/partition/certify_partition.h"
+#include "recon/partition/complex_parts.h"
+#include "recon/partition/corners.h"
+#include "recon/partition/face_contours.h"
+#include "recon/partition/inner_first.h"
+#include "recon/partition/interpolate.h"
+#include "recon/partition/limits.h"
+#include "recon/partition/partition_topology.h"
+#include "recon/partition/solve_between.h"
+
+namespace odontoscope {
+namespace {
+
+using namespace partition;
+
+/// Those that are named first, then the others from the inside out.
+Materials materials_of(const ContourStack& stack, const PartitionOptions& options) {
+  Materials materials;
+  materials.structures = structures_of(stack);
+  materials.gap = options.gap;
+  const std::size_t count = materials.structures.size();
+  Place place;
+  place.file = stack.source;
+  if (count > partition::limits::most_structures)
+    throw InputError("too-many-structures", place, fmt::format("a partition of {} structures; at most {} are supported", count, partition::limits::most_structures),
+                     "Leave some out, or reconstruct them independently");
+  for (const std::string& name : options.priority)
+    if (std::find(materials.structures.begin(), materials.structures.end(), name) == materials.structures.end())
+      throw InputError("unknown-structure", place, fmt::format("no structure is called \"{}\"", name),
+                       fmt::format("The structures are: {}", fmt::join(materials.structures, ", ")));
+  std::vector<std::uint32_t> order = inner_first(stack, materials.structures);
+  const auto named = [&](std::uint32_t s) {
+    return std::find(options.priority.begin(), options.priority.end(), materials.structures[s]) - options.priority.begin();
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return named(a) < named(b); });
+  materials.rank.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) materials.rank[order[i]] = i;
+  return materials;
+}
+
+class PartitionReconstructor {
+ public:
+  PartitionReconstructor(const OrderedStack& input, Materials materials, Between between, int threads, const Progress& progress)
+      : input_(input), materials_(std::move(materials)), between_(between), progress_(progress), arena_(threads) {
+    result_.threads = threads;
+  }
+
+  Reconstruction run() {
+    timed("slices", [&] { partition_slices(); });
+    timed("links", [&] { follow_links(); });
+    timed("slabs", [&] { solve_slabs(); });
+    timed("assemble", [&] { assemble(); });
+    timed("certify", [&] { certify(); });
+    count();
+    return std::move(result_);
+  }
+
+ private:
+  std::size_t structures() const { return materials_.structures.size(); }
+
+  void partition_slices() {
+    const std::vector<Slice>& given = input_.stack.slices;
+    borders_.resize(given.size());
+    slices_.resize(given.size());
+    for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
+      borders_[k] = overlay(given[k], materials_);
+      borders_[k].corners_cut = part_corners(borders_[k], materials_);
+      slices_[k] = planar_partition(borders_[k], given[k].z, progress_);
+    });
+  }
+
+  /// The contours as the partition leaves them, structure after structure.
+  OrderedStack effective() const {
+    OrderedStack stack;
+    stack.original_slice = input_.original_slice;
+    stack.stack.source = input_.stack.source;
+    for (std::size_t k = 0; k < borders_.size(); ++k) {
+      stack.stack.slices.push_back({input_.stack.slices[k].z, {}});
+      auto& contours = stack.stack.slices.back().contours;
+      for (Label l = 1; l <= structures(); ++l) {
+        const auto own = face_contours(borders_[k], materials_.structures[l - 1], [l](Label label) { return label == l; });
+        contours.insert(contours.end(), own.begin(), own.end());
+      }
+    }
+    return stack;
+  }
+
+  void follow_links() {
+    left_ = effective();
+    for (const std::string& structure : materials_.structures) implied_.push_back(implied_topology(left_, structure, arena_, progress_));
+    if (between_ == Between::blended) interpolator_.emplace(borders_, materials_, input_, arena_, progress_);
+  }
+
+  void solve_slabs() {
+    between_slices_.resize(slices_.size() - 1);
+    for_each(between_slices_.size(), arena_, "slabs", progress_, [&](std::size_t k) {
+      BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr, k, place(k)};
+      for (const ImpliedTopology& one : implied_) task.implied.push_back(one.of_slab[k]);
+      between_slices_[k] = solve_between(task, progress_);
+    });
+  }
+
+  template <class Work>
+  void timed(const char* stage, Work work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    result_.seconds.push_back({stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()});
+  }
+
+  Place place(std::size_t k) const {
+    Place where;
+    where.file = input_.stack.source;
+    where.slice = input_.original_slice[k];
+    where.z = input_.stack.slices[k].z;
+    return where;
+  }
+
+  /// One complex of all slices, given and interpolated, bottom up.
+  void assemble() {
+    std::vector<const PartitionSlab*> slabs;
+    for (std::size_t k = 0; k < slices_.size(); ++k) {
+      given_.push_back(all_.size());
+      all_.push_back(&slices_[k]);
+      if (k + 1 == slices_.size()) break;
+      for (const PartitionSlice& slice : between_slices_[k].slices) all_.push_back(&slice);
+      for (const PartitionSlab& slab : between_slices_[k].slabs) slabs.push_back(&slab);
+    }
+    SlabStack stack = stacked(all_, slabs);
+    LabelledComplex complex;
+    complex.structures = materials_.structures;
+    complex.mesh = std::move(stack.mesh);
+    complex.interfaces = interfaces_of(complex.mesh);
+    first_tetrahedron_ = std::move(stack.tetrahedra);
+    first_point_ = std::move(stack.points);
+    result_.complex = std::move(complex);
+  }
+
+  void certify() {
+    const LabelledComplex& complex = *result_.complex;
+    const ComplexRanges ranges{first_tetrahedron_, first_point_};
+    for_each(all_.size() - 1, arena_, "certify", progress_, [&](std::size_t k) { certify_slab(all_, ranges, complex.mesh, k); });
+    const std::size_t count = structures();
+    result_.solids.resize(count);
+    for_each(count + 1, arena_, "certify", progress_, [&](std::size_t s) {
+      const auto label = static_cast<Label>(s == count ? void_label : s + 1);
+      SurfaceMesh surface = surface_of(complex, label);
+      SurfaceReport report = inspect(surface);
+      delaunay::certify_surface(report, s == count ? "all structures together" : materials_.structures[s]);
+      if (s == count) return;
+      Solid& solid = result_.solids[s];
+      solid.structure = materials_.structures[s];
+      solid.tetrahedra = tetrahedra_of(complex, label);
+      solid.surface = std::move(surface);
+      solid.report = std::move(report);
+      for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
+    });
+    result_.slices_checked = given_.size();
+    result_.certified = true;
+    compare_topology();
+    drop_unused(result_.complex->mesh, result_.complex->interfaces);
+  }
+
+  void compare_topology() {
+    const LabelledComplex& complex = *result_.complex;
+    for (std::size_t s = 0; s < structures(); ++s) {
+      const std::string& name = materials_.structures[s];
+      std::vector<SlabTopology> counted(between_slices_.size());
+      for_each(counted.size(), arena_, "certify", progress_, [&](std::size_t k) {
+        counted[k] = {name, k, implied_[s].of_slab[k], between_slices_[k].found[s], between_slices_[k].slices.size(), false, {}, {}};
+        if (counted[k].as_implied()) return;
+        const LabelledPart part = part_of(complex.mesh, first_tetrahedron_[given_[k]], first_tetrahedron_[given_[k + 1]], static_cast<Label>(s + 1));
+        if (part.tetrahedra.empty()) return;
+        counted[k].place = delaunay::place_of_difference({complex.mesh.points, part.tetrahedra, part.boundary, holes_beside(left_.stack, k, name)},
+                                                         counted[k].implied, counted[k].found);
+      });
+      result_.topology.insert(result_.topology.end(), counted.begin(), counted.end());
+      result_.links.insert(result_.links.end(), implied_[s].links.begin(), implied_[s].links.end());
+      result_.void_links.insert(result_.void_links.end(), implied_[s].void_links.begin(), implied_[s].void_links.end());
+    }
+    result_.attention = delaunay::places_to_look_at(result_, left_.stack, {});
+  }
+
+  void count() {
+    ReconstructCounts& counts = result_.counts;
+    counts.slices = given_.size();
+    for (const Slice& slice : input_.stack.slices) {
+      counts.contours += slice.contours.size();
+      for (const Contour& contour : slice.contours) counts.points += contour.points.size();
+    }
+    for (const Borders& slice : borders_) {
+      result_.partition.crossings += slice.crossings;
+      result_.partition.corners_cut += slice.corners_cut;
+      result_.partition.closed_gap += slice.closed_gap;
+    }
+    for (const PartitionSlice* slice : all_) {
+      counts.steiner_points += slice->steiner_points;
+      counts.constrained_slices += !slice->conforming;
+    }
+    counts.kept = result_.complex->mesh.tetrahedra.size();
+    for (const SolvedBetween& one : between_slices_) {
+      bool raised = false;
+      for (const PartitionSlab& slab : one.slabs) {
+        result_.partition.relabelled += slab.relabelled;
+        result_.partition.raised_points += slab.added.size();
+        result_.partition.patches += slab.patches;
+        result_.partition.cut_slabs += slab.cut;
+        raised = raised || !slab.added.empty();
+      }
+      counts.raised_slabs += raised;
+    }
+  }
+
+  const OrderedStack& input_;
+  const Materials materials_;
+  const Between between_;
+  const Progress& progress_;
+  tbb::task_arena arena_;
+  std::vector<Borders> borders_;                 // of the given slices
+  std::vector<PartitionSlice> slices_;           // given
+  OrderedStack left_;                            // contours as the partition leaves them
+  std::vector<ImpliedTopology> implied_;         // of each structure
+  std::optional<Interpolator> interpolator_;
+  std::vector<SolvedBetween> between_slices_;    // above each given slice
+  std::vector<const PartitionSlice*> all_;       // given and interpolated, bottom up
+  std::vector<std::size_t> given_;               // of each given slice: its number among all
+  std::vector<std::size_t> first_tetrahedron_;   // of each of their slabs
+  std::vector<std::uint32_t> first_point_;       // of each of them
+  Reconstruction result_;
+};
+
+}  // namespace
+
+Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options, const Progress& progress) {
+  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  validate(stack, progress);
+  const OrderedStack input = ordered(stack);
+  return PartitionReconstructor(input, materials_of(input.stack, options), options.between, threads, progress).run();
+}
+
+}  // namespace odontoscope

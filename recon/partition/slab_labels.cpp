@@ -1,0 +1,138 @@
+#include "recon/partition/slab_labels.h"
+
+#include <algorithm>
+
+namespace odontoscope::partition {
+namespace {
+
+using delaunay::none;
+using delaunay::SlabTetrahedron;
+
+/// Numbers of the faces that the triangles make up; void that reaches the hull is face 0, with what lies beyond.
+std::vector<std::uint32_t> faces_of(const PartitionSlice& slice) {
+  const auto& triangles = slice.planar.triangles;
+  std::vector<std::uint32_t> face(triangles.size(), none);
+  std::vector<std::uint32_t> stack;
+  std::uint32_t count = 0;
+  const auto spread = [&] {
+    while (!stack.empty()) {
+      const std::uint32_t t = stack.back();
+      stack.pop_back();
+      for (const std::uint32_t other : triangles[t].nb) {
+        if (other == none || face[other] != none || slice.label(other) != slice.label(t)) continue;
+        face[other] = count;
+        stack.push_back(other);
+      }
+    }
+    ++count;
+  };
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (slice.label(t) != void_label || face[t] != none) continue;
+    if (std::find(triangles[t].nb.begin(), triangles[t].nb.end(), none) == triangles[t].nb.end()) continue;
+    face[t] = 0;
+    stack.push_back(t);
+  }
+  spread();
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (face[t] != none) continue;
+    face[t] = count;
+    stack.push_back(t);
+    spread();
+  }
+  return face;
+}
+
+}  // namespace
+
+SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const PartitionSlice& lower, const PartitionSlice& upper,
+                       const Materials& materials)
+    : tets_(tetrahedra),
+      lower_(lower),
+      upper_(upper),
+      materials_(materials),
+      offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
+      duals_(dual_triangles(tetrahedra, lower, upper)),
+      lower_faces_(faces_of(lower)),
+      upper_faces_(faces_of(upper)) {
+  for (std::uint32_t t = 0; t < tets_.size(); ++t) {
+    if (tets_[t].lower_count == 2) continue;
+    const auto [low, high] = duals_[t];
+    if (lower_.label(low) == upper_.label(high))
+      links_.emplace_back(low == none ? 0 : lower_faces_[low], high == none ? 0 : upper_faces_[high]);
+  }
+  std::sort(links_.begin(), links_.end());
+  links_.erase(std::unique(links_.begin(), links_.end()), links_.end());
+}
+
+bool SlabLabels::linked(std::uint32_t lower_triangle, std::uint32_t upper_triangle) const {
+  const std::pair faces{lower_triangle == none ? 0 : lower_faces_[lower_triangle], upper_triangle == none ? 0 : upper_faces_[upper_triangle]};
+  return faces == std::pair<std::uint32_t, std::uint32_t>{0, 0} || std::binary_search(links_.begin(), links_.end(), faces);
+}
+
+/// Does a face at the point continue that of the triangle?
+bool SlabLabels::knows_above(std::uint32_t point, std::uint32_t lower_triangle) const {
+  const auto& planar = upper_.planar;
+  for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
+    if (upper_.label(planar.spokes[s].triangle) == lower_.label(lower_triangle) && linked(lower_triangle, planar.spokes[s].triangle)) return true;
+  return false;
+}
+
+bool SlabLabels::knows_below(std::uint32_t point, std::uint32_t upper_triangle) const {
+  const auto& planar = lower_.planar;
+  for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
+    if (lower_.label(planar.spokes[s].triangle) == upper_.label(upper_triangle) && linked(planar.spokes[s].triangle, upper_triangle)) return true;
+  return false;
+}
+
+std::vector<std::uint32_t> SlabLabels::ending() const {
+  std::vector<std::uint32_t> points;
+  for (const SlabTetrahedron& tet : tets_) {
+    if (tet.lower_count == 3 && !knows_above(tet.v[3] - offset_, tet.triangle)) {
+      points.insert(points.end(), {tet.v[0], tet.v[1], tet.v[2]});
+    } else if (tet.lower_count == 1 && !knows_below(tet.v[0], tet.triangle)) {
+      points.insert(points.end(), {tet.v[1], tet.v[2], tet.v[3]});
+    }
+  }
+  return points;
+}
+
+Label SlabLabels::label(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+  return tets_[t].lower_count == 2 ? of_edges(t, raised, losers) : of_triangle(t, raised);
+}
+
+/// Its triangle's, unless that is closed over.
+Label SlabLabels::of_triangle(std::uint32_t t, const std::vector<bool>& raised) const {
+  const SlabTetrahedron& tet = tets_[t];
+  const bool below = tet.lower_count == 3;
+  const int first = below ? 0 : 1;
+  const bool closed = raised[tet.v[first]] && raised[tet.v[first + 1]] && raised[tet.v[first + 2]];
+  return closed == below ? upper_.label(duals_[t].upper) : lower_.label(duals_[t].lower);
+}
+
+/// What both edges admit; of two such labels the winner, unless that would join faces that do not continue each other.
+Label SlabLabels::of_edges(std::uint32_t t, const std::vector<bool>& raised, std::vector<std::uint32_t>& losers) const {
+  const SlabTetrahedron& tet = tets_[t];
+  const Label low = lower_.label(duals_[t].lower), high = upper_.label(duals_[t].upper);
+  if (low == high) return low;
+  const EdgeSides lower = sides_of(lower_, tet.v[0], tet.v[1]);
+  const EdgeSides upper = sides_of(upper_, tet.v[2] - offset_, tet.v[3] - offset_);
+  const bool lower_claims = !(raised[tet.v[0]] && raised[tet.v[1]]), upper_claims = !(raised[tet.v[2]] && raised[tet.v[3]]);
+  const bool low_admitted = !upper_claims || upper.has(low), high_admitted = !lower_claims || lower.has(high);
+  const auto joins = [&](Label label) {
+    return !lower.has(label) || !upper.has(label) || linked(lower.triangle(label), upper.triangle(label));
+  };
+  if (low_admitted && high_admitted) {
+    if (joins(low) != joins(high)) return joins(low) ? low : high;
+    return materials_.wins(low, high) ? low : high;
+  }
+  if (low_admitted) return low;
+  if (high_admitted) return high;
+  for (const Label common : {lower.left, lower.right})
+    if (upper.has(common)) return common;
+  const bool low_wins = materials_.wins(low, high);
+  if (low_wins) losers.insert(losers.end(), {tet.v[2], tet.v[3]});
+  else losers.insert(losers.end(), {tet.v[0], tet.v[1]});
+  return low_wins ? low : high;
+}
+
+}  // namespace odontoscope::partition
