@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "tests/partition/partition_oracle.h"
 #include "tests/partition/slice_overlay.h"
@@ -65,8 +66,12 @@ class SectionJudge {
 
  private:
   Point2 at(PointIndex v) const { return flat(mesh_.points[v]); }
-  void fault(const std::string& what, Point2 p) {
-    faults_.add(what, "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")");
+  void fault(const std::string& what, Point2 p, const std::string& more = {}) {
+    std::ostringstream words;
+    words.precision(17);
+    words << "(" << p.x << ", " << p.y << ")" << more << ", " << overlay_.distance(p) << " off the contours";
+    if (std::getenv("ALLP")) fprintf(stderr, "%s %s\n", what.c_str(), words.str().c_str());
+    faults_.add(what, words.str());
   }
 
   void judge_nothing_loose() {
@@ -114,7 +119,7 @@ class SectionJudge {
       if (turn(a, b, p) <= 0 || turn(b, c, p) <= 0 || turn(c, a, p) <= 0) continue;   // too thin for its own middle
       const Label wanted = overlay_.label_at(p);
       if (wanted == label || overlay_.distance(p) <= overlay_.rounding() || overlay_.may_be_cut(p)) continue;
-      if (wanted != void_label || !closed(p, label)) fault("a place in a slice with another label than its contours say", p);
+      if (wanted != void_label || !closed(p, label)) fault("a place in a slice with another label than its contours say", p, ": " + std::to_string(label) + " for " + std::to_string(wanted));
     }
   }
 
