@@ -52,9 +52,12 @@ Command sample_command(CLI::App& root) {
       ->capture_default_str();
   parser->add_flag("--filled-dentine", options->filled,
                    "Leave the pulp out of the dentine: for reconstruct --together dentine,pulp");
+  parser->add_flag("--filled", options->sample.filled,
+                   "Every structure filled, over those within it, and no gap: for reconstruct --partition");
   parser->footer(
       "Examples:\n"
       "  odontoscope sample molar -o molar.json\n"
+      "  odontoscope sample molar --filled -o filled.json\n"
       "  odontoscope sample incisor --slice-spacing 0.1 -o fine.json\n"
       "\n"
       "The molar is a lower first molar: two roots, three canals, five cusps.\n");

@@ -103,6 +103,17 @@ struct ReconstructCounts {
   double largest_sideways = 0;     // of a lifted point, over the length of the edge that it split
 };
 
+/// What making a partition took (recon/partition); all 0 for structures reconstructed by themselves.
+struct PartitionCounts {
+  std::size_t crossings = 0;     // points where contours of two structures cross
+  std::size_t corners_cut = 0;   // where four faces or more met in a point of a slice
+  double closed_gap = 0;         // area of void given to structures, over all slices, mm^2
+  std::size_t raised_points = 0;   // moved off their slice, since what its faces claim contradicts the next slice
+  std::size_t relabelled = 0;    // tetrahedra, to mend what was singular
+  std::size_t patches = 0;       // neighbourhoods that got one label for the same reason
+  std::size_t cut_slabs = 0;     // whose slices could not be made Delaunay: every face ends just off them
+};
+
 struct Reconstruction {
   std::vector<Solid> solids;     // in order of first appearance of the structure
   std::vector<MadeLink> links;   // by structure, slice, lower, upper
@@ -114,6 +125,7 @@ struct Reconstruction {
   std::vector<Link> remedies;             // tried: each joins a region that is linked to nothing; for the first few of these
   /// Of a partition (recon/partition): what the solids share. Empty: each structure was reconstructed by itself.
   std::optional<LabelledComplex> complex;
+  PartitionCounts partition;
   ReconstructCounts counts;
   std::vector<StageTime> seconds;
   int threads = 1;

@@ -1,9 +1,11 @@
 #include "recon/output/report_json.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "recon/delaunay/verdict.h"
 #include "recon/mesh/tetra_report.h"
+#include "recon/output/complex_groups.h"
 #include "recon/output/json_values.h"
 
 namespace odontoscope {
@@ -206,6 +208,34 @@ Json db_json(const DbReconstruction& made, const DbOptions& options) {
   return db;
 }
 
+double area_of(const LabelledComplex& complex, const ComplexGroup& group) {
+  double area = 0;
+  for (const std::uint32_t f : group.faces) {
+    const auto& [a, b, c] = complex.interfaces[f].triangle;
+    const Point3 p = complex.mesh.points[a], q = complex.mesh.points[b], r = complex.mesh.points[c];
+    const double x1 = q.x - p.x, y1 = q.y - p.y, z1 = q.z - p.z, x2 = r.x - p.x, y2 = r.y - p.y, z2 = r.z - p.z;
+    area += std::hypot(y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2) / 2;
+  }
+  return area;
+}
+
+Json partition_json(const Reconstruction& made) {
+  const LabelledComplex& complex = *made.complex;
+  Json borders = Json::array();
+  for (const ComplexGroup& group : groups_of(complex)) {
+    borders.push_back({{"name", group.name},
+                       {"inner", complex.structures[group.inner - 1]},
+                       {"outer", group.outer == void_label ? Json() : Json(complex.structures[group.outer - 1])},
+                       {"triangles", group.faces.size()},
+                       {"area", area_of(complex, group)}});
+  }
+  const PartitionCounts& counts = made.partition;
+  return {{"points", complex.mesh.points.size()}, {"tetrahedra", complex.mesh.tetrahedra.size()}, {"borders", std::move(borders)},
+          {"crossings", counts.crossings},        {"corners_cut", counts.corners_cut},           {"closed_gap", counts.closed_gap},
+          {"raised_points", counts.raised_points}, {"relabelled", counts.relabelled},             {"patches", counts.patches},
+          {"cut_slabs", counts.cut_slabs}};
+}
+
 }  // namespace
 
 std::string report_json(const DbReconstruction& made, const DbOptions& options) {
@@ -252,6 +282,7 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   report["structures"] = structures_json(reconstruction, tetrahedra);
   // The engine proves the section of every slice that it counts here, or returns nothing.
   report["resampling"] = {{"exact", reconstruction.certified}, {"slices_checked", reconstruction.slices_checked}};
+  if (reconstruction.complex) report["partition"] = partition_json(reconstruction);
   report["links"] = links_json(reconstruction.links);
   report["void_links"] = void_links_json(reconstruction.void_links);
   report["topology"] = topology_json(reconstruction.topology);

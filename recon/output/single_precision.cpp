@@ -94,4 +94,18 @@ std::vector<FloatPoint> distinct_floats(const std::vector<Point3>& points, doubl
   return floats;
 }
 
+std::vector<std::vector<FloatPoint>> distinct_floats(const WrittenModel& model, double scale) {
+  std::vector<Point3> all;
+  for (const WrittenSurface& solid : model.solids) all.insert(all.end(), solid.surface.points.begin(), solid.surface.points.end());
+  const std::vector<FloatPoint> floats = distinct_floats(all, scale);
+  std::vector<std::vector<FloatPoint>> parts;
+  auto from = floats.begin();
+  for (const WrittenSurface& solid : model.solids) {
+    const auto end = from + static_cast<std::ptrdiff_t>(solid.surface.points.size());
+    parts.emplace_back(from, end);
+    from = end;
+  }
+  return parts;
+}
+
 }  // namespace odontoscope

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/output/written_model.h"
 
 namespace odontoscope {
 
@@ -17,5 +18,8 @@ using FloatPoint = std::array<float, 3>;
 /// neighbours in the lattice of floats, so off by some units in the last place. Bit-equal points stay equal.
 /// Deterministic.
 std::vector<FloatPoint> distinct_floats(const std::vector<Point3>& points, double scale);
+
+/// Of all solids of a model together, so that points that two of them share stay equal to the bit.
+std::vector<std::vector<FloatPoint>> distinct_floats(const WrittenModel& model, double scale);
 
 }  // namespace odontoscope

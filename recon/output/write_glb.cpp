@@ -103,9 +103,8 @@ class Builder {
     model_.defaultScene = 0;
   }
 
-  void add_solid(const WrittenSurface& solid, const GlbOptions& options) {
+  void add_solid(const WrittenSurface& solid, const std::vector<FloatPoint>& points, const GlbOptions& options) {
     const std::vector<ShellGroup> groups = shell_groups(solid);
-    const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, metres_per_millimetre);
     const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
     for (const ShellGroup& group : groups) add_group(group, points, shaded);
   }
@@ -277,7 +276,8 @@ class Builder {
 
 std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool binary) {
   Builder builder(model);
-  for (const WrittenSurface& solid : model.solids) builder.add_solid(solid, options);
+  const std::vector<std::vector<FloatPoint>> points = distinct_floats(model, metres_per_millimetre);
+  for (std::size_t s = 0; s < model.solids.size(); ++s) builder.add_solid(model.solids[s], points[s], options);
   for (const CameraPath& path : options.paths) builder.add_path(path);
   if (!options.compressed) return builder.bytes(binary);
   const std::string plain = builder.bytes(true);

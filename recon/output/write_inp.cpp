@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "recon/output/complex_groups.h"
 #include "recon/output/shell_groups.h"
 #include "recon/output/solid_walls.h"
 #include "recon/output/text_values.h"
@@ -35,7 +36,8 @@ class Writer {
   std::string text() {
     text_ = "*HEADING\nodontoscope model, millimetres\n";
     text_ += fmt::format("** {}\n", certificate_in_words(WrittenModel(reconstruction_)));
-    add_nodes();
+    if (reconstruction_.complex) return complex_text(*reconstruction_.complex);
+    add_nodes(reconstruction_.solids);
     for (const Solid& solid : reconstruction_.solids) {
       add_elements(solid);
       add_ends(solid);
@@ -56,20 +58,87 @@ class Writer {
   }
 
   /// In one block, since some readers keep only the last.
-  void add_nodes() {
+  void add_nodes(const std::vector<Solid>& solids) {
     text_ += "*NODE\n";
     std::size_t number = 1;
-    for (const Solid& solid : reconstruction_.solids) {
-      for (const Point3& p : solid.tetrahedra.points) {
-        fmt::format_to(std::back_inserter(text_), "{}", number++);
-        for (const double coordinate : {p.x, p.y, p.z}) {
-          text_ += ',';
-          append_number(text_, coordinate, number_length);
-        }
-        text_ += '\n';
-      }
+    for (const Solid& solid : solids)
+      for (const Point3& p : solid.tetrahedra.points) add_node(number++, p);
+  }
+
+  void add_node(std::size_t number, const Point3& p) {
+    fmt::format_to(std::back_inserter(text_), "{}", number);
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      text_ += ',';
+      append_number(text_, coordinate, number_length);
+    }
+    text_ += '\n';
+  }
+
+  // ---- a partition --------------------------------------------------------------------------------------------------
+
+  std::string complex_text(const LabelledComplex& complex) {
+    text_ += "*NODE\n";
+    for (std::size_t i = 0; i < complex.mesh.points.size(); ++i) add_node(i + 1, complex.mesh.points[i]);
+    for (std::size_t s = 0; s < complex.structures.size(); ++s) add_material(complex, s);
+    const std::vector<ElementFace> elements = inner_elements(complex);
+    for (const ComplexGroup& group : groups_of(complex)) add_group(complex, group, elements);
+    if (const auto limit = crown_limit(reconstruction_)) add_crown_and_root(complex.mesh, *limit);
+    return std::move(text_);
+  }
+
+  void add_material(const LabelledComplex& complex, std::size_t s) {
+    const std::string& structure = complex.structures[s];
+    const TetraMesh& mesh = complex.mesh;
+    std::vector<std::size_t> nodes;
+    std::string elements;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+      if (mesh.labels[t] != s + 1) continue;
+      const auto& [a, b, c, d] = mesh.tetrahedra[t];
+      fmt::format_to(std::back_inserter(elements), "{},{},{},{},{}\n", t + 1, a + 1, b + 1, c + 1, d + 1);
+      nodes.insert(nodes.end(), {a, b, c, d});
+    }
+    if (nodes.empty()) return;
+    text_ += fmt::format("*ELEMENT,TYPE=C3D4,ELSET={}\n", named("structure " + structure, structure)) + elements;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const auto [low, high] = std::minmax_element(nodes.begin(), nodes.end(), [&](std::size_t p, std::size_t q) { return mesh.points[p].z < mesh.points[q].z; });
+    const double heights[] = {mesh.points[*low].z, mesh.points[*high].z};
+    for (const int end : {0, 1}) {
+      const char* which = end == 0 ? "lowest" : "highest";
+      std::vector<std::size_t> at;
+      for (const std::size_t node : nodes)
+        if (mesh.points[node].z == heights[end]) at.push_back(node + 1);
+      const std::string name = named(fmt::format("nodes of the {} slice of {}", which, structure), fmt::format("{} {}", structure, which));
+      add_set("*NSET,NSET=" + name, at);
     }
   }
+
+  void add_group(const LabelledComplex& complex, const ComplexGroup& group, const std::vector<ElementFace>& elements) {
+    std::vector<std::size_t> nodes;
+    for (const std::uint32_t f : group.faces)
+      for (const PointIndex v : complex.interfaces[f].triangle) nodes.push_back(v + std::size_t{1});
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    const std::string name = named("nodes of " + group.name, group.name);
+    add_set("*NSET,NSET=" + name, nodes);
+    const std::string faces = named(fmt::format("faces of {}, of elements of {}", group.name, complex.structures[group.inner - 1]), group.name + " faces");
+    text_ += fmt::format("*SURFACE,NAME={},TYPE=ELEMENT\n", faces);
+    for (const std::uint32_t f : group.faces)
+      fmt::format_to(std::back_inserter(text_), "{},S{}\n", elements[f].tetrahedron + std::size_t{1}, solver_face(elements[f].face));
+  }
+
+  void add_crown_and_root(const TetraMesh& mesh, const CrownLimit& limit) {
+    std::vector<std::size_t> nodes[2], elements[2];
+    for (std::size_t i = 0; i < mesh.points.size(); ++i) nodes[limit.in_crown(mesh.points[i].z)].push_back(i + 1);
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+      double sum = 0;
+      for (const PointIndex v : mesh.tetrahedra[t]) sum += mesh.points[v].z;
+      elements[limit.in_crown(sum / 4)].push_back(t + 1);
+    }
+    add_crown_and_root(limit, nodes, elements);
+  }
+
+  // ---- solids of their own ------------------------------------------------------------------------------------------
 
   void add_elements(const Solid& solid) {
     const std::string name = named("structure " + solid.structure, solid.structure);
@@ -127,6 +196,10 @@ class Writer {
         elements[limit.in_crown(middle)].push_back(element++);
       }
     }
+    add_crown_and_root(limit, nodes, elements);
+  }
+
+  void add_crown_and_root(const CrownLimit& limit, const std::vector<std::size_t> (&nodes)[2], const std::vector<std::size_t> (&elements)[2]) {
     for (const bool crown : {true, false}) {
       const char* part = crown ? "crown" : "root";
       const std::string where = fmt::format("{} the enamel's edge at z = {:.6g}", crown ? "beyond" : "before", limit.z);

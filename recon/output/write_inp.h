@@ -7,7 +7,9 @@
 //   node sets      each wall ("TOOTH_CAVITY" is the pulp's); NAME_LOWEST and NAME_HIGHEST, the nodes of a structure's first and
 //                  last slice; CROWN_NODES and ROOT_NODES
 //   surfaces       each wall, by faces of elements, for loads and contact ("TOOTH_CAVITY_WALL")
-// There is no material, no section and no step. Structures do not share nodes: tie or merge them where they meet.
+// There is no material, no section and no step. Structures do not share nodes: tie or merge them where they meet. Those of a partition do; its node sets
+// and surfaces are then the borders of two materials and the outside of each ("ENAMEL_DENTINE_JUNCTION", "PULP_WALL", "DENTINE_OUTSIDE", and the
+// same with "_FACES"; see complex_groups.h).
 
 #include <string>
 

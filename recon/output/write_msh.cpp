@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "recon/output/complex_groups.h"
 #include "recon/output/shell_groups.h"
 #include "recon/output/solid_walls.h"
 #include "recon/output/text_values.h"
@@ -144,9 +145,110 @@ std::string elements(const std::vector<Part>& parts) {
   return fmt::format("$Elements\n{} {} {} {}\n", blocks, count, count == 0 ? 0 : 1, count) + text + "$EndElements\n";
 }
 
+// ---- a partition ------------------------------------------------------------------------------------------------------
+
+/// Volumes have the labels as tags, surfaces the numbers of their groups from 1.
+class ComplexWriter {
+ public:
+  explicit ComplexWriter(const LabelledComplex& complex) : complex_(complex), groups_(groups_of(complex)), of_label_(complex.structures.size()) {
+    for (std::uint32_t t = 0; t < complex.mesh.tetrahedra.size(); ++t) of_label_[complex.mesh.labels[t] - 1].push_back(t);
+  }
+
+  std::string text() const { return names() + entities() + nodes() + elements(); }
+
+ private:
+  std::size_t volumes() const { return complex_.structures.size(); }
+
+  std::string names() const {
+    std::string list;
+    for (std::size_t g = 0; g < groups_.size(); ++g) list += fmt::format("{} {} {}\n", surface, g + 1, quoted(groups_[g].name));
+    for (std::size_t s = 0; s < volumes(); ++s) list += fmt::format("{} {} {}\n", volume, s + 1, quoted(complex_.structures[s]));
+    return fmt::format("$PhysicalNames\n{}\n{}$EndPhysicalNames\n", groups_.size() + volumes(), list);
+  }
+
+  template <class Cells>
+  std::string box_of_cells(const Cells& cells) const {
+    std::vector<Point3> corners;
+    for (const auto& cell : cells)
+      for (const PointIndex v : cell) corners.push_back(complex_.mesh.points[v]);
+    return box_of(corners);
+  }
+
+  std::string entities() const {
+    std::string surfaces, solids;
+    std::vector<std::string> bounds(volumes());
+    std::vector<std::size_t> count(volumes(), 0);
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      std::vector<Triangle> faces;
+      for (const std::uint32_t f : groups_[g].faces) faces.push_back(complex_.interfaces[f].triangle);
+      surfaces += fmt::format("{} {}1 {} 0\n", g + 1, box_of_cells(faces), g + 1);
+      bounds[groups_[g].inner - 1] += fmt::format(" {}", g + 1);
+      ++count[groups_[g].inner - 1];
+      if (groups_[g].outer == void_label) continue;
+      bounds[groups_[g].outer - 1] += fmt::format(" -{}", g + 1);
+      ++count[groups_[g].outer - 1];
+    }
+    for (std::size_t s = 0; s < volumes(); ++s) {
+      std::vector<Tetrahedron> own;
+      for (const std::uint32_t t : of_label_[s]) own.push_back(complex_.mesh.tetrahedra[t]);
+      if (own.empty()) own.push_back({0, 0, 0, 0});   // nothing is left of the structure: a box is asked for all the same
+      solids += fmt::format("{0} {1}1 {0} {2}{3}\n", s + 1, box_of_cells(own), count[s], bounds[s]);
+    }
+    return fmt::format("$Entities\n0 0 {} {}\n{}{}$EndEntities\n", groups_.size(), volumes(), surfaces, solids);
+  }
+
+  /// All in one block, under the first volume: a node belongs to several.
+  std::string nodes() const {
+    const std::vector<Point3>& points = complex_.mesh.points;
+    std::string text = fmt::format("$Nodes\n1 {0} {1} {0}\n{2} 1 0 {0}\n", points.size(), points.empty() ? 0 : 1, volume);
+    for (std::size_t i = 0; i < points.size(); ++i) fmt::format_to(std::back_inserter(text), "{}\n", i + 1);
+    for (const Point3& p : points) {
+      const char* separator = "";
+      for (const double coordinate : {p.x, p.y, p.z}) {
+        text += separator;
+        append_number(text, coordinate);
+        separator = " ";
+      }
+      text += '\n';
+    }
+    return text + "$EndNodes\n";
+  }
+
+  std::string elements() const {
+    std::size_t blocks = 0, count = 0;
+    std::string text;
+    const auto add = [&](const auto& corners) {
+      fmt::format_to(std::back_inserter(text), "{}", ++count);
+      for (const PointIndex v : corners) fmt::format_to(std::back_inserter(text), " {}", v + std::size_t{1});
+      text += '\n';
+    };
+    for (std::size_t g = 0; g < groups_.size(); ++g, ++blocks) {
+      text += fmt::format("{} {} {} {}\n", surface, g + 1, three_nodes, groups_[g].faces.size());
+      for (const std::uint32_t f : groups_[g].faces) add(complex_.interfaces[f].triangle);
+    }
+    for (std::size_t s = 0; s < volumes(); ++s) {
+      if (of_label_[s].empty()) continue;
+      ++blocks;
+      text += fmt::format("{} {} {} {}\n", volume, s + 1, four_nodes, of_label_[s].size());
+      for (const std::uint32_t t : of_label_[s]) add(complex_.mesh.tetrahedra[t]);
+    }
+    return fmt::format("$Elements\n{} {} {} {}\n", blocks, count, count == 0 ? 0 : 1, count) + text + "$EndElements\n";
+  }
+
+  const LabelledComplex& complex_;
+  std::vector<ComplexGroup> groups_;
+  std::vector<std::vector<std::uint32_t>> of_label_;   // tetrahedra
+};
+
 }  // namespace
 
 std::string msh_text(const Reconstruction& reconstruction) {
+  if (reconstruction.complex) {
+    return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" +
+           fmt::format("$Comments\nmade by odontoscope; millimetres; one conforming complex; {}\n$EndComments\n",
+                       certificate_in_words(WrittenModel(reconstruction))) +
+           ComplexWriter(*reconstruction.complex).text();
+  }
   const std::vector<Part> parts = parts_of(reconstruction);
   return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" +
          fmt::format("$Comments\nmade by odontoscope; millimetres; {}\n$EndComments\n",

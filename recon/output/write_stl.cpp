@@ -38,9 +38,10 @@ std::string stl_bytes(const WrittenModel& model) {
   bytes = "odontoscope; millimetres; binary STL";  // must not begin with "solid"
   bytes.resize(header_size, ' ');
   append(bytes, static_cast<std::uint32_t>(triangles));
-  for (const WrittenSurface& solid : model.solids) {
-    const std::vector<FloatPoint> points = distinct_floats(solid.surface.points, 1);
-    for (const auto& [a, b, c] : solid.surface.triangles) {
+  const std::vector<std::vector<FloatPoint>> floats = distinct_floats(model, 1);
+  for (std::size_t s = 0; s < model.solids.size(); ++s) {
+    const std::vector<FloatPoint>& points = floats[s];
+    for (const auto& [a, b, c] : model.solids[s].surface.triangles) {
       for (const FloatPoint& p : {normal(points[a], points[b], points[c]), points[a], points[b], points[c]}) {
         for (const float coordinate : p) append(bytes, coordinate);
       }

@@ -39,9 +39,46 @@ SolidNumbers numbers_of(const Reconstruction& reconstruction) {
   return numbers;
 }
 
+/// Tetrahedra, then the faces between two labels, each once.
+std::string complex_bytes(const LabelledComplex& complex, const WrittenModel& model) {
+  constexpr std::uint8_t vtk_tetra = 10, vtk_triangle = 5;
+  const TetraMesh& mesh = complex.mesh;
+  std::string points, connectivity, offsets, types, labels, inner, outer;
+  std::int64_t end = 0;
+  for (const Point3& p : mesh.points)
+    for (const double coordinate : {p.x, p.y, p.z}) append(points, coordinate);
+  const auto add = [&](const auto& corners, std::uint8_t type, Label label, Label in, Label out) {
+    for (const PointIndex v : corners) append(connectivity, std::int64_t{v});
+    append(offsets, end += static_cast<std::int64_t>(corners.size()));
+    append(types, type);
+    append(labels, label);
+    append(inner, in);
+    append(outer, out);
+  };
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) add(mesh.tetrahedra[t], vtk_tetra, mesh.labels[t], mesh.labels[t], mesh.labels[t]);
+  for (const InterfaceTriangle& face : complex.interfaces) add(face.triangle, vtk_triangle, void_label, face.inner, face.outer);
+  std::vector<std::string_view> structures(complex.structures.begin(), complex.structures.end());
+  std::string xml = vtk_opening("UnstructuredGrid", certificate_in_words(model));
+  xml += vtk_field_data(structures, is_certified(model));
+  xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", mesh.points.size(),
+                     mesh.tetrahedra.size() + complex.interfaces.size());
+  add_vtk_array(xml, {"Float64", "Points", 3}, points);
+  xml += "</Points>\n<Cells>\n";
+  add_vtk_array(xml, {"Int64", "connectivity"}, connectivity);
+  add_vtk_array(xml, {"Int64", "offsets"}, offsets);
+  add_vtk_array(xml, {"UInt8", "types"}, types);
+  xml += "</Cells>\n<CellData Scalars=\"label\">\n";
+  add_vtk_array(xml, {"UInt16", "label"}, labels);
+  add_vtk_array(xml, {"UInt16", "inner"}, inner);
+  add_vtk_array(xml, {"UInt16", "outer"}, outer);
+  xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return xml;
+}
+
 }  // namespace
 
 std::string vtu_bytes(const Reconstruction& reconstruction) {
+  if (reconstruction.complex) return complex_bytes(*reconstruction.complex, WrittenModel(reconstruction));
   std::size_t points = 0, cells = 0;
   for (const Solid& solid : reconstruction.solids) {
     points += solid.tetrahedra.points.size();

@@ -65,6 +65,18 @@ std::vector<InterfaceTriangle> interfaces_of(const TetraMesh& mesh) {
   return found;
 }
 
+void drop_unused(TetraMesh& mesh, std::vector<InterfaceTriangle>& interfaces) {
+  std::vector<std::uint32_t> number(mesh.points.size(), FaceTable::vacant);
+  for (const Tetrahedron& tet : mesh.tetrahedra)
+    for (const std::uint32_t v : tet) number[v] = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& n : number)
+    if (n != FaceTable::vacant) n = count++;
+  for (InterfaceTriangle& face : interfaces)
+    for (std::uint32_t& v : face.triangle) v = number[v];
+  mesh.points = compacted(mesh.points, mesh.tetrahedra);
+}
+
 SurfaceMesh surface_of(const LabelledComplex& complex, Label label) {
   SurfaceMesh surface;
   for (const InterfaceTriangle& face : complex.interfaces) {

@@ -17,4 +17,7 @@ SurfaceMesh surface_of(const LabelledComplex& complex, Label label);
 /// The tetrahedra of one material; their points are a subset, in the same order.
 TetraMesh tetrahedra_of(const LabelledComplex& complex, Label label);
 
+/// Takes out points that no tetrahedron has.
+void drop_unused(TetraMesh& mesh, std::vector<InterfaceTriangle>& interfaces);
+
 }  // namespace odontoscope::partition

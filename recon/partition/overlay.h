@@ -22,6 +22,7 @@ struct Borders {
   std::vector<Border> pieces;      // by a, then b, with a < b; they meet in their ends only
   std::size_t crossings = 0;       // points where contours of two structures cross
   double closed_gap = 0;           // area of void given to structures, mm^2
+  std::size_t corners_cut = 0;     // by part_corners (corners.h)
 };
 
 /// Crossings are computed in doubles and inserted where they fall, by exact predicates, so that the result is planar whatever was rounded.

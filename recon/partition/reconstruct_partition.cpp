@@ -79,7 +79,7 @@ class PartitionReconstructor {
     slices_.resize(given.size());
     for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
       borders_[k] = overlay(given[k], materials_);
-      part_corners(borders_[k], materials_);
+      borders_[k].corners_cut = part_corners(borders_[k], materials_);
       slices_[k] = planar_partition(borders_[k], given[k].z, progress_);
     });
   }
@@ -172,6 +172,7 @@ class PartitionReconstructor {
     result_.slices_checked = given_.size();
     result_.certified = true;
     compare_topology();
+    drop_unused(result_.complex->mesh, result_.complex->interfaces);
   }
 
   void compare_topology() {
@@ -201,6 +202,11 @@ class PartitionReconstructor {
       counts.contours += slice.contours.size();
       for (const Contour& contour : slice.contours) counts.points += contour.points.size();
     }
+    for (const Borders& slice : borders_) {
+      result_.partition.crossings += slice.crossings;
+      result_.partition.corners_cut += slice.corners_cut;
+      result_.partition.closed_gap += slice.closed_gap;
+    }
     for (const PartitionSlice* slice : all_) {
       counts.steiner_points += slice->steiner_points;
       counts.constrained_slices += !slice->conforming;
@@ -209,8 +215,10 @@ class PartitionReconstructor {
     for (const SolvedBetween& one : between_slices_) {
       bool raised = false;
       for (const PartitionSlab& slab : one.slabs) {
-        counts.restored += slab.relabelled;
-        counts.lifted_points += slab.added.size();
+        result_.partition.relabelled += slab.relabelled;
+        result_.partition.raised_points += slab.added.size();
+        result_.partition.patches += slab.patches;
+        result_.partition.cut_slabs += slab.cut;
         raised = raised || !slab.added.empty();
       }
       counts.raised_slabs += raised;

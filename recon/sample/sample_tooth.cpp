@@ -62,7 +62,8 @@ class Sampler {
   }
 
   // Contours of the slice gone to; the gap is taken from the outer of two structures.
-  std::vector<Loop> enamel() {
+  std::vector<Loop> enamel(bool filled) {
+    if (filled) return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, tissue_[i].below_margin); });
     return loops([this](std::size_t i) {
       return std::max({tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine, tissue_[i].below_margin});
     });
@@ -160,8 +161,8 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
       for (Loop& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
     };
     sampler.go_to(slice.z);
-    add("enamel", sampler.enamel());
-    add("dentine", sampler.dentine(options.hollow_dentine));
+    add("enamel", sampler.enamel(options.filled));
+    add("dentine", sampler.dentine(options.hollow_dentine && !options.filled));
     add("pulp", sampler.pulp());
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }

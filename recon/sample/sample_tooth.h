@@ -42,11 +42,14 @@ struct SampleOptions {
   /// true: the dentine has the pulp cavity as holes and is complete by itself. false: it is filled, for reconstructing
   /// dentine and pulp together (where the pulp's contours become the holes).
   bool hollow_dentine = true;
+  /// true: every structure is filled, so that it overlaps those within it, and there is no gap: for a partition (recon/partition), in which
+  /// the inner one keeps the place and neighbours share their border. Overrides hollow_dentine.
+  bool filled = false;
 };
 
 /// Contours of the structures "enamel", "dentine" and "pulp", slices by ascending z. Passes `validate`. Contours are
 /// simple and, within a structure, at least limits::sample_clearance apart; those of different structures do not meet
-/// either: a gap of limits::sample_gap keeps enamel off dentine and dentine off pulp. Outer contours are
+/// either: a gap of limits::sample_gap keeps enamel off dentine and dentine off pulp (unless they are filled). Outer contours are
 /// counter-clockwise seen from +z, holes clockwise. Coordinates are rounded to limits::sample_grain.
 ///
 /// Topology: enamel one shell of genus 0 (a cap), dentine one of genus 0 with one cavity of genus 0 (none if not
