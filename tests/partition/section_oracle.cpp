@@ -70,7 +70,6 @@ class SectionJudge {
     std::ostringstream words;
     words.precision(17);
     words << "(" << p.x << ", " << p.y << ")" << more << ", " << overlay_.distance(p) << " off the contours";
-    if (std::getenv("ALLP")) fprintf(stderr, "%s %s\n", what.c_str(), words.str().c_str());
     faults_.add(what, words.str());
   }
 
