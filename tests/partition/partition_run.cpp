@@ -106,7 +106,7 @@ std::string PartitionOutcome::sort() const {
   std::string letters = name(end);
   letters += ": ";
   for (char c : message) {
-    if (c == '\n' || letters.size() > 90) break;
+    if (c == '\n' || c == ',' || letters.size() > 90) break;
     const char before = letters.back();
     if (std::isalpha(static_cast<unsigned char>(c)) || ((c == ' ' || c == '-') && before != ' ')) letters += c;
   }
@@ -128,8 +128,11 @@ PartitionOutcome outcome_of(const PartitionCase& given, double patience, bool tw
     outcome.seconds = processor_seconds() - start;
     note(result, outcome);
     for (const std::string& fault : partition_faults(result, given.stack, {options.priority, options.gap})) outcome.message += fault + "\n";
-    if (!outcome.message.empty()) outcome.end = PartitionEnd::faulty;
-    else if (twice && !same(result, reconstruct_partition(given.stack, options_of(given, 2))))
+    if (!outcome.message.empty()) {
+      outcome.end = PartitionEnd::faulty;
+      if (options.gap > 0) outcome.message = "with a gap: " + outcome.message;
+    }
+    if (outcome.end == PartitionEnd::certified && twice && !same(result, reconstruct_partition(given.stack, options_of(given, 2))))
       ends(PartitionEnd::depends_on_threads, "other bytes with two threads");
   } catch (const InputError& refusal) {
     const std::string wrong = what_is_false(refusal, given.stack, {});

@@ -1,6 +1,7 @@
 // Random stacks of several structures: no valid one may fail. ODONTOSCOPE_PARTITION_STACKS says how many (default 300 small ones),
 // ODONTOSCOPE_PARTITION_FIRST_SEED where to begin, ODONTOSCOPE_PARTITION_KIND which kind alone, ODONTOSCOPE_PARTITION_SIZE (small, any, large) of
-// what size, ODONTOSCOPE_PARTITION_FOLDER where shrunk failures are written, ODONTOSCOPE_PARTITION_LOUD a line for each. The first failure of each sort is shrunk.
+// what size, ODONTOSCOPE_PARTITION_FOLDER where shrunk failures are written, ODONTOSCOPE_PARTITION_LOUD a line for each,
+// ODONTOSCOPE_PARTITION_BETWEEN (blended, delaunay) how all are made. The first failure of each sort is shrunk.
 
 #include <gtest/gtest.h>
 
@@ -133,6 +134,7 @@ TEST_P(RandomPartitions, NeverFail) {
     if (!kind.empty() && partition_kinds()[seed % partition_kinds().size()] != kind) continue;
     PartitionCase given = partition_case(seed, wanted);
     if (!by_command && left_out(given.kind)) continue;
+    if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty()) given.delaunay = between == "delaunay";
     if (!by_command && gaps_left_out) given.gap = 0;
     PartitionOutcome outcome = outcome_of(given);
     if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {   // other programs' load does not count
