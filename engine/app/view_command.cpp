@@ -192,6 +192,7 @@ Command view_command(CLI::App& root) {
       ->capture_default_str();
   add_scene_options(*parser, options->scene);
   add_dt_options(*parser, options->dt);
+  add_partition_options(*parser, options->dt.partition);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"
