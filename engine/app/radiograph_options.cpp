@@ -314,7 +314,7 @@ void add_radiograph_options(CLI::App& parser, RadiographWords& words) {
   parser.add_option("--exposure", words.exposure, "So many times the usual one: more is darker")->type_name("F")->check(CLI::Range(1e-3, 1e3).description(""))->group(group);
   parser.add_flag("--inverted", words.inverted, "What is dense is dark")->group(group);
   repeatable(parser.add_option("--attenuation", words.attenuation, "Of a structure, 1/mm or a tissue: crown=0.4, tooth=dentine; repeatable"))->type_name("S=MU")->group(group);
-  parser.add_option("--grey", words.grey, "Values of air and dentine in a volume (default: by its histogram)")->type_name("AIR,DENTINE")->group("A volume's grey values");
+  add_grey_option(parser, words.grey);
 }
 
 void refuse_senseless(const RadiographWords& words) {
