@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "recon/core/limits.h"
-#include "recon/partition/corners.h"
 #include "recon/partition/face_contours.h"
 #include "recon/partition/limits.h"
 
@@ -61,7 +60,6 @@ std::vector<InterpolatedBorders> Interpolator::between(std::size_t k, const Inte
   thin.sliver = limits::sliver_share * height;
   for (std::size_t s = 0; s < how.slices; ++s) {
     InterpolatedBorders one{heights_[k] + shares[s] * height, overlay(contours[s], thin)};
-    part_corners(one.borders, materials_);
     const double below = made.empty() ? heights_[k] : made.back().z;
     if (!one.borders.pieces.empty() && below < one.z && one.z < heights_[k + 1]) made.push_back(std::move(one));
   }

@@ -11,6 +11,11 @@ inline constexpr double raise_share = 0.25;
 inline constexpr std::size_t single_mends = 3;
 /// Structures of one partition: one bit each.
 inline constexpr std::size_t most_structures = 64;
+/// Rounds of mending after which a slab is given up as a bug: each point is patched at most some forty times, since its patch doubles.
+inline constexpr std::size_t most_rounds = 100000;
+/// Rounds in which pieces are cut where they cross, and corners where four faces meet, before it is a bug.
+inline constexpr std::size_t planar_rounds = 100;
+inline constexpr std::size_t corner_rounds = 20;
 /// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
 inline constexpr double corner_share = 0.25;
 /// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over

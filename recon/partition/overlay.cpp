@@ -1,14 +1,17 @@
 #include "recon/partition/overlay.h"
 
-#include <CGAL/Constrained_triangulation_plus_2.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
-#include <numeric>
+#include <numbers>
 #include <utility>
 
+#include "recon/core/error.h"
 #include "recon/delaunay/constrained.h"
+#include "recon/delaunay/predicates.h"
+#include "recon/partition/limits.h"
+#include "recon/partition/planar_pieces.h"
 
 namespace odontoscope::partition {
 namespace {
@@ -24,49 +27,78 @@ struct FaceMembers {
 
 using OverlayFaceBase = CGAL::Triangulation_face_base_with_info_2<FaceMembers, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using OverlayStructure = CGAL::Triangulation_data_structure_2<delaunay::VertexBase, OverlayFaceBase>;
-using OverlayCdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::Exact_predicates_tag>;
-using Triangulation = CGAL::Constrained_triangulation_plus_2<OverlayCdt>;
+using Overlay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
+
+/// The corner at `at` that begins at the border towards `first` goes to `taker`.
+struct CornerCut {
+  std::uint32_t at = 0, first = 0;
+  Label taker = void_label;
+  bool whole = false;   // no double lies near enough for a cut: the triangles at the point go as they are
+};
 
 class Overlayer {
  public:
   Overlayer(const Slice& slice, const Materials& materials) : materials_(materials) {
-    std::vector<Kernel::Point_2> points;
-    for (const Contour& contour : slice.contours)
-      for (const Point2 p : contour.points) points.emplace_back(p.x, p.y);
-    std::sort(points.begin(), points.end());
-    triangulation_.insert(points.begin(), points.end());
-    given_ = triangulation_.number_of_vertices();
-    for (const Contour& contour : slice.contours) constrain(contour);
+    std::map<std::pair<double, double>, std::uint32_t> numbers;
+    for (const Contour& contour : slice.contours) {
+      const auto found = std::find(materials.structures.begin(), materials.structures.end(), contour.structure);
+      const Members toggled = Members{1} << (found - materials.structures.begin());
+      std::vector<std::uint32_t> ring;
+      for (const Point2 p : contour.points) {
+        const auto [known, fresh] = numbers.emplace(std::pair(p.x, p.y), static_cast<std::uint32_t>(points_.size()));
+        if (fresh) points_.push_back(p);
+        ring.push_back(known->second);
+      }
+      for (std::size_t i = 0; i < ring.size(); ++i) pieces_.push_back({ring[i], ring[(i + 1) % ring.size()], toggled});
+    }
   }
 
   Borders run() {
-    if (triangulation_.dimension() < 2) return {};
-    spread();
-    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face)
-      face->info().label = winner(face->info().members);
     Borders result;
-    result.crossings = triangulation_.number_of_vertices() - given_;
-    if (materials_.gap > 0) result.closed_gap = close_gaps();
-    if (materials_.sliver > 0) drop_slivers();
+    result.crossings = make_planar(points_, pieces_);
+    for (std::size_t round = 0;; ++round) {
+      triangulate();
+      if (cdt_.dimension() < 2) return result;
+      label_faces(result);
+      for (const CornerCut& cut : cuts_) apply(cut);
+      if (!cut_corners()) break;
+      if (round == limits::corner_rounds) throw InternalError("the corners of a slice could not be parted");
+    }
+    result.corners_cut = cuts_.size();
     collect(result);
     return result;
   }
 
  private:
-  /// As one closed polyline, so that borders that two structures share keep both.
-  void constrain(const Contour& contour) {
-    std::vector<Kernel::Point_2> points;
-    for (const Point2 p : contour.points) points.emplace_back(p.x, p.y);
-    const auto id = triangulation_.insert_constraint(points.begin(), points.end(), true);
-    const auto found = std::find(materials_.structures.begin(), materials_.structures.end(), contour.structure);
-    structure_of_[id] = static_cast<std::uint32_t>(found - materials_.structures.begin());
+  void triangulate() {
+    cdt_.clear();
+    vertices_.assign(points_.size(), {});
+    Overlay::Face_handle hint;
+    for (const std::uint32_t p : delaunay::spatial_order(points_)) {
+      vertices_[p] = cdt_.insert(Kernel::Point_2(points_[p].x, points_[p].y), hint);
+      vertices_[p]->info().value = p;
+      hint = vertices_[p]->face();
+    }
+    toggles_.clear();
+    for (const ContourPiece& piece : pieces_) {
+      cdt_.insert_constraint(vertices_[piece.a], vertices_[piece.b]);
+      toggles_[{piece.a, piece.b}] = piece.toggles;
+    }
   }
 
-  /// A closed contour toggles its structure for what lies beyond it; rounding may move it, but it stays closed.
+  void label_faces(Borders& result) {
+    spread();
+    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) face->info().label = winner(face->info().members);
+    if (materials_.gap > 0) result.closed_gap = close_gaps();
+    if (materials_.sliver > 0) drop_slivers();
+  }
+
+  /// Every piece toggles its structures for what lies beyond it; rounding may have moved it, but contours stay closed.
   void spread() {
-    const auto start = triangulation_.infinite_face();
+    for (auto face = cdt_.all_faces_begin(); face != cdt_.all_faces_end(); ++face) face->info() = {};
+    const auto start = cdt_.infinite_face();
     start->info().known = true;
-    std::vector<Triangulation::Face_handle> stack{start};
+    std::vector<Overlay::Face_handle> stack{start};
     while (!stack.empty()) {
       const auto face = stack.back();
       stack.pop_back();
@@ -80,13 +112,10 @@ class Overlayer {
     }
   }
 
-  Members crossed(Triangulation::Face_handle face, int i) const {
+  Members crossed(Overlay::Face_handle face, int i) const {
     if (!face->is_constrained(i)) return 0;
-    Members toggled = 0;
-    const auto a = face->vertex(Triangulation::ccw(i)), b = face->vertex(Triangulation::cw(i));
-    for (auto context = triangulation_.contexts_begin(a, b); context != triangulation_.contexts_end(a, b); ++context)
-      toggled ^= Members{1} << structure_of_.at(context->id());
-    return toggled;
+    const auto [a, b] = std::minmax(face->vertex(Overlay::ccw(i))->info().value, face->vertex(Overlay::cw(i))->info().value);
+    return toggles_.at({a, b});
   }
 
   Label winner(Members members) const {
@@ -99,9 +128,9 @@ class Overlayer {
   // ---- gaps ---------------------------------------------------------------------------------------------------------
 
   double close_gaps() {
-    std::vector<std::pair<Triangulation::Face_handle, Label>> closed;
+    std::vector<std::pair<Overlay::Face_handle, Label>> closed;
     double area = 0;
-    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
+    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) {
       if (face->info().label != void_label) continue;
       const Label taker = gap_taker(face);
       if (taker == void_label) continue;
@@ -113,11 +142,11 @@ class Overlayer {
   }
 
   /// Of a void triangle: the winner of those structures between which it is narrower than the gap. Corners of one structure only: void_label.
-  Label gap_taker(Triangulation::Face_handle face) const {
+  Label gap_taker(Overlay::Face_handle face) const {
     if (narrowest(face) > materials_.gap) return void_label;
     std::vector<Label> beside;
     for (int i = 0; i < 3; ++i) {
-      auto around = triangulation_.incident_faces(face->vertex(i)), end = around;
+      auto around = cdt_.incident_faces(face->vertex(i)), end = around;
       do {
         if (label(around) != void_label) beside.push_back(label(around));
       } while (++around != end);
@@ -132,7 +161,7 @@ class Overlayer {
   }
 
   /// Its least height. A void triangle has corners on both sides of the gap, so no gap is narrower than one of its triangles.
-  static double narrowest(Triangulation::Face_handle face) {
+  static double narrowest(Overlay::Face_handle face) {
     const auto& a = face->vertex(0)->point();
     const auto& b = face->vertex(1)->point();
     const auto& c = face->vertex(2)->point();
@@ -143,7 +172,7 @@ class Overlayer {
   // ---- slivers ------------------------------------------------------------------------------------------------------
 
   struct Piece {
-    std::vector<Triangulation::Face_handle> faces;
+    std::vector<Overlay::Face_handle> faces;
     double area = 0, around = 0;
     std::map<Label, double> beside;   // length of common border
     bool outer = false;
@@ -151,9 +180,9 @@ class Overlayer {
 
   /// Faces with little area for their circumference, to the neighbour with the longest common border.
   void drop_slivers() {
-    for (auto face = triangulation_.all_faces_begin(); face != triangulation_.all_faces_end(); ++face) face->info().known = false;
-    std::vector<std::pair<std::vector<Triangulation::Face_handle>, Label>> dropped;
-    for (auto face = triangulation_.finite_faces_begin(); face != triangulation_.finite_faces_end(); ++face) {
+    for (auto face = cdt_.all_faces_begin(); face != cdt_.all_faces_end(); ++face) face->info().known = false;
+    std::vector<std::pair<std::vector<Overlay::Face_handle>, Label>> dropped;
+    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) {
       if (face->info().known) continue;
       Piece piece = piece_at(face);
       if (piece.outer || 2 * piece.area >= materials_.sliver * piece.around) continue;
@@ -164,9 +193,9 @@ class Overlayer {
       for (const auto& face : faces) face->info().label = label;
   }
 
-  Piece piece_at(Triangulation::Face_handle start) {
+  Piece piece_at(Overlay::Face_handle start) {
     Piece piece;
-    std::vector<Triangulation::Face_handle> stack{start};
+    std::vector<Overlay::Face_handle> stack{start};
     start->info().known = true;
     while (!stack.empty()) {
       const auto face = stack.back();
@@ -176,10 +205,10 @@ class Overlayer {
       for (int i = 0; i < 3; ++i) {
         const auto other = face->neighbor(i);
         if (label(other) != label(start)) {
-          const double length = std::sqrt(CGAL::squared_distance(face->vertex(Triangulation::ccw(i))->point(), face->vertex(Triangulation::cw(i))->point()));
+          const double length = std::sqrt(CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
           piece.around += length;
           piece.beside[label(other)] += length;
-        } else if (triangulation_.is_infinite(other)) {
+        } else if (cdt_.is_infinite(other)) {
           piece.outer = true;
         } else if (!other->info().known) {
           other->info().known = true;
@@ -190,18 +219,157 @@ class Overlayer {
     return piece;
   }
 
+  // ---- corners ------------------------------------------------------------------------------------------------------
+
+  /// A border seen from one end; the face on its left is that between it and the next one counter-clockwise.
+  struct Ray {
+    std::uint32_t to = 0;
+    Overlay::Face_handle left_face;
+    Label left = void_label;
+  };
+
+  std::vector<Ray> rays_at(Overlay::Vertex_handle at) const {
+    std::vector<Ray> rays;
+    auto face = cdt_.incident_faces(at), end = face;
+    do {   // counter-clockwise
+      const int i = face->index(at);
+      const auto before = face->neighbor(Overlay::cw(i));   // across the edge from `at` to the next corner
+      if (label(face) != label(before)) rays.push_back({face->vertex(Overlay::ccw(i))->info().value, face, label(face)});
+    } while (++face != end);
+    for (Ray& ray : rays)
+      if (ray.to == delaunay::none) throw InternalError("a border runs to infinity");
+    return rays;
+  }
+
+  double angle(std::uint32_t at, std::uint32_t from, std::uint32_t to) const {
+    const Point2 p = points_[at], a = points_[from], b = points_[to];
+    const double turned = std::atan2(b.y - p.y, b.x - p.x) - std::atan2(a.y - p.y, a.x - p.x);
+    return turned < 0 ? turned + 2 * std::numbers::pi : turned;
+  }
+
+  /// Plans one cut at every point where more than three borders meet. False: there is none.
+  bool cut_corners() {
+    std::vector<std::uint32_t> crowded;
+    for (auto v = cdt_.finite_vertices_begin(); v != cdt_.finite_vertices_end(); ++v) crowded.push_back(v->info().value);
+    std::sort(crowded.begin(), crowded.end());
+    std::erase_if(crowded, [&](std::uint32_t p) { return rays_at(vertices_[p]).size() <= 3; });
+    if (crowded.empty()) return false;
+    for (const std::uint32_t p : crowded) plan_cut(p, rays_at(vertices_[p]));
+    make_planar(points_, pieces_);
+    return true;
+  }
+
+  void plan_cut(std::uint32_t at, const std::vector<Ray>& rays) {
+    const std::size_t count = rays.size();
+    const auto repeated = [&](Label label) { return std::count_if(rays.begin(), rays.end(), [label](const Ray& ray) { return ray.left == label; }) > 1; };
+    const auto class_of = [&](Label label) { return !repeated(label) ? 2 : label == void_label ? 1 : 0; };
+    std::size_t chosen = 0;
+    double least = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double turned = angle(at, rays[i].to, rays[(i + 1) % count].to);
+      const double cost = 10 * class_of(rays[i].left) + turned + (turned >= std::numbers::pi ? 100 : 0);
+      if (cost >= least) continue;
+      least = cost;
+      chosen = i;
+    }
+    const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
+    const bool parted = class_of(rays[chosen].left) == 0;   // a material that meets itself: its corner goes to void, if there is any beside it
+    const bool takes_one = parted && (one == void_label) != (other == void_label) ? one == void_label : materials_.wins(one, other);
+    const Label taker = takes_one ? one : other;
+    const std::uint32_t ends[] = {rays[chosen].to, rays[(chosen + 1) % count].to};
+    const double reach = limits::corner_share * room(at);
+    const Point2 cuts[] = {on_piece(at, ends[0], reach), on_piece(at, ends[1], reach)};
+    if (cuts[0] == cuts[1] || is_point(cuts[0]) || is_point(cuts[1])) {
+      cuts_.push_back({at, ends[0], taker, true});
+      return;
+    }
+    const std::uint32_t first = cut_at(at, ends[0], cuts[0]), second = cut_at(at, ends[1], cuts[1]);
+    pieces_.push_back({first, second, 0});
+    cuts_.push_back({at, first, taker, false});
+  }
+
+  bool is_point(Point2 p) const { return std::find(points_.begin(), points_.end(), p) != points_.end(); }
+
+  Point2 on_piece(std::uint32_t at, std::uint32_t to, double reach) const {
+    const Point2 from = points_[at], end = points_[to];
+    const double share = reach / std::hypot(end.x - from.x, end.y - from.y);
+    return {from.x + share * (end.x - from.x), from.y + share * (end.y - from.y)};
+  }
+
+  /// A new point on the piece between two points.
+  std::uint32_t cut_at(std::uint32_t at, std::uint32_t to, Point2 place) {
+    const auto middle = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(place);
+    const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(at, to);
+    const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const ContourPiece& p) { return std::pair(p.a, p.b) == ends; });
+    const Members toggled = piece == pieces_.end() ? 0 : piece->toggles;   // where a gap was closed a border need not be a piece
+    if (piece != pieces_.end()) pieces_.erase(piece);
+    pieces_.push_back({at, middle, toggled});
+    pieces_.push_back({middle, to, toggled});
+    return middle;
+  }
+
+  /// The distance to the nearest piece that does not end at the point, and to the nearest other end of those that do.
+  double room(std::uint32_t at) const {
+    double least = std::numeric_limits<double>::max();
+    const Point2 p = points_[at];
+    const auto distance = [&](Point2 q) { return std::hypot(q.x - p.x, q.y - p.y); };
+    for (const ContourPiece& piece : pieces_) {
+      const Point2 a = points_[piece.a], b = points_[piece.b];
+      if (piece.a != at) least = std::min(least, distance(a));
+      if (piece.b != at) least = std::min(least, distance(b));
+      if (piece.a == at || piece.b == at) continue;
+      const double x = b.x - a.x, y = b.y - a.y;
+      const double t = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
+      least = std::min(least, distance({a.x + t * x, a.y + t * y}));
+    }
+    return least;
+  }
+
+  /// Faces of the corner, up to the pieces around it.
+  void apply(const CornerCut& cut) {
+    const auto rays = rays_at(vertices_[cut.at]);
+    if (rays.empty()) return;
+    const auto off = [&](const Ray& ray) {
+      const double turned = angle(cut.at, cut.first, ray.to);
+      return std::min(turned, 2 * std::numbers::pi - turned);
+    };
+    const auto start = std::min_element(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return off(a) < off(b); });
+    const Label loser = start->left;
+    if (cut.whole) {
+      auto face = cdt_.incident_faces(vertices_[cut.at], start->left_face);
+      for (const auto end = face; face->info().label == loser && !cdt_.is_infinite(face);) {
+        face->info().label = cut.taker;
+        if (++face == end) break;
+      }
+      return;
+    }
+    std::vector<Overlay::Face_handle> stack{start->left_face};
+    start->left_face->info().label = cut.taker;
+    while (!stack.empty()) {
+      const auto face = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const auto other = face->neighbor(i);
+        if (face->is_constrained(i) || cdt_.is_infinite(other) || other->info().label != loser) continue;
+        other->info().label = cut.taker;
+        stack.push_back(other);
+      }
+    }
+  }
+
   // ---- borders ------------------------------------------------------------------------------------------------------
 
-  Label label(Triangulation::Face_handle face) const { return triangulation_.is_infinite(face) ? void_label : face->info().label; }
+  Label label(Overlay::Face_handle face) const { return cdt_.is_infinite(face) ? void_label : face->info().label; }
 
   void collect(Borders& result) {
     std::vector<std::pair<Point2, Point2>> ends;
     std::vector<std::pair<Label, Label>> sides;
-    for (auto edge = triangulation_.finite_edges_begin(); edge != triangulation_.finite_edges_end(); ++edge) {
+    for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
       const Label left = label(edge->first), right = label(edge->first->neighbor(edge->second));
       if (left == right) continue;
-      const auto& a = edge->first->vertex(Triangulation::ccw(edge->second))->point();
-      const auto& b = edge->first->vertex(Triangulation::cw(edge->second))->point();
+      const auto& a = edge->first->vertex(Overlay::ccw(edge->second))->point();
+      const auto& b = edge->first->vertex(Overlay::cw(edge->second))->point();
       ends.push_back({{a.x(), a.y()}, {b.x(), b.y()}});
       sides.emplace_back(left, right);
     }
@@ -222,9 +390,12 @@ class Overlayer {
   }
 
   const Materials& materials_;
-  Triangulation triangulation_;
-  std::map<Triangulation::Constraint_id, std::uint32_t> structure_of_;
-  std::size_t given_ = 0;
+  std::vector<Point2> points_;
+  std::vector<ContourPiece> pieces_;
+  Overlay cdt_;
+  std::vector<Overlay::Vertex_handle> vertices_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Members> toggles_;   // of pieces, by their ends
+  std::vector<CornerCut> cuts_;
 };
 
 }  // namespace

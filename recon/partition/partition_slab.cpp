@@ -6,321 +6,198 @@
 #include <map>
 #include <optional>
 
-#include "recon/delaunay/predicates.h"
-#include "recon/delaunay/slab.h"
 #include "recon/partition/limits.h"
+#include "recon/partition/slab_complex.h"
 #include "recon/partition/slab_labels.h"
-#include "recon/partition/vertex_link.h"
 
 namespace odontoscope::partition {
 namespace {
 
-using delaunay::none;
-using delaunay::SlabTetrahedron;
-using Corners = std::array<std::uint32_t, 4>;
-
 class SlabSolver {
  public:
   SlabSolver(const PartitionSlice& lower, const PartitionSlice& upper, const Materials& materials, const Place& place, const Progress& progress)
-      : lower_(lower),
-        upper_(upper),
-        materials_(materials),
-        place_(place),
-        progress_(progress),
-        offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
-        on_slices_(offset_ + static_cast<std::uint32_t>(upper.planar.points.size())),
-        raised_(on_slices_, false),
-        mends_(on_slices_, 0) {}
+      : lower_(lower), upper_(upper), materials_(materials), place_(place), progress_(progress) {}
 
   PartitionSlab run() {
     result_.cut = !lower_.conforming || !upper_.conforming;
-    if (result_.cut || lower_.empty() || upper_.empty()) {
-      raise_all();
-      build();
+    const bool apart = result_.cut || lower_.empty() || upper_.empty();
+    complex_.emplace(lower_, upper_, apart ? std::vector<delaunay::SlabTetrahedron>{} : delaunay::bare_slab(lower_.planar, upper_.planar));
+    mends_.assign(complex_->on_slices(), 0);
+    if (apart) {
+      for (std::uint32_t p = 0; p < complex_->on_slices(); ++p) complex_->raise(p);
+      complex_->build();
       return collect();
     }
-    tets_ = delaunay::bare_slab(lower_.planar, upper_.planar);
-    const SlabLabels rule(tets_, lower_, upper_, materials_);
-    for (const std::uint32_t p : rule.ending()) raised_[p] = true;
+    label();
     do {
-      label_all(rule);
-      keep_positive();
-      build();
-    } while (raise_where_not_exact());
-    while (mend()) {
-      keep_positive();
-      build();
-      while (raise_where_not_exact()) {
-        keep_positive();
-        build();
-      }
-    }
+      complex_->keep_positive();
+      complex_->build();
+    } while (improve());
     return collect();
   }
 
  private:
-  // ---- places -------------------------------------------------------------------------------------------------------
+  // ---- labels -------------------------------------------------------------------------------------------------------
 
-  bool is_lower(std::uint32_t p) const { return p < offset_; }
-  Point2 in_plane(std::uint32_t p) const { return is_lower(p) ? lower_.planar.points[p] : upper_.planar.points[p - offset_]; }
-
-  double raised_height(std::uint32_t p) const {
-    const double step = limits::raise_share * (upper_.z - lower_.z);
-    return is_lower(p) ? lower_.z + step : upper_.z - step;
-  }
-
-  Point3 top(std::uint32_t p) const {
-    const Point2 at = in_plane(p);
-    return {at.x, at.y, raised_[p] ? raised_height(p) : is_lower(p) ? lower_.z : upper_.z};
-  }
-
-  void refuse_too_close() const {
-    throw InputError("slices-too-close", place_,
-                     fmt::format("no two numbers lie between the heights {} and {} of two neighbouring slices", lower_.z, upper_.z),
-                     "Leave one of the slices out");
-  }
-
-  // ---- raising ------------------------------------------------------------------------------------------------------
-
-  void raise_all() { raised_.assign(on_slices_, true); }
-
-  bool raise(std::uint32_t p) {
-    if (raised_[p]) return false;
-    raised_[p] = true;
-    return true;
-  }
-
-  void label_all(const SlabLabels& rule) {
-    labels_.resize(tets_.size());
-    std::vector<std::uint32_t> losers;
-    for (std::uint32_t t = 0; t < tets_.size(); ++t) labels_[t] = rule.label(t, raised_, losers);
-    for (const std::uint32_t p : losers) raise(p);
-  }
-
-  /// Where some corners in one slice are raised and some are not, and the tetrahedron is not positive any more, all are.
-  void keep_positive() {
-    for (bool changed = true; changed;) {
-      changed = false;
-      for (const SlabTetrahedron& tet : tets_) {
-        const auto mixed = [&](int from, int to) {
-          bool any = false, all = true;
-          for (int i = from; i < to; ++i) {
-            any = any || raised_[tet.v[i]];
-            all = all && raised_[tet.v[i]];
-          }
-          return any && !all;
-        };
-        const bool low = mixed(0, tet.lower_count), high = mixed(tet.lower_count, 4);
-        if (!low && !high) continue;
-        if (delaunay::orientation(top(tet.v[0]), top(tet.v[1]), top(tet.v[2]), top(tet.v[3])) > 0) continue;
-        for (int i = low ? 0 : tet.lower_count; i < (high ? 4 : tet.lower_count); ++i) changed = raise(tet.v[i]) || changed;
-      }
+  /// By rule, with points raised where the rule contradicts itself or a slice.
+  void label() {
+    const SlabLabels rule(complex_->tetrahedra(), lower_, upper_, materials_);
+    for (const std::uint32_t p : rule.ending()) complex_->raise(p);
+    complex_->keep_positive();
+    std::vector<std::uint32_t> open(complex_->tetrahedra().size());
+    for (std::uint32_t t = 0; t < open.size(); ++t) open[t] = t;
+    while (!open.empty()) {
+      std::vector<std::uint32_t> losers;
+      for (const std::uint32_t t : open) complex_->relabel(t, rule.label(t, complex_->raised(), losers));
+      for (const std::uint32_t p : losers) complex_->raise(p);
+      open = complex_->keep_positive();
+      if (!open.empty()) continue;
+      complex_->build();
+      raise_where_not_exact();
+      open = complex_->keep_positive();
     }
-  }
-
-  // ---- the complex --------------------------------------------------------------------------------------------------
-
-  /// The tetrahedra of the triangulation, then the thickened triangles of both slices.
-  void build() {
-    number_.assign(on_slices_, none);
-    result_.added.clear();
-    for (std::uint32_t p = 0; p < on_slices_; ++p) {
-      if (!raised_[p]) continue;
-      number_[p] = on_slices_ + static_cast<std::uint32_t>(result_.added.size());
-      result_.added.push_back(top(p));
-    }
-    if (!result_.added.empty() && !(lower_.z < lower_.z + limits::raise_share * (upper_.z - lower_.z) &&
-                                    lower_.z + limits::raise_share * (upper_.z - lower_.z) < upper_.z - limits::raise_share * (upper_.z - lower_.z) &&
-                                    upper_.z - limits::raise_share * (upper_.z - lower_.z) < upper_.z))
-      refuse_too_close();
-    cells_.clear();
-    cell_labels_.clear();
-    for (std::uint32_t t = 0; t < tets_.size(); ++t) {
-      Corners v{};
-      for (int i = 0; i < 4; ++i) v[i] = up(tets_[t].v[i]);
-      cells_.push_back(v);
-      cell_labels_.push_back(labels_[t]);
-    }
-    thicken(lower_, 0, true);
-    thicken(upper_, offset_, false);
-    collect_stars();
-  }
-
-  std::uint32_t up(std::uint32_t p) const { return number_[p] == none ? p : number_[p]; }
-
-  /// As add_prism (recon/delaunay/prism.h) cuts it, without what has no height.
-  void thicken(const PartitionSlice& slice, std::uint32_t first, bool upwards) {
-    for (std::uint32_t t = 0; t < slice.planar.triangles.size(); ++t) {
-      std::array<std::uint32_t, 3> v = slice.planar.triangles[t].v;
-      const auto& given = slice.planar.triangles[t].v;
-      std::sort(v.begin(), v.end());
-      const int fixed = (v[0] == given[0]) + (v[1] == given[1]) + (v[2] == given[2]);
-      const bool even = fixed != 1;
-      for (std::uint32_t& p : v) p += first;
-      const std::array<std::uint32_t, 3> to{up(v[0]), up(v[1]), up(v[2])};
-      const std::array<std::pair<Corners, bool>, 3> parts{{{{v[0], v[1], v[2], to[2]}, to[2] != v[2]},
-                                                          {{v[0], v[1], to[2], to[1]}, to[1] != v[1]},
-                                                          {{v[0], to[1], to[2], to[0]}, to[0] != v[0]}}};
-      for (auto [corners, there] : parts) {
-        if (!there) continue;
-        if (even != upwards) std::swap(corners[0], corners[1]);
-        cells_.push_back(corners);
-        cell_labels_.push_back(slice.label(t));
-      }
-    }
-  }
-
-  void collect_stars() {
-    const std::size_t points = on_slices_ + result_.added.size();
-    first_.assign(points + 1, 0);
-    for (const Corners& cell : cells_)
-      for (const std::uint32_t v : cell) ++first_[v + 1];
-    for (std::size_t p = 0; p < points; ++p) first_[p + 1] += first_[p];
-    star_.resize(first_[points]);
-    std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
-    for (std::uint32_t c = 0; c < cells_.size(); ++c)
-      for (const std::uint32_t v : cells_[c]) star_[at[v]++] = c;
-  }
-
-  std::vector<LinkTriangle> link(std::uint32_t v) const {
-    std::vector<LinkTriangle> triangles;
-    for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) {
-      LinkTriangle triangle{{}, cell_labels_[star_[s]], star_[s]};
-      int k = 0;
-      for (const std::uint32_t w : cells_[star_[s]])
-        if (w != v) triangle.v[k++] = w;
-      triangles.push_back(triangle);
-    }
-    return triangles;
-  }
-
-  bool one_label(std::uint32_t v) const {
-    for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s)
-      if (cell_labels_[star_[s]] != cell_labels_[star_[first_[v]]]) return false;
-    return true;
   }
 
   // ---- exact sections -----------------------------------------------------------------------------------------------
 
-  /// Raises points of the slices at which something touches that is none of their faces, or at which a face is no disc seen from the slab.
+  /// Raises points of the slices at which something touches that is none of their faces, or at which a face is no disc seen from the slab. Looks at what
+  /// has changed since the last time; raised copies of points are left to be looked at. False: there were none.
   bool raise_where_not_exact() {
     progress_.check();
     std::vector<std::uint32_t> wrong;
-    for (std::uint32_t p = 0; p < on_slices_; ++p)
-      if (!raised_[p]) check_exact(p, wrong);
-    bool changed = false;
-    for (const std::uint32_t p : wrong) changed = raise(p) || changed;
-    return changed;
+    for (const std::uint32_t v : complex_->take_changed()) {
+      if (v >= complex_->on_slices()) later_.push_back(v);
+      else if (!complex_->raised()[v]) check_exact(v, wrong);
+    }
+    bool any = false;
+    for (const std::uint32_t p : wrong) any = complex_->raise(p) || any;
+    return any;
+  }
+
+  /// Precondition: the three points are the corners of a triangle.
+  static Label label_of_triangle(const PartitionSlice& slice, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const EdgeSides sides = sides_of(slice, a, b);
+    if (sides.left == sides.right || sides.left_triangle == delaunay::none) return sides.right;
+    const auto& corners = slice.planar.triangles[sides.left_triangle].v;
+    return std::find(corners.begin(), corners.end(), c) != corners.end() ? sides.left : sides.right;
   }
 
   void check_exact(std::uint32_t p, std::vector<std::uint32_t>& wrong) const {
-    const PartitionSlice& slice = is_lower(p) ? lower_ : upper_;
-    const std::uint32_t first = is_lower(p) ? 0 : offset_, own = p - first;
-    std::vector<Label> faces{};
+    const PartitionSlice& slice = complex_->slice_of(p);
+    const std::uint32_t own = complex_->own(p), first = p - own;
+    std::vector<Label> faces;
     for (std::uint32_t s = slice.planar.first_spoke[own]; s < slice.planar.first_spoke[own + 1]; ++s)
       faces.push_back(slice.label(slice.planar.spokes[s].triangle));
-    const std::vector<LinkTriangle> triangles = link(p);
-    const auto on_slice = [&](std::uint32_t w) { return w < on_slices_ && is_lower(w) == is_lower(p); };
+    std::vector<LinkTriangle> triangles = complex_->link(p);
+    const auto on_slice = [&](std::uint32_t w) { return w < complex_->on_slices() && complex_->is_lower(w) == complex_->is_lower(p); };
     bool exact = true;
     for (const LinkTriangle& triangle : triangles) {
       if (std::find(faces.begin(), faces.end(), triangle.label) == faces.end()) exact = false;
-      for (const std::uint32_t w : triangle.v) {
-        if (!on_slice(w) || sides_of(slice, own, w - first).has(triangle.label)) continue;
+      std::vector<std::uint32_t> in_plane;
+      for (const std::uint32_t w : triangle.v)
+        if (on_slice(w)) in_plane.push_back(w - first);
+      for (const std::uint32_t w : in_plane) {
+        if (sides_of(slice, own, w).has(triangle.label)) continue;
         exact = false;
-        wrong.push_back(w);
+        wrong.push_back(w + first);
       }
+      if (in_plane.size() < 2 || label_of_triangle(slice, own, in_plane[0], in_plane[1]) == triangle.label) continue;
+      exact = false;
+      for (const std::uint32_t w : in_plane) wrong.push_back(w + first);
     }
-    if (exact) exact = VertexLink(triangles).regular();
+    if (exact) exact = VertexLink(std::move(triangles)).regular();
     if (!exact) wrong.push_back(p);
   }
 
   // ---- singularities ------------------------------------------------------------------------------------------------
 
-  /// Mends each singular point that no mend of this round has touched. False: there was none.
-  bool mend() {
-    progress_.check();
-    std::vector<bool> touched(cells_.size(), false);
+  /// One round: exact sections first, then each singular point that no mend of this round has touched. False: there was nothing to do.
+  bool improve() {
+    if (raise_where_not_exact()) return true;
+    std::sort(later_.begin(), later_.end());
+    later_.erase(std::unique(later_.begin(), later_.end()), later_.end());
+    std::vector<std::uint32_t> now;
+    std::swap(now, later_);
+    std::vector<bool> touched(complex_->cells(), false);
     bool any = false;
-    const auto points = static_cast<std::uint32_t>(on_slices_ + result_.added.size());
-    for (std::uint32_t v = 0; v < points; ++v) {
-      if (first_[v] == first_[v + 1] || one_label(v)) continue;
-      const VertexLink around(link(v));
+    for (const std::uint32_t v : now) {
+      const auto [begin, end] = complex_->star(v);
+      if (begin == end || std::all_of(begin, end, [&, first = begin](std::uint32_t cell) { return complex_->cell_label(cell) == complex_->cell_label(*first); }))
+        continue;
+      const VertexLink around(complex_->link(v));
       if (around.regular()) continue;
       any = true;
-      mend_at(v, around, touched);
+      complex_->mark(v);
+      if (std::any_of(begin, end, [&](std::uint32_t cell) { return touched[cell]; })) continue;   // seen again in the next round
+      mend_at(v, around);
+      for (auto cell = begin; cell != end; ++cell) touched[*cell] = true;
     }
-    if (any && ++rounds_ > most_rounds()) throw InternalError("a partition's slab could not be mended");
+    if (any && ++rounds_ > limits::most_rounds) throw InternalError("a partition's slab could not be mended");
     return any;
   }
 
-  std::size_t most_rounds() const { return 1000 + on_slices_; }
-
-  void mend_at(std::uint32_t v, const VertexLink& around, std::vector<bool>& touched) {
-    const auto changed = [&](std::uint32_t cell) { return touched[cell]; };
-    for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s)
-      if (changed(star_[s])) return;   // see again in the next round
-    const std::uint32_t slice_point = point_of(v);
-    std::size_t& mends = mends_[slice_point];
+  void mend_at(std::uint32_t v, const VertexLink& around) {
+    std::size_t& mends = mends_[v - complex_->on_slices()];
     ++mends;
-    const auto found = around.mends([&](std::uint32_t cell) { return cell >= tets_.size(); });
-    if (mends <= limits::single_mends && !found.empty()) {
-      for (const std::uint32_t cell : found.front().cells) relabel(cell, found.front().label);
-    } else {
+    const std::size_t free_cells = complex_->tetrahedra().size();
+    const std::vector<Mend> found = around.mends([&](std::uint32_t cell) { return cell >= free_cells; });
+    if (mends > limits::single_mends || found.empty()) {
       patch(v, mends > limits::single_mends ? mends - limits::single_mends : 1);
+      return;
     }
-    for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s) touched[star_[s]] = true;
+    for (const std::uint32_t cell : found.front().cells) result_.relabelled += complex_->relabel(cell, found.front().label);
   }
 
-  std::uint32_t point_of(std::uint32_t v) const {
-    if (v < on_slices_) return v;
-    return static_cast<std::uint32_t>(std::find(number_.begin(), number_.end(), v) - number_.begin());
-  }
-
-  void relabel(std::uint32_t t, Label label) {
-    result_.relabelled += labels_[t] != label;
-    labels_[t] = label;
-  }
-
-  /// The commonest label of the tetrahedra around v, for all of them and their neighbours, `steps` doublings far.
+  /// The commonest label of the tetrahedra around v, for all of them and those 2^steps - 1 rings further out, with all their points raised.
   void patch(std::uint32_t v, std::size_t steps) {
     ++result_.patches;
-    std::vector<bool> in(tets_.size(), false);
+    const auto& tets = complex_->tetrahedra();
+    std::vector<bool> in(tets.size(), false);
     std::vector<std::uint32_t> patch;
-    for (std::uint32_t s = first_[v]; s < first_[v + 1]; ++s)
-      if (star_[s] < tets_.size()) patch.push_back(star_[s]);
-    for (const std::uint32_t t : patch) in[t] = true;
+    const auto add_at = [&](std::uint32_t p) {
+      const auto [begin, end] = complex_->tetrahedra_at(p);
+      for (auto t = begin; t != end; ++t) {
+        if (in[*t]) continue;
+        in[*t] = true;
+        patch.push_back(*t);
+      }
+    };
+    add_at(v - complex_->on_slices());
     const std::size_t rings = std::size_t{1} << std::min<std::size_t>(steps, 40);
     std::size_t from = 0;
-    for (std::size_t ring = 1; ring < rings && from < patch.size(); ++ring) {
-      const std::size_t end = patch.size();
-      for (; from < end; ++from)
-        for (const std::uint32_t p : tets_[patch[from]].v)
-          for (std::uint32_t s = first_[up(p)]; s < first_[up(p) + 1]; ++s) {
-            if (star_[s] >= tets_.size() || in[star_[s]]) continue;
-            in[star_[s]] = true;
-            patch.push_back(star_[s]);
-          }
-    }
+    for (std::size_t ring = 1; ring < rings && from < patch.size(); ++ring)
+      for (const std::size_t end = patch.size(); from < end; ++from)
+        for (const std::uint32_t p : tets[patch[from]].v) add_at(p);
     std::map<Label, std::size_t> votes;
-    for (const std::uint32_t t : patch) ++votes[labels_[t]];
-    Label most = void_label;
-    std::size_t count = 0;
-    for (const auto& [label, times] : votes)
-      if (times > count) {
-        most = label;
-        count = times;
-      }
+    for (const std::uint32_t t : patch) ++votes[complex_->label(t)];
+    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
     for (const std::uint32_t t : patch) {
-      relabel(t, most);
-      for (const std::uint32_t p : tets_[t].v) raise(p);
+      result_.relabelled += complex_->relabel(t, most);
+      for (const std::uint32_t p : tets[t].v) complex_->raise(p);
     }
   }
 
+  // ---- result -------------------------------------------------------------------------------------------------------
+
   PartitionSlab collect() {
-    for (std::size_t c = 0; c < cells_.size(); ++c) {
-      if (cell_labels_[c] == void_label) continue;
-      result_.tetrahedra.push_back(cells_[c]);
-      result_.labels.push_back(cell_labels_[c]);
+    const double low = complex_->raised_lower(), high = complex_->raised_upper();
+    if (complex_->any_raised() && !(lower_.z < low && low < high && high < upper_.z))
+      throw InputError("slices-too-close", place_,
+                       fmt::format("too few numbers lie between the heights {} and {} of two neighbouring slices", lower_.z, upper_.z),
+                       "Leave one of the slices out");
+    std::vector<std::uint32_t> number(2 * std::size_t{complex_->on_slices()});
+    for (std::uint32_t p = 0; p < complex_->on_slices(); ++p) {
+      number[p] = p;
+      if (!complex_->raised()[p]) continue;
+      number[p + complex_->on_slices()] = complex_->on_slices() + static_cast<std::uint32_t>(result_.added.size());
+      result_.added.push_back(complex_->place(p + complex_->on_slices()));
+    }
+    for (std::uint32_t c = 0; c < complex_->cells(); ++c) {
+      if (complex_->cell_label(c) == void_label) continue;
+      auto corners = complex_->corners(c);
+      for (std::uint32_t& v : corners) v = number[v];
+      result_.tetrahedra.push_back(corners);
+      result_.labels.push_back(complex_->cell_label(c));
     }
     return std::move(result_);
   }
@@ -330,16 +207,10 @@ class SlabSolver {
   const Materials& materials_;
   const Place& place_;
   const Progress& progress_;
-  const std::uint32_t offset_, on_slices_;
-  std::vector<SlabTetrahedron> tets_;
-  std::vector<Label> labels_;
-  std::vector<bool> raised_;
-  std::vector<std::size_t> mends_;
+  std::optional<SlabComplex> complex_;
+  std::vector<std::uint32_t> later_;     // raised copies to be looked at
+  std::vector<std::size_t> mends_;       // at each point
   std::size_t rounds_ = 0;
-  std::vector<std::uint32_t> number_;   // of a raised point; none: it stays in its slice
-  std::vector<Corners> cells_;          // of the triangulation, then thickened triangles
-  std::vector<Label> cell_labels_;
-  std::vector<std::uint32_t> first_, star_;   // cells at v: star_[first_[v]] to star_[first_[v + 1]]
   PartitionSlab result_;
 };
 

@@ -32,7 +32,7 @@ struct PartitionSlice {
   bool empty() const { return planar.points.empty(); }
 };
 
-/// Precondition: part_corners (corners.h). Throws InternalError if faces of one label meet in a point.
+/// Throws InternalError if faces of one label meet in a point.
 PartitionSlice planar_partition(const Borders& borders, double z, const Progress& progress);
 
 }  // namespace odontoscope::partition

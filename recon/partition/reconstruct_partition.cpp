@@ -15,7 +15,6 @@
 #include "recon/input/validate.h"
 #include "recon/partition/certify_partition.h"
 #include "recon/partition/complex_parts.h"
-#include "recon/partition/corners.h"
 #include "recon/partition/face_contours.h"
 #include "recon/partition/inner_first.h"
 #include "recon/partition/interpolate.h"
@@ -79,7 +78,6 @@ class PartitionReconstructor {
     slices_.resize(given.size());
     for_each(given.size(), arena_, "slices", progress_, [&](std::size_t k) {
       borders_[k] = overlay(given[k], materials_);
-      borders_[k].corners_cut = part_corners(borders_[k], materials_);
       slices_[k] = planar_partition(borders_[k], given[k].z, progress_);
     });
   }
@@ -159,6 +157,7 @@ class PartitionReconstructor {
     for_each(count + 1, arena_, "certify", progress_, [&](std::size_t s) {
       const auto label = static_cast<Label>(s == count ? void_label : s + 1);
       SurfaceMesh surface = surface_of(complex, label);
+      if (surface.triangles.empty()) return;   // others keep its place everywhere
       SurfaceReport report = inspect(surface);
       delaunay::certify_surface(report, s == count ? "all structures together" : materials_.structures[s]);
       if (s == count) return;
@@ -169,6 +168,7 @@ class PartitionReconstructor {
       solid.report = std::move(report);
       for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
     });
+    std::erase_if(result_.solids, [](const Solid& solid) { return solid.tetrahedra.tetrahedra.empty(); });
     result_.slices_checked = given_.size();
     result_.certified = true;
     compare_topology();
@@ -192,7 +192,20 @@ class PartitionReconstructor {
       result_.links.insert(result_.links.end(), implied_[s].links.begin(), implied_[s].links.end());
       result_.void_links.insert(result_.void_links.end(), implied_[s].void_links.begin(), implied_[s].void_links.end());
     }
+    for (const ImpliedTopology& one : implied_) result_.doubts.insert(result_.doubts.end(), one.doubts.begin(), one.doubts.end());
     result_.attention = delaunay::places_to_look_at(result_, left_.stack, {});
+    forget_numbers();
+  }
+
+  /// Links and doubts number contours as the partition left them, which the user does not see.
+  void forget_numbers() {
+    for (Attention& item : result_.attention) {
+      item.links.clear();
+      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen without --partition only.";
+    }
+    result_.links.clear();
+    result_.void_links.clear();
+    result_.doubts.clear();
   }
 
   void count() {

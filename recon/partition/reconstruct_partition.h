@@ -27,7 +27,7 @@ struct PartitionOptions {
 };
 
 /// Validates `stack` (InputError; also unknown-structure for a name of `priority` that is not there, too-many-structures,
-/// slices-too-close). The solids of the result are the complex's materials, with coordinates equal to the bit where they share faces;
+/// slices-too-close). The solids of the result are the complex's materials (a structure that others cover wholly has none), with coordinates equal to the bit where they share faces;
 /// `Reconstruction::complex` is set.
 Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options = {}, const Progress& progress = {});
 

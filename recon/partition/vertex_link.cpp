@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
+#include <utility>
 
+#include "recon/core/error.h"
 #include "recon/core/union_find.h"
 
 namespace odontoscope::partition {
@@ -14,83 +15,106 @@ constexpr std::uint32_t none = 0xffffffffu;
 }  // namespace
 
 VertexLink::VertexLink(std::vector<LinkTriangle> triangles) : triangles_(std::move(triangles)) {
-  struct Side {
-    std::uint32_t a, b, triangle;
-    int k;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles_.size());
-  for (std::uint32_t t = 0; t < triangles_.size(); ++t)
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles_[t].v[(k + 1) % 3], b = triangles_[t].v[(k + 2) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), t, k});
-    }
-  std::sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) { return std::tie(p.a, p.b, p.triangle) < std::tie(q.a, q.b, q.triangle); });
+  number_corners();
+  match_edges();
+}
+
+void VertexLink::number_corners() {
+  std::vector<std::uint32_t> names;
+  names.reserve(3 * triangles_.size());
+  for (const LinkTriangle& triangle : triangles_) names.insert(names.end(), triangle.v.begin(), triangle.v.end());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  vertices_ = names.size();
+  if (vertices_ > 0xffff) throw InternalError("a point of a partition has more neighbours than can be counted");
+  corners_.resize(triangles_.size());
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
+    for (int k = 0; k < 3; ++k)
+      corners_[t][k] = static_cast<std::uint16_t>(std::lower_bound(names.begin(), names.end(), triangles_[t].v[k]) - names.begin());
+}
+
+void VertexLink::match_edges() {
   across_.assign(triangles_.size(), {none, none, none});
-  for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-    if (sides[i].a != sides[i + 1].a || sides[i].b != sides[i + 1].b) continue;
-    across_[sides[i].triangle][sides[i].k] = sides[i + 1].triangle;
-    across_[sides[i + 1].triangle][sides[i + 1].k] = sides[i].triangle;
-  }
+  const auto match = [&](std::uint32_t one, std::uint32_t other) {   // 3 * triangle + side
+    across_[one / 3][one % 3] = other / 3;
+    across_[other / 3][other % 3] = one / 3;
+  };
+  constexpr std::size_t few = 64;   // a table of all pairs is small then
+  std::vector<std::uint32_t> seen(vertices_ <= few ? vertices_ * vertices_ : 0, none);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;   // corners as one number, and 3 * triangle + side
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(corners_[t][(k + 1) % 3], corners_[t][(k + 2) % 3]);
+      const std::size_t edge = a * vertices_ + b;
+      if (seen.empty()) {
+        sides.emplace_back(static_cast<std::uint32_t>(edge), 3 * t + k);
+      } else if (seen[edge] == none) {
+        seen[edge] = 3 * t + k;
+      } else {
+        match(seen[edge], 3 * t + k);
+      }
+    }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i].first == sides[i + 1].first) match(sides[i].second, sides[i + 1].second);
 }
 
 std::vector<VertexLink::Part> VertexLink::parts() const {
-  std::vector<Label> labels;
-  for (const LinkTriangle& triangle : triangles_)
-    if (triangle.label != void_label) labels.push_back(triangle.label);
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
   std::vector<Part> found;
-  for (const Label label : labels) {
-    found.push_back({std::vector<bool>(triangles_.size()), false, label});
-    for (std::size_t t = 0; t < triangles_.size(); ++t) found.back().in[t] = triangles_[t].label == label;
+  for (const LinkTriangle& triangle : triangles_) {
+    if (triangle.label == void_label) continue;
+    if (std::none_of(found.begin(), found.end(), [&](const Part& part) { return part.label == triangle.label; })) found.push_back({false, triangle.label});
   }
-  if (labels.size() > 1) {
-    found.push_back({std::vector<bool>(triangles_.size()), true, void_label});
-    for (std::size_t t = 0; t < triangles_.size(); ++t) found.back().in[t] = triangles_[t].label != void_label;
-  }
+  if (found.size() > 1) found.push_back({true, void_label});
   return found;
 }
 
 /// One piece, without a pinch, and of Euler characteristic 1; 2 is the whole sphere.
-bool VertexLink::is_disc(const std::vector<bool>& in) const {
-  std::vector<std::pair<std::uint32_t, int>> corners;   // link vertex; +1 for a triangle there, -1 for an edge within the part
-  UnionFind joined(triangles_.size());
-  std::size_t faces = 0, inner = 0, pieces = 0;
+bool VertexLink::is_disc(const Part& part) const {
+  std::vector<std::int16_t> fans(vertices_, 0);       // at each link vertex: triangles of the part less edges within it
+  std::vector<std::uint8_t> used(vertices_, 0);
+  std::vector<std::uint32_t> stack;
+  std::size_t faces = 0, inner = 0;
+  std::uint32_t first = none;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
-    if (!in[t]) continue;
+    if (!part.has(triangles_[t].label)) continue;
     ++faces;
-    ++pieces;
+    if (first == none) first = t;
     for (int k = 0; k < 3; ++k) {
-      corners.emplace_back(triangles_[t].v[k], 1);
+      ++fans[corners_[t][k]];
+      used[corners_[t][k]] = 1;
       const std::uint32_t other = across_[t][k];
-      if (other == none || !in[other] || other < t) continue;
+      if (other == none || other < t || !part.has(triangles_[other].label)) continue;
       ++inner;
-      corners.emplace_back(triangles_[t].v[(k + 1) % 3], -1);
-      corners.emplace_back(triangles_[t].v[(k + 2) % 3], -1);
-      if (joined.find(t) != joined.find(other)) {
-        joined.join(t, other);
-        --pieces;
-      }
+      --fans[corners_[t][(k + 1) % 3]];
+      --fans[corners_[t][(k + 2) % 3]];
     }
   }
-  if (pieces != 1) return false;
-  std::sort(corners.begin(), corners.end());
   std::size_t vertices = 0;
-  for (std::size_t i = 0; i < corners.size();) {
-    int fans = 0;
-    const std::uint32_t at = corners[i].first;
-    for (; i < corners.size() && corners[i].first == at; ++i) fans += corners[i].second;
-    if (fans > 1) return false;
-    ++vertices;
+  for (std::size_t v = 0; v < vertices_; ++v) {
+    if (fans[v] > 1) return false;
+    vertices += used[v];
   }
   const auto euler = static_cast<long>(vertices) - static_cast<long>(3 * faces - inner) + static_cast<long>(faces);
-  return euler == 1 || euler == 2;
+  if (euler != 1 && euler != 2) return false;
+  std::vector<std::uint8_t> seen(triangles_.size(), 0);
+  std::size_t reached = 0;
+  for (stack.push_back(first), seen[first] = 1; !stack.empty();) {
+    const std::uint32_t t = stack.back();
+    stack.pop_back();
+    ++reached;
+    for (const std::uint32_t other : across_[t]) {
+      if (other == none || seen[other] || !part.has(triangles_[other].label)) continue;
+      seen[other] = 1;
+      stack.push_back(other);
+    }
+  }
+  return reached == faces;
 }
 
 bool VertexLink::regular() const {
   for (const Part& part : parts())
-    if (!is_disc(part.in)) return false;
+    if (!is_disc(part)) return false;
   return true;
 }
 
@@ -151,13 +175,16 @@ std::vector<Mend> VertexLink::all_mends() const {
     if (!mend.cells.empty()) found.push_back(std::move(mend));
   };
   for (const Part& part : parts()) {
-    if (is_disc(part.in)) continue;
+    if (is_disc(part)) continue;
+    std::vector<bool> in(triangles_.size()), rest(triangles_.size());
+    for (std::size_t t = 0; t < in.size(); ++t) {
+      in[t] = part.has(triangles_[t].label);
+      rest[t] = !in[t];
+    }
     std::vector<bool> outside;
-    const auto own = pieces(part.in, false, outside);
+    const auto own = pieces(in, false, outside);
     if (own.size() > 1)
       for (const auto& piece : own) add(piece, part.materials ? void_label : commonest_beside(piece, false));
-    std::vector<bool> rest(part.in.size());
-    for (std::size_t t = 0; t < rest.size(); ++t) rest[t] = !part.in[t];
     const auto others = pieces(rest, true, outside);
     const bool something_outside = std::find(outside.begin(), outside.end(), true) != outside.end();
     for (std::size_t i = 0; i < others.size(); ++i) {

@@ -44,20 +44,25 @@ class VertexLink {
   }
 
  private:
-  struct Part {   // a set of triangles
-    std::vector<bool> in;
-    bool materials = false;   // all materials together
+  /// A set of triangles: those of one label, or those of all materials together.
+  struct Part {
+    bool materials = false;
     Label label = void_label;
+    bool has(Label other) const { return materials ? other != void_label : other == label; }
   };
 
   std::vector<Part> parts() const;
-  bool is_disc(const std::vector<bool>& in) const;
+  bool is_disc(const Part& part) const;
   std::vector<Mend> all_mends() const;
   std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& in, bool with_outside, std::vector<bool>& touches_outside) const;
   Label commonest_beside(const std::vector<std::uint32_t>& piece, bool material) const;
+  void number_corners();
+  void match_edges();
 
   std::vector<LinkTriangle> triangles_;
-  std::vector<std::array<std::uint32_t, 3>> across_;   // across the edge opposite v[i]; none: nothing there
+  std::vector<std::array<std::uint16_t, 3>> corners_;   // of each triangle: numbers of link vertices from 0
+  std::size_t vertices_ = 0;
+  std::vector<std::array<std::uint32_t, 3>> across_;    // across the edge opposite v[i]; none: nothing there
 };
 
 }  // namespace odontoscope::partition
