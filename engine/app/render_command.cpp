@@ -351,6 +351,7 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   add_volume_look_options(parser, options.look);
   add_radiograph_options(parser, options.radiograph);
   add_dt_options(parser, options.dt);
+  add_partition_options(parser, options.dt.partition);
   add_volume_options(parser, options.volume);
 }
 

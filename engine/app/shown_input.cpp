@@ -40,7 +40,7 @@ struct Found {
 };
 
 Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
-  Reconstruction made = reconstruct(stack, understood(dt, stack, session), session.progress());
+  Reconstruction made = reconstructed(stack, dt, session);
   Found found;
   found.overlays.contours = std::move(stack);
   found.proven = proven_by(made);

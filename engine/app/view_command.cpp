@@ -223,6 +223,7 @@ Command view_command(CLI::App& root) {
   add_volume_look_options(*parser, options->look);
   add_grey_option(*parser, options->grey);
   add_dt_options(*parser, options->dt);
+  add_partition_options(*parser, options->dt.partition);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"
