@@ -92,8 +92,10 @@ std::string options_in_words(const PartitionCase& given) {
   return words + (given.delaunay ? " --between delaunay" : "");
 }
 
-/// Prints the failure in the fewest points, and writes it into the folder, if there is one.
+/// Prints the failure in the fewest points, and writes it into the folder, if there is one, as drawn and in the fewest points.
 void show_small(std::uint64_t seed, const PartitionCase& given, const PartitionOutcome& outcome) {
+  if (const std::string folder = from_environment("ODONTOSCOPE_PARTITION_FOLDER", ""); !folder.empty())
+    std::ofstream(folder + "/drawn-" + std::to_string(seed) + ".json") << to_text(given.stack);
   const PartitionCase small = smallest_alike(given);
   std::cout << "seed " << seed << ", " << given.kind << ", " << options_in_words(small) << ", " << outcome.sort() << ":\n"
             << to_text(small.stack) << "\n" << std::flush;
