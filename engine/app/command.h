@@ -45,6 +45,7 @@ Command canal_command(CLI::App& root);
 Command figures_command(CLI::App& root);
 Command anatomy_command(CLI::App& root);
 Command corpus_command(CLI::App& root);
+Command batch_command(CLI::App& root);
 Command compare_images_command(CLI::App& root);
 
 }  // namespace odontoscope::app

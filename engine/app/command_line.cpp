@@ -62,7 +62,7 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
 std::vector<Command> add_commands(CLI::App& root) {
   std::vector<Command> commands;
   for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command, view_command, web_command,
-                          compare_command, canal_command, anatomy_command, figures_command, corpus_command, compare_images_command}) {
+                          compare_command, canal_command, anatomy_command, figures_command, corpus_command, batch_command, compare_images_command}) {
     commands.push_back(make(root));
     // --quiet and --threads may stand behind the subcommand too.
     commands.back().parser->fallthrough();

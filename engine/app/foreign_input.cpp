@@ -12,7 +12,6 @@
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
-#include "engine/app/whole_structures.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/cut_surfaces.h"

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "engine/app/words.h"
@@ -13,8 +11,8 @@
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
 #include "recon/delaunay/verdict.h"
-#include "recon/mesh/simplify_surface.h"
 #include "recon/mesh/tetra_report.h"
+#include "recon/output/simplify_model.h"
 
 namespace odontoscope::app {
 namespace {
@@ -31,32 +29,6 @@ std::string remedies_in_words(const std::vector<Link>& remedies) {
     words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower, link.structure, link.slice + 1, link.upper));
   return fmt::format("{} tried, and would join such a region; if meant, say so with --links: {}.",
                      counted(remedies.size(), "link was", "links were"), fmt::join(words, "; "));
-}
-
-double diagonal_of(const SurfaceMesh& surface) {
-  Point3 low = surface.points.front(), high = low;
-  for (const Point3& p : surface.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
-}
-
-StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
-  if (!simple.report.closed_oriented_manifold()) {
-    throw InternalError(fmt::format("simplifying {} broke its surface", solid.structure));
-  }
-  for (Shell& shell : simple.report.shells) shell.structure = solid.structure;
-  StructureSimplification told{.structure = solid.structure,
-                               .triangles_before = solid.surface.triangles.size(),
-                               .triangles = simple.surface.triangles.size(),
-                               .distance = simple.distance,
-                               .self_intersections = simple.self_intersections,
-                               .kept_vertices = simple.kept_vertices,
-                               .diagonal = diagonal_of(solid.surface)};
-  solid.surface = std::move(simple.surface);
-  solid.report = std::move(simple.report);
-  return told;
 }
 
 void tell_shells(const std::vector<Shell>& shells, Console& console) {
@@ -82,17 +54,9 @@ void tell_simplification(const StructureSimplification& done, Console& console) 
 }  // namespace
 
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress) {
-  if (triangles >= triangles_in(model.reconstruction)) return;
-  const auto start = std::chrono::steady_clock::now();
-  std::vector<const SurfaceMesh*> surfaces;
-  for (const Solid& solid : model.reconstruction.solids) surfaces.push_back(&solid.surface);
-  SimplifiedSurfaces simple = simplify(surfaces, {.triangles = triangles, .distance = {}}, progress);
-  for (std::size_t n = 0; n < simple.surfaces.size(); ++n) {
-    model.simplifications.push_back(replaced_by(simple.surfaces[n], model.reconstruction.solids[n]));
-  }
-  model.aim = SimplificationAim{triangles, simple.triangles, simple.obstacles, simple.restarts};
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  model.reconstruction.seconds.push_back({"simplify", taken.count()});
+  ModelSimplification done = simplify_surfaces(model.reconstruction, triangles, progress);
+  model.simplifications = std::move(done.structures);
+  model.aim = done.aim;
 }
 
 void move_model(Model& model, const RigidMotion& motion) {

@@ -22,9 +22,7 @@ struct Model {
   std::optional<SimplificationAim> aim;
 };
 
-/// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next, so
-/// each keeps what its shape needs. Each keeps its topology and does not cut through itself, and therefore may keep
-/// more; `aim` tells. InternalError if a result is no closed oriented manifold.
+/// As simplify_surfaces (recon/output/simplify_model.h) does.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
 
 /// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over or makes it flat, or

@@ -17,9 +17,11 @@
 #include "engine/app/contact_sheet.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/radiograph_options.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/tour_film.h"
+#include "engine/app/volume_look_words.h"
 #include "engine/picture/film.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
@@ -36,6 +38,8 @@ struct RenderArguments {
   DtWords dt;
   VolumeWords volume;
   SceneWords scene;
+  RadiographWords radiograph;
+  VolumeLookWords look;
   std::string output, save_scene;
   std::string size;   // empty: as usual
   std::string backend = "auto";
@@ -154,13 +158,15 @@ class Painter {
   Painter(const RenderArguments& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
       : picture_(picture_options(options)), gl_(context.gl()), renderer_(renderer), shown_(shown), session_(session), gpu_model_(upload(gl_, shown.model)),
         overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))), ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
-        values_(ct_ ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {}
+        values_(ct_ || scene.volume.shows_volume() ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {
+    if (scene.volume.shows_volume()) volume_.emplace(gl_, *shown.values, values_.field());
+  }
 
   /// The `number`th of `count`.
   Image draw(const Scene& scene, std::size_t number, std::size_t count) {
     session_.progress().check();
     session_.progress().tell("draw", static_cast<double>(number) / static_cast<double>(count));
-    return picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr);
+    return picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
   }
 
  private:
@@ -173,6 +179,7 @@ class Painter {
   GpuOverlay overlay_;
   bool ct_;
   GpuValueGrid values_;
+  std::optional<GpuVolume> volume_;
 };
 
 /// When the `number`th of `count` pictures of a tour is taken: the first at its start, the last at its end.
@@ -251,7 +258,34 @@ void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& s
     console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
 }
 
-ExitCode render(const RenderArguments& options, Session& session) {
+/// A film has mm instead of pixels, and no looks.
+void refuse_words_about_pictures(const RenderArguments& options) {
+  const SceneWords& scene = options.scene;
+  const bool looks = !options.look.show.empty() || !options.look.cast.empty() || !options.look.transfer.empty() || !scene.opacity.empty() || !scene.colour.empty() || !scene.section.empty() || !scene.cap.empty() || !scene.back_faces.empty() || !scene.background.empty() ||
+                     !scene.overlays.empty() || scene.occlusion || scene.wire || scene.wall_depth;
+  if (looks || !scene.scene_file.empty() || !scene.camera_file.empty() || scene.parallel || scene.zoom != 1 || !options.save_scene.empty())
+    throw UsageError("a radiograph shows shadows: of the options under Looking and Showing only --view and --hide are about it", "Leave the others out.");
+  if (on_tour(options)) throw UsageError("--radiograph and --tour: no film lies in a canal", "Choose one.");
+  if (!options.size.empty()) throw UsageError("--size: a film's size is told in mm", "Give --film WxH and --pixel MM.");
+}
+
+ExitCode render_radiograph(const RenderArguments& options, Session& session) {
+  refuse_words_about_pictures(options);
+  refuse_unwritable(planned_files(options));
+  const NamedView from = options.scene.view.empty() ? NamedView::buccal : view_named(options.scene.view);
+  const std::vector<Image> films =
+      radiographs(options.radiograph, {options.input, options.volume, options.dt, from, options.scene.hide, std::max(options.turntable, 1)}, session);
+  const std::vector<std::string> names = picture_files(options);
+  std::vector<FileContent> files;
+  for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], png_bytes(films[i])});
+  session.progress().check();
+  write_all(files, session.interrupts);
+  session.console.say(files.size() == 1 ? fmt::format("Wrote {}", files[0].file.string()) : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
+  return ExitCode::done;
+}
+
+ExitCode render(const RenderArguments& as_typed, Session& session) {
+  RenderArguments options = as_typed;
   if (!on_tour(options)) {
     refuse_tour_words_without_tour(options);
     known_ending(options.output, {".png"});
@@ -262,6 +296,11 @@ ExitCode render(const RenderArguments& options, Session& session) {
   const PictureOptions picture = picture_options(options);
   refuse_senseless(options.scene);
   refuse_senseless(options.dt);
+  refuse_senseless(options.radiograph);
+  refuse_senseless(options.look);
+  options.volume.voxels = wants_voxels(options.look, options.scene.scene_file);
+  if (!options.radiograph.on && !options.volume.voxels && !options.radiograph.grey.empty()) throw UsageError("--grey says what values mean, and none are shown", "Ask for --radiograph or --show volume.");
+  if (options.radiograph.on) return render_radiograph(options, session);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
   ModelOnTheWay model(options, session);
@@ -270,7 +309,8 @@ ExitCode render(const RenderArguments& options, Session& session) {
   Renderer renderer(context->gl(), shaders_from_environment());
 
   Shown shown = model.get();
-  const Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
+  Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
+  show_volume({options.look, options.radiograph.grey, options.radiograph.kv, options.scene.opacity, !options.scene.background.empty() || !options.scene.scene_file.empty()}, shown, scene, session);
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
@@ -307,6 +347,8 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")->type_name("N")->check(whole_number_from_one_to(most_frames));
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
+  add_volume_look_options(parser, options.look);
+  add_radiograph_options(parser, options.radiograph);
   add_dt_options(parser, options.dt);
   add_volume_options(parser, options.volume);
 }
@@ -326,6 +368,8 @@ Command render_command(CLI::App& root) {
       "  odontoscope render molar.glb -o turn.png --turntable 36 --background transparent\n"
       "  odontoscope render --tour canal-1 --size 1280x720 -o canal.mp4\n"
       "  odontoscope render --tour canal-1 --contact-sheet 4x3 -o canal.png\n"
+      "  odontoscope render tooth.nrrd -o ct.png --show volume --transfer enamel\n"
+      "  odontoscope render molar.json --radiograph --tube 20,0 -o film.png\n"
       "\n"
       "Films (.mp4, .webm) are made by ffmpeg, which must be installed (Debian: ffmpeg).\n");
   return {parser, [options](Session& session) { return render(*options, session); }};

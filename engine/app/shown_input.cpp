@@ -12,6 +12,7 @@
 
 #include "engine/app/foreign_input.h"
 #include "engine/app/sniff.h"
+#include "engine/app/tell_volume.h"
 #include "engine/scene/shells.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
@@ -33,6 +34,8 @@ struct Found {
   std::optional<Shown::Proven> proven = {};
   std::shared_ptr<const ValueGrid> values = {};
   std::optional<std::size_t> slices = {};
+  std::optional<GreyAnchors> greys = {};
+  bool only_voxels = false;
 };
 
 Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
@@ -59,14 +62,66 @@ Box bounds_of(const ContourStack& stack) {
   return bounds;
 }
 
+/// Grey values are seen a little way beyond surfaces.
+Box with_margin(const Box& bounds, const Volume& volume) {
+  constexpr double voxels = 3, share = 0.04;
+  const glm::dvec3 spacing(volume.spacing[0], volume.spacing[1], volume.spacing[2]);
+  const glm::dvec3 margin = voxels * spacing + share * (bounds.high - bounds.low);
+  return {bounds.low - margin, bounds.high + margin};
+}
+
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
-Found found_in_volume(const std::string& file, const VolumeRequest& options, const DtWords& dt, Session& session) {
+Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
   auto volume = std::make_unique<Volume>();
-  ContourStack stack = contours_told(file, options, session, volume.get());
-  auto values = std::make_shared<const ValueGrid>(value_grid(*volume, bounds_of(stack)));
+  ContourStack stack = contours_told(file, understood(words), session, volume.get());
+  const Box bounds = bounds_of(stack);
+  std::optional<GreyAnchors> greys;
+  if (words.voxels) greys = grey_anchors(*volume);
+  auto values = std::make_shared<const ValueGrid>(value_grid(*volume, words.voxels ? with_margin(bounds, *volume) : bounds));
   volume.reset();
   Found found = found_in(std::move(stack), dt, session);
   found.values = std::move(values);
+  found.greys = greys;
+  return found;
+}
+
+/// Of the voxels that are denser than half way from air to dentine.
+Box bounds_of_dense(const Volume& volume, const GreyAnchors& greys) {
+  const auto half_way = static_cast<float>(0.5 * (greys.air + greys.dentine));
+  Box bounds{glm::dvec3(std::numeric_limits<double>::max()), glm::dvec3(std::numeric_limits<double>::lowest())};
+  const glm::dvec3 origin(volume.origin.x, volume.origin.y, volume.origin.z), spacing(volume.spacing[0], volume.spacing[1], volume.spacing[2]);
+  for (std::size_t k = 0; k < volume.size[2]; ++k)
+    for (std::size_t j = 0; j < volume.size[1]; ++j)
+      for (std::size_t i = 0; i < volume.size[0]; ++i) {
+        if (volume.slice(k)[j * volume.size[0] + i] < half_way) continue;
+        const glm::dvec3 place = origin + glm::dvec3(i, j, k) * spacing;
+        bounds.low = glm::min(bounds.low, place - 0.5 * spacing);
+        bounds.high = glm::max(bounds.high, place + 0.5 * spacing);
+      }
+  return bounds;
+}
+
+SurfaceMesh box_surface(const Box& box) {
+  SurfaceMesh mesh;
+  for (unsigned i = 0; i < 8; ++i) mesh.points.push_back({i & 1u ? box.high.x : box.low.x, i & 2u ? box.high.y : box.low.y, i & 4u ? box.high.z : box.low.z});
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh;
+}
+
+Found found_in_voxels(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
+  refuse_for_mesh(dt, file);
+  const VolumeRequest request = understood(words);
+  if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
+  Volume volume = read_volume(file, request.read, session.progress());
+  tell_volume(file, volume, session.console);
+  crop_told(volume, request.reshape, session.console);
+  if (looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", file), "Say with --label N what is solid");
+  Found found;
+  found.greys = grey_anchors(volume);
+  found.only_voxels = true;
+  const Box dense = bounds_of_dense(volume, *found.greys);
+  found.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume)));
+  found.surfaces.push_back({"volume", box_surface(dense)});
   return found;
 }
 
@@ -100,7 +155,8 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
 
 Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
   if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session);
-  if (words.any_level()) return found_in_volume(file, understood(words), dt, session);
+  if (words.any_level()) return found_in_volume(file, words, dt, session);
+  if (words.voxels && named_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session);
@@ -140,7 +196,7 @@ Shown shown_from(const std::string& file, const VolumeWords& words, const DtWord
   Found found = found_in(file, words, dt, session);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), std::move(found.proven), found.slices};
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), found.greys, found.only_voxels, std::move(found.proven), found.slices};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

@@ -15,6 +15,7 @@
 #include "engine/scene/value_grid.h"
 #include "recon/delaunay/verdict.h"
 #include "recon/mesh/surface_report.h"
+#include "recon/radiograph/grey_anchors.h"
 
 namespace odontoscope::app {
 
@@ -25,6 +26,8 @@ struct Shown {
   OverlaySource overlays;
   std::vector<NamedSurface> surfaces;   // that the model was made from
   std::shared_ptr<const ValueGrid> values;   // of the volume that it came from; null for any other input
+  std::optional<GreyAnchors> greys;   // what they mean, if they are to be shown
+  bool only_voxels = false;           // the surface is but the box of them
 
   /// What was proven of the solids whose surfaces these are; empty for a mesh that somebody else made.
   struct Proven {
@@ -44,7 +47,7 @@ struct Shown {
 Shown::Proven proven_by(const Reconstruction& made);
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
-/// they are, told by their content. Empty `file`: the sample molar. Throws as the readers and the engine do;
+/// they are, told by their content. With `words.voxels` a volume needs no surface: the model is then the box of what is denser than air, called "volume". Empty `file`: the sample molar. Throws as the readers and the engine do;
 /// UsageError for `dt` with a mesh.
 Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session);
 

@@ -91,4 +91,11 @@ std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view 
   }
 }
 
+std::string structure_of_mesh(const std::string& mesh) {
+  for (const std::string_view kind : {"external", "cavity", "open"})
+    if (mesh.size() > kind.size() + 1 && mesh.ends_with(kind) && (mesh[mesh.size() - kind.size() - 1] == ' ' || mesh[mesh.size() - kind.size() - 1] == '_'))
+      return mesh.substr(0, mesh.size() - kind.size() - 1);
+  return mesh;
+}
+
 }  // namespace odontoscope::app

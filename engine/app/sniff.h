@@ -20,4 +20,8 @@ FileKind kind_of(std::string_view bytes, const std::string& file = {});
 /// The meshes of a file of such a kind; nothing if it is none. Throws as the readers do.
 std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view bytes, const std::string& file);
 
+/// "dentine" for the meshes "dentine external", "dentine cavity", "dentine open" and their like with underscores: our own GLB and OBJ files give
+/// a structure's outside and its cavities a mesh each.
+std::string structure_of_mesh(const std::string& mesh);
+
 }  // namespace odontoscope::app

@@ -28,6 +28,7 @@ struct VolumeWords {
   std::optional<double> simplify;    // mm
   std::optional<double> smooth;      // mm
   ReshapeWords reshape;
+  bool voxels = false;               // grey values themselves are shown, not only what surfaces are made of them
 
   bool any_level() const { return !isos.empty() || !labels.empty(); }
 };

@@ -46,13 +46,4 @@ inline std::vector<StructureSurface> sound_structures(const WrittenModel& model)
 inline constexpr const char* what_a_void_takes =
     "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.";
 
-/// "dentine" for the meshes "dentine external", "dentine cavity", "dentine open" and their like with underscores: our own GLB and OBJ files give
-/// a structure's outside and its cavities a mesh each.
-inline std::string structure_of_mesh(const std::string& mesh) {
-  for (const std::string_view kind : {"external", "cavity", "open"})
-    if (mesh.size() > kind.size() + 1 && mesh.ends_with(kind) && (mesh[mesh.size() - kind.size() - 1] == ' ' || mesh[mesh.size() - kind.size() - 1] == '_'))
-      return mesh.substr(0, mesh.size() - kind.size() - 1);
-  return mesh;
-}
-
 }  // namespace odontoscope::app

@@ -28,6 +28,7 @@ class Framebuffer {
   void bind() const;
   /// Make colour attachment `index` the texture of unit `unit`.
   void bind_colour(int index, int unit) const;
+  GLuint colour(int index) const { return colours_[static_cast<std::size_t>(index)].id(); }
   GLuint id() const { return framebuffer_.id(); }
   PixelSize size() const { return size_; }
 

@@ -35,11 +35,11 @@ std::vector<const GpuPart*> surfaces_of(const std::string& solid, const GpuModel
 constexpr int margin = 8;
 
 /// Everything if part of the model's box lies behind the eye.
-PixelRectangle touched_by(const GpuModel& model, const FramePlan& plan) {
+PixelRectangle touched_by(const glm::vec3& box_low, const glm::vec3& box_high, const FramePlan& plan) {
   const glm::ivec2 size(plan.size.width, plan.size.height);
   glm::vec2 low(1), high(-1);
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const glm::vec3 place(corner & 1u ? model.high.x : model.low.x, corner & 2u ? model.high.y : model.low.y, corner & 4u ? model.high.z : model.low.z);
+    const glm::vec3 place(corner & 1u ? box_high.x : box_low.x, corner & 2u ? box_high.y : box_low.y, corner & 4u ? box_high.z : box_low.z);
     const glm::vec4 clip = plan.view.eye_to_clip * plan.view.world_to_eye * glm::vec4(place, 1);
     if (!(clip.w > 0) || clip.z < -clip.w) return {{0, 0}, size};
     low = glm::min(low, glm::vec2(clip) / clip.w);
@@ -74,7 +74,7 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
   plan.view = view;
   plan.size = {side * size.width, side * size.height};
   plan.side = side;
-  plan.touched = touched_by(model, plan);
+  plan.touched = touched_by(model.low, model.high, plan);
   plan.centre = model.centre;
   plan.radius = model.radius;
   plan.back_faces = scene.back_faces;
@@ -110,6 +110,11 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
                    [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });
   if (overlay) add_overlay(*overlay, model, scene, plan);
   return plan;
+}
+
+void touch_box(const glm::vec3& low, const glm::vec3& high, FramePlan& plan) {
+  const PixelRectangle box = touched_by(low, high, plan);
+  plan.touched = {glm::min(plan.touched.low, box.low), glm::max(plan.touched.high, box.high)};
 }
 
 void set_section(const Program& program, const FramePlan& plan, bool whole) {

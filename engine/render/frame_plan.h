@@ -68,6 +68,9 @@ struct FramePlan {
 FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side,
                      const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr);
 
+/// Makes room in `plan.touched` for a box that is drawn besides the model: metres.
+void touch_box(const glm::vec3& low, const glm::vec3& high, FramePlan& plan);
+
 /// Sets the uniforms that every pass over surfaces shares. The program is in use.
 void set_view(const Program& program, const FramePlan& plan);
 

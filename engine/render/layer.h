@@ -16,6 +16,7 @@ class Layer {
   void bind_ambient(int unit) const { pixels_.bind_colour(1, unit); }
   /// Window depth as the fragments computed it, so that a later pass can compare exactly; 1 where there is nothing.
   void bind_depth(int unit) const { pixels_.bind_colour(2, unit); }
+  GLuint depth() const { return pixels_.colour(2); }
 
  private:
   const Gl* gl_ = nullptr;

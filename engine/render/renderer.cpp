@@ -32,31 +32,45 @@ void limit_to_touched(const Gl& gl, const FramePlan& plan) {
   gl.Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
 }
 
+CastView cast_view(const FramePlan& plan) { return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel, plan.size, plan.section, plan.lamp}; }
+
+void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan) {
+  touch_box(volume.low(), volume.high(), plan);
+  if (look.shows_surfaces()) return;
+  plan.opaque.clear();
+  plan.translucent.clear();
+  plan.capped.clear();
+  if (look.projects()) plan.lines.clear();
+}
+
 }  // namespace
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders),
-      depth_(gl, shaders), hidden_(gl, shaders) {}
+      depth_(gl, shaders), hidden_(gl, shaders), volume_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
-                    const GpuOverlay* overlay, const GpuValueGrid* values) {
+                    const GpuOverlay* overlay, const GpuValueGrid* values, GpuVolume* volume) {
+  if (volume && !scene.volume.shows_volume()) volume = nullptr;
+  if (volume) volume->prepare(scene.volume);
   std::vector<Work> layered;
   std::size_t samples = 0;
   for (const Pane& pane : panes) {
     refuse_undrawable(*gl_, pane.target.size, options);
     FramePlan plan = plan_frame(model, scene, pane.view, pane.target.size, options.side, overlay, values);
-    if (needs_no_layers(plan)) {
+    if (volume) add_volume(*volume, scene.volume, plan);
+    if (!volume && needs_no_layers(plan)) {
       draw_finished(plan, scene.background, pane);
       continue;
     }
     samples += static_cast<std::size_t>(plan.size.width) * static_cast<std::size_t>(plan.size.height);
-    layered.push_back({std::move(plan), &pane});
+    layered.push_back({.plan = std::move(plan), .pane = &pane, .volume = volume, .volume_look = &scene.volume});
   }
   if (samples <= most_samples) return draw_in_step(layered, scene.background);
   for (Work& work : layered) draw_in_step({&work, 1}, scene.background);
 }
 
-void Renderer::begin(Work& work) const {
+void Renderer::begin(Work& work) {
   const FramePlan& plan = work.plan;
   const Buffers& buffers = *work.buffers;
   constexpr GLfloat nothing[4] = {0, 0, 0, 0};
@@ -67,6 +81,7 @@ void Renderer::begin(Work& work) const {
   buffers.opaque.begin();
   if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, true);
   surfaces_.draw_opaque(plan);
+  if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface) volume_.draw_surface(cast_view(plan), *work.volume, *work.volume_look);
   caps_.draw(plan);
   lines_.draw(plan);
   if (!plan.lines.empty()) {
@@ -95,8 +110,10 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
       keep_depth(work, work.more ? &work.buffers->peeled[i % 2] : nullptr);
       if (!work.more) continue;
       any = true;
+      const Layer* previous = work.before;
       work.before = &work.buffers->peeled[i % 2];
       limit_to_touched(*gl_, work.plan);
+      cast_between(work, previous, work.before);
       add_layer(work.plan, *work.buffers, *work.before);
     }
     if (!any) break;
@@ -104,10 +121,20 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
   for (Work& work : works) {
     keep_depth(work, nullptr);
     limit_to_touched(*gl_, work.plan);
+    cast_between(work, work.before, nullptr);
     add_layer(work.plan, *work.buffers, work.buffers->opaque);
     gl_->Disable(GL_SCISSOR_TEST);
     resolve_.draw(work.plan, work.buffers->picture, background, work.pane->target);
   }
+}
+
+void Renderer::cast_between(const Work& work, const Layer* before, const Layer* layer) {
+  if (!work.volume) return;
+  if (work.volume_look->cast == VolumeLook::Cast::shaded) {
+    const CastDepths depths{before ? before->depth() : 0, layer ? layer->depth() : 0, work.buffers->opaque.depth()};
+    volume_.draw_between(cast_view(work.plan), *work.volume, *work.volume_look, depths, work.buffers->picture);
+  }
+  if (!layer && work.volume_look->projects()) volume_.draw_projection(cast_view(work.plan), *work.volume, *work.volume_look, work.buffers->picture);
 }
 
 void Renderer::keep_depth(Work& work, const Layer* first) const {

@@ -16,6 +16,7 @@
 #include "engine/render/line_pass.h"
 #include "engine/render/occlusion_pass.h"
 #include "engine/render/resolve_pass.h"
+#include "engine/raycast/volume_pass.h"
 #include "engine/render/surface_pass.h"
 #include "engine/scene/scene.h"
 
@@ -49,9 +50,10 @@ class Renderer {
   /// The context of `gl` is current now and at every call, and outlives this.
   Renderer(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Two panes are a headset, four a split screen. `overlay` null: none; `values` null: caps show the material. Throws GraphicsError as `refuse_undrawable` does.
+  /// Two panes are a headset, four a split screen. `overlay` null: none; `values` null: caps show the material; `volume` null: scene.volume
+  /// shows surfaces, whatever it says. Throws GraphicsError as `refuse_undrawable` does.
   void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {},
-            const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr);
+            const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr, GpuVolume* volume = nullptr);
 
  private:
   /// What the passes draw one pane into.
@@ -66,6 +68,8 @@ class Renderer {
     FramePlan plan;
     const Pane* pane = nullptr;
     const Buffers* buffers = nullptr;
+    const GpuVolume* volume = nullptr;   // null: it is not shown
+    const VolumeLook* volume_look = nullptr;
     const Layer* before = nullptr;   // of the translucent layers, the last one
     bool more = false;               // there may be another
     bool depth_kept = false;
@@ -73,7 +77,9 @@ class Renderer {
   const Buffers& buffers_for(PixelSize size, std::size_t number);
   /// Panes that are drawn in step: while the driver draws a layer of one, the next one's is prepared, and nobody waits for the answer whether there was any.
   void draw_in_step(std::span<Work> works, const Background& background);
-  void begin(Work& work) const;
+  void begin(Work& work);
+  /// What the volume has to show behind `before` (null: from the eye on) and before `layer` (null: before the opaque surfaces).
+  void cast_between(const Work& work, const Layer* before, const Layer* layer);
   void keep_depth(Work& work, const Layer* first) const;
   /// The short way, for what needs no layers: opaque surfaces without ambient occlusion, one sample a pixel.
   void draw_finished(const FramePlan& plan, const Background& background, const Pane& pane);
@@ -89,6 +95,7 @@ class Renderer {
   ResolvePass resolve_;
   DepthPass depth_;
   HiddenPass hidden_;
+  VolumePass volume_;
   std::vector<std::unique_ptr<Buffers>> buffers_;
   Framebuffer finished_;
 };

@@ -30,24 +30,6 @@ constexpr double least_near_mm = 1e-9;
 /// Sine of the smallest angle between `up` and the line of sight.
 constexpr double least_sine = 1e-6;
 
-struct Direction {
-  glm::dvec3 towards_eye, up;
-};
-
-Direction direction_of(NamedView view, const AnatomicalFrame& frame) {
-  switch (view) {
-    case NamedView::buccal: return {frame.buccal, frame.occlusal};
-    case NamedView::lingual: return {-frame.buccal, frame.occlusal};
-    case NamedView::mesial: return {frame.mesial, frame.occlusal};
-    case NamedView::distal: return {-frame.mesial, frame.occlusal};
-    case NamedView::occlusal: return {frame.occlusal, -frame.buccal};
-    case NamedView::apical: return {-frame.occlusal, frame.buccal};
-    case NamedView::three_quarter: break;
-  }
-  return {glm::normalize(0.80 * frame.buccal - 0.45 * frame.mesial + 0.40 * frame.occlusal), frame.occlusal};
-}
-
-
 /// What the picture must hold, measured along its axes from a place in the model.
 struct Extent {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
@@ -66,6 +48,19 @@ void for_each_vertex(const Model& model, Visit visit) {
 }
 
 }  // namespace
+
+ViewDirection direction_of(NamedView view, const AnatomicalFrame& frame) {
+  switch (view) {
+    case NamedView::buccal: return {frame.buccal, frame.occlusal};
+    case NamedView::lingual: return {-frame.buccal, frame.occlusal};
+    case NamedView::mesial: return {frame.mesial, frame.occlusal};
+    case NamedView::distal: return {-frame.mesial, frame.occlusal};
+    case NamedView::occlusal: return {frame.occlusal, -frame.buccal};
+    case NamedView::apical: return {-frame.occlusal, frame.buccal};
+    case NamedView::three_quarter: break;
+  }
+  return {glm::normalize(0.80 * frame.buccal - 0.45 * frame.mesial + 0.40 * frame.occlusal), frame.occlusal};
+}
 
 const char* name(NamedView view) {
   switch (view) {
@@ -115,7 +110,7 @@ Camera fit(const Camera& looking, const Model& model, double aspect) {
 }
 
 Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection, const AnatomicalFrame& frame) {
-  const Direction direction = direction_of(view, frame);
+  const ViewDirection direction = direction_of(view, frame);
   Camera camera;
   camera.projection = projection;
   camera.position = direction.towards_eye;

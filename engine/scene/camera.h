@@ -37,6 +37,12 @@ const char* name(NamedView view);
 /// "three-quarter", "buccal", ...; throws UsageError with the list of names.
 NamedView view_named(std::string_view name);
 
+/// Unit vectors: to where the eye stands, and what is upwards in the picture, at right angles to it or nearly.
+struct ViewDirection {
+  glm::dvec3 towards_eye, up;
+};
+ViewDirection direction_of(NamedView view, const AnatomicalFrame& frame = {});
+
 /// Looks at the model from the named side, all of it in the picture whatever its turn, with a small margin.
 /// `aspect` is width over height.
 Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection = Camera::Projection::perspective,

@@ -10,6 +10,7 @@
 #include "engine/scene/camera.h"
 #include "engine/scene/colour.h"
 #include "engine/scene/model.h"
+#include "engine/scene/volume_look.h"
 
 namespace odontoscope {
 
@@ -89,6 +90,7 @@ struct Scene {
   std::vector<Look> looks;
   std::optional<Section> section;
   CapLook cap;
+  VolumeLook volume;   // of a model that has values, see value_grid.h
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
   OverlayChoice overlays;

@@ -22,6 +22,7 @@ constexpr int format_version = 1;
 constexpr std::size_t most_scene_bytes = 1u << 20;
 constexpr float most_emphasis = 4;
 constexpr double most_slab = 1e9;
+constexpr double most_iso = 1e30;
 constexpr double least_reach_mm = 1e-9, most_reach_mm = 1e9;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -213,6 +214,44 @@ void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {
   cap.window = window;
 }
 
+void read_transfer(const Reader& volume, const std::string& file, std::vector<TransferPoint>& transfer) {
+  const Parsed* json = volume.member("transfer");
+  if (!json) return;
+  if (!json->is_array() || json->size() > most_transfer_points) volume.refuse("wrong-type", "transfer", fmt::format("is no list of at most {} points", most_transfer_points));
+  transfer.clear();
+  for (std::size_t i = 0; i < json->size(); ++i) {
+    const Reader reader((*json)[i], fmt::format("volume.transfer[{}]", i), file);
+    TransferPoint& point = transfer.emplace_back();
+    reader.read("value", point.value);
+    reader.read("colour", point.colour);
+    reader.read("extinction", point.extinction);
+  }
+  if (!transfer.empty() && !sensible(transfer)) volume.refuse("bad-value", "transfer", "is no transfer function: values ascend, extinctions are not negative");
+}
+
+void read_volume_look(const Reader& scene, const std::string& file, VolumeLook& look) {
+  const Parsed* json = scene.member("volume");
+  if (!json) return;
+  const Reader reader(*json, "volume", file);
+  reader.read_word("shows", look.shows, shows_named);
+  reader.read_word("cast", look.cast, cast_named);
+  read_transfer(reader, file, look.transfer);
+  reader.read("lit", look.lit);
+  ValueWindow window{look.black, look.white};
+  reader.read("window", window);
+  if (!window.sensible()) reader.refuse("bad-value", "window", "is no range of values, the lower first");
+  look.black = window.low;
+  look.white = window.high;
+  constexpr double most = 1e6;
+  reader.read("attenuation", look.attenuation);
+  if (!(look.attenuation >= 0 && look.attenuation <= most)) reader.refuse("bad-value", "attenuation", "is no sensible attenuation");
+  reader.read("latitude", look.latitude);
+  if (!(look.latitude > 1 / most && look.latitude <= most)) reader.refuse("bad-value", "latitude", "is no sensible latitude");
+  reader.read("iso", look.iso);
+  if (!(std::abs(look.iso) <= most_iso)) reader.refuse("bad-value", "iso", "is no sensible value");
+  reader.read("iso_colour", look.iso_colour);
+}
+
 void read_surroundings(const Reader& scene, const std::string& file, Scene& result) {
   if (const Parsed* json = scene.member("background")) {
     const Reader reader(*json, "background", file);
@@ -260,6 +299,20 @@ Json camera_json(const Camera& camera) {
   return json;
 }
 
+Json volume_json(const VolumeLook& look) {
+  Json transfer = Json::array();
+  for (const TransferPoint& point : look.transfer) transfer.push_back({{"value", point.value}, {"colour", hex(point.colour)}, {"extinction", point.extinction}});
+  return {{"shows", name(look.shows)},
+          {"cast", name(look.cast)},
+          {"transfer", transfer},
+          {"lit", look.lit},
+          {"window", Json::array({look.black, look.white})},
+          {"attenuation", look.attenuation},
+          {"latitude", look.latitude},
+          {"iso", look.iso},
+          {"iso_colour", hex(look.iso_colour)}};
+}
+
 /// As a person would have typed it: 0.3, not 0.30000001192092896.
 double short_number(float value) { return std::stod(fmt::format("{}", value)); }
 
@@ -292,6 +345,7 @@ std::string to_json(const Scene& scene) {
   if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
   json["cap"] = {{"shows", name(scene.cap.shows)},
                  {"window", scene.cap.window ? Json::array({scene.cap.window->low, scene.cap.window->high}) : Json()}};
+  if (scene.volume != VolumeLook{}) json["volume"] = volume_json(scene.volume);
   json["back_faces"] = name(scene.back_faces);
   json["wire"] = scene.wire;
   json["overlays"] = {{"contours", scene.overlays.contours},
@@ -326,6 +380,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   read_looks(reader, file, scene);
   read_section(reader, file, scene);
   read_cap(reader, file, scene.cap);
+  read_volume_look(reader, file, scene.volume);
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
   reader.read("wall_depth", scene.wall_depth);

@@ -7,6 +7,8 @@
 //    "structures":[{"name":"enamel","colour":"#e3edf2","opacity":0.3,"visible":true,"as_body":false}],
 //    "section":{"point":[0,0,10],"normal":[0,1,0]},
 //    "cap":{"shows":"ct","window":[60,220]},
+//    "volume":{"shows":"both","cast":"shaded","transfer":[{"value":90,"colour":"#e8b56a","extinction":0},{"value":160,"colour":"#e8b56a","extinction":2}],
+//              "lit":true,"window":[60,220],"attenuation":0.23,"latitude":4,"iso":120,"iso_colour":"#eddebd"},
 //    "back_faces":"cull","wire":false,
 //    "overlays":{"contours":true,"edges":false,"slab":12,"shrink":0.8},
 //    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},

@@ -43,7 +43,10 @@ class StackSolver {
       const SlabTask task = slab_task(k, Walls::lifted);
       found.links.push_back(task.correspondences.links);
       found.implied.push_back(implied_with_plates(k, task));
+      solved_[k].links = task.correspondences.links;
     }
+    report_doubts();
+    found.doubts = std::move(result_.doubts);
     found.slices = std::move(result_.stack.slices);
     found.voids = std::move(voids_);
     found.surveys = std::move(surveys_);

@@ -41,6 +41,7 @@ struct SurveyedStructure {
   std::vector<SlabSurvey> surveys;                  // one a slab, as the next two
   std::vector<std::vector<RegionLink>> links;       // of material, that hold
   std::vector<Topology> implied;                    // regions that are linked to nothing within the slab count as plates, in every slab
+  std::vector<Doubt> doubts;                        // as in SolvedStructure, if the links are built
 };
 
 /// The way of solve_stack up to the slabs' solids. Throws as solve_stack does.

@@ -29,10 +29,11 @@ using OverlayFaceBase = CGAL::Triangulation_face_base_with_info_2<FaceMembers, K
 using OverlayStructure = CGAL::Triangulation_data_structure_2<delaunay::VertexBase, OverlayFaceBase>;
 using Overlay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
 
-/// The corner at `at` that begins at the border towards `first` and ends at that towards `second` goes to `taker`.
+/// The corner at `at` that begins at the border towards `first` goes to `taker`.
 struct CornerCut {
-  std::uint32_t at = 0, first = 0, second = 0;
+  std::uint32_t at = 0, first = 0;
   Label taker = void_label;
+  bool whole = false;   // no double lies near enough for a cut: the triangles at the point go as they are
 };
 
 class Overlayer {
@@ -274,22 +275,36 @@ class Overlayer {
     const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
     const bool parted = class_of(rays[chosen].left) == 0;   // a material that meets itself: its corner goes to void, if there is any beside it
     const bool takes_one = parted && (one == void_label) != (other == void_label) ? one == void_label : materials_.wins(one, other);
+    const Label taker = takes_one ? one : other;
+    const std::uint32_t ends[] = {rays[chosen].to, rays[(chosen + 1) % count].to};
     const double reach = limits::corner_share * room(at);
-    const std::uint32_t first = cut_at(at, rays[chosen].to, reach), second = cut_at(at, rays[(chosen + 1) % count].to, reach);
+    const Point2 cuts[] = {on_piece(at, ends[0], reach), on_piece(at, ends[1], reach)};
+    if (cuts[0] == cuts[1] || is_point(cuts[0]) || is_point(cuts[1])) {
+      cuts_.push_back({at, ends[0], taker, true});
+      return;
+    }
+    const std::uint32_t first = cut_at(at, ends[0], cuts[0]), second = cut_at(at, ends[1], cuts[1]);
     pieces_.push_back({first, second, 0});
-    cuts_.push_back({at, first, second, takes_one ? one : other});
+    cuts_.push_back({at, first, taker, false});
+  }
+
+  bool is_point(Point2 p) const { return std::find(points_.begin(), points_.end(), p) != points_.end(); }
+
+  Point2 on_piece(std::uint32_t at, std::uint32_t to, double reach) const {
+    const Point2 from = points_[at], end = points_[to];
+    const double share = reach / std::hypot(end.x - from.x, end.y - from.y);
+    return {from.x + share * (end.x - from.x), from.y + share * (end.y - from.y)};
   }
 
   /// A new point on the piece between two points.
-  std::uint32_t cut_at(std::uint32_t at, std::uint32_t to, double reach) {
-    const Point2 from = points_[at], end = points_[to];
-    const double share = reach / std::hypot(end.x - from.x, end.y - from.y);
+  std::uint32_t cut_at(std::uint32_t at, std::uint32_t to, Point2 place) {
     const auto middle = static_cast<std::uint32_t>(points_.size());
-    points_.push_back({from.x + share * (end.x - from.x), from.y + share * (end.y - from.y)});
+    points_.push_back(place);
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(at, to);
     const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const ContourPiece& p) { return std::pair(p.a, p.b) == ends; });
-    const Members toggled = piece->toggles;
-    *piece = {at, middle, toggled};
+    const Members toggled = piece == pieces_.end() ? 0 : piece->toggles;   // where a gap was closed a border need not be a piece
+    if (piece != pieces_.end()) pieces_.erase(piece);
+    pieces_.push_back({at, middle, toggled});
     pieces_.push_back({middle, to, toggled});
     return middle;
   }
@@ -321,6 +336,14 @@ class Overlayer {
     };
     const auto start = std::min_element(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return off(a) < off(b); });
     const Label loser = start->left;
+    if (cut.whole) {
+      auto face = cdt_.incident_faces(vertices_[cut.at], start->left_face);
+      for (const auto end = face; face->info().label == loser && !cdt_.is_infinite(face);) {
+        face->info().label = cut.taker;
+        if (++face == end) break;
+      }
+      return;
+    }
     std::vector<Overlay::Face_handle> stack{start->left_face};
     start->left_face->info().label = cut.taker;
     while (!stack.empty()) {

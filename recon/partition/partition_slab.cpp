@@ -74,6 +74,14 @@ class SlabSolver {
     return any;
   }
 
+  /// Precondition: the three points are the corners of a triangle.
+  static Label label_of_triangle(const PartitionSlice& slice, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const EdgeSides sides = sides_of(slice, a, b);
+    if (sides.left == sides.right || sides.left_triangle == delaunay::none) return sides.right;
+    const auto& corners = slice.planar.triangles[sides.left_triangle].v;
+    return std::find(corners.begin(), corners.end(), c) != corners.end() ? sides.left : sides.right;
+  }
+
   void check_exact(std::uint32_t p, std::vector<std::uint32_t>& wrong) const {
     const PartitionSlice& slice = complex_->slice_of(p);
     const std::uint32_t own = complex_->own(p), first = p - own;
@@ -85,11 +93,17 @@ class SlabSolver {
     bool exact = true;
     for (const LinkTriangle& triangle : triangles) {
       if (std::find(faces.begin(), faces.end(), triangle.label) == faces.end()) exact = false;
-      for (const std::uint32_t w : triangle.v) {
-        if (!on_slice(w) || sides_of(slice, own, w - first).has(triangle.label)) continue;
+      std::vector<std::uint32_t> in_plane;
+      for (const std::uint32_t w : triangle.v)
+        if (on_slice(w)) in_plane.push_back(w - first);
+      for (const std::uint32_t w : in_plane) {
+        if (sides_of(slice, own, w).has(triangle.label)) continue;
         exact = false;
-        wrong.push_back(w);
+        wrong.push_back(w + first);
       }
+      if (in_plane.size() < 2 || label_of_triangle(slice, own, in_plane[0], in_plane[1]) == triangle.label) continue;
+      exact = false;
+      for (const std::uint32_t w : in_plane) wrong.push_back(w + first);
     }
     if (exact) exact = VertexLink(std::move(triangles)).regular();
     if (!exact) wrong.push_back(p);

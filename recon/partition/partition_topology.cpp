@@ -24,6 +24,7 @@ ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& s
   };
   ImpliedTopology implied;
   implied.of_slab = survey.implied;
+  implied.doubts = survey.doubts;
   for (std::size_t k = 0; k < survey.links.size(); ++k) {
     for (const RegionLink& link : survey.links[k])
       implied.links.push_back({{structure, k, outer(k, link.lower), outer(k + 1, link.upper), true}, link.criterion});

@@ -16,6 +16,7 @@ struct ImpliedTopology {
   std::vector<Topology> of_slab;
   std::vector<MadeLink> links;            // that were taken for granted; contours are numbered as in the stack
   std::vector<MadeVoidLink> void_links;
+  std::vector<Doubt> doubts;              // choices that the slices do not settle
 };
 
 /// Of a structure of the stack. Where a region is linked to nothing, what closes over it counts as a plate.

@@ -192,7 +192,20 @@ class PartitionReconstructor {
       result_.links.insert(result_.links.end(), implied_[s].links.begin(), implied_[s].links.end());
       result_.void_links.insert(result_.void_links.end(), implied_[s].void_links.begin(), implied_[s].void_links.end());
     }
+    for (const ImpliedTopology& one : implied_) result_.doubts.insert(result_.doubts.end(), one.doubts.begin(), one.doubts.end());
     result_.attention = delaunay::places_to_look_at(result_, left_.stack, {});
+    forget_numbers();
+  }
+
+  /// Links and doubts number contours as the partition left them, which the user does not see.
+  void forget_numbers() {
+    for (Attention& item : result_.attention) {
+      item.links.clear();
+      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen without --partition only.";
+    }
+    result_.links.clear();
+    result_.void_links.clear();
+    result_.doubts.clear();
   }
 
   void count() {

@@ -45,8 +45,8 @@ TEST_P(HelpOf, TeachesByExample) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare", "canal", "anatomy", "figures", "corpus"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare", "canal", "anatomy", "figures", "corpus", "batch", "compare-images"),
+                         [](const auto& test) { return std::string(test.param) == "compare-images" ? "compare_images" : test.param; });
 
 }  // namespace
 }  // namespace odontoscope::testing_support

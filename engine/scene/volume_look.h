@@ -1,0 +1,69 @@
+#pragma once
+// How the grey values of a volume are shown, beside or instead of the surfaces that were made from them.
+
+#include <glm/vec4.hpp>
+#include <string_view>
+#include <vector>
+
+#include "engine/scene/colour.h"
+
+namespace odontoscope {
+
+/// What material of this value looks like; between two points of a transfer function colour (in linear light) and extinction run straight, beyond
+/// the outermost they stay.
+struct TransferPoint {
+  double value = 0;
+  Colour colour;
+  double extinction = 0;   // 1/mm: of light, exp(-extinction * mm) is let through
+  friend bool operator==(const TransferPoint&, const TransferPoint&) = default;
+};
+
+struct VolumeLook {
+  enum class Shows { surfaces, volume, both };
+  /// Shaded: emission and absorption after the transfer function. Maximum and average: along the ray, of the values' places in the window; radiograph: what is
+  /// swallowed on the way, in proportion to the value from `black` on. Surface: where the values first cross `iso`.
+  enum class Cast { shaded, maximum, average, radiograph, surface };
+  Shows shows = Shows::surfaces;
+  Cast cast = Cast::shaded;
+  std::vector<TransferPoint> transfer;         // ascending
+  bool lit = true;                             // by the values' slope, as if it were a surface
+  double black = 0, white = 1;                 // of maximum and average; air and dentine of a radiograph
+  double attenuation = 0.25;                   // 1/mm of value `white`, for a radiograph
+  double latitude = 4;                         // attenuation that it shows white
+  double iso = 0;
+  Colour iso_colour = colour_of(0xeddebd);
+
+  /// Greys, which have no depth: nothing else is shown with them.
+  bool projects() const { return cast != Cast::shaded && cast != Cast::surface; }
+  bool shows_volume() const { return shows != Shows::surfaces; }
+  bool shows_surfaces() const { return shows == Shows::surfaces || (shows == Shows::both && !projects()); }
+  friend bool operator==(const VolumeLook&, const VolumeLook&) = default;
+};
+
+const char* name(VolumeLook::Shows shows);
+const char* name(VolumeLook::Cast cast);
+/// "surfaces", "volume", "both"; "shaded", "maximum", "average", "radiograph", "surface". Throw UsageError for anything else.
+VolumeLook::Shows shows_named(std::string_view name);
+VolumeLook::Cast cast_named(std::string_view name);
+
+/// Linear colour and extinction, 1/mm. Precondition: `transfer` is ascending; an empty one shows nothing.
+glm::vec4 transferred(const std::vector<TransferPoint>& transfer, double value);
+
+/// Does any value from `low` to `high` have an extinction?
+bool any_extinction(const std::vector<TransferPoint>& transfer, double low, double high);
+
+inline constexpr std::size_t most_transfer_points = 64;
+inline constexpr double most_extinction = 1e4;
+
+/// Ascending, finite, of a size that graphics processors reckon with, extinctions from 0 to most_extinction, at most most_transfer_points.
+bool sensible(const std::vector<TransferPoint>& transfer);
+
+/// Ready-made transfer functions, laid out by the values that air and dentine have. Tooth: dentine clear enough to show what is in it, enamel denser. Enamel:
+/// dentine only a breath. Dentine: all hard tissue. Pulp: the walls of what is hollow, in red. Soft: what is a little denser than air.
+enum class TransferPreset { tooth, enamel, dentine, pulp, soft };
+const char* name(TransferPreset preset);
+/// Throws UsageError with the list of names.
+TransferPreset transfer_named(std::string_view name);
+std::vector<TransferPoint> transfer_of(TransferPreset preset, double air, double dentine);
+
+}  // namespace odontoscope

@@ -1,0 +1,16 @@
+# Python for its package, python/: pybind11 and the headers of the interpreter that it is for. AUTO: where both are found.
+set(ODONTOSCOPE_PYTHON AUTO CACHE STRING "Build the Python package: ON, OFF, or AUTO where pybind11 and Python's headers are found")
+set(ODONTOSCOPE_PYTHON_FOUND OFF)
+if(ODONTOSCOPE_PYTHON)
+  if(NOT DEFINED Python_EXECUTABLE AND EXISTS /usr/bin/python3)
+    set(Python_EXECUTABLE /usr/bin/python3)   # the system's, which has the system's packages, whatever comes first in PATH
+  endif()
+  find_package(Python 3.9 COMPONENTS Interpreter Development.Module QUIET)
+  set(PYBIND11_NOPYTHON ON)
+  find_package(pybind11 2.10 QUIET)
+  if(Python_Development.Module_FOUND AND pybind11_FOUND)
+    set(ODONTOSCOPE_PYTHON_FOUND ON)
+  elseif(NOT ODONTOSCOPE_PYTHON STREQUAL AUTO)
+    message(FATAL_ERROR "ODONTOSCOPE_PYTHON is ON, and pybind11 or Python's headers are missing (Debian: pybind11-dev python3-dev)")
+  endif()
+endif()
