@@ -1,7 +1,8 @@
 // Random stacks of several structures: no valid one may fail. ODONTOSCOPE_PARTITION_STACKS says how many (default 300 small ones),
 // ODONTOSCOPE_PARTITION_FIRST_SEED where to begin, ODONTOSCOPE_PARTITION_KIND which kind alone, ODONTOSCOPE_PARTITION_SIZE (small, any, large) of
 // what size, ODONTOSCOPE_PARTITION_FOLDER where shrunk failures are written, ODONTOSCOPE_PARTITION_LOUD a line for each,
-// ODONTOSCOPE_PARTITION_BETWEEN (blended, delaunay) how all are made. The first failure of each sort is shrunk.
+// ODONTOSCOPE_PARTITION_BETWEEN (blended, delaunay) how all are made, ODONTOSCOPE_PARTITION_PATIENCE
+// seconds of processor time for each. The first failure of each sort is shrunk.
 
 #include <gtest/gtest.h>
 
@@ -129,6 +130,7 @@ TEST_P(RandomPartitions, NeverFail) {
   const std::string size = from_environment("ODONTOSCOPE_PARTITION_SIZE", "small");
   const PartitionSize wanted = size == "large" ? PartitionSize::large : size == "any" ? PartitionSize::any : PartitionSize::small;
   const auto start = std::chrono::steady_clock::now();
+  const double patience = std::strtod(from_environment("ODONTOSCOPE_PARTITION_PATIENCE", "60").c_str(), nullptr);
   Tally tally;
   int shrunk = 0;   // as a plain test only one: it has to be quick
   const std::uint64_t shard = std::uint64_t(GetParam());   // in a row, so that each shard has every kind
@@ -138,7 +140,7 @@ TEST_P(RandomPartitions, NeverFail) {
     if (!by_command && left_out(given.kind)) continue;
     if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty()) given.delaunay = between == "delaunay";
     if (!by_command && gaps_left_out) given.gap = 0;
-    PartitionOutcome outcome = outcome_of(given);
+    PartitionOutcome outcome = outcome_of(given, patience);
     if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {   // other programs' load does not count
       outcome.end = PartitionEnd::too_slow;
       outcome.message = "slower than allowed";
