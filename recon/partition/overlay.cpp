@@ -336,6 +336,7 @@ class Overlayer {
     };
     const auto start = std::min_element(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return off(a) < off(b); });
     const Label loser = start->left;
+    if (loser == cut.taker) return;   // a later cut beside it gave it away already
     if (cut.whole) {
       auto face = cdt_.incident_faces(vertices_[cut.at], start->left_face);
       for (const auto end = face; face->info().label == loser && !cdt_.is_infinite(face);) {
