@@ -10,7 +10,8 @@
 namespace odontoscope::test {
 namespace {
 
-/// The rings round all cells of one label, in a grid of corners; cells of one label that touch in a corner make a stack that is not valid.
+/// The rings round all cells of one label, in a grid of corners; cells of one label that touch in a corner make a stack
+/// that is not valid.
 void add_cells(Slice& slice, const std::vector<Point2>& corner, const std::vector<int>& label, int side) {
   const auto at = [&](int i, int j) { return j * (side + 1) + i; };
   for (int wanted = 1; wanted <= 5; ++wanted) {
@@ -41,7 +42,8 @@ void add_cells(Slice& slice, const std::vector<Point2>& corner, const std::vecto
 
 /// A grid with moved corners, cells of several structures and void: all borders shared.
 ContourStack cells(RandomNumbers& random, int points) {
-  const int count = random.whole(2, 4), side = std::clamp(int(std::sqrt(points / count / 2.0)), 2, 16), labels = random.whole(2, 5);
+  const int count = random.whole(2, 4), side = std::clamp(int(std::sqrt(points / count / 2.0)), 2, 16),
+            labels = random.whole(2, 5);
   const double jitter = random.chance(0.3) ? 0 : random.between(0, 0.45), hold = random.between(0, 1);
   const double step = one_of(random, {1.0, 0.1, 0.3});
   std::vector<Slice> slices(std::size_t(count), Slice{});
@@ -60,12 +62,14 @@ ContourStack cells(RandomNumbers& random, int points) {
 
 /// Rectangles of any structure on a lattice, whole borders or corners only.
 ContourStack lattice(RandomNumbers& random, int points) {
-  const int count = random.whole(2, 4), labels = random.whole(2, 5), rings = std::max(2, points / count / 6), side = random.whole(3, 6);
+  const int count = random.whole(2, 4), labels = random.whole(2, 5), rings = std::max(2, points / count / 6),
+            side = random.whole(3, 6);
   const double step = one_of(random, {1.0, 0.1, 0.25, 0.3}), from = one_of(random, {0.0, -13.3, 0.7});
   std::vector<Slice> slices(std::size_t(count), Slice{});
   for (Slice& slice : slices)
     for (int r = 0; r < rings; ++r) {
-      const int i0 = random.below(side), j0 = random.below(side), i1 = random.whole(i0 + 1, side), j1 = random.whole(j0 + 1, side);
+      const int i0 = random.below(side), j0 = random.below(side), i1 = random.whole(i0 + 1, side),
+                j1 = random.whole(j0 + 1, side);
       const bool every = random.chance(0.4);
       Ring ring;
       const auto add = [&](int i, int j, bool corner) {
@@ -80,7 +84,8 @@ ContourStack lattice(RandomNumbers& random, int points) {
   return stack_slices(random, slices);
 }
 
-/// Sectors about one point that drifts: three meet in a line; with more, or with the point shared by corners, four and more meet.
+/// Sectors about one point that drifts: three meet in a line; with more, or with the point shared by corners, four and
+/// more meet.
 ContourStack sectors(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), labels = random.chance(0.5) ? 3 : random.whole(2, 5);
   const int each = std::max(1, points / count / labels / 2);
@@ -92,7 +97,8 @@ ContourStack sectors(RandomNumbers& random, int points) {
     const int n = int(rim.size()), part = n / labels;
     for (int label = 1; label <= labels; ++label) {
       Ring ring{middle};
-      for (int i = (label - 1) * part; i <= (label == labels ? n : label * part); ++i) ring.push_back(rim[std::size_t(i % n)]);
+      for (int i = (label - 1) * part; i <= (label == labels ? n : label * part); ++i)
+        ring.push_back(rim[std::size_t(i % n)]);
       if (random.chance(0.9)) add_ring(slices[std::size_t(k)], label, ring);
     }
   }
@@ -101,7 +107,8 @@ ContourStack sectors(RandomNumbers& random, int points) {
 
 /// Squares of different structures that meet in corners, on ground of another or of void.
 ContourStack checkerboard(RandomNumbers& random, int points) {
-  const int count = random.whole(2, 3), side = std::clamp(int(std::sqrt(points / count / 4.0)), 2, 10), labels = random.whole(2, 5);
+  const int count = random.whole(2, 3), side = std::clamp(int(std::sqrt(points / count / 4.0)), 2, 10),
+            labels = random.whole(2, 5);
   std::vector<Slice> slices(std::size_t(count), Slice{});
   for (Slice& slice : slices) {
     if (random.chance(0.5)) add_ring(slice, 1, box_of({-0.5, -0.5}, {side + 0.5, side + 0.5}));
@@ -118,7 +125,8 @@ ContourStack checkerboard(RandomNumbers& random, int points) {
   return stack_slices(random, slices);
 }
 
-/// One left, others right of a straight border, with T-junctions inside its edge; now and then another comes between them, or a slit opens.
+/// One left, others right of a straight border, with T-junctions inside its edge; now and then another comes between
+/// them, or a slit opens.
 ContourStack junctions(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), right = std::clamp(points / count / 4 - 1, 1, 12);
   std::vector<Slice> slices(std::size_t(count), Slice{});
@@ -129,15 +137,21 @@ ContourStack junctions(RandomNumbers& random, int points) {
     std::vector<double> heights{0};
     for (int r = 0; r < right; ++r) heights.push_back(heights.back() + random.between(0.1, 1));
     const double top = heights.back();
-    add_ring(slice, 1, turned(box_of({-2 + shift, random.chance(0.5) ? 0.0 : -0.3}, {shift, random.chance(0.5) ? top : top + 0.4}), angle));
+    add_ring(
+        slice, 1,
+        turned(box_of({-2 + shift, random.chance(0.5) ? 0.0 : -0.3}, {shift, random.chance(0.5) ? top : top + 0.4}),
+               angle));
     for (int r = 0; r < right; ++r)
-      add_ring(slice, 2 + r % 3, turned(box_of({shift + between, heights[std::size_t(r)]}, {shift + 2, heights[std::size_t(r + 1)]}), angle));
+      add_ring(
+          slice, 2 + r % 3,
+          turned(box_of({shift + between, heights[std::size_t(r)]}, {shift + 2, heights[std::size_t(r + 1)]}), angle));
     if (random.chance(0.5)) add_ring(slice, 5, turned(box_of({shift, 0}, {shift + between, top}), angle));
   }
   return stack_slices(random, slices);
 }
 
-/// The border of one drawn again by its neighbour, off by nothing or a few units in the last place, with points left out or added.
+/// The border of one drawn again by its neighbour, off by nothing or a few units in the last place, with points left
+/// out or added.
 ContourStack nearly_shared(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3), each = std::max(3, points / count / 4);
   const int reach = one_of(random, {0, 1, 3, 1000, 1 << 24});
@@ -162,8 +176,9 @@ ContourStack nearly_shared(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedPartitionMaker>& border_makers() {
-  static const std::vector<NamedPartitionMaker> makers{{"cells", cells},         {"lattice", lattice},     {"sectors", sectors},
-                                                       {"checkerboard", checkerboard}, {"junctions", junctions}, {"nearly-shared", nearly_shared}};
+  static const std::vector<NamedPartitionMaker> makers{{"cells", cells},         {"lattice", lattice},
+                                                       {"sectors", sectors},     {"checkerboard", checkerboard},
+                                                       {"junctions", junctions}, {"nearly-shared", nearly_shared}};
   return makers;
 }
 

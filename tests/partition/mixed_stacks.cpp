@@ -10,7 +10,7 @@ namespace odontoscope::test {
 namespace {
 
 ContourStack strange(RandomNumbers& random, int points) {
-  const std::vector<NamedMaker>* rooms[] = {&outline_makers(), &number_makers(), &crowd_makers(), &attack_makers(),
+  const std::vector<NamedMaker>* rooms[] = {&outline_makers(), &number_makers(), &crowd_makers(),  &attack_makers(),
                                             &ploy_makers(),    &trifle_makers(), &assault_makers()};
   const auto& makers = *one_of(random, rooms);
   return makers[std::size_t(random.below(int(makers.size())))].make(random, std::max(12, points));
@@ -57,8 +57,11 @@ ContourStack labels(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedPartitionMaker>& mixed_makers() {
-  static const std::vector<NamedPartitionMaker> makers{{"dealt", dealt},           {"laid-over", laid_over},      {"label-noise", labels<0>},
-                                                       {"noisy-tooth", labels<2>}, {"label-boards", labels<3>}};
+  static const std::vector<NamedPartitionMaker> makers{{"dealt", dealt},
+                                                       {"laid-over", laid_over},
+                                                       {"label-noise", labels<0>},
+                                                       {"noisy-tooth", labels<2>},
+                                                       {"label-boards", labels<3>}};
   return makers;
 }
 

@@ -64,7 +64,8 @@ bool sound(const LabelledComplex& complex, Faults& faults) {
 void judge_interfaces(const LabelledComplex& complex, Faults& faults) {
   std::map<Triangle, Label> inside;
   for (std::size_t t = 0; t < complex.mesh.tetrahedra.size(); ++t)
-    for (const Triangle& face : outward(complex.mesh.tetrahedra[t])) inside[from_smallest(face)] = complex.mesh.labels[t];
+    for (const Triangle& face : outward(complex.mesh.tetrahedra[t]))
+      inside[from_smallest(face)] = complex.mesh.labels[t];
   std::set<std::tuple<Triangle, Label, Label>> wanted, listed;
   for (const auto& [face, label] : inside) {
     const auto other = inside.find(from_smallest({face[0], face[2], face[1]}));
@@ -72,7 +73,8 @@ void judge_interfaces(const LabelledComplex& complex, Faults& faults) {
     if (beyond == void_label || label < beyond) wanted.insert({face, label, beyond});
   }
   for (const InterfaceTriangle& face : complex.interfaces)
-    if (!listed.insert({from_smallest(face.triangle), face.inner, face.outer}).second) faults.add("an interface listed twice");
+    if (!listed.insert({from_smallest(face.triangle), face.inner, face.outer}).second)
+      faults.add("an interface listed twice");
   for (const auto& face : wanted)
     if (!listed.contains(face)) faults.add("a face between two labels that is not among the interfaces, or not so");
   for (const auto& face : listed)
@@ -102,8 +104,8 @@ std::vector<std::array<Bits, 4>> in_bits(const TetraMesh& mesh) {
   return all;
 }
 
-void judge_solid(const Solid& solid, const TetraMesh& part, const std::vector<Triangle>& boundary, const std::vector<JudgedSlice>& slices,
-                 Faults& faults) {
+void judge_solid(const Solid& solid, const TetraMesh& part, const std::vector<Triangle>& boundary,
+                 const std::vector<JudgedSlice>& slices, Faults& faults) {
   for (const Tetrahedron& t : solid.tetrahedra.tetrahedra)
     for (PointIndex v : t)
       if (v >= solid.tetrahedra.points.size()) return faults.add("an index of a solid beyond its points");
@@ -156,7 +158,8 @@ void judge_material(const Reconstruction& result, Label label, const std::vector
 
 }  // namespace
 
-std::vector<std::string> partition_faults(const Reconstruction& result, const ContourStack& stack, const PartitionRule& rule) {
+std::vector<std::string> partition_faults(const Reconstruction& result, const ContourStack& stack,
+                                          const PartitionRule& rule) {
   if (!result.complex) return {"no complex"};
   const LabelledComplex& complex = *result.complex;
   Faults whole;

@@ -1,12 +1,13 @@
 // The judge itself: it passes what is right and goes red for each fault that is planted in it.
 
+#include "tests/partition/partition_oracle.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <functional>
 
 #include "recon/partition/reconstruct_partition.h"
-#include "tests/partition/partition_oracle.h"
 
 namespace odontoscope::test {
 namespace {
@@ -32,8 +33,8 @@ ContourStack small_tooth() {
 const PartitionRule inner_first{{"pulp", "dentine", "enamel"}, 0};
 
 const Reconstruction& partition_of_small_tooth() {
-  static const Reconstruction result =
-      reconstruct_partition(small_tooth(), {.priority = inner_first.priority, .gap = 0, .between = Between::delaunay, .threads = 1});
+  static const Reconstruction result = reconstruct_partition(
+      small_tooth(), {.priority = inner_first.priority, .gap = 0, .between = Between::delaunay, .threads = 1});
   return result;
 }
 
@@ -54,7 +55,9 @@ TEST(PartitionOracle, PassesAPartition) {
 TEST(PartitionOracle, SeesAFlippedLabel) {
   const std::size_t count = partition_of_small_tooth().complex->mesh.labels.size();
   for (std::size_t t = 0; t < count; t += 7)
-    EXPECT_TRUE(red_after([&](Reconstruction& r) { r.complex->mesh.labels[t] = Label(r.complex->mesh.labels[t] % 3 + 1); })) << t;
+    EXPECT_TRUE(red_after([&](Reconstruction& r) {
+      r.complex->mesh.labels[t] = Label(r.complex->mesh.labels[t] % 3 + 1);
+    })) << t;
 }
 
 TEST(PartitionOracle, SeesADroppedTetrahedron) {
@@ -67,8 +70,11 @@ TEST(PartitionOracle, SeesADroppedTetrahedron) {
 TEST(PartitionOracle, SeesFaultsOfTheInterfaces) {
   EXPECT_TRUE(red_after([](Reconstruction& r) { r.complex->interfaces.pop_back(); }));
   EXPECT_TRUE(red_after([](Reconstruction& r) { r.complex->interfaces.push_back(r.complex->interfaces.front()); }));
-  EXPECT_TRUE(red_after([](Reconstruction& r) { std::swap(r.complex->interfaces.front().triangle[0], r.complex->interfaces.front().triangle[1]); }));
-  EXPECT_TRUE(red_after([](Reconstruction& r) { std::swap(r.complex->interfaces.front().inner, r.complex->interfaces.front().outer); }));
+  EXPECT_TRUE(red_after([](Reconstruction& r) {
+    std::swap(r.complex->interfaces.front().triangle[0], r.complex->interfaces.front().triangle[1]);
+  }));
+  EXPECT_TRUE(red_after(
+      [](Reconstruction& r) { std::swap(r.complex->interfaces.front().inner, r.complex->interfaces.front().outer); }));
 }
 
 TEST(PartitionOracle, SeesADuplicatedTetrahedron) {
@@ -79,7 +85,9 @@ TEST(PartitionOracle, SeesADuplicatedTetrahedron) {
 }
 
 TEST(PartitionOracle, SeesAMovedPoint) {
-  EXPECT_TRUE(red_after([](Reconstruction& r) { r.complex->mesh.points[point_at(r.complex->mesh, {2, 2, 0})].x += 1e-12; }));
+  EXPECT_TRUE(red_after([](Reconstruction& r) {
+    r.complex->mesh.points[point_at(r.complex->mesh, {2, 2, 0})].x += 1e-12;
+  }));
   EXPECT_TRUE(red_after([](Reconstruction& r) { r.solids[0].tetrahedra.points[0].x += 1e-15; }));
   EXPECT_TRUE(red_after([](Reconstruction& r) { r.solids[0].surface.points[0].y += 1e-15; }));
 }
@@ -88,8 +96,12 @@ TEST(PartitionOracle, SeesOtherContours) {
   for (const auto& change : std::vector<std::function<void(ContourStack&)>>{
            [](ContourStack& s) { s.slices[1].contours[1].points[0].x += 1e-9; },
            [](ContourStack& s) { s.slices[1].contours.pop_back(); },
-           [](ContourStack& s) { s.slices[1].contours[0].points.insert(s.slices[1].contours[0].points.begin() + 1, {0.123, -2}); },
-           [](ContourStack& s) { s.slices[2].contours.push_back({"pulp", box({1.5, 1.5}, {1.7, 1.7})}); }}) {
+           [](ContourStack& s) {
+             s.slices[1].contours[0].points.insert(s.slices[1].contours[0].points.begin() + 1, {0.123, -2});
+           },
+           [](ContourStack& s) {
+             s.slices[2].contours.push_back({"pulp", box({1.5, 1.5}, {1.7, 1.7})});
+           }}) {
     ContourStack stack = small_tooth();
     change(stack);
     EXPECT_FALSE(partition_faults(partition_of_small_tooth(), stack, inner_first).empty());

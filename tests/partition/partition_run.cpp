@@ -23,11 +23,14 @@ namespace {
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program, saying for which stack.
+/// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program,
+/// saying for which stack.
 class Patience {
  public:
   Patience(double seconds, const ContourStack& stack)
-      : end_(processor_seconds() + seconds), hard_end_(end_ + 2 * seconds), thread_([this, &stack](std::stop_token done) { watch(done, stack); }) {}
+      : end_(processor_seconds() + seconds),
+        hard_end_(end_ + 2 * seconds),
+        thread_([this, &stack](std::stop_token done) { watch(done, stack); }) {}
   std::stop_token token() const { return stop_.get_token(); }
 
  private:
@@ -35,7 +38,8 @@ class Patience {
     std::mutex mutex;
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, done, std::chrono::milliseconds(500), [&] { return done.stop_requested(); }) && !done.stop_requested()) {
+    while (!wake.wait_for(lock, done, std::chrono::milliseconds(500), [&] { return done.stop_requested(); }) &&
+           !done.stop_requested()) {
       if (processor_seconds() > end_) stop_.request_stop();
       if (processor_seconds() < hard_end_) continue;
       std::fprintf(stderr, "hangs, and heeds no stop:\n%s\n", to_text(stack).c_str());
@@ -98,7 +102,8 @@ void note(const Reconstruction& result, PartitionOutcome& outcome) {
 }  // namespace
 
 const char* name(PartitionEnd end) {
-  constexpr const char* names[] = {"certified", "refused", "false refusal", "internal error", "faulty", "depends on threads", "too slow"};
+  constexpr const char* names[] = {"certified",          "refused", "false refusal", "internal error", "faulty",
+                                   "depends on threads", "too slow"};
   return names[int(end)];
 }
 
@@ -127,12 +132,14 @@ PartitionOutcome outcome_of(const PartitionCase& given, double patience, bool tw
     const Reconstruction result = reconstruct_partition(given.stack, options, {.report = {}, .stop = watch.token()});
     outcome.seconds = processor_seconds() - start;
     note(result, outcome);
-    for (const std::string& fault : partition_faults(result, given.stack, {options.priority, options.gap})) outcome.message += fault + "\n";
+    for (const std::string& fault : partition_faults(result, given.stack, {options.priority, options.gap}))
+      outcome.message += fault + "\n";
     if (!outcome.message.empty()) {
       outcome.end = PartitionEnd::faulty;
       if (options.gap > 0) outcome.message = "with a gap: " + outcome.message;
     }
-    if (outcome.end == PartitionEnd::certified && twice && !same(result, reconstruct_partition(given.stack, options_of(given, 2))))
+    if (outcome.end == PartitionEnd::certified && twice &&
+        !same(result, reconstruct_partition(given.stack, options_of(given, 2))))
       ends(PartitionEnd::depends_on_threads, "other bytes with two threads");
   } catch (const InputError& refusal) {
     const std::string wrong = what_is_false(refusal, given.stack, {});

@@ -12,15 +12,16 @@ const char* name(PartitionEnd end);
 
 struct PartitionOutcome {
   PartitionEnd end = PartitionEnd::certified;
-  std::string message;    // empty if certified; the cause if refused
-  double seconds = 0;     // processor time of the first run, on one thread
+  std::string message;  // empty if certified; the cause if refused
+  double seconds = 0;   // processor time of the first run, on one thread
   std::size_t not_as_implied = 0, slabs = 0, raised = 0, constrained = 0, restored = 0, tetrahedra = 0;
   bool failed() const { return end != PartitionEnd::certified && end != PartitionEnd::refused; }
   /// The same for failures of one sort, whatever numbers their messages hold.
   std::string sort() const;
 };
 
-/// With one thread, and, if `twice`, with two, whose bytes must be the same. Stopped (too_slow) after `patience` seconds.
+/// With one thread, and, if `twice`, with two, whose bytes must be the same. Stopped (too_slow) after `patience`
+/// seconds.
 PartitionOutcome outcome_of(const PartitionCase& given, double patience = 60, bool twice = true);
 
 /// A smallest stack with the same sort of outcome.

@@ -79,10 +79,13 @@ void squeeze(RandomNumbers& random, ContourStack& stack) {
 void disturb(RandomNumbers& random, ContourStack& stack) {
   if (random.chance(0.15)) leave_in_one_slice(random, stack);
   if (random.chance(0.1))
-    keep_if_valid(stack, [&](ContourStack& s) { s.slices[std::size_t(random.below(int(s.slices.size())))].contours.clear(); });
+    keep_if_valid(stack,
+                  [&](ContourStack& s) { s.slices[std::size_t(random.below(int(s.slices.size())))].contours.clear(); });
   if (random.chance(0.1)) {
     const double grain = one_of(random, {10.0, 100.0, 1000.0, 16.0});
-    move_points(stack, [&](Point2 p) { return Point2{std::round(p.x * grain) / grain, std::round(p.y * grain) / grain}; });
+    move_points(stack, [&](Point2 p) {
+      return Point2{std::round(p.x * grain) / grain, std::round(p.y * grain) / grain};
+    });
   }
   if (random.chance(0.1)) {
     const double angle = random.between(0, 6.28);
@@ -103,7 +106,8 @@ void disturb(RandomNumbers& random, ContourStack& stack) {
 const std::vector<NamedPartitionMaker>& all_makers() {
   static const std::vector<NamedPartitionMaker> all = [] {
     std::vector<NamedPartitionMaker> makers;
-    for (const auto* some : {&shape_makers(), &border_makers(), &mixed_makers()}) makers.insert(makers.end(), some->begin(), some->end());
+    for (const auto* some : {&shape_makers(), &border_makers(), &mixed_makers()})
+      makers.insert(makers.end(), some->begin(), some->end());
     return makers;
   }();
   return all;
@@ -150,7 +154,8 @@ PartitionCase partition_case(std::uint64_t seed, PartitionSize size) {
   result.priority = names_in(result.stack);
   random.shuffle(result.priority);
   if (random.chance(0.2)) result.gap = random.chance(0.5) ? random.between(0, 0.3) : small(random, 2, 7);
-  result.delaunay = random.chance(size == PartitionSize::small ? 0.8 : 0.4);   // interpolated slices cost ten times as much
+  result.delaunay =
+      random.chance(size == PartitionSize::small ? 0.8 : 0.4);  // interpolated slices cost ten times as much
   return result;
 }
 

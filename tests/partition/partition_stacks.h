@@ -1,6 +1,6 @@
 #pragma once
-// Stacks of two to five structures that a malicious tester would send to the partition: valid, and as awkward as their kind says. A seed means
-// the same stack on every machine; the kind is the seed's remainder by the number of kinds.
+// Stacks of two to five structures that a malicious tester would send to the partition: valid, and as awkward as their
+// kind says. A seed means the same stack on every machine; the kind is the seed's remainder by the number of kinds.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,14 @@
 namespace odontoscope::test {
 
 struct PartitionCase {
-  ContourStack stack;                  // slices by ascending z
-  std::vector<std::string> priority;   // all structures
+  ContourStack stack;                 // slices by ascending z
+  std::vector<std::string> priority;  // all structures
   double gap = 0;
-  bool delaunay = false;               // without interpolated slices
+  bool delaunay = false;  // without interpolated slices
   std::string kind;
 };
 
-enum class PartitionSize { small, any, large };   // some tens of points; mostly below 250; about 2,000
+enum class PartitionSize { small, any, large };  // some tens of points; mostly below 250; about 2,000
 
 PartitionCase partition_case(std::uint64_t seed, PartitionSize size);
 const std::vector<std::string>& partition_kinds();
@@ -32,9 +32,9 @@ struct NamedPartitionMaker {
   const char* kind;
   PartitionMaker make;
 };
-const std::vector<NamedPartitionMaker>& shape_makers();    // blobs, shells, crossings
-const std::vector<NamedPartitionMaker>& border_makers();   // borders shared, lattices, corners
-const std::vector<NamedPartitionMaker>& mixed_makers();    // strange stacks of one structure made of several
+const std::vector<NamedPartitionMaker>& shape_makers();   // blobs, shells, crossings
+const std::vector<NamedPartitionMaker>& border_makers();  // borders shared, lattices, corners
+const std::vector<NamedPartitionMaker>& mixed_makers();   // strange stacks of one structure made of several
 
 /// "s1" to "s5".
 std::string structure_name(int number);

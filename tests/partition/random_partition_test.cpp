@@ -1,7 +1,8 @@
-// Random stacks of several structures: no valid one may fail. ODONTOSCOPE_PARTITION_STACKS says how many (default 300 small ones),
-// ODONTOSCOPE_PARTITION_FIRST_SEED where to begin, ODONTOSCOPE_PARTITION_KIND which kind alone, ODONTOSCOPE_PARTITION_SIZE (small, any, large) of
-// what size, ODONTOSCOPE_PARTITION_FOLDER where shrunk failures are written, ODONTOSCOPE_PARTITION_LOUD a line for each,
-// ODONTOSCOPE_PARTITION_BETWEEN (blended, delaunay) how all are made. The first failure of each sort is shrunk.
+// Random stacks of several structures: no valid one may fail. ODONTOSCOPE_PARTITION_STACKS says how many (default 300
+// small ones), ODONTOSCOPE_PARTITION_FIRST_SEED where to begin, ODONTOSCOPE_PARTITION_KIND which kind alone,
+// ODONTOSCOPE_PARTITION_SIZE (small, any, large) of what size, ODONTOSCOPE_PARTITION_FOLDER where shrunk failures are
+// written, ODONTOSCOPE_PARTITION_LOUD a line for each, ODONTOSCOPE_PARTITION_BETWEEN (blended, delaunay) how all are
+// made, ODONTOSCOPE_PARTITION_PATIENCE seconds of processor time for each. The first failure of each sort is shrunk.
 
 #include <gtest/gtest.h>
 
@@ -22,11 +23,12 @@ namespace {
 
 constexpr int shards = 2;
 /// Left out of the plain test, until the engine is mended: beginnings of sorts, kinds, and stacks with a gap.
-constexpr const char* sorts_left_out[] = {"internal error: internal error certificate the surface of s is no closed oriented",
-                                          "internal error: internal error a slices borders could not be triangulated"};
+constexpr const char* sorts_left_out[] = {
+    "internal error: internal error certificate the surface of s is no closed oriented",
+    "internal error: internal error a slices borders could not be triangulated"};
 constexpr const char* kinds_left_out[] = {"nearly-shared"};
 constexpr bool gaps_left_out = true;
-constexpr double slowest_allowed = 10;   // seconds of processor time, for 2,000 points and fewer
+constexpr double slowest_allowed = 10;  // seconds of processor time, for 2,000 points and fewer
 
 std::string from_environment(const char* name, const char* otherwise) {
   const char* text = std::getenv(name);
@@ -54,9 +56,11 @@ class Tally {
     restored_ += outcome.restored;
     if (outcome.seconds > slowest_) {
       slowest_ = outcome.seconds;
-      slowest_words_ = "seed " + std::to_string(seed) + " (" + given.kind + ", " + std::to_string(points_of(given.stack)) + " points)";
+      slowest_words_ = "seed " + std::to_string(seed) + " (" + given.kind + ", " +
+                       std::to_string(points_of(given.stack)) + " points)";
     }
-    if (outcome.end == PartitionEnd::certified) ++certified_;
+    if (outcome.end == PartitionEnd::certified)
+      ++certified_;
     else {
       auto& kinds = ends_[outcome.sort()];
       ++kinds[given.kind];
@@ -66,9 +70,10 @@ class Tally {
   }
 
   void print(std::ostream& out, double seconds) const {
-    out << stacks_ << " stacks, " << certified_ << " certified, " << seconds << " s; " << tetrahedra_ << " tetrahedra, " << restored_
-        << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_ << " not as implied, " << raised_ << " raised slabs, "
-        << constrained_ << " constrained slices; slowest " << slowest_ << " s of processor time: " << slowest_words_ << "\n";
+    out << stacks_ << " stacks, " << certified_ << " certified, " << seconds << " s; " << tetrahedra_ << " tetrahedra, "
+        << restored_ << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_ << " not as implied, "
+        << raised_ << " raised slabs, " << constrained_ << " constrained slices; slowest " << slowest_
+        << " s of processor time: " << slowest_words_ << "\n";
     for (const auto& [sort, kinds] : ends_) {
       std::size_t all = 0;
       for (const auto& [kind, count] : kinds) all += count;
@@ -79,7 +84,8 @@ class Tally {
   }
 
  private:
-  std::size_t stacks_ = 0, certified_ = 0, slabs_ = 0, not_as_implied_ = 0, raised_ = 0, constrained_ = 0, tetrahedra_ = 0, restored_ = 0;
+  std::size_t stacks_ = 0, certified_ = 0, slabs_ = 0, not_as_implied_ = 0, raised_ = 0, constrained_ = 0,
+              tetrahedra_ = 0, restored_ = 0;
   double slowest_ = 0;
   std::string slowest_words_;
   std::map<std::string, std::map<std::string, std::size_t>> ends_;
@@ -92,58 +98,74 @@ std::string options_in_words(const PartitionCase& given) {
   return words + (given.delaunay ? " --between delaunay" : "");
 }
 
-/// Prints the failure in the fewest points, and writes it into the folder, if there is one.
+/// Prints the failure in the fewest points, and writes it into the folder, if there is one, as drawn and in the fewest
+/// points.
 void show_small(std::uint64_t seed, const PartitionCase& given, const PartitionOutcome& outcome) {
+  if (const std::string folder = from_environment("ODONTOSCOPE_PARTITION_FOLDER", ""); !folder.empty())
+    std::ofstream(folder + "/drawn-" + std::to_string(seed) + ".json") << to_text(given.stack);
   const PartitionCase small = smallest_alike(given);
-  std::cout << "seed " << seed << ", " << given.kind << ", " << options_in_words(small) << ", " << outcome.sort() << ":\n"
-            << to_text(small.stack) << "\n" << std::flush;
+  std::cout << "seed " << seed << ", " << given.kind << ", " << options_in_words(small) << ", " << outcome.sort()
+            << ":\n"
+            << to_text(small.stack) << "\n"
+            << std::flush;
   const std::string folder = from_environment("ODONTOSCOPE_PARTITION_FOLDER", "");
   if (folder.empty()) return;
   std::string file = given.kind + "-" + outcome.sort().substr(0, 60) + "-" + std::to_string(seed);
-  std::replace_if(file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
+  std::replace_if(
+      file.begin(), file.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-'; }, '_');
   std::ofstream(folder + "/" + file + ".json") << to_text(small.stack);
   std::string message = outcome.message;
   std::replace(message.begin(), message.end(), '\n', ';');
-  std::ofstream(folder + "/LIST.txt", std::ios::app) << "seed " << seed << " " << from_environment("ODONTOSCOPE_PARTITION_SIZE", "small") << " | "
-      << file << ".json | " << options_in_words(small) << " | " << message.substr(0, 400) << "\n";
+  std::ofstream(folder + "/LIST.txt", std::ios::app)
+      << "seed " << seed << " " << from_environment("ODONTOSCOPE_PARTITION_SIZE", "small") << " | " << file
+      << ".json | " << options_in_words(small) << " | " << message.substr(0, 400) << "\n";
 }
 
 bool left_out(const std::string& kind) {
-  return std::any_of(std::begin(kinds_left_out), std::end(kinds_left_out), [&](const char* out) { return kind == out; });
+  return std::any_of(std::begin(kinds_left_out), std::end(kinds_left_out),
+                     [&](const char* out) { return kind == out; });
 }
 
 bool left_out(const PartitionOutcome& outcome) {
   const std::string sort = outcome.sort();
-  return std::any_of(std::begin(sorts_left_out), std::end(sorts_left_out), [&](const char* out) { return sort.starts_with(out); });
+  return std::any_of(std::begin(sorts_left_out), std::end(sorts_left_out),
+                     [&](const char* out) { return sort.starts_with(out); });
 }
 
 class RandomPartitions : public testing::TestWithParam<int> {};
 
 TEST_P(RandomPartitions, NeverFail) {
   const bool by_command = std::getenv("ODONTOSCOPE_PARTITION_STACKS") != nullptr;
-  const std::uint64_t count = std::strtoull(from_environment("ODONTOSCOPE_PARTITION_STACKS", "300").c_str(), nullptr, 10);
-  const std::uint64_t first = std::strtoull(from_environment("ODONTOSCOPE_PARTITION_FIRST_SEED", "0").c_str(), nullptr, 10);
+  const std::uint64_t count =
+      std::strtoull(from_environment("ODONTOSCOPE_PARTITION_STACKS", "300").c_str(), nullptr, 10);
+  const std::uint64_t first =
+      std::strtoull(from_environment("ODONTOSCOPE_PARTITION_FIRST_SEED", "0").c_str(), nullptr, 10);
   const std::string kind = from_environment("ODONTOSCOPE_PARTITION_KIND", "");
   const std::string size = from_environment("ODONTOSCOPE_PARTITION_SIZE", "small");
-  const PartitionSize wanted = size == "large" ? PartitionSize::large : size == "any" ? PartitionSize::any : PartitionSize::small;
+  const PartitionSize wanted = size == "large" ? PartitionSize::large
+                               : size == "any" ? PartitionSize::any
+                                               : PartitionSize::small;
   const auto start = std::chrono::steady_clock::now();
+  const double patience = std::strtod(from_environment("ODONTOSCOPE_PARTITION_PATIENCE", "60").c_str(), nullptr);
   Tally tally;
-  int shrunk = 0;   // as a plain test only one: it has to be quick
-  const std::uint64_t shard = std::uint64_t(GetParam());   // in a row, so that each shard has every kind
+  int shrunk = 0;                                         // as a plain test only one: it has to be quick
+  const std::uint64_t shard = std::uint64_t(GetParam());  // in a row, so that each shard has every kind
   for (std::uint64_t seed = first + count * shard / shards; seed < first + count * (shard + 1) / shards; ++seed) {
     if (!kind.empty() && partition_kinds()[seed % partition_kinds().size()] != kind) continue;
     PartitionCase given = partition_case(seed, wanted);
     if (!by_command && left_out(given.kind)) continue;
-    if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty()) given.delaunay = between == "delaunay";
+    if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty())
+      given.delaunay = between == "delaunay";
     if (!by_command && gaps_left_out) given.gap = 0;
-    PartitionOutcome outcome = outcome_of(given);
-    if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {   // other programs' load does not count
+    PartitionOutcome outcome = outcome_of(given, patience);
+    if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {  // other programs' load does not count
       outcome.end = PartitionEnd::too_slow;
       outcome.message = "slower than allowed";
     }
     if (std::getenv("ODONTOSCOPE_PARTITION_LOUD") != nullptr)
-      std::cout << seed << " " << given.kind << " " << points_of(given.stack) << " points, " << outcome.tetrahedra << " tetrahedra, " << outcome.seconds
-                << " s: " << outcome.sort() << "\n" << std::flush;
+      std::cout << seed << " " << given.kind << " " << points_of(given.stack) << " points, " << outcome.tetrahedra
+                << " tetrahedra, " << outcome.seconds << " s: " << outcome.sort() << "\n"
+                << std::flush;
     if (tally.add(seed, given, outcome) && (by_command || !left_out(outcome))) {
       ADD_FAILURE() << "seed " << seed << " (" << given.kind << "): " << outcome.message;
       if (by_command || shrunk++ < 1) show_small(seed, given, outcome);
@@ -152,7 +174,8 @@ TEST_P(RandomPartitions, NeverFail) {
   tally.print(std::cout, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
 }
 
-/// ODONTOSCOPE_PARTITION_FILE, one stack as JSON, with ODONTOSCOPE_PARTITION_PRIORITY (names with commas) and _GAP, judged by itself.
+/// ODONTOSCOPE_PARTITION_FILE, one stack as JSON, with ODONTOSCOPE_PARTITION_PRIORITY (names with commas) and _GAP,
+/// judged by itself.
 TEST(GivenPartition, IsCertified) {
   const std::string file = from_environment("ODONTOSCOPE_PARTITION_FILE", "");
   if (file.empty()) GTEST_SKIP() << "by command only";

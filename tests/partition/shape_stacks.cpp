@@ -11,10 +11,13 @@ namespace {
 
 Ring blob(RandomNumbers& random, int points, Point2 centre, double radius) {
   const double rough = random.between(0, 0.5);
-  return ring_around(centre, std::max(3, points), random.between(0, 6.28), [&](int) { return radius * (1 - rough * random.unit()); });
+  return ring_around(centre, std::max(3, points), random.between(0, 6.28),
+                     [&](int) { return radius * (1 - rough * random.unit()); });
 }
 
-Point2 somewhere(RandomNumbers& random, double reach) { return {random.between(-reach, reach), random.between(-reach, reach)}; }
+Point2 somewhere(RandomNumbers& random, double reach) {
+  return {random.between(-reach, reach), random.between(-reach, reach)};
+}
 
 /// Each within the one before; whole or with the hole for the next cut out of it, its border shared.
 ContourStack nested(RandomNumbers& random, int points) {
@@ -55,8 +58,8 @@ ContourStack combs(RandomNumbers& random, int points) {
       Ring comb{{-1, -0.5}, {double(teeth), -0.5}};
       const double width = random.between(0.05, 0.9);
       for (int i = teeth - 1; i >= 0; --i)
-        for (Point2 p : {Point2{i + width / 2, 0.0}, Point2{i + width / 2, double(teeth)}, Point2{i - width / 2, double(teeth)},
-                         Point2{i - width / 2, 0.0}})
+        for (Point2 p : {Point2{i + width / 2, 0.0}, Point2{i + width / 2, double(teeth)},
+                         Point2{i - width / 2, double(teeth)}, Point2{i - width / 2, 0.0}})
           comb.push_back(p);
       comb.push_back({-1, 0});
       if (label == 2)
@@ -95,7 +98,8 @@ ContourStack slivers(RandomNumbers& random, int points) {
   for (Slice& slice : slices)
     for (int r = 0; r < rings; ++r) {
       const double thin = small(random, 1, 9), x = random.between(-1, 1);
-      const Ring sliver = random.chance(0.5) ? Ring{{-3, x}, {3, x + thin}, {-3, x + 2 * thin}} : box_of({-3, x}, {3, x + thin});
+      const Ring sliver =
+          random.chance(0.5) ? Ring{{-3, x}, {3, x + thin}, {-3, x + 2 * thin}} : box_of({-3, x}, {3, x + thin});
       add_ring(slice, r % labels + 1, random.chance(0.5) ? turned(sliver, random.between(0, 6.28)) : sliver);
     }
   return stack_slices(random, slices);
@@ -138,7 +142,8 @@ ContourStack stars(RandomNumbers& random, int points) {
     for (int label = 1; label <= labels; ++label) {
       const double tip = random.between(1, 3), notch = tip * random.between(0.02, 0.9);
       const Point2 centre = random.chance(0.6) ? Point2{} : somewhere(random, 1);
-      add_ring(slice, label, ring_around(centre, 2 * spikes, random.between(0, 3), [&](int i) { return i % 2 ? tip : notch; }));
+      add_ring(slice, label,
+               ring_around(centre, 2 * spikes, random.between(0, 3), [&](int i) { return i % 2 ? tip : notch; }));
     }
   return stack_slices(random, slices);
 }
@@ -147,8 +152,8 @@ ContourStack stars(RandomNumbers& random, int points) {
 
 const std::vector<NamedPartitionMaker>& shape_makers() {
   static const std::vector<NamedPartitionMaker> makers{
-      {"nested", nested},       {"crossing", crossing},   {"combs", combs}, {"drifting-shell", drifting_shell},
-      {"slivers", slivers},     {"identical", identical}, {"apex", apex},   {"stars", stars}};
+      {"nested", nested},   {"crossing", crossing},   {"combs", combs}, {"drifting-shell", drifting_shell},
+      {"slivers", slivers}, {"identical", identical}, {"apex", apex},   {"stars", stars}};
   return makers;
 }
 

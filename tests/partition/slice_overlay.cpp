@@ -37,7 +37,8 @@ bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
 }
 
 Point2 crossing(Point2 a, Point2 b, Point2 c, Point2 d) {
-  const long double dx = (long double)b.x - a.x, dy = (long double)b.y - a.y, ex = (long double)d.x - c.x, ey = (long double)d.y - c.y;
+  const long double dx = (long double)b.x - a.x, dy = (long double)b.y - a.y, ex = (long double)d.x - c.x,
+                    ey = (long double)d.y - c.y;
   const long double t = (((long double)c.x - a.x) * ey - ((long double)c.y - a.y) * ex) / (dx * ey - dy * ex);
   return {double(a.x + t * dx), double(a.y + t * dy)};
 }
@@ -81,13 +82,14 @@ double SliceOverlay::distance(Point2 p, Label of) const {
 }
 
 bool SliceOverlay::clear(Point2 p) const {
-  return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& e) { return on(p, e.a, e.b) || distance_to(p, e.a, e.b) > rounding_; });
+  return std::all_of(edges_.begin(), edges_.end(),
+                     [&](const Edge& e) { return on(p, e.a, e.b) || distance_to(p, e.a, e.b) > rounding_; });
 }
 
 std::vector<Label> SliceOverlay::round(Point2 p) const {
   std::vector<Point2> directions;
   struct Sector {
-    Point2 from{}, to{};   // counter-clockwise
+    Point2 from{}, to{};  // counter-clockwise
     bool cut = false, inside = false;
   };
   std::vector<Sector> sectors(rings_.size());
@@ -104,10 +106,11 @@ std::vector<Label> SliceOverlay::round(Point2 p) const {
   const auto same = [&](Point2 a, Point2 b) { return !before(p, a, b) && !before(p, b, a); };
   directions.erase(std::unique(directions.begin(), directions.end(), same), directions.end());
   const auto number = [&](Point2 d) {
-    return std::size_t(std::find_if(directions.begin(), directions.end(), [&](Point2 e) { return same(d, e); }) - directions.begin());
+    return std::size_t(std::find_if(directions.begin(), directions.end(), [&](Point2 e) { return same(d, e); }) -
+                       directions.begin());
   };
   std::vector<Label> labels;
-  for (std::size_t i = 0; i < std::max<std::size_t>(1, directions.size()); ++i) {   // from direction i to the next
+  for (std::size_t i = 0; i < std::max<std::size_t>(1, directions.size()); ++i) {  // from direction i to the next
     Label label = void_label;
     for (Label candidate : by_rank_) {
       const Sector& sector = sectors[candidate - 1];
@@ -138,7 +141,8 @@ void SliceOverlay::consider(Point2 p, bool given) {
       longest = std::max(longest, std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y));
     }
   const bool exact = given && clear(p);
-  if (exact ? round(p).size() >= 4 : near.size() >= 3 || passes > 2 || (given && passes >= 2)) cuts_.push_back({p, cut_share * longest});
+  if (exact ? round(p).size() >= 4 : near.size() >= 3 || passes > 2 || (given && passes >= 2))
+    cuts_.push_back({p, cut_share * longest});
 }
 
 void SliceOverlay::find_cuts() {
@@ -188,7 +192,8 @@ std::vector<long double> SliceOverlay::areas() const {
       inside[low.label - 1] = !inside[low.label - 1];
       const auto owner = std::find_if(by_rank_.begin(), by_rank_.end(), [&](Label label) { return inside[label - 1]; });
       if (owner == by_rank_.end()) continue;
-      areas[*owner - 1] += (right - left) * (y_at(high, left) - y_at(low, left) + y_at(high, right) - y_at(low, right)) / 2;
+      areas[*owner - 1] +=
+          (right - left) * (y_at(high, left) - y_at(low, left) + y_at(high, right) - y_at(low, right)) / 2;
     }
   }
   return areas;

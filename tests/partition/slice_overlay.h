@@ -1,5 +1,6 @@
 #pragma once
-// What a slice's contours say: which structure owns a place, where borders run, which labels meet in a point, what area each label has.
+// What a slice's contours say: which structure owns a place, where borders run, which labels meet in a point, what area
+// each label has.
 
 #include <optional>
 #include <set>
@@ -25,7 +26,8 @@ class SliceOverlay {
   double distance(Point2 p, Label of = void_label) const;
   /// Are p's surroundings told exactly: does no contour pass it nearer than rounding without running through it?
   bool clear(Point2 p) const;
-  /// The labels round a point of a contour, counter-clockwise, neighbours different; one entry: no border is visible there.
+  /// The labels round a point of a contour, counter-clockwise, neighbours different; one entry: no border is visible
+  /// there.
   std::vector<Label> round(Point2 p) const;
   /// May corners have been cut here?
   bool may_be_cut(Point2 p) const;
@@ -38,7 +40,7 @@ class SliceOverlay {
 
  private:
   struct Edge {
-    Point2 a, b;      // the structure's region to the left
+    Point2 a, b;  // the structure's region to the left
     Label label;
   };
   struct Cut {
@@ -47,8 +49,8 @@ class SliceOverlay {
   };
   void find_cuts();
   void consider(Point2 p, bool given);
-  std::vector<Label> by_rank_;                            // the first wins
-  std::vector<std::vector<std::vector<Point2>>> rings_;   // by label - 1
+  std::vector<Label> by_rank_;                           // the first wins
+  std::vector<std::vector<std::vector<Point2>>> rings_;  // by label - 1
   std::vector<Edge> edges_;
   std::vector<Cut> cuts_;
   double rounding_ = 0;
