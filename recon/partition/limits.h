@@ -20,7 +20,7 @@ inline constexpr double snap_ulps = 4;
 inline constexpr double needle_share = 1e-6;
 /// Rounds in which pieces are cut where they cross, and corners where four faces meet, before it is a bug.
 inline constexpr std::size_t planar_rounds = 100;
-inline constexpr std::size_t cutting_rounds = 8, corner_rounds = 2000;   // cut, then given away upwards by priority, which ends
+inline constexpr std::size_t cutting_rounds = 50, corner_rounds = 2000;   // cut, then given away upwards by priority, which ends
 /// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
 inline constexpr double corner_share = 0.25;
 /// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over

@@ -32,6 +32,7 @@ using Overlay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStruct
 /// The corner at `at` that begins at the border towards `first` goes to `taker`.
 struct CornerCut {
   std::uint32_t at = 0, first = 0;
+  double reach = 0;     // nothing farther from `at` is given away
   Label taker = void_label;
   bool whole = false;   // too narrow for a cut: the triangles at the point go as they are
 };
@@ -182,13 +183,16 @@ class Overlayer {
     return best;
   }
 
-  /// Its least height. A void triangle has corners on both sides of the gap, so no gap is narrower than one of its triangles.
-  static double narrowest(Overlay::Face_handle face) {
-    const auto& a = face->vertex(0)->point();
-    const auto& b = face->vertex(1)->point();
-    const auto& c = face->vertex(2)->point();
-    const double longest = std::sqrt(std::max({CGAL::squared_distance(a, b), CGAL::squared_distance(b, c), CGAL::squared_distance(c, a)}));
-    return 2 * std::abs(CGAL::area(a, b, c)) / longest;
+  /// Its least height over a border; no place in it is farther from that. Infinite without a border.
+  double narrowest(Overlay::Face_handle face) const {
+    double least = std::numeric_limits<double>::infinity();
+    const double area = std::abs(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
+    for (int i = 0; i < 3; ++i) {
+      if (label(face->neighbor(i)) == void_label) continue;
+      const double base = std::sqrt(CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
+      least = std::min(least, 2 * area / base);
+    }
+    return least;
   }
 
   // ---- slivers ------------------------------------------------------------------------------------------------------
@@ -277,9 +281,14 @@ class Overlayer {
     std::sort(crowded.begin(), crowded.end());
     std::erase_if(crowded, [&](std::uint32_t p) { return rays_at(vertices_[p]).size() <= 3; });
     if (crowded.empty()) return false;
+    std::vector<bool> taken(points_.size(), false);   // a border is cut from one end at a time
     for (const std::uint32_t p : crowded) {
-      if (upwards) plan_upwards(p, rays_at(vertices_[p]));
-      else plan_cut(p, rays_at(vertices_[p]));
+      const std::vector<Ray> rays = rays_at(vertices_[p]);
+      if (taken[p] || std::any_of(rays.begin(), rays.end(), [&](const Ray& ray) { return taken[ray.to]; })) continue;
+      taken[p] = true;
+      for (const Ray& ray : rays) taken[ray.to] = true;
+      if (upwards) plan_upwards(p, rays);
+      else plan_cut(p, rays);
     }
     make_planar(points_, pieces_);
     return true;
@@ -291,7 +300,7 @@ class Overlayer {
     for (std::size_t i = 1; i < count; ++i)
       if (materials_.wins(rays[chosen].left, rays[i].left)) chosen = i;
     const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
-    cuts_.push_back({at, rays[chosen].to, materials_.wins(one, other) ? one : other, true});
+    cuts_.push_back({at, rays[chosen].to, 0, materials_.wins(one, other) ? one : other, true});
   }
 
   void plan_cut(std::uint32_t at, const std::vector<Ray>& rays) {
@@ -316,12 +325,12 @@ class Overlayer {
     const Point2 cuts[] = {on_piece(at, ends[0], reach), on_piece(at, ends[1], reach)};
     const bool needle = std::hypot(cuts[0].x - cuts[1].x, cuts[0].y - cuts[1].y) <= limits::needle_share * reach;
     if (needle || is_point(cuts[0]) || is_point(cuts[1])) {
-      cuts_.push_back({at, ends[0], taker, true});
+      cuts_.push_back({at, ends[0], 0, taker, true});
       return;
     }
     const std::uint32_t first = cut_at(at, ends[0], cuts[0]), second = cut_at(at, ends[1], cuts[1]);
     pieces_.push_back({first, second, 0});
-    cuts_.push_back({at, first, taker, false});
+    cuts_.push_back({at, first, reach, taker, false});
   }
 
   bool is_point(Point2 p) const { return std::find(points_.begin(), points_.end(), p) != points_.end(); }
@@ -381,6 +390,14 @@ class Overlayer {
       }
       return;
     }
+    constexpr double rounding = 1.001;
+    const Kernel::Point_2 at = vertices_[cut.at]->point();
+    const auto within = [&](Overlay::Face_handle face) {
+      for (int i = 0; i < 3; ++i)
+        if (std::sqrt(CGAL::squared_distance(at, face->vertex(i)->point())) > rounding * cut.reach) return false;
+      return true;
+    };
+    if (!within(start->left_face)) return;
     std::vector<Overlay::Face_handle> stack{start->left_face};
     start->left_face->info().label = cut.taker;
     while (!stack.empty()) {
@@ -388,7 +405,7 @@ class Overlayer {
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
         const auto other = face->neighbor(i);
-        if (face->is_constrained(i) || cdt_.is_infinite(other) || other->info().label != loser) continue;
+        if (face->is_constrained(i) || cdt_.is_infinite(other) || other->info().label != loser || !within(other)) continue;
         other->info().label = cut.taker;
         stack.push_back(other);
       }
