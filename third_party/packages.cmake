@@ -18,3 +18,6 @@ find_package(meshoptimizer REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+# libzip's own package file asks for its command line tools, too.
+find_path(ODONTOSCOPE_ZIP_INCLUDE zip.h REQUIRED)
+find_library(ODONTOSCOPE_ZIP zip REQUIRED)

@@ -161,6 +161,7 @@ Command anatomy_command(CLI::App& root) {
   parser->add_option("INPUT", options->input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
   repeatable(parser->add_option("-o,--output", options->outputs, "All as JSON, or one row a canal as CSV; repeatable"))->type_name("FILE.json|.csv");
   add_dt_options(*parser, options->dt);
+  add_partition_options(*parser, options->dt.partition);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"

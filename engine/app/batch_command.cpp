@@ -31,9 +31,9 @@ namespace fs = std::filesystem;
 struct BatchArguments {
   std::vector<std::string> sources;
   std::string folder;
-  std::vector<std::string> formats;   // ".glb"
-  std::string words;                  // for every `reconstruct`
-  std::string part;                   // "K/N"
+  std::vector<std::string> formats;  // ".glb"
+  std::string words;                 // for every `reconstruct`
+  std::string part;                  // "K/N"
   int jobs = 0;
   bool anew = false;
   ChildBounds bounds{.seconds = 3600, .megabytes = most_megabytes};
@@ -44,7 +44,7 @@ struct BatchArguments {
 /// This call's share of the inputs: every `of`th, from number `first` on.
 struct BatchPart {
   std::size_t first = 0, of = 1;
-  std::string suffix;   // of the report's name
+  std::string suffix;  // of the report's name
 };
 
 BatchPart part_in(const std::string& text) {
@@ -55,17 +55,22 @@ BatchPart part_in(const std::string& text) {
     return error == std::errc() && end == digits.data() + digits.size() ? number : 0;
   };
   const std::size_t slash = std::min(text.find('/'), text.size());
-  const std::size_t number = whole(std::string_view(text).substr(0, slash)), of = whole(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  const std::size_t number = whole(std::string_view(text).substr(0, slash)),
+                    of = whole(std::string_view(text).substr(std::min(slash + 1, text.size())));
   if (number >= 1 && number <= of) return {number - 1, of, fmt::format("-{}-of-{}", number, of)};
-  throw UsageError(fmt::format("--part {}: that is no part", text), "Write K/N with K from 1 to N, such as --part 3/20");
+  throw UsageError(fmt::format("--part {}: that is no part", text),
+                   "Write K/N with K from 1 to N, such as --part 3/20");
 }
 
 /// Files are named by the batch; what follows here would be lost, or be written over by the next.
 void refuse_own_outputs(const std::vector<std::string>& words, const std::string& where) {
   for (const std::string& word : words) {
     const bool output = word.starts_with("-o") || word.starts_with("--output"), report = word.starts_with("--report");
-    if (output || report) throw UsageError(fmt::format("{}: {} is for the batch to say", where, word), output ? "Choose with --format, as in --format .stl" : "Every model gets its report");
-    if (word.starts_with("--threads") || word == "-q" || word == "--quiet") throw UsageError(fmt::format("{}: {} is for the batch to say", where, word), "Give it before or after all else");
+    if (output || report)
+      throw UsageError(fmt::format("{}: {} is for the batch to say", where, word),
+                       output ? "Choose with --format, as in --format .stl" : "Every model gets its report");
+    if (word.starts_with("--threads") || word == "-q" || word == "--quiet")
+      throw UsageError(fmt::format("{}: {} is for the batch to say", where, word), "Give it before or after all else");
   }
 }
 
@@ -91,10 +96,13 @@ std::string last_line(std::string_view text) {
 /// The cause at the end of a message, and the message without the program's name.
 void take_message(BatchRecord& record, const std::string& err) {
   std::string line = last_line(err);
-  if (line.starts_with("See odontoscope")) line = last_line(std::string_view(err).substr(0, err.rfind("See odontoscope")));
+  if (line.starts_with("See odontoscope"))
+    line = last_line(std::string_view(err).substr(0, err.rfind("See odontoscope")));
   if (line.starts_with("odontoscope: ")) line.erase(0, 13);
   constexpr int no_program = 127;
-  record.message = line.empty() && record.exit_code == no_program ? "this program cannot be started once more: /proc is not mounted, or it was replaced meanwhile" : line;
+  record.message = line.empty() && record.exit_code == no_program
+                       ? "this program cannot be started once more: /proc is not mounted, or it was replaced meanwhile"
+                       : line;
   const std::size_t open = line.rfind('[');
   if (line.ends_with(']') && open != line.npos) record.cause = line.substr(open + 1, line.size() - open - 2);
 }
@@ -107,7 +115,8 @@ std::optional<fs::file_time_type> written_when(const std::string& file) {
 }
 
 void make(BatchRecord& record, const BatchArguments& options, int threads, const std::stop_token& stop) {
-  std::vector<std::string> call{"reconstruct", record.input.starts_with('-') ? "./" + record.input : record.input, "--quiet", "--threads", std::to_string(threads)};
+  std::vector<std::string> call{"reconstruct", record.input.starts_with('-') ? "./" + record.input : record.input,
+                                "--quiet", "--threads", std::to_string(threads)};
   const std::string report = record.outputs.back();
   for (std::size_t n = 0; n + 1 < record.outputs.size(); ++n) call.insert(call.end(), {"-o", record.outputs[n]});
   call.insert(call.end(), {"--report", report});
@@ -120,14 +129,19 @@ void make(BatchRecord& record, const BatchArguments& options, int threads, const
   record.megabytes = ending.megabytes;
   // All are written or none: with --strict none, and 1 is the exit code all the same.
   record.made = record.exit_code == 0 || (record.exit_code == 1 && written_when(report) != before);
-  if (record.made) take_report(record, report);
-  else take_message(record, ending.err);
+  if (record.made)
+    take_report(record, report);
+  else
+    take_message(record, ending.err);
 }
 
-std::string record_file(const BatchRecord& record, const BatchArguments& options) { return (fs::path(options.folder) / (record.name + ".batch.json")).string(); }
+std::string record_file(const BatchRecord& record, const BatchArguments& options) {
+  return (fs::path(options.folder) / (record.name + ".batch.json")).string();
+}
 
 /// Keeps what is done, makes the rest, and writes each record as soon as it is known.
-void keep_or_make(BatchRecord& record, const BatchArguments& options, int threads, Session& session, const std::stop_token& stop) {
+void keep_or_make(BatchRecord& record, const BatchArguments& options, int threads, Session& session,
+                  const std::stop_token& stop) {
   stamp(record);
   const std::string file = record_file(record, options);
   if (!options.anew) {
@@ -145,11 +159,14 @@ void keep_or_make(BatchRecord& record, const BatchArguments& options, int thread
 std::pair<std::size_t, int> shared_out(const BatchArguments& options, const Session& session) {
   const int threads = session.threads > 0 ? session.threads : 1;
   const std::size_t processors = std::max(1u, std::thread::hardware_concurrency());
-  return {options.jobs > 0 ? static_cast<std::size_t>(options.jobs) : std::max<std::size_t>(1, processors / static_cast<std::size_t>(threads)), threads};
+  return {options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
+                           : std::max<std::size_t>(1, processors / static_cast<std::size_t>(threads)),
+          threads};
 }
 
 /// A failure of one stops none. True if all had their turn; false after Ctrl-C.
-bool work_through(std::vector<BatchRecord>& records, std::vector<char>& had_turn, const BatchArguments& options, Session& session) {
+bool work_through(std::vector<BatchRecord>& records, std::vector<char>& had_turn, const BatchArguments& options,
+                  Session& session) {
   const Progress progress = session.progress();
   const auto [at_once, threads] = shared_out(options, session);
   std::atomic<std::size_t> next{0}, done{0};
@@ -163,12 +180,15 @@ bool work_through(std::vector<BatchRecord>& records, std::vector<char>& had_turn
         const std::lock_guard lock(telling);
         had_turn[n] = true;
         progress.tell("batch", static_cast<double>(++done) / static_cast<double>(records.size()));
-        if (!records[n].made) session.console.complain(fmt::format("{}: {}", records[n].input, records[n].message.empty() ? "ended in " + records[n].ending : records[n].message));
+        if (!records[n].made)
+          session.console.complain(
+              fmt::format("{}: {}", records[n].input,
+                          records[n].message.empty() ? "ended in " + records[n].ending : records[n].message));
       } catch (const Cancelled&) {
         const std::lock_guard lock(telling);
         cancelled = true;
         next = records.size();
-      } catch (...) {   // the folder cannot be written any more: no use in going on
+      } catch (...) {  // the folder cannot be written any more: no use in going on
         const std::lock_guard lock(telling);
         failed = std::current_exception();
         next = records.size();
@@ -185,14 +205,18 @@ bool work_through(std::vector<BatchRecord>& records, std::vector<char>& had_turn
 void make_folder(const std::string& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder, error)) throw FileError(folder, "is no folder, and none can be made there", "Name another folder");
+  if (!fs::is_directory(folder, error))
+    throw FileError(folder, "is no folder, and none can be made there", "Name another folder");
 }
 
 ExitCode tell_batch(const std::vector<BatchRecord>& records, const std::string& report, Console& console) {
   std::size_t made = 0, kept = 0, amber = 0;
-  for (const BatchRecord& record : records) made += record.made, kept += record.kept, amber += record.made && record.verdict == "amber";
-  console.say(fmt::format("{}: {} made{}, {} failed{}", counted(records.size(), "input"), made, kept > 0 ? fmt::format(" ({} before)", kept) : "", records.size() - made,
-                          amber > 0 ? fmt::format("; {} amber: look at the places that their reports name", amber) : ""));
+  for (const BatchRecord& record : records)
+    made += record.made, kept += record.kept, amber += record.made && record.verdict == "amber";
+  console.say(
+      fmt::format("{}: {} made{}, {} failed{}", counted(records.size(), "input"), made,
+                  kept > 0 ? fmt::format(" ({} before)", kept) : "", records.size() - made,
+                  amber > 0 ? fmt::format("; {} amber: look at the places that their reports name", amber) : ""));
   console.say(fmt::format("Wrote {}", report));
   return made == records.size() ? ExitCode::done : ExitCode::found_wanting;
 }
@@ -217,7 +241,8 @@ ExitCode run_batch(BatchArguments options, Session& session) {
   const bool all = work_through(records, had_turn, options, session);
   if (!all) {
     const auto turns = static_cast<std::size_t>(std::count(had_turn.begin(), had_turn.end(), true));
-    session.console.complain(fmt::format("stopped after {} of {}. The same call goes on from there.", turns, counted(records.size(), "input")));
+    session.console.complain(fmt::format("stopped after {} of {}. The same call goes on from there.", turns,
+                                         counted(records.size(), "input")));
     return static_cast<ExitCode>(interrupted_exit_code);
   }
   write_all({{report, batch_report_text(records, options.part)}}, session.interrupts);
@@ -227,20 +252,29 @@ ExitCode run_batch(BatchArguments options, Session& session) {
 }  // namespace
 
 Command batch_command(CLI::App& root) {
-  CLI::App* parser = root.add_subcommand("batch", "Reconstruct many inputs, each in a process of its own, with one report");
+  CLI::App* parser =
+      root.add_subcommand("batch", "Reconstruct many inputs, each in a process of its own, with one report");
   const auto options = std::make_shared<BatchArguments>();
   parser->add_option("INPUT", options->sources, "Files, 'patterns', or lists of them (.txt, .list)")
       ->required()
       ->type_name("");
   parser->add_option("-o,--output", options->folder, "Folder of all that is made")->required()->type_name("DIR");
-  repeatable(parser->add_option("--format", options->formats, "What to make of each (default: .glb); repeatable"))->type_name(".END");
+  repeatable(parser->add_option("--format", options->formats, "What to make of each (default: .glb); repeatable"))
+      ->type_name(".END");
   parser->add_option("--with", options->words, "Options of reconstruct for every input")->type_name("'WORDS'");
-  parser->add_option("--part", options->part, "Only every Nth input from the Kth on: for arrays of jobs")->type_name("K/N");
+  parser->add_option("--part", options->part, "Only every Nth input from the Kth on: for arrays of jobs")
+      ->type_name("K/N");
   constexpr int most_jobs = 1024;
-  parser->add_option("--jobs", options->jobs, "Inputs at once (default: one a processor, a thread each)")->type_name("N")->check(whole_number_from_one_to(most_jobs));
+  parser->add_option("--jobs", options->jobs, "Inputs at once (default: one a processor, a thread each)")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_jobs));
   parser->add_flag("--anew", options->anew, "Make again what is there already");
-  parser->add_option("--timeout", options->bounds.seconds, "Most seconds for an input (default: 3600)")->type_name("S")->check(at_least_zero());
-  parser->add_option("--memory", options->bounds.megabytes, "Most memory for an input, MB (default: all)")->type_name("MB")->check(whole_number_from_one_to(BatchArguments::most_megabytes));
+  parser->add_option("--timeout", options->bounds.seconds, "Most seconds for an input (default: 3600)")
+      ->type_name("S")
+      ->check(at_least_zero());
+  parser->add_option("--memory", options->bounds.megabytes, "Most memory for an input, MB (default: all)")
+      ->type_name("MB")
+      ->check(whole_number_from_one_to(BatchArguments::most_megabytes));
   parser->footer(
       "Examples:\n"
       "  odontoscope batch 'teeth/*.json' -o models --format .glb --format .vtu\n"

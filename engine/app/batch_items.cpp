@@ -35,7 +35,9 @@ void add_matching(const std::string& pattern, std::vector<BatchItem>& items) {
   const int failed = ::glob(pattern.c_str(), 0, nullptr, &found);
   for (std::size_t n = 0; failed == 0 && n < found.gl_pathc; ++n) items.push_back({found.gl_pathv[n], {}, {}});
   ::globfree(&found);
-  if (failed == GLOB_NOMATCH) throw UsageError(fmt::format("nothing matches {}", pattern), "Give files, a pattern that matches some, or a list of them");
+  if (failed == GLOB_NOMATCH)
+    throw UsageError(fmt::format("nothing matches {}", pattern),
+                     "Give files, a pattern that matches some, or a list of them");
   if (failed != 0) throw FileError(pattern, "cannot be looked for", "Check the folders' permissions");
 }
 
@@ -70,7 +72,8 @@ std::vector<std::string> folders_above(const fs::path& input) {
   fs::path path = fs::absolute(input).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
   std::vector<std::string> folders;
-  for (path = path.parent_path(); path.has_filename(); path = path.parent_path()) folders.push_back(path.filename().string());
+  for (path = path.parent_path(); path.has_filename(); path = path.parent_path())
+    folders.push_back(path.filename().string());
   return folders;
 }
 
@@ -87,7 +90,9 @@ void name_apart(std::vector<BatchItem*>& alike) {
       all_apart = false;
       for (const std::size_t n : members) {
         if (taken[n] == above[n].size())
-          throw UsageError(fmt::format("{} and {} would both be called {}", alike[members[0]]->input, alike[members[1]]->input, name), "Leave one out, or call it otherwise");
+          throw UsageError(fmt::format("{} and {} would both be called {}", alike[members[0]]->input,
+                                       alike[members[1]]->input, name),
+                           "Leave one out, or call it otherwise");
         alike[n]->name = above[n][taken[n]++] + "-" + alike[n]->name;
       }
     }
@@ -95,7 +100,8 @@ void name_apart(std::vector<BatchItem*>& alike) {
   }
 }
 
-/// Those named alike by their last part get longer names together; a longer name might be another's, so the whole is looked at once more.
+/// Those named alike by their last part get longer names together; a longer name might be another's, so the whole is
+/// looked at once more.
 void name_all(std::vector<BatchItem>& items) {
   std::map<std::string, std::vector<BatchItem*>> by_name;
   for (BatchItem& item : items) {
@@ -107,14 +113,17 @@ void name_all(std::vector<BatchItem>& items) {
   std::map<std::string, const BatchItem*> taken;
   for (const BatchItem& item : items) {
     const auto [other, is_new] = taken.emplace(item.name, &item);
-    if (!is_new) throw UsageError(fmt::format("{} and {} would both be called {}", other->second->input, item.input, item.name), "Call one of them otherwise");
+    if (!is_new)
+      throw UsageError(fmt::format("{} and {} would both be called {}", other->second->input, item.input, item.name),
+                       "Call one of them otherwise");
   }
 }
 
 }  // namespace
 
 std::vector<std::string> words_in_line(std::string_view line, const std::string& what) {
-  if (line.find('\0') != line.npos) throw UsageError(fmt::format("{}: there is a byte 0 in it", what), "Give a list that is text");
+  if (line.find('\0') != line.npos)
+    throw UsageError(fmt::format("{}: there is a byte 0 in it", what), "Give a list that is text");
   std::vector<std::string> words;
   bool within = false;
   char quote = 0;
@@ -127,25 +136,34 @@ std::vector<std::string> words_in_line(std::string_view line, const std::string&
     }
     if (!within) words.emplace_back();
     within = true;
-    if (c == quote) quote = 0;
-    else if (quote == 0 && (c == '\'' || c == '"')) quote = c;
-    else if (c == '\\' && quote != '\'' && n + 1 < line.size()) words.back() += line[++n];
-    else words.back() += c;
+    if (c == quote)
+      quote = 0;
+    else if (quote == 0 && (c == '\'' || c == '"'))
+      quote = c;
+    else if (c == '\\' && quote != '\'' && n + 1 < line.size())
+      words.back() += line[++n];
+    else
+      words.back() += c;
   }
-  if (quote != 0) throw UsageError(fmt::format("{}: a quote does not end", what), "Write quotes in pairs, or \\' and \\\"");
+  if (quote != 0)
+    throw UsageError(fmt::format("{}: a quote does not end", what), "Write quotes in pairs, or \\' and \\\"");
   return words;
 }
 
 std::vector<BatchItem> batch_items(const std::vector<std::string>& sources) {
   std::vector<BatchItem> items;
   for (const std::string& source : sources) {
-    if (is_pattern(source)) add_matching(source, items);
-    else if (is_list(source)) add_listed(source, items);
-    else items.push_back({source, {}, {}});
+    if (is_pattern(source))
+      add_matching(source, items);
+    else if (is_list(source))
+      add_listed(source, items);
+    else
+      items.push_back({source, {}, {}});
     if (items.size() > most_inputs) {
       Place place;
       place.file = source;
-      throw InputError("too-many-inputs", place, fmt::format("these are more than {} inputs", most_inputs), "Part them into several batches");
+      throw InputError("too-many-inputs", place, fmt::format("these are more than {} inputs", most_inputs),
+                       "Part them into several batches");
     }
   }
   if (items.empty()) throw UsageError("that names no input", "Give files, a pattern, or a list of them");

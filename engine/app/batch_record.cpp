@@ -24,7 +24,10 @@ void add_file(const fs::path& file, BatchRecord& record) {
   const auto time = fs::last_write_time(file, error);
   if (error) return;
   record.bytes += size;
-  record.modified = std::max(record.modified, static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::file_clock::to_sys(time).time_since_epoch()).count()));
+  record.modified =
+      std::max(record.modified, static_cast<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(
+                                                              std::chrono::file_clock::to_sys(time).time_since_epoch())
+                                                              .count()));
 }
 
 /// No exception for what is no JSON.
@@ -34,11 +37,15 @@ BatchJson parsed(const std::string& file, std::size_t most_bytes) {
   return BatchJson::parse(read_file(file, most_bytes), nullptr, false);
 }
 
-std::string batch_text_of(const BatchJson& json) { return json.dump(2, ' ', false, BatchJson::error_handler_t::replace) + "\n"; }
+std::string batch_text_of(const BatchJson& json) {
+  return json.dump(2, ' ', false, BatchJson::error_handler_t::replace) + "\n";
+}
 
 BatchJson json_of(const BatchRecord& record) {
-  BatchJson json{{"name", record.name},       {"input", record.input},         {"words", record.words},     {"outputs", record.outputs}, {"input_bytes", record.bytes},
-                 {"input_modified", record.modified}, {"program", record.program}, {"exit", record.exit_code}, {"ending", record.ending}, {"made", record.made}};
+  BatchJson json{{"name", record.name},       {"input", record.input},       {"words", record.words},
+                 {"outputs", record.outputs}, {"input_bytes", record.bytes}, {"input_modified", record.modified},
+                 {"program", record.program}, {"exit", record.exit_code},    {"ending", record.ending},
+                 {"made", record.made}};
   if (!record.cause.empty()) json["cause"] = record.cause;
   if (!record.message.empty()) json["message"] = record.message;
   json["seconds"] = record.seconds;
@@ -56,7 +63,8 @@ void take(const BatchJson& json, const char* key, Value& value) {
 
 bool outputs_are_there(const BatchRecord& record) {
   std::error_code error;
-  return std::all_of(record.outputs.begin(), record.outputs.end(), [&](const std::string& file) { return fs::is_regular_file(file, error); });
+  return std::all_of(record.outputs.begin(), record.outputs.end(),
+                     [&](const std::string& file) { return fs::is_regular_file(file, error); });
 }
 
 }  // namespace
@@ -67,7 +75,8 @@ void stamp(BatchRecord& record) {
   record.program = ODONTOSCOPE_VERSION;
   std::error_code error;
   if (!fs::is_directory(record.input, error)) return add_file(record.input, record);
-  for (fs::recursive_directory_iterator entry(record.input, fs::directory_options::skip_permission_denied, error), end; !error && entry != end; entry.increment(error)) {
+  for (fs::recursive_directory_iterator entry(record.input, fs::directory_options::skip_permission_denied, error), end;
+       !error && entry != end; entry.increment(error)) {
     std::error_code gone;
     if (entry->is_regular_file(gone)) add_file(entry->path(), record);
   }
@@ -94,7 +103,8 @@ std::string record_text(const BatchRecord& record) {
 
 std::optional<BatchRecord> read_record(const std::string& file) try {
   const BatchJson json = parsed(file, most_record_bytes);
-  if (!json.is_object() || json.value("format", "") != "odontoscope.batch-item" || json.value("version", 0) != 1) return {};
+  if (!json.is_object() || json.value("format", "") != "odontoscope.batch-item" || json.value("version", 0) != 1)
+    return {};
   BatchRecord record;
   take(json, "name", record.name);
   take(json, "input", record.input);
@@ -122,8 +132,8 @@ std::optional<BatchRecord> read_record(const std::string& file) try {
 }
 
 bool is_done(const BatchRecord& found, const BatchRecord& wanted) {
-  const bool same = found.input == wanted.input && found.words == wanted.words && found.outputs == wanted.outputs && found.bytes == wanted.bytes &&
-                    found.modified == wanted.modified && found.program == wanted.program;
+  const bool same = found.input == wanted.input && found.words == wanted.words && found.outputs == wanted.outputs &&
+                    found.bytes == wanted.bytes && found.modified == wanted.modified && found.program == wanted.program;
   return same && found.made && outputs_are_there(wanted);
 }
 
@@ -139,7 +149,8 @@ std::string batch_report_text(const std::vector<BatchRecord>& records, const std
   }
   BatchJson json{{"format", "odontoscope.batch"}, {"version", 1}};
   if (!part.empty()) json["part"] = part;
-  json["counts"] = {{"inputs", records.size()}, {"made", made}, {"kept", kept}, {"amber", amber}, {"failed", records.size() - made}};
+  json["counts"] = {
+      {"inputs", records.size()}, {"made", made}, {"kept", kept}, {"amber", amber}, {"failed", records.size() - made}};
   json["items"] = std::move(items);
   return batch_text_of(json);
 }

@@ -8,6 +8,7 @@
 #include "recon/core/read_file.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
+#include "recon/partition/reconstruct_partition.h"
 
 namespace odontoscope::app {
 namespace {
@@ -50,9 +51,26 @@ void add_dt_options(CLI::App& parser, DtWords& words) {
       ->group(group);
 }
 
-void refuse_senseless(const DtWords& words) { links_from(words.link_words); }
+void refuse_senseless(const DtWords& words) {
+  links_from(words.link_words);
+  refuse_senseless(words.partition);
+  if (words.partition.wanted && (words.correspondence || !words.links.empty() || words.link_words.any()))
+    throw UsageError("--correspondence, --links, --link and --unlink do not work with --partition yet", "Leave them out, or leave out --partition");
+}
+
+Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session) {
+  if (!words.partition.wanted) return reconstruct(stack, understood(words, stack, session), session.progress());
+  PartitionOptions options;
+  if (!words.partition.priority.empty()) options.priority = names_in(words.partition.priority, "--priority");
+  options.gap = words.partition.gap.value_or(0);
+  options.between = words.between.value_or(Between::blended);
+  options.threads = session.threads;
+  return reconstruct_partition(stack, options, session.progress());
+}
 
 void refuse_for_mesh(const DtWords& words, const std::string& file) {
+  if (words.partition.wanted)
+    throw UsageError(fmt::format("{} is a mesh, and --partition is about what is made from contours", file), "Leave it out, or give what the mesh was made from");
   if (!words.any()) return;
   throw UsageError(fmt::format("{} is a mesh, and --correspondence, --between, --links, --link and --unlink are about what is made from contours", file),
                    "Leave them out, or give what the mesh was made from");

@@ -16,10 +16,12 @@ namespace {
 
 using VerdictJson = nlohmann::ordered_json;
 
-constexpr std::array outcomes{PictureOutcome::alike, PictureOutcome::different, PictureOutcome::missing, PictureOutcome::unexpected, PictureOutcome::unreadable};
+constexpr std::array outcomes{PictureOutcome::alike, PictureOutcome::different, PictureOutcome::missing,
+                              PictureOutcome::unexpected, PictureOutcome::unreadable};
 
 std::size_t count_of(PictureOutcome outcome, const std::vector<ComparedPicture>& pictures) {
-  return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [&](const ComparedPicture& picture) { return picture.outcome == outcome; }));
+  return static_cast<std::size_t>(std::count_if(
+      pictures.begin(), pictures.end(), [&](const ComparedPicture& picture) { return picture.outcome == outcome; }));
 }
 
 VerdictJson json_of(const ComparedPicture& picture) {
@@ -58,13 +60,15 @@ img{display:block;max-width:100%;height:auto;border:1px solid #8886;background:r
 /// A box with room around it, so that a single pixel is seen in its surroundings; within the picture.
 PixelBox with_room(const PixelBox& box, const Image& image) {
   constexpr int room = 12;
-  return {std::max(0, box.left - room), std::max(0, box.top - room), std::min(image.width - 1, box.right + room), std::min(image.height - 1, box.bottom + room)};
+  return {std::max(0, box.left - room), std::max(0, box.top - room), std::min(image.width - 1, box.right + room),
+          std::min(image.height - 1, box.bottom + room)};
 }
 
 /// Would it be seen better from near to?
 bool is_small(const PixelBox& box, const Image& image) {
-  constexpr int small = 3;   // thirds of each side, two of which at most: it grows by half at least
-  return small * (box.right - box.left + 1) <= 2 * image.width && small * (box.bottom - box.top + 1) <= 2 * image.height;
+  constexpr int small = 3;  // thirds of each side, two of which at most: it grows by half at least
+  return small * (box.right - box.left + 1) <= 2 * image.width &&
+         small * (box.bottom - box.top + 1) <= 2 * image.height;
 }
 
 std::string picture_data(const Image& image) {
@@ -77,19 +81,26 @@ std::string picture_data(const Image& image) {
 std::string in_words(const ComparedPicture& picture, const ImageTolerance& tolerance) {
   const ImageDifference& found = picture.difference;
   switch (picture.outcome) {
-    case PictureOutcome::missing: return "missing: expected, and not there";
-    case PictureOutcome::unexpected: return "unexpected: there, and nothing to compare it with";
-    case PictureOutcome::unreadable: return "unreadable: " + picture.message;
-    default: break;
+    case PictureOutcome::missing:
+      return "missing: expected, and not there";
+    case PictureOutcome::unexpected:
+      return "unexpected: there, and nothing to compare it with";
+    case PictureOutcome::unreadable:
+      return "unreadable: " + picture.message;
+    default:
+      break;
   }
   if (!found.same_size)
-    return fmt::format("different: {} x {} and {} x {} pixels", picture.expected_width, picture.expected_height, picture.actual_width, picture.actual_height);
+    return fmt::format("different: {} x {} and {} x {} pixels", picture.expected_width, picture.expected_height,
+                       picture.actual_width, picture.actual_height);
   if (found.compared == 0) return "different: the mask leaves nothing to compare";
-  return fmt::format("{}: {} of {} pixels ({:.3f} %) differ by more than {} of 255, the most by {}; similarity {:.4f}", name(picture.outcome), found.pixels, found.compared,
-                     100 * found.share, tolerance.channel, found.largest, found.similarity);
+  return fmt::format("{}: {} of {} pixels ({:.3f} %) differ by more than {} of 255, the most by {}; similarity {:.4f}",
+                     name(picture.outcome), found.pixels, found.compared, 100 * found.share, tolerance.channel,
+                     found.largest, found.similarity);
 }
 
-std::string image_verdict_text(const std::string& expected, const std::string& actual, const ImageTolerance& tolerance, const std::vector<ComparedPicture>& pictures) {
+std::string image_verdict_text(const std::string& expected, const std::string& actual, const ImageTolerance& tolerance,
+                               const std::vector<ComparedPicture>& pictures) {
   VerdictJson json{{"format", "odontoscope.image-verdict"}, {"version", 1}, {"expected", expected}, {"actual", actual}};
   json["passed"] = count_of(PictureOutcome::alike, pictures) == pictures.size();
   json["tolerance"] = {{"channel", tolerance.channel}, {"share", tolerance.share}};
@@ -105,11 +116,13 @@ std::string FailuresPage::figure(const Image& image, const std::string& caption,
   if (image.rgba.empty()) return {};
   const std::string data = picture_data(image);
   bytes_ += data.size();
-  return fmt::format("<figure{}><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n", near_to ? " class=\"near\"" : "", data, caption, caption);
+  return fmt::format("<figure{}><img src=\"{}\" alt=\"{}\"><figcaption>{}</figcaption></figure>\n",
+                     near_to ? " class=\"near\"" : "", data, caption, caption);
 }
 
 void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& both) {
-  sections_ += fmt::format("<section><h2>{}</h2>\n<p>{}</p>\n", escaped_html(picture.name), escaped_html(in_words(picture, tolerance_)));
+  sections_ += fmt::format("<section><h2>{}</h2>\n<p>{}</p>\n", escaped_html(picture.name),
+                           escaped_html(in_words(picture, tolerance_)));
   const bool room = bytes_ < most_bytes;
   if (!room) ++without_pictures_;
   if (room) {
@@ -121,28 +134,44 @@ void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& b
       sections_ += figure(difference, "difference");
       if (found.box && is_small(*found.box, both.expected)) {
         const PixelBox box = with_room(*found.box, both.expected);
-        sections_ += "</div><div class=\"row\">\n" + figure(cropped(both.expected, box), fmt::format("expected, from ({}, {}) to ({}, {})", box.left, box.top, box.right, box.bottom), true) +
-                     figure(cropped(both.actual, box), "actual", true) + figure(cropped(difference, box), "difference", true);
+        sections_ +=
+            "</div><div class=\"row\">\n" +
+            figure(cropped(both.expected, box),
+                   fmt::format("expected, from ({}, {}) to ({}, {})", box.left, box.top, box.right, box.bottom), true) +
+            figure(cropped(both.actual, box), "actual", true) + figure(cropped(difference, box), "difference", true);
       }
       const std::string one = picture_data(both.expected), other = picture_data(both.actual);
       bytes_ += one.size() + other.size();
-      sections_ += fmt::format("</div><details><summary>One over the other: drag the corner below the red line</summary><div class=\"over\"><img src=\"{}\" alt=\"actual\"><div><img src=\"{}\" alt=\"expected\">"
-                               "</div></div></details><div>\n", other, one);
+      sections_ += fmt::format(
+          "</div><details><summary>One over the other: drag the corner below the red line</summary><div "
+          "class=\"over\"><img src=\"{}\" alt=\"actual\"><div><img src=\"{}\" alt=\"expected\">"
+          "</div></div></details><div>\n",
+          other, one);
     }
     sections_ += "</div>\n";
   }
   sections_ += "</section>\n";
 }
 
-std::string FailuresPage::html(const std::string& expected, const std::string& actual, const std::vector<ComparedPicture>& pictures) const {
+std::string FailuresPage::html(const std::string& expected, const std::string& actual,
+                               const std::vector<ComparedPicture>& pictures) const {
   const std::size_t alike = count_of(PictureOutcome::alike, pictures);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n"
-                     "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'\">\n";
-  html += fmt::format("<title>{} of {} alike</title><style>{}</style></head><body>\n", alike, counted(pictures.size(), "picture"), page_style);
-  html += fmt::format("<h1>{} of {} alike</h1>\n<p>Expected: {}. Actual: {}. Alike are pictures of which no more than {:.3f} % of the pixels differ by more than {} of 255{}.</p>\n", alike,
-                      counted(pictures.size(), "picture"), escaped_html(expected), escaped_html(actual), 100 * tolerance_.share, tolerance_.channel,
-                      tolerance_.similarity > -1 ? fmt::format(", and whose similarity is at least {}", tolerance_.similarity) : "");
-  if (without_pictures_ > 0) html += fmt::format("<p>The last {} are told in words alone: their pictures would make this page too large.</p>\n", counted(without_pictures_, "failure"));
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width,initial-scale=1\">\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+      "'unsafe-inline'\">\n";
+  html += fmt::format("<title>{} of {} alike</title><style>{}</style></head><body>\n", alike,
+                      counted(pictures.size(), "picture"), page_style);
+  html += fmt::format(
+      "<h1>{} of {} alike</h1>\n<p>Expected: {}. Actual: {}. Alike are pictures of which no more than {:.3f} % of the "
+      "pixels differ by more than {} of 255{}.</p>\n",
+      alike, counted(pictures.size(), "picture"), escaped_html(expected), escaped_html(actual), 100 * tolerance_.share,
+      tolerance_.channel,
+      tolerance_.similarity > -1 ? fmt::format(", and whose similarity is at least {}", tolerance_.similarity) : "");
+  if (without_pictures_ > 0)
+    html += fmt::format("<p>The last {} are told in words alone: their pictures would make this page too large.</p>\n",
+                        counted(without_pictures_, "failure"));
   return html + sections_ + "</body></html>\n";
 }
 

@@ -18,6 +18,7 @@
 #include "engine/app/tell_volume.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/words.h"
+#include "engine/picture/png.h"
 #include "recon/radiograph/film.h"
 #include "recon/radiograph/length_inside.h"
 #include "recon/radiograph/sum_through.h"
@@ -169,20 +170,20 @@ Image image_of(const FilmMap& attenuation, const RadiographWords& words) {
 
 /// All films of what `attenuation` says to be swallowed on the way to one.
 template <class Attenuation>
-std::vector<Image> films(const RadiographWords& words, const RadiographInput& input, const Extent& extent, Session& session, Attenuation attenuation) {
-  std::vector<Image> images;
+std::vector<std::string> films(const RadiographWords& words, const RadiographInput& input, const Extent& extent, Session& session, Attenuation attenuation) {
+  std::vector<std::string> pictures;   // packed at once: of many, the pixels would fill the memory
   double most = 0;
   for (int i = 0; i < input.turns; ++i) {
     session.progress().tell("radiograph", static_cast<double>(i) / input.turns);
     const FilmView view = with_pixels(words, film_view(words, input.view, 360.0 * i / input.turns, extent), extent, session, i == 0);
     const FilmMap map = attenuation(view);
     for (const double value : map.values) most = std::max(most, value);
-    images.push_back(image_of(map, words));
+    pictures.push_back(png_bytes(image_of(map, words)));
   }
   session.console.say(fmt::format("  black where nothing is swallowed{}, white from attenuation {:g} on; the most here is {}",
                                   words.exposure ? fmt::format(" (attenuation {} at this exposure)", measured(std::log(*words.exposure))) : "",
                                   Exposure::usual_latitude + std::log(words.exposure.value_or(1)), measured(most)));
-  return images;
+  return pictures;
 }
 
 // --- solids --------------------------------------------------------------------------------------------------------
@@ -234,7 +235,7 @@ void choose_attenuation(std::vector<SolidSurfaces>& solids, const RadiographWord
   for (const auto& [name, value] : told) throw UsageError(fmt::format("--attenuation: there is no solid \"{}\"", name));
 }
 
-std::vector<Image> through_solids(const RadiographWords& words, const RadiographInput& input, Session& session) {
+std::vector<std::string> through_solids(const RadiographWords& words, const RadiographInput& input, Session& session) {
   const Shown shown = shown_from(input.file, input.volume, input.dt, session);
   std::vector<SolidSurfaces> solids = solids_of(shown, input);
   const double energy = effective_energy_kev(words.kv);
@@ -265,7 +266,7 @@ std::vector<Image> through_solids(const RadiographWords& words, const Radiograph
 
 // --- voxels --------------------------------------------------------------------------------------------------------
 
-std::vector<Image> through_voxels(const RadiographWords& words, const RadiographInput& input, Session& session) {
+std::vector<std::string> through_voxels(const RadiographWords& words, const RadiographInput& input, Session& session) {
   if (!words.attenuation.empty()) throw UsageError("--attenuation is about solids, and a volume without --iso has none", "Say with --grey AIR,DENTINE what its values mean.");
   if (!input.hidden.empty()) throw UsageError("--hide: a volume without --iso has no solids");
   if (input.volume.reshape.upright || input.volume.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
@@ -314,7 +315,7 @@ void add_radiograph_options(CLI::App& parser, RadiographWords& words) {
   parser.add_option("--exposure", words.exposure, "So many times the usual one: more is darker")->type_name("F")->check(CLI::Range(1e-3, 1e3).description(""))->group(group);
   parser.add_flag("--inverted", words.inverted, "What is dense is dark")->group(group);
   repeatable(parser.add_option("--attenuation", words.attenuation, "Of a structure, 1/mm or a tissue: crown=0.4, tooth=dentine; repeatable"))->type_name("S=MU")->group(group);
-  parser.add_option("--grey", words.grey, "Values of air and dentine in a volume (default: by its histogram)")->type_name("AIR,DENTINE")->group("A volume's grey values");
+  add_grey_option(parser, words.grey);
 }
 
 void refuse_senseless(const RadiographWords& words) {
@@ -326,7 +327,7 @@ void refuse_senseless(const RadiographWords& words) {
   if (words.on) attenuations_from(words.attenuation, effective_energy_kev(words.kv));
 }
 
-std::vector<Image> radiographs(const RadiographWords& words, const RadiographInput& input, Session& session) {
+std::vector<std::string> radiographs(const RadiographWords& words, const RadiographInput& input, Session& session) {
   const bool voxels = !input.file.empty() && named_like_a_volume(input.file) && !input.volume.any_level();
   if (!voxels && !words.grey.empty()) throw UsageError("--grey is about a radiograph through the voxels of a volume", "Leave it out, or leave out --iso and --label.");
   return voxels ? through_voxels(words, input, session) : through_solids(words, input, session);

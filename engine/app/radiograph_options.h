@@ -8,7 +8,6 @@
 
 #include "engine/app/dt_options.h"
 #include "engine/app/volume_options.h"
-#include "engine/picture/image.h"
 #include "engine/scene/camera.h"
 
 namespace odontoscope::app {
@@ -45,9 +44,9 @@ struct RadiographInput {
   int turns = 1;                           // films from so many sides all around
 };
 
-/// The films, and tells how they were made. A volume with no word on its surfaces is shone through voxel by voxel, anything else through its solids.
+/// The films as PNG, and tells how they were made. A volume with no word on its surfaces is shone through voxel by voxel, anything else through its solids.
 /// Throws as the readers and the engine do; InputError open-surface or misoriented-surface for solids of a mesh that do not say where
 /// material is; UsageError for a structure that no tissue is known for.
-std::vector<Image> radiographs(const RadiographWords& words, const RadiographInput& input, Session& session);
+std::vector<std::string> radiographs(const RadiographWords& words, const RadiographInput& input, Session& session);
 
 }  // namespace odontoscope::app

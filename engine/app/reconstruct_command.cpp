@@ -24,7 +24,6 @@
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
-#include "recon/partition/reconstruct_partition.h"
 
 namespace odontoscope::app {
 namespace {
@@ -40,27 +39,12 @@ struct ReconstructArguments {
   DbWords db;
   DtWords dt;
   std::vector<std::string> together;   // "A,B"
-  bool partition = false;
-  std::string priority;                // "A,B"
-  std::optional<double> gap;           // mm
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
   bool tours = false, compress = false, as_given = false;
   std::string report;
 };
-
-std::vector<std::string> names_in(const std::string& list, const std::string& option) {
-  std::vector<std::string> names;
-  for (std::size_t from = 0; from <= list.size();) {
-    const std::size_t comma = std::min(list.find(',', from), list.size());
-    names.push_back(list.substr(from, comma - from));
-    from = comma + 1;
-  }
-  if (names.size() >= 2) return names;
-  throw UsageError(fmt::format("{} {}: that is no list of two or more structures", option, list),
-                   fmt::format("For example {} dentine,pulp", option));
-}
 
 void refuse_other_methods_options(const ReconstructArguments& options) {
   if (options.method == Method::dt) {
@@ -102,16 +86,11 @@ void refuse_senseless_as_given(const ReconstructArguments& options) {
   }
 }
 
-/// A partition has its own way between the slices, and simplifying one structure would tear it from its neighbours.
+/// Simplifying one structure would tear it from its neighbours.
 void refuse_with_partition(const ReconstructArguments& options) {
-  if (!options.partition) {
-    if (options.priority.empty() && !options.gap) return;
-    throw UsageError("--priority and --gap are about --partition", "Add --partition, or leave them out");
-  }
+  if (!options.dt.partition.wanted) return;
   if (options.method == Method::db) throw UsageError("--partition is about the DT method", "Use --method dt");
   if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
-  if (options.dt.any())
-    throw UsageError("--correspondence, --between, --links, --link and --unlink do not work with --partition yet", "Leave them out, or leave out --partition");
   if (options.triangles) throw UsageError("--triangles does not work with --partition yet", "Leave one of them out");
 }
 
@@ -134,7 +113,6 @@ void refuse_senseless(const ReconstructArguments& options) {
   if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list, "--together");
-  if (!options.priority.empty()) names_in(options.priority, "--priority");
   refuse_senseless(options.dt);
   refuse_volume_without_level(options.input, options.words);
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
@@ -188,21 +166,8 @@ struct Input {
   Whence whence;
 };
 
-PartitionOptions partition_options(const ReconstructArguments& options, const Session& session) {
-  PartitionOptions engine;
-  if (!options.priority.empty()) engine.priority = names_in(options.priority, "--priority");
-  engine.gap = options.gap.value_or(0);
-  engine.threads = session.threads;
-  return engine;
-}
-
-Reconstruction reconstructed(const ContourStack& stack, const ReconstructArguments& options, Session& session) {
-  if (options.partition) return reconstruct_partition(stack, partition_options(options, session), session.progress());
-  return reconstruct(stack, understood(options.dt, stack, session), session.progress());
-}
-
 Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
-  const auto model = std::make_shared<Model>(Model{reconstructed(stack, options, session), {}, {}});
+  const auto model = std::make_shared<Model>(Model{reconstructed(stack, options.dt, session), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   if (options.as_given && input.volume && input.volume->upright) {
@@ -294,11 +259,6 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
       ->type_name("NAME");
   repeatable(parser.add_option("--together", options.together, "Make structures one solid: the inner becomes a cavity"))
       ->type_name("A,B");
-  parser.add_flag("--partition", options.partition, "One complex: structures share their faces, without gap or overlap");
-  parser.add_option("--priority", options.priority, "With --partition: who keeps the place where structures overlap")->type_name("A,B,...");
-  parser.add_option("--gap", options.gap, "With --partition: void narrower than this between two structures is closed")
-      ->type_name("MM")
-      ->check(CLI::Range(0.0, 1e6));
   constexpr int most_triangles = 100'000'000;
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
@@ -306,6 +266,7 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
   parser.add_flag("--strict", options.strict,
                   "Write nothing if the verdict is amber or --triangles is missed");
   add_dt_options(parser, options.dt);
+  add_partition_options(parser, options.dt.partition);
   add_volume_options(parser, options.words);
   parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
   add_foreign_options(parser, options.foreign);
@@ -327,14 +288,16 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
       "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
+      "  odontoscope reconstruct whole.json --partition -o bonded.msh -o bonded.glb\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "  odontoscope reconstruct molar.json --voxels 0.1,0.1,0.1 -o molar.seg.nrrd\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
       "\n"
       "Surfaces: .glb or .gltf for viewers and the web, .stl for printers, .ply and .obj without loss,\n"
-      ".wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for ParaView, .msh for Gmsh, .inp for\n"
-      "CalculiX and Abaqus. For viewers of images: .dcm (DICOM RTSTRUCT, the contours), .seg.dcm (DICOM SEG) and\n"
-      ".nrrd or .seg.nrrd (label maps), whose voxels are those with their centres in the solid.\n"
+      ".3mf for printers of several materials, .wrl (VRML97) and .x3d, .vtp for ParaView. Tetrahedra: .vtu for\n"
+      "ParaView, .msh for Gmsh, .inp for CalculiX and Abaqus. For viewers of images: .dcm (DICOM RTSTRUCT, the\n"
+      "contours), .seg.dcm (DICOM SEG) and .nrrd or .seg.nrrd (label maps), whose voxels are those with their\n"
+      "centres in the solid.\n"
       "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
       "written, a warning says why, and the exit code is 1.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/app/command.h"
@@ -273,11 +274,11 @@ ExitCode render_radiograph(const RenderArguments& options, Session& session) {
   refuse_words_about_pictures(options);
   refuse_unwritable(planned_files(options));
   const NamedView from = options.scene.view.empty() ? NamedView::buccal : view_named(options.scene.view);
-  const std::vector<Image> films =
+  std::vector<std::string> films =
       radiographs(options.radiograph, {options.input, options.volume, options.dt, from, options.scene.hide, std::max(options.turntable, 1)}, session);
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
-  for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], png_bytes(films[i])});
+  for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], std::move(films[i])});
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(files.size() == 1 ? fmt::format("Wrote {}", files[0].file.string()) : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
@@ -350,6 +351,7 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   add_volume_look_options(parser, options.look);
   add_radiograph_options(parser, options.radiograph);
   add_dt_options(parser, options.dt);
+  add_partition_options(parser, options.dt.partition);
   add_volume_options(parser, options.volume);
 }
 

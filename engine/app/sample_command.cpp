@@ -53,7 +53,7 @@ Command sample_command(CLI::App& root) {
   parser->add_flag("--filled-dentine", options->filled,
                    "Leave the pulp out of the dentine: for reconstruct --together dentine,pulp");
   parser->add_flag("--filled", options->sample.filled,
-                   "Every structure filled, over those within it, and no gap: for reconstruct --partition");
+                   "Every structure filled, without gaps: for reconstruct --partition");
   parser->footer(
       "Examples:\n"
       "  odontoscope sample molar -o molar.json\n"

@@ -35,11 +35,12 @@ struct Found {
   std::shared_ptr<const ValueGrid> values = {};
   std::optional<std::size_t> slices = {};
   std::optional<GreyAnchors> greys = {};
+  std::vector<double> isos = {};
   bool only_voxels = false;
 };
 
 Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
-  Reconstruction made = reconstruct(stack, understood(dt, stack, session), session.progress());
+  Reconstruction made = reconstructed(stack, dt, session);
   Found found;
   found.overlays.contours = std::move(stack);
   found.proven = proven_by(made);
@@ -73,7 +74,8 @@ Box with_margin(const Box& bounds, const Volume& volume) {
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
 Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
   auto volume = std::make_unique<Volume>();
-  ContourStack stack = contours_told(file, understood(words), session, volume.get());
+  std::optional<ReportVolume> facts;
+  ContourStack stack = contours_told(file, understood(words), session, volume.get(), &facts);
   const Box bounds = bounds_of(stack);
   std::optional<GreyAnchors> greys;
   if (words.voxels) greys = grey_anchors(*volume);
@@ -82,6 +84,7 @@ Found found_in_volume(const std::string& file, const VolumeWords& words, const D
   Found found = found_in(std::move(stack), dt, session);
   found.values = std::move(values);
   found.greys = greys;
+  for (const auto& [structure, iso] : facts->isos) found.isos.push_back(iso);
   return found;
 }
 
@@ -196,7 +199,7 @@ Shown shown_from(const std::string& file, const VolumeWords& words, const DtWord
   Found found = found_in(file, words, dt, session);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), found.greys, found.only_voxels, std::move(found.proven), found.slices};
+  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), found.greys, std::move(found.isos), found.only_voxels, std::move(found.proven), found.slices};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

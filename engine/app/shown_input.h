@@ -27,6 +27,7 @@ struct Shown {
   std::vector<NamedSurface> surfaces;   // that the model was made from
   std::shared_ptr<const ValueGrid> values;   // of the volume that it came from; null for any other input
   std::optional<GreyAnchors> greys;   // what they mean, if they are to be shown
+  std::vector<double> isos;           // and the values at which surfaces were taken
   bool only_voxels = false;           // the surface is but the box of them
 
   /// What was proven of the solids whose surfaces these are; empty for a mesh that somebody else made.

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -11,6 +13,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
+#include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
@@ -18,6 +21,7 @@
 #include "engine/ui/viewer.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "recon/radiograph/tissue.h"
 #include "recon/volume/read_volume.h"
 
 namespace odontoscope::app {
@@ -27,6 +31,8 @@ struct ViewArguments {
   std::string input;
   DtWords dt;
   VolumeWords volume;
+  VolumeLookWords look;
+  std::string grey;
   SceneWords scene;
   std::string size;
   std::string screenshot;
@@ -40,6 +46,7 @@ constexpr PixelSize usual_view{1000, 800};
 
 VolumeWords volume_words(const LoadRequest& request, const ViewArguments& options) {
   VolumeWords words = request.from_command_line ? options.volume : VolumeWords{};
+  words.voxels = true;   // the panel may show them at any time
   if (!request.volume) return words;
   if (request.volume->iso) words.isos = {fmt::format("{}", *request.volume->iso)};
   for (const std::int64_t label : request.volume->labels) words.labels.push_back(fmt::format("{}", label));
@@ -59,6 +66,23 @@ std::string title_of(const std::string& file) {
   return path.stem().string();
 }
 
+/// Of a tube; what the panel's film is seen by.
+constexpr double usual_kv = 70;
+
+GreyValues grey_values(const Shown& shown) {
+  const ValueGrid& grid = *shown.values;
+  GreyValues greys{shown.greys->air, shown.greys->dentine, linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)), shown.isos, grid.range.low, grid.range.high, {}};
+  constexpr std::size_t bars = 96;
+  std::vector<double> counts(bars, 0);
+  for (const float value : grid.values) {
+    const double place = (static_cast<double>(value) - greys.low) / (greys.high - greys.low);
+    ++counts[std::min(static_cast<std::size_t>(place * bars), bars - 1)];
+  }
+  const double most = std::log1p(*std::max_element(counts.begin(), counts.end()));
+  for (const double count : counts) greys.bars.push_back(static_cast<float>(std::log1p(count) / most));
+  return greys;
+}
+
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
@@ -69,6 +93,8 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   for (const NamedSurface& named : shown.surfaces) loaded.triangles += named.surface.triangles.size();
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
+  if (request.from_command_line) show_volume({options.look, options.grey, usual_kv, words.opacity, !words.background.empty() || !words.scene_file.empty()}, shown, loaded.scene, session);
+  if (shown.values && shown.greys) loaded.greys = grey_values(shown);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
   mark_wall_depths(shown.model, *loaded.flight);
@@ -163,6 +189,9 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
 
 ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.scene);
+  refuse_senseless(options.look);
+  greys_from(options.grey);
+  if (!options.grey.empty() && !wants_voxels(options.look, options.scene.scene_file)) throw UsageError("--grey says what values mean, and none are shown", "Ask for --show volume or --show both.");
   if (options.volume.any_level()) understood(options.volume);
   refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
@@ -191,7 +220,10 @@ Command view_command(CLI::App& root) {
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
   add_scene_options(*parser, options->scene);
+  add_volume_look_options(*parser, options->look);
+  add_grey_option(*parser, options->grey);
   add_dt_options(*parser, options->dt);
+  add_partition_options(*parser, options->dt.partition);
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"

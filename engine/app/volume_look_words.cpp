@@ -16,6 +16,7 @@ namespace {
 
 /// How clear structures become around a volume.
 constexpr float around_volume = 0.15f;
+constexpr const char* group = "A volume's grey values";
 
 std::optional<double> number(std::string_view text) {
   double value = 0;
@@ -108,10 +109,13 @@ void clear_around(const std::vector<std::string>& told, Scene& scene) {
 }  // namespace
 
 void add_volume_look_options(CLI::App& parser, VolumeLookWords& words) {
-  const std::string group = "A volume's grey values";
   parser.add_option("--show", words.show, "surfaces (default), volume (needs no --iso), or both")->type_name("WHAT")->group(group);
   parser.add_option("--cast", words.cast, "shaded (default), maximum, average[=BLACK,WHITE], radiograph, surface=T")->type_name("HOW")->group(group);
   parser.add_option("--transfer", words.transfer, "tooth (default), enamel, dentine, pulp, soft, or V:#RRGGBB:1/MM,...")->type_name("WHAT")->group(group);
+}
+
+void add_grey_option(CLI::App& parser, std::string& grey) {
+  parser.add_option("--grey", grey, "Values of air and dentine in a volume (default: by its histogram)")->type_name("AIR,DENTINE")->group(group);
 }
 
 std::optional<GreyAnchors> greys_from(const std::string& text) {

@@ -19,6 +19,8 @@ struct VolumeLookWords {
 
 void add_volume_look_options(CLI::App& parser, VolumeLookWords& words);
 
+void add_grey_option(CLI::App& parser, std::string& grey);
+
 /// "20,150"; nothing for an empty text. UsageError for anything else, or unless the first is less.
 std::optional<GreyAnchors> greys_from(const std::string& text);
 

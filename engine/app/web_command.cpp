@@ -74,6 +74,7 @@ Command web_command(CLI::App& root) {
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
   add_dt_options(*parser, options->words.dt);
+  add_partition_options(*parser, options->words.dt.partition);
   add_volume_options(*parser, options->words.volume);
   add_db_options(*parser, options->words.db);
   parser->footer(

@@ -112,7 +112,7 @@ std::vector<WebTour> tours_through(const WrittenModel& written, Session& session
 }
 
 WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
-  Model made{reconstruct(stack, understood(words.dt, stack, session), session.progress()), {}, {}};
+  Model made{reconstructed(stack, words.dt, session), {}, {}};
   page.tours = tours_through(made.reconstruction, session);
   page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());

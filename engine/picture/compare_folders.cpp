@@ -23,13 +23,15 @@ constexpr std::size_t most_pictures = 100'000;
 /// Where each picture lies, by its name below the folder.
 std::map<std::string, std::string> pictures_in(const std::string& folder) {
   std::error_code error;
-  if (!fs::is_directory(folder, error)) throw FileError(folder, "is no folder", "Give two folders of PNGs, or two PNGs");
+  if (!fs::is_directory(folder, error))
+    throw FileError(folder, "is no folder", "Give two folders of PNGs, or two PNGs");
   std::map<std::string, std::string> pictures;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
     std::error_code gone;
     if (!entry->is_regular_file(gone) || lower_case(entry->path().extension().string()) != ".png") continue;
     pictures.emplace(entry->path().lexically_relative(folder).generic_string(), entry->path().string());
-    if (pictures.size() > most_pictures) throw FileError(folder, fmt::format("holds more than {} pictures", most_pictures), "Give a folder of fewer");
+    if (pictures.size() > most_pictures)
+      throw FileError(folder, fmt::format("holds more than {} pictures", most_pictures), "Give a folder of fewer");
   }
   if (error) throw FileError(folder, "cannot be listed: " + error.message(), "Check its permissions");
   return pictures;
@@ -57,8 +59,8 @@ class Masks {
   std::optional<Image> for_all_;
 };
 
-void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::string& expected, const std::string& actual, const Masks& masks,
-                  const ImageTolerance& tolerance) {
+void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::string& expected,
+                  const std::string& actual, const Masks& masks, const ImageTolerance& tolerance) {
   both.expected = read_png(expected);
   picture.expected_width = both.expected.width, picture.expected_height = both.expected.height;
   both.actual = read_png(actual);
@@ -67,7 +69,9 @@ void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::s
   picture.masked = mask.has_value();
   if (mask) both.mask = *mask;
   if (mask && (mask->width != both.expected.width || mask->height != both.expected.height)) {
-    throw InputError("mask-size", {}, fmt::format("the mask has {} x {} pixels, the picture expected {} x {}", mask->width, mask->height, both.expected.width, both.expected.height),
+    throw InputError("mask-size", {},
+                     fmt::format("the mask has {} x {} pixels, the picture expected {} x {}", mask->width, mask->height,
+                                 both.expected.width, both.expected.height),
                      "Make a mask of the picture's size");
   }
   picture.difference = compare(both.expected, both.actual, tolerance, mask ? &*mask : nullptr);
@@ -75,8 +79,8 @@ void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::s
 }
 
 /// What cannot be read is told, and stops nothing.
-void compare_or_tell(ComparedPicture& picture, PicturesCompared& both, const std::string& expected, const std::string& actual, const Masks& masks,
-                     const ImageTolerance& tolerance) {
+void compare_or_tell(ComparedPicture& picture, PicturesCompared& both, const std::string& expected,
+                     const std::string& actual, const Masks& masks, const ImageTolerance& tolerance) {
   try {
     compare_pair(picture, both, expected, actual, masks, tolerance);
   } catch (const InputError& error) {
@@ -102,16 +106,22 @@ void read_alone(ComparedPicture& picture, Image& into, int& width, int& height, 
 
 const char* name(PictureOutcome outcome) {
   switch (outcome) {
-    case PictureOutcome::alike: return "alike";
-    case PictureOutcome::different: return "different";
-    case PictureOutcome::missing: return "missing";
-    case PictureOutcome::unexpected: return "unexpected";
-    case PictureOutcome::unreadable: break;
+    case PictureOutcome::alike:
+      return "alike";
+    case PictureOutcome::different:
+      return "different";
+    case PictureOutcome::missing:
+      return "missing";
+    case PictureOutcome::unexpected:
+      return "unexpected";
+    case PictureOutcome::unreadable:
+      break;
   }
   return "unreadable";
 }
 
-std::vector<ComparedPicture> compare_folders(const std::string& expected, const std::string& actual, const CompareFoldersOptions& options, const Look& look,
+std::vector<ComparedPicture> compare_folders(const std::string& expected, const std::string& actual,
+                                             const CompareFoldersOptions& options, const Look& look,
                                              const Progress& progress) {
   const Masks masks(options.mask);
   const auto wanted = pictures_in(expected), there = pictures_in(actual);
@@ -139,7 +149,8 @@ std::vector<ComparedPicture> compare_folders(const std::string& expected, const 
   return compared;
 }
 
-ComparedPicture compare_files(const std::string& expected, const std::string& actual, const CompareFoldersOptions& options, const Look& look) {
+ComparedPicture compare_files(const std::string& expected, const std::string& actual,
+                              const CompareFoldersOptions& options, const Look& look) {
   ComparedPicture picture;
   picture.name = fs::path(actual).filename().string();
   PicturesCompared both;

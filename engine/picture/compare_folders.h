@@ -12,27 +12,28 @@
 namespace odontoscope {
 
 enum class PictureOutcome {
-  alike,        // within the tolerance
-  different,    // beyond it, or of another size
-  missing,      // expected, and not there
-  unexpected,   // there, and not expected
-  unreadable,   // one of the files, or its mask, is no PNG that can be read, or the mask is of another size
+  alike,       // within the tolerance
+  different,   // beyond it, or of another size
+  missing,     // expected, and not there
+  unexpected,  // there, and not expected
+  unreadable,  // one of the files, or its mask, is no PNG that can be read, or the mask is of another size
 };
 const char* name(PictureOutcome outcome);
 
 struct ComparedPicture {
-  std::string name;   // below either folder, with '/'
+  std::string name;  // below either folder, with '/'
   PictureOutcome outcome = PictureOutcome::alike;
-  ImageDifference difference;                                        // of both, if they could be read
-  int expected_width = 0, expected_height = 0;                       // 0: not there, or not read
+  ImageDifference difference;                   // of both, if they could be read
+  int expected_width = 0, expected_height = 0;  // 0: not there, or not read
   int actual_width = 0, actual_height = 0;
   bool masked = false;
-  std::string cause, message;                                        // of what is unreadable
+  std::string cause, message;  // of what is unreadable
 };
 
 struct CompareFoldersOptions {
   ImageTolerance tolerance;
-  /// A folder with a mask for each picture that needs one, under the same name; or one PNG for all; or empty. See `compare`.
+  /// A folder with a mask for each picture that needs one, under the same name; or one PNG for all; or empty. See
+  /// `compare`.
   std::string mask;
 };
 
@@ -41,13 +42,16 @@ struct PicturesCompared {
   Image expected, actual, mask;
 };
 
-/// All *.png (in any case) in the two folders and those below, by name; links to folders are not followed. `look` is given each that is not alike, with
-/// its pictures, in order. Stage "compare". Throws FileError (no folder, or cannot be listed; too many files), InputError for a mask for all that is no PNG, Cancelled.
-std::vector<ComparedPicture> compare_folders(const std::string& expected, const std::string& actual, const CompareFoldersOptions& options,
-                                             const std::function<void(const ComparedPicture&, const PicturesCompared&)>& look, const Progress& progress = {});
+/// All *.png (in any case) in the two folders and those below, by name; links to folders are not followed. `look` is
+/// given each that is not alike, with its pictures, in order. Stage "compare". Throws FileError (no folder, or cannot
+/// be listed; too many files), InputError for a mask for all that is no PNG, Cancelled.
+std::vector<ComparedPicture> compare_folders(
+    const std::string& expected, const std::string& actual, const CompareFoldersOptions& options,
+    const std::function<void(const ComparedPicture&, const PicturesCompared&)>& look, const Progress& progress = {});
 
 /// The same of two files, which must be readable (throws as read_png does).
-ComparedPicture compare_files(const std::string& expected, const std::string& actual, const CompareFoldersOptions& options,
+ComparedPicture compare_files(const std::string& expected, const std::string& actual,
+                              const CompareFoldersOptions& options,
                               const std::function<void(const ComparedPicture&, const PicturesCompared&)>& look);
 
 }  // namespace odontoscope

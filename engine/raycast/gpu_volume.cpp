@@ -36,7 +36,7 @@ GpuVolume::GpuVolume(const Gl& gl, const ValueGrid& grid, const FieldTexture& fi
 
 float GpuVolume::stride() const {
   const float finest = 0.5f * std::min({field_.step.x, field_.step.y, field_.step.z});
-  return std::max(finest, glm::length(field_.size * field_.step) / most_steps);
+  return coarseness_ * std::max(finest, glm::length(field_.size * field_.step) / most_steps);
 }
 
 float GpuVolume::clear_slope() const { return 0.125f * static_cast<float>(range_.high - range_.low) / std::max({field_.step.x, field_.step.y, field_.step.z}); }

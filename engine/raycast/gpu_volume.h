@@ -36,6 +36,8 @@ class GpuVolume {
   glm::vec3 high() const { return low() + field_.size * field_.step; }
   /// Length of a step, metres: half the smallest distance of two values, or more where a ray would take over `most_steps`.
   float stride() const;
+  /// So many times as long: for pictures that must not take long. 1 at first.
+  void set_coarseness(float times) { coarseness_ = times; }
 
   /// Values a metre, beyond which a slope is a surface for sure: an eighth of their range from one value to the next.
   float clear_slope() const;
@@ -49,6 +51,7 @@ class GpuVolume {
   FieldTexture field_;
   BrickGrid bricks_;
   ValueWindow range_;
+  float coarseness_ = 1;
   GlObject brick_texture_, transfer_texture_;
   std::optional<VolumeLook> prepared_;
 };

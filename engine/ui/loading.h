@@ -60,12 +60,22 @@ inline Certificate::Mark mark_of(Certificate::Verdict verdict) {
   return verdict == Certificate::Verdict::look_here ? Certificate::Mark::look : Certificate::Mark::good;
 }
 
+/// What is known of a volume's grey values besides the grid of them.
+struct GreyValues {
+  double air = 0, dentine = 1;          // as recon/radiograph/grey_anchors.h finds them
+  double dentine_attenuation = 0.25;    // of X-rays, 1/mm
+  std::vector<double> isos;             // at which the model's surfaces were taken
+  double low = 0, high = 1;             // of the bars
+  std::vector<float> bars;              // a histogram's, 0 to 1
+};
+
 /// All that the viewer knows of what it shows.
 struct LoadedModel {
   std::string title;
   Model model;
   OverlaySource overlays;
   std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
+  std::optional<GreyValues> greys = {};       // with `values`
   std::shared_ptr<const Pickable> pickable;   // never null
   std::shared_ptr<const FlightSpaces> flight; // null: one cannot fly in it
   Scene scene;                   // a good first look

@@ -12,6 +12,7 @@
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/notes_panel.h"
 #include "engine/ui/theme.h"
+#include "engine/ui/volume_panel.h"
 #include "engine/ui/widgets.h"
 #include "recon/core/grouped.h"
 
@@ -320,6 +321,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     if (!good) report_section(state, interface);
     structures_section(state, interface);
     section_section(state, interface);
+    volume_section(state, interface);
     measure_section(state, interface);
     camera_section(state, interface);
     if (!state.lab.on) lab_section(state, interface);

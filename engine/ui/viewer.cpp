@@ -143,8 +143,10 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   gpu_model_ = upload(*gl_, shown->model);
   gpu_overlay_ = {};
   overlays_made_ = {};
+  gpu_volume_.reset();
   gpu_values_.reset();
   state_.scene = shown->scene;
+  if (shown->greys) state_.volume_layout = {.air = shown->greys->air, .dentine = shown->greys->dentine};
   // The same plane, its handle where the model is.
   if (auto& section = state_.scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
   if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
@@ -294,18 +296,28 @@ void Viewer::make_overlays() {
   overlays_made_ = state_.scene.overlays;
 }
 
-const GpuValueGrid* Viewer::cap_values() {
-  CapLook& cap = state_.scene.cap;
-  if (cap.shows != CapLook::Shows::ct || !state_.scene.section || !state_.shown->values) return nullptr;
-  if (gpu_values_) return &*gpu_values_;
+bool Viewer::upload_values() {
+  if (gpu_values_) return true;
   try {
     gpu_values_ = upload(*gl_, *state_.shown->values, gpu_model_);
-    return &*gpu_values_;
+    return true;
   } catch (const GraphicsError& error) {
-    cap.shows = CapLook::Shows::material;
+    state_.scene.cap.shows = CapLook::Shows::material;
+    state_.scene.volume.shows = VolumeLook::Shows::surfaces;
     state_.trouble = error.what();
-    return nullptr;
+    return false;
   }
+}
+
+const GpuValueGrid* Viewer::cap_values() {
+  const bool shown = state_.scene.cap.shows == CapLook::Shows::ct && state_.scene.section && state_.shown->values;
+  return shown && upload_values() ? &*gpu_values_ : nullptr;
+}
+
+GpuVolume* Viewer::volume() {
+  if (!state_.scene.volume.shows_volume() || !state_.shown->values || !upload_values()) return nullptr;
+  if (!gpu_volume_) gpu_volume_.emplace(*gl_, *state_.shown->values, gpu_values_->field());
+  return &*gpu_volume_;
 }
 
 void Viewer::draw_model(const FrameInput& input, const Target& target) {

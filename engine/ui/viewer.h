@@ -84,6 +84,10 @@ class Viewer {
   void make_overlays();
   /// What the cap shows, in the graphics processor's memory; null: the material.
   const GpuValueGrid* cap_values();
+  /// The grey values as a volume to cast rays through; null: they are not shown.
+  GpuVolume* volume();
+  /// Both of these: false, and told, where there is no room for them.
+  bool upload_values();
   void draw_model(const FrameInput& input, const Target& target);
   void draw_interface(const FrameInput& input, const Target& target);
   void choose(Tool tool);
@@ -228,6 +232,7 @@ class Viewer {
   GpuOverlay gpu_overlay_;
   OverlayChoice overlays_made_;
   std::optional<GpuValueGrid> gpu_values_;   // once they are shown
+  std::optional<GpuVolume> gpu_volume_;      // of them
   Framebuffer picture_;
   DrawnModel drawn_;
   double fine_picture_seconds_ = 0.5;   // about what one takes; a slow machine's guess until one was drawn

@@ -49,7 +49,7 @@ void Viewer::take_picture() {
     const std::filesystem::path file = new_file(state_.shown->title, ".png");
     refuse_undrawable(*gl_, options.size, options.render);
     AtomicFile place(file);   // trouble with the folder is told before the work
-    Image image = picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values());
+    Image image = picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(), volume());
     writing_.push_back(std::async(std::launch::async, [image = std::move(image), place = std::move(place)]() mutable {
       place.write(png_bytes(image));
       place.commit();

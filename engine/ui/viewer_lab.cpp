@@ -17,6 +17,8 @@ namespace odontoscope {
 namespace {
 
 constexpr double line_slack = 9;   // interface pixels
+/// Steps through a volume while the picture moves on a slow machine, over usual ones.
+constexpr float moving_coarseness = 2;
 
 LabLayout after(LabLayout layout) {
   switch (layout) {
@@ -199,7 +201,9 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   Scene scene = state_.scene;
   // On a slow machine a flight's moving pictures do without it, as without fine samples.
   if (state_.fly.on && side < options_.side) scene.occlusion.on = false;
-  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, {side}, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values());
+  GpuVolume* const grey = pane.db ? nullptr : volume();
+  if (grey) grey->set_coarseness(side < options_.side ? moving_coarseness : 1);
+  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, {side}, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values(), grey);
   if (!partly) return;
   const int from = static_cast<int>(pane.seen->left), to = from + static_cast<int>(pane.seen->width);
   if (to <= from) return;

@@ -71,9 +71,16 @@ struct NamedPlaces {
   glm::dvec3 low{0}, high{0};
 };
 
+/// What the transfer function was laid out by.
+struct VolumeLayout {
+  TransferPreset preset = TransferPreset::tooth;
+  double air = 0, dentine = 1, density = 1;
+};
+
 struct ViewerState {
   std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
   Scene scene;
+  VolumeLayout volume_layout;
   Settings settings;
   Tool tool = Tool::look;
   Measured measured;

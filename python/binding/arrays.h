@@ -33,15 +33,18 @@ template <class Scalar, std::size_t N, class Item>
 py::array table_view(const std::vector<Item>& items, const std::shared_ptr<const void>& owner) {
   static_assert(sizeof(Item) == N * sizeof(Scalar), "the scalars lie side by side");
   const auto step = static_cast<py::ssize_t>(sizeof(Scalar));
-  return read_only(py::array(py::dtype::of<Scalar>(), {static_cast<py::ssize_t>(items.size()), static_cast<py::ssize_t>(N)},
+  return read_only(py::array(py::dtype::of<Scalar>(),
+                             {static_cast<py::ssize_t>(items.size()), static_cast<py::ssize_t>(N)},
                              {static_cast<py::ssize_t>(N) * step, step}, items.data(), kept(owner)));
 }
 
-/// N scalars of each item, `offset` bytes into it, as an array of shape (items, N): the items' other bytes are stepped over.
+/// N scalars of each item, `offset` bytes into it, as an array of shape (items, N): the items' other bytes are stepped
+/// over.
 template <class Scalar, std::size_t N, class Item>
 py::array member_view(const std::vector<Item>& items, std::size_t offset, const std::shared_ptr<const void>& owner) {
   static_assert(sizeof(Item) >= N * sizeof(Scalar));
-  return read_only(py::array(py::dtype::of<Scalar>(), {static_cast<py::ssize_t>(items.size()), static_cast<py::ssize_t>(N)},
+  return read_only(py::array(py::dtype::of<Scalar>(),
+                             {static_cast<py::ssize_t>(items.size()), static_cast<py::ssize_t>(N)},
                              {static_cast<py::ssize_t>(sizeof(Item)), static_cast<py::ssize_t>(sizeof(Scalar))},
                              reinterpret_cast<const char*>(items.data()) + offset, kept(owner)));
 }
@@ -49,8 +52,8 @@ py::array member_view(const std::vector<Item>& items, std::size_t offset, const 
 /// Scalars as an array of one dimension.
 template <class Scalar>
 py::array list_view(const std::vector<Scalar>& items, const std::shared_ptr<const void>& owner) {
-  return read_only(py::array(py::dtype::of<Scalar>(), {static_cast<py::ssize_t>(items.size())}, {static_cast<py::ssize_t>(sizeof(Scalar))},
-                             items.data(), kept(owner)));
+  return read_only(py::array(py::dtype::of<Scalar>(), {static_cast<py::ssize_t>(items.size())},
+                             {static_cast<py::ssize_t>(sizeof(Scalar))}, items.data(), kept(owner)));
 }
 
 }  // namespace odontoscope::python

@@ -35,9 +35,11 @@ ContourStack stack_of(const py::list& contours, std::string source) {
   for (const py::handle item : contours) {
     const auto given = item.cast<py::tuple>();
     const double z = given[0].cast<double>();
-    auto slice = std::find_if(stack.slices.rbegin(), stack.slices.rend(), [z](const Slice& one) { return one.z == z; }).base();
+    auto slice =
+        std::find_if(stack.slices.rbegin(), stack.slices.rend(), [z](const Slice& one) { return one.z == z; }).base();
     if (slice == stack.slices.begin()) slice = stack.slices.insert(stack.slices.end(), Slice{z, {}}) + 1;
-    if (!given[2].is_none()) (slice - 1)->contours.push_back(copied(given[1].cast<std::string>(), given[2].cast<Points>()));
+    if (!given[2].is_none())
+      (slice - 1)->contours.push_back(copied(given[1].cast<std::string>(), given[2].cast<Points>()));
   }
   return stack;
 }
@@ -62,20 +64,26 @@ struct ReadOptions {
   double widest_gap = CutOptions{}.widest_gap;
 };
 
-std::vector<NamedMesh> kept_surfaces(std::vector<NamedMesh> meshes, const std::vector<std::string>& structures, const std::string& file) {
+std::vector<NamedMesh> kept_surfaces(std::vector<NamedMesh> meshes, const std::vector<std::string>& structures,
+                                     const std::string& file) {
   for (NamedMesh& mesh : meshes) mesh.name = mesh.name.empty() ? "tooth" : app::structure_of_mesh(mesh.name);
   if (structures.empty()) return meshes;
-  ContourStack names{{{0, {}}}, file};   // so that unknown ones are said as everywhere
+  ContourStack names{{{0, {}}}, file};  // so that unknown ones are said as everywhere
   for (const NamedMesh& mesh : meshes) names.slices.front().contours.push_back({mesh.name, {}});
   keep_structures(names, structures);
-  std::erase_if(meshes, [&](const NamedMesh& mesh) { return std::find(structures.begin(), structures.end(), mesh.name) == structures.end(); });
+  std::erase_if(meshes, [&](const NamedMesh& mesh) {
+    return std::find(structures.begin(), structures.end(), mesh.name) == structures.end();
+  });
   return meshes;
 }
 
-Contours cut(std::vector<NamedMesh> meshes, const std::string& file, const ReadOptions& options, const Progress& progress) {
-  if (!options.spacing_z && options.heights.empty()) throw UsageError(file + " is a mesh, and nothing says where to cut it", "Give spacing_z, or at for each plane");
+Contours cut(std::vector<NamedMesh> meshes, const std::string& file, const ReadOptions& options,
+             const Progress& progress) {
+  if (!options.spacing_z && options.heights.empty())
+    throw UsageError(file + " is a mesh, and nothing says where to cut it", "Give spacing_z, or at for each plane");
   Contours made;
-  for (const NamedMesh& mesh : meshes) made.remarks.insert(made.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
+  for (const NamedMesh& mesh : meshes)
+    made.remarks.insert(made.remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
   const std::vector<NamedMesh> surfaces = kept_surfaces(std::move(meshes), options.structures, file);
   std::vector<double> heights = options.spacing_z ? heights_at(surfaces, *options.spacing_z) : options.heights;
   std::sort(heights.begin(), heights.end());
@@ -88,7 +96,8 @@ Contours cut(std::vector<NamedMesh> meshes, const std::string& file, const ReadO
 [[noreturn]] void refuse_unknown(const std::string& file) {
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is no volume, mesh or contour file that is known here", "docs/formats.md lists the formats");
+  throw InputError("unknown-format", std::move(place), "this is no volume, mesh or contour file that is known here",
+                   "docs/formats.md lists the formats");
 }
 
 Contours read(const std::string& file, const ReadOptions& options, const Progress& progress) {
@@ -104,7 +113,9 @@ Contours read(const std::string& file, const ReadOptions& options, const Progres
     return made;
   }
   if (auto meshes = app::meshes_in(kind, bytes, file)) return cut(std::move(*meshes), file, options, progress);
-  if (kind == app::FileKind::volume) throw UsageError(file + " is a volume, and nothing says where in it the surface lies", "Give iso for an image, label for a label map");
+  if (kind == app::FileKind::volume)
+    throw UsageError(file + " is a volume, and nothing says where in it the surface lies",
+                     "Give iso for an image, label for a label map");
   if (kind == app::FileKind::unknown) refuse_unknown(file);
   ContourStack stack = parse_stack(bytes, file);
   keep_structures(stack, options.structures);
@@ -169,8 +180,9 @@ void add_contours(py::module_& module) {
     ContourStack stack = stack_of(contours, source);
     return watched(listener, [&](const Progress& progress) { return checked(std::move(stack), repair, progress); });
   });
-  module.def("read_contours", [](const std::string& file, const std::vector<std::string>& structures, std::optional<double> spacing_z,
-                                 const std::vector<double>& heights, bool repair, std::optional<double> widest_gap, const py::object& listener) {
+  module.def("read_contours", [](const std::string& file, const std::vector<std::string>& structures,
+                                 std::optional<double> spacing_z, const std::vector<double>& heights, bool repair,
+                                 std::optional<double> widest_gap, const py::object& listener) {
     ReadOptions options{structures, spacing_z, heights, repair};
     options.widest_gap = widest_gap.value_or(options.widest_gap);
     return watched(listener, [&](const Progress& progress) { return read(file, options, progress); });

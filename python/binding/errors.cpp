@@ -27,17 +27,20 @@ py::dict dict_of(const Place& place) {
   return known;
 }
 
-/// A message's two sentences: what is wrong, and what to do. The former is one clause (see error.h): it ends at the first full stop that a
-/// capital letter follows.
+/// A message's two sentences: what is wrong, and what to do. The former is one clause (see error.h): it ends at the
+/// first full stop that a capital letter follows.
 std::pair<std::string, std::string> sentences(std::string_view text) {
   for (std::size_t stop = text.find(". "); stop != text.npos; stop = text.find(". ", stop + 1))
-    if (std::isupper(static_cast<unsigned char>(text[stop + 2])) != 0) return {std::string(text.substr(0, stop)), std::string(text.substr(stop + 2))};
+    if (std::isupper(static_cast<unsigned char>(text[stop + 2])) != 0)
+      return {std::string(text.substr(0, stop)), std::string(text.substr(stop + 2))};
   return {std::string(text), {}};
 }
 
-void raise(const char* type, const Error& error, const std::string& cause, const py::dict& place, std::string_view told) {
+void raise(const char* type, const Error& error, const std::string& cause, const py::dict& place,
+           std::string_view told) {
   auto [wrong, remedy] = sentences(told);
-  const py::object made = py::module_::import("odontoscope.errors").attr(type)(std::string(error.what()), cause, place, wrong, remedy);
+  const py::object made =
+      py::module_::import("odontoscope.errors").attr(type)(std::string(error.what()), cause, place, wrong, remedy);
   PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(made.ptr())), made.ptr());
 }
 
@@ -60,7 +63,8 @@ void translate(std::exception_ptr thrown) {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const InputError& error) {
     const std::string words = error.place().in_words();
-    raise("InputError", error, error.cause(), dict_of(error.place()), without(error.what(), words.empty() ? words : words + ": ", " [" + error.cause() + "]"));
+    raise("InputError", error, error.cause(), dict_of(error.place()),
+          without(error.what(), words.empty() ? words : words + ": ", " [" + error.cause() + "]"));
   } catch (const FileError& error) {
     raise_file_error(error);
   } catch (const UsageError& error) {

@@ -15,8 +15,8 @@
 #include "recon/core/atomic_file.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/verdict.h"
-#include "recon/input/validate.h"
 #include "recon/input/links_json.h"
+#include "recon/input/validate.h"
 #include "recon/output/anatomy_text.h"
 #include "recon/output/comparison_json.h"
 #include "recon/output/model_file.h"
@@ -28,7 +28,7 @@ namespace {
 
 /// Words of the program's options.
 struct DtWords {
-  std::string correspondence, between, links;   // links: the text of a links file, or empty
+  std::string correspondence, between, links;  // links: the text of a links file, or empty
   int threads = 0;
 };
 struct PartitionWords {
@@ -40,12 +40,13 @@ struct DbWords {
   std::size_t columns = 0, rows = 0;
   std::vector<double> splits;
   std::string cases, field;
-  std::optional<std::size_t> decimate;   // 0: as far as it goes
+  std::optional<std::size_t> decimate;  // 0: as far as it goes
   int threads = 0;
 };
 
 template <class Choice>
-Choice chosen(const std::string& word, const char* option, std::initializer_list<Choice> choices, const char* (*word_for)(Choice)) {
+Choice chosen(const std::string& word, const char* option, std::initializer_list<Choice> choices,
+              const char* (*word_for)(Choice)) {
   std::string known;
   for (const Choice choice : choices) {
     if (word == word_for(choice)) return choice;
@@ -58,8 +59,9 @@ const char* name_of(Between between) { return between == Between::blended ? "ble
 
 ReconstructOptions understood(const DtWords& words, const ContourStack& stack) {
   ReconstructOptions options;
-  options.correspondence = chosen(words.correspondence, "correspondence",
-                                  {Correspondence::tracked, Correspondence::reverse, Correspondence::medial, Correspondence::overlap}, &name);
+  options.correspondence = chosen(
+      words.correspondence, "correspondence",
+      {Correspondence::tracked, Correspondence::reverse, Correspondence::medial, Correspondence::overlap}, &name);
   options.between = chosen(words.between, "between", {Between::blended, Between::delaunay}, &name_of);
   options.threads = words.threads;
   if (words.links.empty()) return options;
@@ -71,16 +73,22 @@ ReconstructOptions understood(const DtWords& words, const ContourStack& stack) {
 DbOptions understood(const DbWords& words) {
   DbOptions options;
   options.grid = {words.columns, words.rows, words.splits};
-  options.cases = chosen(words.cases, "cases", {CaseTable::classic, CaseTable::classic_unoriented, CaseTable::consistent}, &name);
-  options.field.kind = chosen(words.field, "field", {FieldKind::hybrid, FieldKind::signed_distance, FieldKind::sign}, &name);
-  if (words.decimate) options.decimation = *words.decimate == 0 ? DecimateOptions{} : DecimateOptions{.triangles = words.decimate, .largest_error = 0};
+  options.cases =
+      chosen(words.cases, "cases", {CaseTable::classic, CaseTable::classic_unoriented, CaseTable::consistent}, &name);
+  options.field.kind =
+      chosen(words.field, "field", {FieldKind::hybrid, FieldKind::signed_distance, FieldKind::sign}, &name);
+  if (words.decimate)
+    options.decimation =
+        *words.decimate == 0 ? DecimateOptions{} : DecimateOptions{.triangles = words.decimate, .largest_error = 0};
   options.threads = words.threads;
   return options;
 }
 
-Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles, const py::object& listener) {
+Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles,
+                 const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    auto made = std::make_shared<DtModel>(DtModel{reconstruct(*contours.stack, understood(words, *contours.stack), progress), {}});
+    auto made = std::make_shared<DtModel>(
+        DtModel{reconstruct(*contours.stack, understood(words, *contours.stack), progress), {}});
     if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
     return Model{std::move(made), nullptr};
   });
@@ -92,7 +100,9 @@ Model made_as_partition(const Contours& contours, const PartitionWords& words, c
   options.gap = words.gap;
   options.threads = words.threads;
   return watched(listener, [&](const Progress& progress) {
-    return Model{std::make_shared<const DtModel>(DtModel{reconstruct_partition(*contours.stack, options, progress), {}}), nullptr};
+    return Model{
+        std::make_shared<const DtModel>(DtModel{reconstruct_partition(*contours.stack, options, progress), {}}),
+        nullptr};
   });
 }
 
@@ -104,7 +114,8 @@ std::optional<Complex> complex_of(const Model& model) {
 Model made_by_db(const Contours& contours, const DbWords& words, const py::object& listener) {
   const DbOptions options = understood(words);
   return watched(listener, [&](const Progress& progress) {
-    return Model{nullptr, std::make_shared<DbModel>(DbModel{reconstruct_by_distance(*contours.stack, options, progress), options})};
+    return Model{nullptr, std::make_shared<DbModel>(
+                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options})};
   });
 }
 
@@ -120,17 +131,20 @@ std::string compared(const Contours& contours, const DtWords& dt, const DbWords&
 std::vector<Part> parts_of(const Model& model) {
   std::vector<Part> parts;
   if (model.dt)
-    for (const Solid& solid : model.dt->reconstruction.solids) parts.push_back({model.dt, &solid.structure, &solid.surface, &solid.report, &solid.tetrahedra});
+    for (const Solid& solid : model.dt->reconstruction.solids)
+      parts.push_back({model.dt, &solid.structure, &solid.surface, &solid.report, &solid.tetrahedra});
   if (model.db)
-    for (const DbSurface& one : model.db->reconstruction.surfaces) parts.push_back({model.db, &one.structure, &one.surface, &one.report, nullptr});
+    for (const DbSurface& one : model.db->reconstruction.surfaces)
+      parts.push_back({model.db, &one.structure, &one.surface, &one.report, nullptr});
   return parts;
 }
 
 std::string report_of(const Model& model) {
   const py::gil_scoped_release unlocked;
   if (model.db) return report_json(model.db->reconstruction, model.db->options);
-  return report_json(model.dt->reconstruction,
-                     {.simplifications = model.dt->simplification.structures, .volume = {}, .aim = model.dt->simplification.aim});
+  return report_json(
+      model.dt->reconstruction,
+      {.simplifications = model.dt->simplification.structures, .volume = {}, .aim = model.dt->simplification.aim});
 }
 
 std::string links_of(const Model& model) {
@@ -143,7 +157,9 @@ std::string links_of(const Model& model) {
 void write(const Model& model, const std::vector<std::string>& files, const py::object& listener) {
   run_watched(listener, [&](const Progress& progress) {
     std::vector<FileContent> contents;
-    for (const std::string& file : files) contents.push_back(model.dt ? model_file(model.dt->reconstruction, file) : model_file(model.db->reconstruction, file));
+    for (const std::string& file : files)
+      contents.push_back(model.dt ? model_file(model.dt->reconstruction, file)
+                                  : model_file(model.db->reconstruction, file));
     progress.check();
     write_files(contents);
   });
@@ -151,7 +167,7 @@ void write(const Model& model, const std::vector<std::string>& files, const py::
 
 std::string anatomy_of(const Model& model, const std::string& source, const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    std::vector<StructureSurface> sound;   // only what is closed has an inside
+    std::vector<StructureSurface> sound;  // only what is closed has an inside
     for (const Part& part : parts_of(model))
       if (part.report->closed_oriented_manifold()) sound.push_back({*part.structure, part.surface});
     const std::size_t slices = model.dt ? model.dt->reconstruction.counts.slices : model.db->reconstruction.slices;
@@ -172,11 +188,13 @@ std::vector<NamedMesh> meshes_of(const std::string& file) {
   if (auto meshes = app::meshes_in(kind, bytes, file)) return std::move(*meshes);
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is no glTF, STL, PLY or OBJ mesh", "Give a file of one of these formats");
+  throw InputError("unknown-format", std::move(place), "this is no glTF, STL, PLY or OBJ mesh",
+                   "Give a file of one of these formats");
 }
 
 using Points = py::array_t<double, py::array::c_style>;
-using Corners = py::array_t<std::uint32_t, py::array::c_style>;   // (n, 3), each below the number of points: the package has seen to that
+using Corners = py::array_t<std::uint32_t, py::array::c_style>;  // (n, 3), each below the number of points: the package
+                                                                 // has seen to that
 
 std::string inspected_arrays(const Points& points, const Corners& triangles) {
   SurfaceMesh mesh;
@@ -198,7 +216,8 @@ std::vector<Part> read_parts(const std::string& file) {
   read->meshes = meshes_of(file);
   for (const NamedMesh& mesh : read->meshes) read->reports.push_back(inspect(mesh.surface));
   std::vector<Part> parts;
-  for (std::size_t i = 0; i < read->meshes.size(); ++i) parts.push_back({read, &read->meshes[i].name, &read->meshes[i].surface, &read->reports[i], nullptr});
+  for (std::size_t i = 0; i < read->meshes.size(); ++i)
+    parts.push_back({read, &read->meshes[i].name, &read->meshes[i].surface, &read->reports[i], nullptr});
   return parts;
 }
 
@@ -209,37 +228,64 @@ double enclosed_by(const Part& part) {
 }
 
 DtWords dt_words(const py::dict& given) {
-  return {given["correspondence"].cast<std::string>(), given["between"].cast<std::string>(), given["links"].cast<std::string>(), given["threads"].cast<int>()};
+  return {given["correspondence"].cast<std::string>(), given["between"].cast<std::string>(),
+          given["links"].cast<std::string>(), given["threads"].cast<int>()};
 }
 
 DbWords db_words(const py::dict& given) {
   const auto grid = given["grid"].cast<std::pair<std::size_t, std::size_t>>();
-  return {grid.first, grid.second, given["split"].cast<std::vector<double>>(), given["cases"].cast<std::string>(), given["field"].cast<std::string>(),
-          given["decimate"].cast<std::optional<std::size_t>>(), given["threads"].cast<int>()};
+  return {grid.first,
+          grid.second,
+          given["split"].cast<std::vector<double>>(),
+          given["cases"].cast<std::string>(),
+          given["field"].cast<std::string>(),
+          given["decimate"].cast<std::optional<std::size_t>>(),
+          given["threads"].cast<int>()};
 }
 
 void add_part(py::module_& module) {
-  const auto optional = [](const Part& part, auto view) -> py::object { return part.tetrahedra != nullptr ? py::object(view(*part.tetrahedra)) : py::none(); };
+  const auto optional = [](const Part& part, auto view) -> py::object {
+    return part.tetrahedra != nullptr ? py::object(view(*part.tetrahedra)) : py::none();
+  };
   py::class_<Part, std::shared_ptr<Part>>(module, "Part")
       .def("structure", [](const Part& part) { return *part.structure; })
       .def("points", [](const Part& part) { return table_view<double, 3>(part.surface->points, part.model); })
       .def("triangles", [](const Part& part) { return table_view<PointIndex, 3>(part.surface->triangles, part.model); })
-      .def("tetrahedron_points", [optional](const Part& part) { return optional(part, [&](const TetraMesh& mesh) { return table_view<double, 3>(mesh.points, part.model); }); })
-      .def("tetrahedra", [optional](const Part& part) { return optional(part, [&](const TetraMesh& mesh) { return table_view<PointIndex, 4>(mesh.tetrahedra, part.model); }); })
-      .def("labels", [optional](const Part& part) { return optional(part, [&](const TetraMesh& mesh) { return list_view<Label>(mesh.labels, part.model); }); })
+      .def("tetrahedron_points",
+           [optional](const Part& part) {
+             return optional(part,
+                             [&](const TetraMesh& mesh) { return table_view<double, 3>(mesh.points, part.model); });
+           })
+      .def("tetrahedra",
+           [optional](const Part& part) {
+             return optional(
+                 part, [&](const TetraMesh& mesh) { return table_view<PointIndex, 4>(mesh.tetrahedra, part.model); });
+           })
+      .def("labels",
+           [optional](const Part& part) {
+             return optional(part, [&](const TetraMesh& mesh) { return list_view<Label>(mesh.labels, part.model); });
+           })
       .def("volume", &enclosed_by)
       .def("closed", [](const Part& part) { return part.report->closed_oriented_manifold(); });
 }
 
 void add_complex(py::module_& module) {
-  static_assert(std::is_standard_layout_v<InterfaceTriangle> && offsetof(InterfaceTriangle, outer) == offsetof(InterfaceTriangle, inner) + sizeof(Label));
+  static_assert(std::is_standard_layout_v<InterfaceTriangle> &&
+                offsetof(InterfaceTriangle, outer) == offsetof(InterfaceTriangle, inner) + sizeof(Label));
   py::class_<Complex, std::shared_ptr<Complex>>(module, "Complex")
       .def("structures", [](const Complex& self) { return self.get().structures; })
       .def("points", [](const Complex& self) { return table_view<double, 3>(self.get().mesh.points, self.model); })
-      .def("tetrahedra", [](const Complex& self) { return table_view<PointIndex, 4>(self.get().mesh.tetrahedra, self.model); })
+      .def("tetrahedra",
+           [](const Complex& self) { return table_view<PointIndex, 4>(self.get().mesh.tetrahedra, self.model); })
       .def("labels", [](const Complex& self) { return list_view<Label>(self.get().mesh.labels, self.model); })
-      .def("interfaces", [](const Complex& self) { return member_view<PointIndex, 3>(self.get().interfaces, offsetof(InterfaceTriangle, triangle), self.model); })
-      .def("interface_labels", [](const Complex& self) { return member_view<Label, 2>(self.get().interfaces, offsetof(InterfaceTriangle, inner), self.model); });
+      .def("interfaces",
+           [](const Complex& self) {
+             return member_view<PointIndex, 3>(self.get().interfaces, offsetof(InterfaceTriangle, triangle),
+                                               self.model);
+           })
+      .def("interface_labels", [](const Complex& self) {
+        return member_view<Label, 2>(self.get().interfaces, offsetof(InterfaceTriangle, inner), self.model);
+      });
 }
 
 }  // namespace
@@ -250,23 +296,31 @@ void add_models(py::module_& module) {
   py::class_<Model, std::shared_ptr<Model>>(module, "Model")
       .def("parts", &parts_of)
       .def("complex", &complex_of)
-      .def("certified", [](const Model& model) { return model.dt ? model.dt->reconstruction.certified : model.db->reconstruction.certified; })
-      .def("verdict", [](const Model& model) { return std::string(model.dt ? name(verdict_of(model.dt->reconstruction)) : ""); })
+      .def("certified",
+           [](const Model& model) {
+             return model.dt ? model.dt->reconstruction.certified : model.db->reconstruction.certified;
+           })
+      .def("verdict",
+           [](const Model& model) { return std::string(model.dt ? name(verdict_of(model.dt->reconstruction)) : ""); })
       .def("headline", [](const Model& model) { return model.dt ? headline(model.dt->reconstruction) : std::string(); })
       .def("report", &report_of)
       .def("links", &links_of)
       .def("write", &write)
       .def("anatomy", &anatomy_of);
-  module.def("by_dt", [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles, const py::object& listener) {
-    return made_by_dt(contours, dt_words(words), triangles, listener);
-  });
-  module.def("as_partition", [](const Contours& contours, const std::vector<std::string>& priority, double gap, int threads, const py::object& listener) {
+  module.def("by_dt",
+             [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
+                const py::object& listener) { return made_by_dt(contours, dt_words(words), triangles, listener); });
+  module.def("as_partition", [](const Contours& contours, const std::vector<std::string>& priority, double gap,
+                                int threads, const py::object& listener) {
     return made_as_partition(contours, {priority, gap, threads}, listener);
   });
-  module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) { return made_by_db(contours, db_words(words), listener); });
-  module.def("compare", [](const Contours& contours, const py::dict& dt, const py::dict& db, const py::object& listener) {
-    return compared(contours, dt_words(dt), db_words(db), listener);
+  module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) {
+    return made_by_db(contours, db_words(words), listener);
   });
+  module.def("compare",
+             [](const Contours& contours, const py::dict& dt, const py::dict& db, const py::object& listener) {
+               return compared(contours, dt_words(dt), db_words(db), listener);
+             });
   module.def("check_file", [](const std::string& file) { return inspected(meshes_of(file), file); });
   module.def("check_arrays", &inspected_arrays);
   module.def("read_mesh", &read_parts);

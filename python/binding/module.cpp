@@ -1,4 +1,5 @@
-// The part of the Python package that is compiled. python/odontoscope/__init__.py is what users see; it checks types and words.
+// The part of the Python package that is compiled. python/odontoscope/__init__.py is what users see; it checks types
+// and words.
 
 #include "python/binding/errors.h"
 #include "python/binding/parts.h"

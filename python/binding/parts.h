@@ -22,7 +22,7 @@ namespace py = pybind11;
 /// A valid stack that nobody changes any more: views of its points stay true.
 struct Contours {
   std::shared_ptr<const ContourStack> stack;
-  std::vector<std::string> changes, remarks;   // by repair; by the file's reader
+  std::vector<std::string> changes, remarks;  // by repair; by the file's reader
 };
 
 /// What DT made.
@@ -49,7 +49,7 @@ struct Part {
   const std::string* structure = nullptr;
   const SurfaceMesh* surface = nullptr;
   const SurfaceReport* report = nullptr;
-  const TetraMesh* tetrahedra = nullptr;   // null: DB has none
+  const TetraMesh* tetrahedra = nullptr;  // null: DB has none
 };
 
 /// What the structures of a partition share.

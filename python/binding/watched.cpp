@@ -20,8 +20,10 @@ class News {
  public:
   void tell(std::string_view stage, double fraction) {
     const std::lock_guard lock(mutex_);
-    if (stages_.empty() || stages_.back().first != stage) stages_.emplace_back(stage, fraction);
-    else stages_.back().second = fraction;
+    if (stages_.empty() || stages_.back().first != stage)
+      stages_.emplace_back(stage, fraction);
+    else
+      stages_.back().second = fraction;
   }
   void end() {
     const std::lock_guard lock(mutex_);
@@ -46,8 +48,8 @@ class News {
   bool ended_ = false;
 };
 
-/// Where all watched work runs. Each thread that computes on its own would get an arena of its own, and oneTBB 2021.8 gives back none of their 9 kB.
-/// Lives until the process ends, since TBB may be gone before what is static here.
+/// Where all watched work runs. Each thread that computes on its own would get an arena of its own, and oneTBB 2021.8
+/// gives back none of their 9 kB. Lives until the process ends, since TBB may be gone before what is static here.
 tbb::task_arena& common_arena() {
   static auto* const arena = new tbb::task_arena;
   return *arena;
@@ -67,7 +69,10 @@ void run_watched(const py::object& listener, const std::function<void(const Prog
   std::stop_source stop;
   std::exception_ptr failed, raised;
   const bool heard = !listener.is_none();
-  const Progress progress{[&](std::string_view stage, double fraction) { if (heard) news.tell(stage, fraction); }, stop.get_token()};
+  const Progress progress{[&](std::string_view stage, double fraction) {
+                            if (heard) news.tell(stage, fraction);
+                          },
+                          stop.get_token()};
   {
     const py::gil_scoped_release unlocked;
     std::thread worker([&] {

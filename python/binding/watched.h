@@ -11,9 +11,10 @@ namespace odontoscope::python {
 
 namespace py = pybind11;
 
-/// Runs `work` on a thread of its own while the calling one waits with the interpreter's lock released. The calling thread hands news to
-/// `listener(stage, fraction)` (None: nobody listens) and looks for signals twenty times a second; should either raise, the work is
-/// cancelled and what was raised goes on. What `work` throws is thrown again. The lock is held on entry and on return.
+/// Runs `work` on a thread of its own while the calling one waits with the interpreter's lock released. The calling
+/// thread hands news to `listener(stage, fraction)` (None: nobody listens) and looks for signals twenty times a second;
+/// should either raise, the work is cancelled and what was raised goes on. What `work` throws is thrown again. The lock
+/// is held on entry and on return.
 void run_watched(const py::object& listener, const std::function<void(const Progress&)>& work);
 
 /// The same for work that has a result.

@@ -7,6 +7,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
+#include "recon/output/write_3mf.h"
 #include "recon/output/write_glb.h"
 #include "recon/output/write_inp.h"
 #include "recon/output/write_msh.h"
@@ -38,7 +39,8 @@ std::string plain(const WrittenModel& model, const GlbOptions&) {
 const std::vector<SurfaceFormat>& surface_formats() {
   static const std::vector<SurfaceFormat> all{{".glb", glb_bytes},        {".stl", plain<stl_bytes>}, {".ply", plain<ply_bytes>},
                                               {".gltf", gltf_text},       {".obj", plain<obj_text>},  {".wrl", plain<vrml_text>},
-                                              {".x3d", plain<x3d_text>},  {".vtp", plain<vtp_bytes>}};
+                                              {".x3d", plain<x3d_text>},  {".vtp", plain<vtp_bytes>},
+                                              {".3mf", plain<threemf_bytes>}};
   return all;
 }
 const std::vector<TetrahedraFormat>& tetrahedra_formats() {

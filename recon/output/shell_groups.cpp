@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "recon/core/error.h"
@@ -38,8 +39,8 @@ bool is_certified(const WrittenModel& model) {
 
 std::string certificate_in_words(const WrittenModel& model) {
   if (!is_certified(model)) return "not certified";
-  return fmt::format("certified by odontoscope: every surface closed, manifold, oriented outwards; exact at {} slices",
-                     model.slices_checked);
+  return fmt::format("certified by odontoscope: every surface closed, manifold, oriented outwards{}",
+                     model.slices_checked > 0 ? fmt::format("; exact at {} slices", model.slices_checked) : "");
 }
 
 const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
@@ -52,6 +53,10 @@ const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
     if (paint->name == first) return *paint;
   }
   return other;
+}
+
+double screen_value(double linear) {
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
 }  // namespace odontoscope

@@ -39,4 +39,7 @@ struct Paint {
 /// pulp's.
 const Paint& paint_for(const std::string& structure, Shell::Kind kind);
 
+/// What a screen's encoding (sRGB) writes for a linear value from 0 to 1.
+double screen_value(double linear);
+
 }  // namespace odontoscope

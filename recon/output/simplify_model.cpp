@@ -52,7 +52,8 @@ ModelSimplification simplify_surfaces(Reconstruction& reconstruction, std::size_
   const auto start = std::chrono::steady_clock::now();
   SimplifiedSurfaces simple = simplify(surfaces, {.triangles = triangles, .distance = {}}, progress);
   ModelSimplification done;
-  for (std::size_t n = 0; n < simple.surfaces.size(); ++n) done.structures.push_back(replaced_by(simple.surfaces[n], reconstruction.solids[n]));
+  for (std::size_t n = 0; n < simple.surfaces.size(); ++n)
+    done.structures.push_back(replaced_by(simple.surfaces[n], reconstruction.solids[n]));
   done.aim = SimplificationAim{triangles, simple.triangles, simple.obstacles, simple.restarts};
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   reconstruction.seconds.push_back({"simplify", taken.count()});

@@ -17,9 +17,11 @@ struct ModelSimplification {
   std::optional<SimplificationAim> aim;
 };
 
-/// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next, so each keeps what its
-/// shape needs. Each keeps its topology and does not cut through itself, and therefore may keep more; `aim` tells. Adds a stage "simplify" to
-/// the times. Throws Cancelled; InternalError if a result is no closed oriented manifold.
-ModelSimplification simplify_surfaces(Reconstruction& reconstruction, std::size_t triangles, const Progress& progress = {});
+/// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next,
+/// so each keeps what its shape needs. Each keeps its topology and does not cut through itself, and therefore may keep
+/// more; `aim` tells. Adds a stage "simplify" to the times. Throws Cancelled; InternalError if a result is no closed
+/// oriented manifold.
+ModelSimplification simplify_surfaces(Reconstruction& reconstruction, std::size_t triangles,
+                                      const Progress& progress = {});
 
 }  // namespace odontoscope

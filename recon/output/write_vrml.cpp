@@ -88,10 +88,6 @@ void append_triangles(std::string& text, const IndexedPart& part) {
 }
 
 /// These formats' colours are those of a screen; ours are linear.
-double screen_value(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 std::string colour_of(const ShellGroup& group) {
   const Paint& paint = paint_for(group.structure, group.kind);
   return fmt::format("{:.3f} {:.3f} {:.3f}", screen_value(paint.colour[0]), screen_value(paint.colour[1]),

@@ -13,9 +13,14 @@ inline constexpr std::size_t single_mends = 3;
 inline constexpr std::size_t most_structures = 64;
 /// Rounds of mending after which a slab is given up as a bug: each point is patched at most some forty times, since its patch doubles.
 inline constexpr std::size_t most_rounds = 100000;
+/// A crossing as near as this to the end of a piece is taken to be there, in units in the last place of the largest coordinate: else pieces that run within rounding
+/// of each other would be bent to cross again, one unit on, without end.
+inline constexpr double snap_ulps = 4;
+/// A cut corner narrower than this share of its length is too near to a needle to be cut: its triangles go whole.
+inline constexpr double needle_share = 1e-6;
 /// Rounds in which pieces are cut where they cross, and corners where four faces meet, before it is a bug.
 inline constexpr std::size_t planar_rounds = 100;
-inline constexpr std::size_t corner_rounds = 20;
+inline constexpr std::size_t cutting_rounds = 8, corner_rounds = 2000;   // cut, then given away upwards by priority, which ends
 /// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
 inline constexpr double corner_share = 0.25;
 /// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over

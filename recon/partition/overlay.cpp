@@ -33,7 +33,7 @@ using Overlay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStruct
 struct CornerCut {
   std::uint32_t at = 0, first = 0;
   Label taker = void_label;
-  bool whole = false;   // no double lies near enough for a cut: the triangles at the point go as they are
+  bool whole = false;   // too narrow for a cut: the triangles at the point go as they are
 };
 
 class Overlayer {
@@ -56,13 +56,19 @@ class Overlayer {
   Borders run() {
     Borders result;
     result.crossings = make_planar(points_, pieces_);
-    for (std::size_t round = 0;; ++round) {
-      triangulate();
-      if (cdt_.dimension() < 2) return result;
-      label_faces(result);
-      for (const CornerCut& cut : cuts_) apply(cut);
-      if (!cut_corners()) break;
+    triangulate();
+    if (cdt_.dimension() < 2) return result;
+    label_faces();
+    if (materials_.gap > 0 || materials_.sliver > 0) {
+      if (materials_.gap > 0) result.closed_gap = close_gaps();
+      if (materials_.sliver > 0) drop_slivers();
+      if (!keep_labels()) return result;
+    }
+    for (std::size_t round = 0; cut_corners(round >= limits::cutting_rounds); ++round) {
       if (round == limits::corner_rounds) throw InternalError("the corners of a slice could not be parted");
+      triangulate();
+      label_faces();
+      for (const CornerCut& cut : cuts_) apply(cut);
     }
     result.corners_cut = cuts_.size();
     collect(result);
@@ -70,6 +76,23 @@ class Overlayer {
   }
 
  private:
+  /// From here on a piece parts two labels, whatever structures it came from; `toggles` is their difference. False: nothing is left.
+  bool keep_labels() {
+    pieces_.clear();
+    for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
+      const Label one = label(edge->first), other = label(edge->first->neighbor(edge->second));
+      if (one == other) continue;
+      pieces_.push_back({edge->first->vertex(Overlay::ccw(edge->second))->info().value, edge->first->vertex(Overlay::cw(edge->second))->info().value,
+                         Members{one} ^ Members{other}});
+    }
+    part_labels_ = true;
+    if (pieces_.empty()) return false;
+    make_planar(points_, pieces_);
+    triangulate();
+    label_faces();
+    return true;
+  }
+
   void triangulate() {
     cdt_.clear();
     vertices_.assign(points_.size(), {});
@@ -86,11 +109,10 @@ class Overlayer {
     }
   }
 
-  void label_faces(Borders& result) {
+  void label_faces() {
     spread();
-    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face) face->info().label = winner(face->info().members);
-    if (materials_.gap > 0) result.closed_gap = close_gaps();
-    if (materials_.sliver > 0) drop_slivers();
+    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face)
+      face->info().label = part_labels_ ? static_cast<Label>(face->info().members) : winner(face->info().members);
   }
 
   /// Every piece toggles its structures for what lies beyond it; rounding may have moved it, but contours stay closed.
@@ -247,16 +269,29 @@ class Overlayer {
     return turned < 0 ? turned + 2 * std::numbers::pi : turned;
   }
 
-  /// Plans one cut at every point where more than three borders meet. False: there is none.
-  bool cut_corners() {
+  /// Plans one cut at every point where more than three borders meet. Upwards: only faces of least priority give, whole triangles, so that it must end.
+  /// False: there is none.
+  bool cut_corners(bool upwards) {
     std::vector<std::uint32_t> crowded;
     for (auto v = cdt_.finite_vertices_begin(); v != cdt_.finite_vertices_end(); ++v) crowded.push_back(v->info().value);
     std::sort(crowded.begin(), crowded.end());
     std::erase_if(crowded, [&](std::uint32_t p) { return rays_at(vertices_[p]).size() <= 3; });
     if (crowded.empty()) return false;
-    for (const std::uint32_t p : crowded) plan_cut(p, rays_at(vertices_[p]));
+    for (const std::uint32_t p : crowded) {
+      if (upwards) plan_upwards(p, rays_at(vertices_[p]));
+      else plan_cut(p, rays_at(vertices_[p]));
+    }
     make_planar(points_, pieces_);
     return true;
+  }
+
+  void plan_upwards(std::uint32_t at, const std::vector<Ray>& rays) {
+    const std::size_t count = rays.size();
+    std::size_t chosen = 0;
+    for (std::size_t i = 1; i < count; ++i)
+      if (materials_.wins(rays[chosen].left, rays[i].left)) chosen = i;
+    const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
+    cuts_.push_back({at, rays[chosen].to, materials_.wins(one, other) ? one : other, true});
   }
 
   void plan_cut(std::uint32_t at, const std::vector<Ray>& rays) {
@@ -279,7 +314,8 @@ class Overlayer {
     const std::uint32_t ends[] = {rays[chosen].to, rays[(chosen + 1) % count].to};
     const double reach = limits::corner_share * room(at);
     const Point2 cuts[] = {on_piece(at, ends[0], reach), on_piece(at, ends[1], reach)};
-    if (cuts[0] == cuts[1] || is_point(cuts[0]) || is_point(cuts[1])) {
+    const bool needle = std::hypot(cuts[0].x - cuts[1].x, cuts[0].y - cuts[1].y) <= limits::needle_share * reach;
+    if (needle || is_point(cuts[0]) || is_point(cuts[1])) {
       cuts_.push_back({at, ends[0], taker, true});
       return;
     }
@@ -302,7 +338,7 @@ class Overlayer {
     points_.push_back(place);
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(at, to);
     const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const ContourPiece& p) { return std::pair(p.a, p.b) == ends; });
-    const Members toggled = piece == pieces_.end() ? 0 : piece->toggles;   // where a gap was closed a border need not be a piece
+    const Members toggled = piece == pieces_.end() ? 0 : piece->toggles;   // what a corner was given away whole need not have one
     if (piece != pieces_.end()) pieces_.erase(piece);
     pieces_.push_back({at, middle, toggled});
     pieces_.push_back({middle, to, toggled});
@@ -397,6 +433,7 @@ class Overlayer {
   std::vector<Overlay::Vertex_handle> vertices_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, Members> toggles_;   // of pieces, by their ends
   std::vector<CornerCut> cuts_;
+  bool part_labels_ = false;   // see keep_labels
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <CGAL/Gmpq.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -108,7 +110,15 @@ class Planariser {
     if (a_side == 0 && within(s.a, t)) cuts_[k].push_back(s.a);
     if (b_side == 0 && within(s.b, t)) cuts_[k].push_back(s.b);
     if (c_side * d_side >= 0 || a_side * b_side >= 0) return;
-    const std::uint32_t p = number(crossing(a, b, c, d));
+    const Point2 at = crossing(a, b, c, d);
+    const double reach = limits::snap_ulps * std::numeric_limits<double>::epsilon() *
+                         std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y), std::abs(d.x), std::abs(d.y)});
+    const auto near = [&](std::uint32_t end) { return std::abs(points_[end].x - at.x) <= reach && std::abs(points_[end].y - at.y) <= reach; };
+    std::uint32_t p = t.a;
+    if (near(s.a)) p = s.a;
+    else if (near(s.b)) p = s.b;
+    else if (near(t.b)) p = t.b;
+    else if (!near(t.a)) p = number(at);
     if (p != s.a && p != s.b) cuts_[i].push_back(p);
     if (p != t.a && p != t.b) cuts_[k].push_back(p);
   }

@@ -14,8 +14,8 @@ struct ContourPiece {
   std::uint64_t toggles = 0;
 };
 
-/// Points keep their numbers, new ones follow. Crossings are computed exactly and rounded; since rounding bends pieces, that is repeated until, by exact
-/// predicates, nothing crosses or touches any more. Pieces that coincide become one, in which what both toggle cancels out. Returns how many crossings
+/// Points keep their numbers, new ones follow. Crossings are computed exactly and rounded, to the end of a piece if that is limits::snap_ulps or less away; since
+/// rounding bends pieces, that is repeated until, by exact predicates, nothing crosses or touches any more. Pieces that coincide become one, in which what both toggle cancels out. Returns how many crossings
 /// were made points. Throws InternalError if it does not settle.
 std::size_t make_planar(std::vector<Point2>& points, std::vector<ContourPiece>& pieces);
 

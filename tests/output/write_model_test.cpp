@@ -120,7 +120,7 @@ TEST(WriteModel, TheEndingDecides) {
     write_model(models::tooth_and_enamel(), bad);
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .gltf, .obj, .wrl, .x3d, .vtp, .vtu, .msh, .inp"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .gltf, .obj, .wrl, .x3d, .vtp, .3mf, .vtu, .msh, .inp"), std::string::npos) << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "b.glb"));
 }

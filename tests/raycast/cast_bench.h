@@ -31,10 +31,14 @@ struct ShaderEdit {
 };
 void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::string& folder);
 
+/// One sample a pixel, in the context that is current. `shaders` may be a folder of edited ones.
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size);
+
 class CastTest : public testing_support::DrawingTest {
  protected:
-  /// One sample a pixel. `shaders` may be a folder of edited ones.
-  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {}, PixelSize size = picture);
+  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {}, PixelSize size = picture) {
+    return cast_with(gl(), model, grid, scene, shaders, size);
+  }
   /// Black behind, no occlusion.
   static Scene scene_of(const Model& model, const Camera& camera, const VolumeLook& look);
   /// The box of the grid, for a model that is not shown.

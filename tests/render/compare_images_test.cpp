@@ -1,4 +1,5 @@
-// `compare-images` on folders: what a repository of pictures is tested with. The pictures are made in code; nothing is drawn.
+// `compare-images` on folders: what a repository of pictures is tested with. The pictures are made in code; nothing is
+// drawn.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -14,7 +15,8 @@ namespace {
 Image ramp(int width = 64, int height = 48) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) image.set_pixel(x, y, {static_cast<std::uint8_t>(3 * x), static_cast<std::uint8_t>(5 * y), 90, 255});
+    for (int x = 0; x < width; ++x)
+      image.set_pixel(x, y, {static_cast<std::uint8_t>(3 * x), static_cast<std::uint8_t>(5 * y), 90, 255});
   return image;
 }
 
@@ -38,14 +40,17 @@ Image mask_without(const PixelBox& square) {
 class CompareImages : public ProgramTest {
  protected:
   void SetUp() override {
-    for (const char* name : {"expected/views", "actual/views", "masks/views"}) std::filesystem::create_directories(folder / name);
+    for (const char* name : {"expected/views", "actual/views", "masks/views"})
+      std::filesystem::create_directories(folder / name);
     for (const char* name : {"a.png", "b.PNG", "views/c.png"}) {
       write("expected/", name, ramp());
       write("actual/", name, ramp());
     }
     given("actual/notes.txt", "no picture\n");
   }
-  void write(const std::string& where, const std::string& name, const Image& image) { write_png(image, (folder / (where + name)).string()); }
+  void write(const std::string& where, const std::string& name, const Image& image) {
+    write_png(image, (folder / (where + name)).string());
+  }
   Ending compared(std::vector<std::string> more = {}) {
     std::vector<std::string> words{"compare-images", "expected", "actual", "--report", "v.json", "--html", "v.html"};
     words.insert(words.end(), more.begin(), more.end());
@@ -92,16 +97,19 @@ TEST_F(CompareImages, LeavesOutWhatAMaskMakesDark) {
   EXPECT_EQ(compared({"--share", "0", "--similarity", "1", "--mask", "masks"}).exit_code, 0);
   EXPECT_EQ(verdict()["pictures"][2]["compared"], 64 * 48 - 25);
   EXPECT_FALSE(verdict()["pictures"][0]["masked"]);
-  write("masks/", "views/c.png", mask_without({41, 5, 45, 9}));   // beside it
+  write("masks/", "views/c.png", mask_without({41, 5, 45, 9}));  // beside it
   EXPECT_EQ(compared({"--share", "0", "--mask", "masks"}).exit_code, 1);
-  write("masks/", "views/c.png", mask_without({0, 0, 63, 47}));   // nothing is left
+  write("masks/", "views/c.png", mask_without({0, 0, 63, 47}));  // nothing is left
   EXPECT_EQ(compared({"--share", "1", "--mask", "masks"}).exit_code, 1);
   write("masks/", "views/c.png", ramp(9, 9));
   EXPECT_EQ(compared({"--mask", "masks"}).exit_code, 1);
   EXPECT_EQ(verdict()["pictures"][2]["cause"], "mask-size");
   write("", "one.png", mask_without({38, 5, 42, 9}));
   EXPECT_EQ(compared({"--share", "0", "--mask", "one.png"}).exit_code, 0) << "one for all";
-  EXPECT_EQ(odontoscope({"compare-images", "expected/views/c.png", "actual/views/c.png", "--share", "0", "--mask", "one.png", "--difference", "d.png"}).exit_code, 0);
+  EXPECT_EQ(odontoscope({"compare-images", "expected/views/c.png", "actual/views/c.png", "--share", "0", "--mask",
+                         "one.png", "--difference", "d.png"})
+                .exit_code,
+            0);
   EXPECT_EQ(read_png((folder / "d.png").string()).pixel(40, 7), (std::array<std::uint8_t, 4>{0, 0, 64, 255}));
 }
 
@@ -115,7 +123,10 @@ TEST_F(CompareImages, TellsWhatIsMissingUnexpectedOrHostile) {
   const Ending ending = compared();
   EXPECT_EQ(ending.exit_code, 1) << ending.err;
   const auto told = verdict();
-  EXPECT_EQ(told["counts"], (nlohmann::json{{"pictures", 5}, {"alike", 0}, {"different", 0}, {"missing", 1}, {"unexpected", 2}, {"unreadable", 2}}));
+  EXPECT_EQ(
+      told["counts"],
+      (nlohmann::json{
+          {"pictures", 5}, {"alike", 0}, {"different", 0}, {"missing", 1}, {"unexpected", 2}, {"unreadable", 2}}));
   EXPECT_TRUE(ending.says("b.PNG: unreadable: ")) << ending.out;
   const std::string page = bytes_of("v.html");
   EXPECT_NE(page.find("&lt;b&gt;.png"), std::string::npos);

@@ -1,0 +1,12 @@
+#pragma once
+// How the grey values of a volume are shown, in the panel.
+
+#include "engine/ui/interface.h"
+#include "engine/ui/viewer_state.h"
+
+namespace odontoscope {
+
+/// Surfaces, volume or both; how rays are cast; transfer function over the histogram, on which the values of the surfaces stand as lines. Nothing for what came from no volume.
+void volume_section(ViewerState& state, const Interface& interface);
+
+}  // namespace odontoscope
