@@ -155,7 +155,7 @@ PartitionCase partition_case(std::uint64_t seed, PartitionSize size) {
   random.shuffle(result.priority);
   if (random.chance(0.2)) result.gap = random.chance(0.5) ? random.between(0, 0.3) : small(random, 2, 7);
   result.delaunay =
-      random.chance(size == PartitionSize::small ? 0.8 : 0.4);  // interpolated slices cost ten times as much
+      random.chance(size == PartitionSize::small ? 0.93 : 0.4);  // interpolated slices cost ten times as much
   return result;
 }
 
