@@ -164,35 +164,35 @@ class Overlayer {
     return area;
   }
 
-  /// Of a void triangle: the winner of those structures between which it is narrower than the gap. Corners of one structure only: void_label.
+  /// Of a void triangle that touches two structures or more: the first of them by priority to whose borders, those at its corners, all its corners are
+  /// within the gap. None: void_label.
   Label gap_taker(Overlay::Face_handle face) const {
-    if (narrowest(face) > materials_.gap) return void_label;
-    std::vector<Label> beside;
+    std::map<Label, std::vector<Kernel::Segment_2>> borders;   // at its corners
     for (int i = 0; i < 3; ++i) {
-      auto around = cdt_.incident_faces(face->vertex(i)), end = around;
+      const auto corner = face->vertex(i);
+      auto around = cdt_.incident_faces(corner), end = around;
       do {
-        if (label(around) != void_label) beside.push_back(label(around));
+        const int k = around->index(corner);
+        for (const int side : {Overlay::ccw(k), Overlay::cw(k)}) {
+          if (label(around) == void_label || label(around->neighbor(side)) == label(around)) continue;
+          borders[label(around)].emplace_back(around->vertex(Overlay::ccw(side))->point(), around->vertex(Overlay::cw(side))->point());
+        }
       } while (++around != end);
     }
-    std::sort(beside.begin(), beside.end());
-    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
-    if (beside.size() < 2) return void_label;
+    if (borders.size() < 2) return void_label;
     Label best = void_label;
-    for (const Label one : beside)
-      if (materials_.wins(one, best)) best = one;
-    return best;
-  }
-
-  /// Its least height over a border; no place in it is farther from that. Infinite without a border.
-  double narrowest(Overlay::Face_handle face) const {
-    double least = std::numeric_limits<double>::infinity();
-    const double area = std::abs(CGAL::area(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point()));
-    for (int i = 0; i < 3; ++i) {
-      if (label(face->neighbor(i)) == void_label) continue;
-      const double base = std::sqrt(CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
-      least = std::min(least, 2 * area / base);
+    for (const auto& [one, segments] : borders) {
+      if (!materials_.wins(one, best)) continue;
+      bool within = true;
+      for (int i = 0; i < 3; ++i) {
+        const auto& p = face->vertex(i)->point();
+        within = within && std::any_of(segments.begin(), segments.end(), [&](const Kernel::Segment_2& segment) {
+                   return CGAL::squared_distance(p, segment) <= materials_.gap * materials_.gap;
+                 });
+      }
+      if (within) best = one;
     }
-    return least;
+    return best;
   }
 
   // ---- slivers ------------------------------------------------------------------------------------------------------

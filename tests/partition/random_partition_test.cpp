@@ -22,11 +22,7 @@ namespace odontoscope::test {
 namespace {
 
 constexpr int shards = 2;
-/// Left out of the plain test, until the engine is mended: beginnings of sorts, kinds, and stacks with a gap.
-constexpr const char* sorts_left_out[] = {
-    "internal error: internal error the corners of a slice could not be parted",
-    "internal error: internal error contours of several structures could not be made planar"};
-constexpr const char* kinds_left_out[] = {"label-noise", "noisy-tooth", "label-boards"};
+/// A gap is closed triangle by triangle, which may reach a little beyond it; the judge allows nothing beyond (docs/reconstruction.md).
 constexpr bool gaps_left_out = true;
 constexpr double slowest_allowed = 10;  // seconds of processor time, for 2,000 points and fewer
 
@@ -121,17 +117,6 @@ void show_small(std::uint64_t seed, const PartitionCase& given, const PartitionO
       << ".json | " << options_in_words(small) << " | " << message.substr(0, 400) << "\n";
 }
 
-bool left_out(const std::string& kind) {
-  return std::any_of(std::begin(kinds_left_out), std::end(kinds_left_out),
-                     [&](const char* out) { return kind == out; });
-}
-
-bool left_out(const PartitionOutcome& outcome) {
-  const std::string sort = outcome.sort();
-  return std::any_of(std::begin(sorts_left_out), std::end(sorts_left_out),
-                     [&](const char* out) { return sort.starts_with(out); });
-}
-
 class RandomPartitions : public testing::TestWithParam<int> {};
 
 TEST_P(RandomPartitions, NeverFail) {
@@ -153,7 +138,6 @@ TEST_P(RandomPartitions, NeverFail) {
   for (std::uint64_t seed = first + count * shard / shards; seed < first + count * (shard + 1) / shards; ++seed) {
     if (!kind.empty() && partition_kinds()[seed % partition_kinds().size()] != kind) continue;
     PartitionCase given = partition_case(seed, wanted);
-    if (!by_command && left_out(given.kind)) continue;
     if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty())
       given.delaunay = between == "delaunay";
     if (!by_command && gaps_left_out) given.gap = 0;
@@ -166,7 +150,7 @@ TEST_P(RandomPartitions, NeverFail) {
       std::cout << seed << " " << given.kind << " " << points_of(given.stack) << " points, " << outcome.tetrahedra
                 << " tetrahedra, " << outcome.seconds << " s: " << outcome.sort() << "\n"
                 << std::flush;
-    if (tally.add(seed, given, outcome) && (by_command || !left_out(outcome))) {
+    if (tally.add(seed, given, outcome)) {
       ADD_FAILURE() << "seed " << seed << " (" << given.kind << "): " << outcome.message;
       if (by_command || shrunk++ < 1) show_small(seed, given, outcome);
     }
