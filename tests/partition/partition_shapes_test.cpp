@@ -82,7 +82,7 @@ TEST(PartitionShapes, AreCertified) {
 }
 
 /// Two triangles half a millimetre apart beside a bay that is a quarter deep: a gap of 0.2337 closes nothing.
-TEST(PartitionShapes, DISABLED_KeepVoidThatIsWiderThanTheGap) {
+TEST(PartitionShapes, KeepsVoidThatIsWiderThanTheGap) {
   PartitionCase given{.stack = stack_of({{{"s1",
                                            {{1.7291414980345765, 1.043549976533498},
                                             {2.6931942153396182, 1.063483070183639},
