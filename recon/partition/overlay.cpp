@@ -296,11 +296,18 @@ class Overlayer {
 
   void plan_upwards(std::uint32_t at, const std::vector<Ray>& rays) {
     const std::size_t count = rays.size();
-    std::size_t chosen = 0;
-    for (std::size_t i = 1; i < count; ++i)
-      if (materials_.wins(rays[chosen].left, rays[i].left)) chosen = i;
-    const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
-    cuts_.push_back({at, rays[chosen].to, 0, materials_.wins(one, other) ? one : other, true});
+    std::size_t chosen = count;
+    Label taker = void_label;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (cdt_.is_infinite(rays[i].left_face)) continue;   // nothing there to give
+      const Label one = rays[(i + count - 1) % count].left, other = rays[(i + 1) % count].left;
+      const Label winner = materials_.wins(one, other) ? one : other;
+      if (!materials_.wins(winner, rays[i].left) || (chosen < count && !materials_.wins(rays[chosen].left, rays[i].left))) continue;
+      chosen = i;
+      taker = winner;
+    }
+    if (chosen == count) throw InternalError("no face at a crowded point can give way");
+    cuts_.push_back({at, rays[chosen].to, 0, taker, true});
   }
 
   void plan_cut(std::uint32_t at, const std::vector<Ray>& rays) {
@@ -376,6 +383,7 @@ class Overlayer {
     const auto rays = rays_at(vertices_[cut.at]);
     if (rays.empty()) return;
     const auto off = [&](const Ray& ray) {
+      if (ray.to == cut.first) return -1.0;   // needles: directions alone do not tell which
       const double turned = angle(cut.at, cut.first, ray.to);
       return std::min(turned, 2 * std::numbers::pi - turned);
     };
