@@ -42,10 +42,6 @@ bool belongs(const Planar& planar, const std::vector<std::uint32_t>& in_plane) {
                                   internal_triangle(planar, in_plane[0], in_plane[2], in_plane[1]));
 }
 
-bool even_permutation(const Triangle& face) {
-  return (face[0] < face[1]) != ((face[1] < face[2]) != (face[0] < face[2]));
-}
-
 }  // namespace
 
 void certify_slab(const SolvedStack& stack, const Numbering& numbering, const AssembledSlab& slab, const TetraMesh& mesh,

@@ -262,6 +262,14 @@ Point3 middle_of_smallest_piece(const SlabShape& slab) {
 
 }  // namespace
 
+std::vector<Ring> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure) {
+  std::vector<Ring> holes;
+  for (const std::size_t k : {slab, slab + 1})
+    for (const Contour& contour : stack.slices[k].contours)
+      if (contour.structure == structure && signed_area(contour.points) < 0) holes.push_back(contour.points);
+  return holes;
+}
+
 Mass mass_of(const std::vector<Point3>& points, const std::vector<Tetrahedron>& tetrahedra) {
   Mass mass;
   Point3 sum;

@@ -2,10 +2,12 @@
 // Where in a slab's solid a piece, handle or bubble is that its contours and links do not imply. About where: a person
 // is to look there.
 
+#include <string>
 #include <vector>
 
 #include "recon/delaunay/attention.h"
 #include "recon/delaunay/ring.h"
+#include "recon/input/contour_stack.h"
 #include "recon/mesh/meshes.h"
 
 namespace odontoscope::delaunay {
@@ -22,6 +24,9 @@ struct SlabShape {
 /// give the loops: Erickson and Whittlesey 2005); else the smallest hole, or of all. Precondition: found differs from
 /// implied; the boundary is closed and manifold.
 Point3 place_of_difference(const SlabShape& slab, const Topology& implied, const Topology& found);
+
+/// Contours of a structure's holes in the two slices of a slab. Precondition: the stack is ordered.
+std::vector<Ring> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure);
 
 /// Volume and centre of mass.
 struct Mass {

@@ -47,6 +47,11 @@ class FaceTable {
   std::size_t mask_ = 0;
 };
 
+/// Is this an even permutation of the ascending order? The two sides of a face differ in it.
+inline bool even_permutation(const Triangle& face) {
+  return (face[0] < face[1]) != ((face[1] < face[2]) != (face[0] < face[2]));
+}
+
 /// Calls visit(face) for each face that only one of the tetrahedra has, in their order, counter-clockwise seen from outside.
 template <class Visit>
 void each_outer_face(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, Visit visit) {

@@ -13,7 +13,6 @@
 #include "recon/delaunay/certify.h"
 #include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/look_here.h"
-#include "recon/delaunay/ring.h"
 #include "recon/delaunay/solve_stack.h"
 #include "recon/delaunay/topology.h"
 #include "recon/input/validate.h"
@@ -111,19 +110,10 @@ class Reconstructor {
                                                 : counted_topology(slabs[k].tetrahedra, boundary, ranges);
       if (topology[k].as_implied()) return;
       topology[k].place =
-          place_of_difference({points, slabs[k].tetrahedra, boundary, holes_beside(k, topology[k].structure)},
+          place_of_difference({points, slabs[k].tetrahedra, boundary, holes_beside(input_.stack, k, topology[k].structure)},
                               topology[k].implied, topology[k].found);
     });
     result_.topology.insert(result_.topology.end(), topology.begin(), topology.end());
-  }
-
-  /// Holes of a structure in the slices of a slab.
-  std::vector<Ring> holes_beside(std::size_t slab, const std::string& structure) const {
-    std::vector<Ring> holes;
-    for (const std::size_t k : {slab, slab + 1})
-      for (const Contour& contour : input_.stack.slices[k].contours)
-        if (contour.structure == structure && signed_area(contour.points) < 0) holes.push_back(contour.points);
-    return holes;
   }
 
   /// Adds slabs that were raised or interpolated to what was trimmed.

@@ -1,10 +1,10 @@
 #include "recon/output/report_json.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "recon/delaunay/verdict.h"
 #include "recon/mesh/tetra_report.h"
+#include "recon/mesh/vector.h"
 #include "recon/output/complex_groups.h"
 #include "recon/output/json_values.h"
 
@@ -213,8 +213,7 @@ double area_of(const LabelledComplex& complex, const ComplexGroup& group) {
   for (const std::uint32_t f : group.faces) {
     const auto& [a, b, c] = complex.interfaces[f].triangle;
     const Point3 p = complex.mesh.points[a], q = complex.mesh.points[b], r = complex.mesh.points[c];
-    const double x1 = q.x - p.x, y1 = q.y - p.y, z1 = q.z - p.z, x2 = r.x - p.x, y2 = r.y - p.y, z2 = r.z - p.z;
-    area += std::hypot(y1 * z2 - z1 * y2, z1 * x2 - x1 * z2, x1 * y2 - y1 * x2) / 2;
+    area += length(cross(q - p, r - p)) / 2;
   }
   return area;
 }

@@ -102,6 +102,20 @@ std::string entities(const std::vector<Part>& parts) {
   return fmt::format("$Entities\n0 0 {} {}\n{}{}$EndEntities\n", surface_count, parts.size(), surfaces, volumes);
 }
 
+/// A block's node numbers from `first` on, then their places.
+void append_nodes(std::string& text, std::size_t first, const std::vector<Point3>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) fmt::format_to(std::back_inserter(text), "{}\n", first + i);
+  for (const Point3& p : points) {
+    const char* separator = "";
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      text += separator;
+      append_number(text, coordinate);
+      separator = " ";
+    }
+    text += '\n';
+  }
+}
+
 std::string nodes(const std::vector<Part>& parts) {
   std::size_t count = 0;
   for (const Part& part : parts) count += part.solid.tetrahedra.points.size();
@@ -109,16 +123,7 @@ std::string nodes(const std::vector<Part>& parts) {
   for (const Part& part : parts) {
     const std::vector<Point3>& points = part.solid.tetrahedra.points;
     text += fmt::format("{} {} 0 {}\n", volume, part.volume_tag, points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) fmt::format_to(std::back_inserter(text), "{}\n", part.first_node + i);
-    for (const Point3& p : points) {
-      const char* separator = "";
-      for (const double coordinate : {p.x, p.y, p.z}) {
-        text += separator;
-        append_number(text, coordinate);
-        separator = " ";
-      }
-      text += '\n';
-    }
+    append_nodes(text, part.first_node, points);
   }
   return text + "$EndNodes\n";
 }
@@ -201,16 +206,7 @@ class ComplexWriter {
   std::string nodes() const {
     const std::vector<Point3>& points = complex_.mesh.points;
     std::string text = fmt::format("$Nodes\n1 {0} {1} {0}\n{2} 1 0 {0}\n", points.size(), points.empty() ? 0 : 1, volume);
-    for (std::size_t i = 0; i < points.size(); ++i) fmt::format_to(std::back_inserter(text), "{}\n", i + 1);
-    for (const Point3& p : points) {
-      const char* separator = "";
-      for (const double coordinate : {p.x, p.y, p.z}) {
-        text += separator;
-        append_number(text, coordinate);
-        separator = " ";
-      }
-      text += '\n';
-    }
+    append_nodes(text, 1, points);
     return text + "$EndNodes\n";
   }
 

@@ -6,30 +6,43 @@
 namespace odontoscope::partition {
 namespace {
 
+using delaunay::even_permutation;
 using delaunay::FaceTable;
 
 Triangle face_of(const Tetrahedron& tet, int i) { return {tet[outward_face[i][0]], tet[outward_face[i][1]], tet[outward_face[i][2]]}; }
 
-bool even_permutation(const Triangle& face) {
-  return (face[0] < face[1]) != ((face[1] < face[2]) != (face[0] < face[2]));
-}
+constexpr std::uint32_t unused = FaceTable::vacant;
 
-/// Numbers for the points that are used, in their order.
+/// New numbers for the points that are used, in their order.
 template <class Cells>
-std::vector<Point3> compacted(const std::vector<Point3>& points, Cells& cells) {
-  constexpr std::uint32_t unused = FaceTable::vacant;
-  std::vector<std::uint32_t> number(points.size(), unused);
+std::vector<std::uint32_t> numbering(const Cells& cells, std::size_t points) {
+  std::vector<std::uint32_t> number(points, unused);
   for (const auto& cell : cells)
     for (const std::uint32_t v : cell) number[v] = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& n : number)
+    if (n != unused) n = count++;
+  return number;
+}
+
+template <class Cell>
+void renumber(Cell& cell, const std::vector<std::uint32_t>& number) {
+  for (std::uint32_t& v : cell) v = number[v];
+}
+
+std::vector<Point3> used_points(const std::vector<Point3>& points, const std::vector<std::uint32_t>& number) {
   std::vector<Point3> kept;
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (number[v] != unused) {
-      number[v] = static_cast<std::uint32_t>(kept.size());
-      kept.push_back(points[v]);
-    }
-  for (auto& cell : cells)
-    for (std::uint32_t& v : cell) v = number[v];
+    if (number[v] != unused) kept.push_back(points[v]);
   return kept;
+}
+
+/// The points that the cells use, which are renumbered.
+template <class Cells>
+std::vector<Point3> compacted(const std::vector<Point3>& points, Cells& cells) {
+  const std::vector<std::uint32_t> number = numbering(cells, points.size());
+  for (auto& cell : cells) renumber(cell, number);
+  return used_points(points, number);
 }
 
 }  // namespace
@@ -66,15 +79,10 @@ std::vector<InterfaceTriangle> interfaces_of(const TetraMesh& mesh) {
 }
 
 void drop_unused(TetraMesh& mesh, std::vector<InterfaceTriangle>& interfaces) {
-  std::vector<std::uint32_t> number(mesh.points.size(), FaceTable::vacant);
-  for (const Tetrahedron& tet : mesh.tetrahedra)
-    for (const std::uint32_t v : tet) number[v] = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t& n : number)
-    if (n != FaceTable::vacant) n = count++;
-  for (InterfaceTriangle& face : interfaces)
-    for (std::uint32_t& v : face.triangle) v = number[v];
-  mesh.points = compacted(mesh.points, mesh.tetrahedra);
+  const std::vector<std::uint32_t> number = numbering(mesh.tetrahedra, mesh.points.size());
+  for (InterfaceTriangle& face : interfaces) renumber(face.triangle, number);
+  for (Tetrahedron& tet : mesh.tetrahedra) renumber(tet, number);
+  mesh.points = used_points(mesh.points, number);
 }
 
 SurfaceMesh surface_of(const LabelledComplex& complex, Label label) {

@@ -4,18 +4,12 @@
 #include <numeric>
 
 #include "recon/core/ring_holds.h"
+#include "recon/delaunay/ring.h"
 
 namespace odontoscope::partition {
 namespace {
 
-double signed_area(const std::vector<Point2>& p) {
-  double twice = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point2 a = p[i], b = p[(i + 1) % p.size()];
-    twice += (a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x);
-  }
-  return twice / 2;
-}
+using delaunay::signed_area;
 
 /// Votes of some points of each contour.
 struct Votes {

@@ -1,19 +1,10 @@
 #include "recon/partition/partition_topology.h"
 
-#include "recon/delaunay/ring.h"
 #include "recon/delaunay/solve_stack.h"
 
 namespace odontoscope::partition {
 
 using delaunay::RegionLink;
-
-std::vector<std::vector<Point2>> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure) {
-  std::vector<std::vector<Point2>> holes;
-  for (const std::size_t k : {slab, slab + 1})
-    for (const Contour& contour : stack.slices[k].contours)
-      if (contour.structure == structure && delaunay::signed_area(contour.points) < 0) holes.push_back(contour.points);
-  return holes;
-}
 
 ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena, const Progress& progress) {
   const delaunay::SurveyedStructure survey = delaunay::survey_stack({stack, structure, {}}, arena, progress);

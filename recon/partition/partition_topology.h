@@ -22,7 +22,4 @@ struct ImpliedTopology {
 /// Of a structure of the stack. Where a region is linked to nothing, what closes over it counts as a plate.
 ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena, const Progress& progress);
 
-/// Holes of a structure in the slices of a slab, for place_of_difference.
-std::vector<std::vector<Point2>> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure);
-
 }  // namespace odontoscope::partition

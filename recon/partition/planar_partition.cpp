@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "recon/core/error.h"
+#include "recon/core/limits.h"
 #include "recon/delaunay/constrained.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/overlay.h"
@@ -130,7 +131,7 @@ class Conformer {
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y, length = std::sqrt(square);
     double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square;
     const double gap = std::hypot(v.x - (a.x + t * x), v.y - (a.y + t * y));
-    const bool narrow = gap * 16 < (piece.t1 - piece.t0) * length && (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
+    const bool narrow = gap * odontoscope::limits::narrow_gap < (piece.t1 - piece.t0) * length && (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
     double u = 1 - t;
     if (!narrow) {
       const bool at_start = sharp_[border.a] && piece.t0 == 0, at_end = sharp_[border.b] && piece.u1 == 0;

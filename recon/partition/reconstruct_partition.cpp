@@ -185,7 +185,7 @@ class PartitionReconstructor {
         if (counted[k].as_implied()) return;
         const LabelledPart part = part_of(complex.mesh, first_tetrahedron_[given_[k]], first_tetrahedron_[given_[k + 1]], static_cast<Label>(s + 1));
         if (part.tetrahedra.empty()) return;
-        counted[k].place = delaunay::place_of_difference({complex.mesh.points, part.tetrahedra, part.boundary, holes_beside(left_.stack, k, name)},
+        counted[k].place = delaunay::place_of_difference({complex.mesh.points, part.tetrahedra, part.boundary, delaunay::holes_beside(left_.stack, k, name)},
                                                          counted[k].implied, counted[k].found);
       });
       result_.topology.insert(result_.topology.end(), counted.begin(), counted.end());

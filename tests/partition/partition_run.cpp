@@ -95,7 +95,7 @@ void note(const Reconstruction& result, PartitionOutcome& outcome) {
   }
   outcome.raised = result.counts.raised_slabs;
   outcome.constrained = result.counts.constrained_slices;
-  outcome.restored = result.counts.restored;
+  outcome.relabelled = result.partition.relabelled;
   if (result.complex) outcome.tetrahedra = result.complex->mesh.tetrahedra.size();
 }
 

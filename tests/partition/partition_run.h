@@ -14,7 +14,7 @@ struct PartitionOutcome {
   PartitionEnd end = PartitionEnd::certified;
   std::string message;  // empty if certified; the cause if refused
   double seconds = 0;   // processor time of the first run, on one thread
-  std::size_t not_as_implied = 0, slabs = 0, raised = 0, constrained = 0, restored = 0, tetrahedra = 0;
+  std::size_t not_as_implied = 0, slabs = 0, raised = 0, constrained = 0, relabelled = 0, tetrahedra = 0;
   bool failed() const { return end != PartitionEnd::certified && end != PartitionEnd::refused; }
   /// The same for failures of one sort, whatever numbers their messages hold.
   std::string sort() const;

@@ -49,7 +49,7 @@ class Tally {
     raised_ += outcome.raised;
     constrained_ += outcome.constrained;
     tetrahedra_ += outcome.tetrahedra;
-    restored_ += outcome.restored;
+    relabelled_ += outcome.relabelled;
     if (outcome.seconds > slowest_) {
       slowest_ = outcome.seconds;
       slowest_words_ = "seed " + std::to_string(seed) + " (" + given.kind + ", " +
@@ -67,7 +67,7 @@ class Tally {
 
   void print(std::ostream& out, double seconds) const {
     out << stacks_ << " stacks, " << certified_ << " certified, " << seconds << " s; " << tetrahedra_ << " tetrahedra, "
-        << restored_ << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_ << " not as implied, "
+        << relabelled_ << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_ << " not as implied, "
         << raised_ << " raised slabs, " << constrained_ << " constrained slices; slowest " << slowest_
         << " s of processor time: " << slowest_words_ << "\n";
     for (const auto& [sort, kinds] : ends_) {
@@ -81,7 +81,7 @@ class Tally {
 
  private:
   std::size_t stacks_ = 0, certified_ = 0, slabs_ = 0, not_as_implied_ = 0, raised_ = 0, constrained_ = 0,
-              tetrahedra_ = 0, restored_ = 0;
+              tetrahedra_ = 0, relabelled_ = 0;
   double slowest_ = 0;
   std::string slowest_words_;
   std::map<std::string, std::map<std::string, std::size_t>> ends_;
