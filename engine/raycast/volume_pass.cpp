@@ -65,6 +65,15 @@ void VolumePass::cover() const {
   gl_->ActiveTexture(GL_TEXTURE0);
 }
 
+void VolumePass::cover_behind(const Framebuffer& picture) const {
+  picture.bind();
+  gl_->Disable(GL_DEPTH_TEST);
+  gl_->Enable(GL_BLEND);
+  gl_->BlendEquation(GL_FUNC_ADD);
+  gl_->BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
+  cover();
+}
+
 void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const CastDepths& depths, const Framebuffer& picture) {
   const Program& cast = program(VolumeLook::Cast::shaded);
   set_view(cast, view, volume);
@@ -80,12 +89,7 @@ void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, con
   bind(*gl_, from_unit, GL_TEXTURE_2D, depths.from != 0 ? depths.from : depths.opaque);
   bind(*gl_, to_unit, GL_TEXTURE_2D, depths.to != 0 ? depths.to : depths.opaque);
   bind(*gl_, opaque_unit, GL_TEXTURE_2D, depths.opaque);
-  picture.bind();
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Enable(GL_BLEND);
-  gl_->BlendEquation(GL_FUNC_ADD);
-  gl_->BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  cover();
+  cover_behind(picture);
 }
 
 void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const Framebuffer& picture) {
@@ -95,12 +99,7 @@ void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, 
   cast.set("high", static_cast<float>(look.white));
   cast.set("attenuation", metres_to_mm * static_cast<float>(look.attenuation));
   cast.set("latitude", static_cast<float>(look.latitude));
-  picture.bind();
-  gl_->Disable(GL_DEPTH_TEST);
-  gl_->Enable(GL_BLEND);
-  gl_->BlendEquation(GL_FUNC_ADD);
-  gl_->BlendFunc(GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  cover();
+  cover_behind(picture);
 }
 
 void VolumePass::draw_surface(const CastView& view, const GpuVolume& volume, const VolumeLook& look) {

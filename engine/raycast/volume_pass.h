@@ -48,6 +48,8 @@ class VolumePass {
   Program& program(VolumeLook::Cast cast);
   void set_view(const Program& program, const CastView& view, const GpuVolume& volume) const;
   void cover() const;
+  /// What the picture holds already stays in front.
+  void cover_behind(const Framebuffer& picture) const;
 
   const Gl* gl_;
   ShaderLibrary shaders_;
