@@ -91,7 +91,6 @@ void refuse_with_partition(const ReconstructArguments& options) {
   if (!options.dt.partition.wanted) return;
   if (options.method == Method::db) throw UsageError("--partition is about the DT method", "Use --method dt");
   if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
-  if (options.triangles) throw UsageError("--triangles does not work with --partition yet", "Leave one of them out");
 }
 
 void refuse_senseless(const ReconstructArguments& options) {

@@ -524,10 +524,10 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
         return Model(_core.by_db(stack._core, db, progress), stack.source)
     target = None if triangles is None else _options.whole(triangles, "triangles", 1)
     if partition:
-        if target is not None or dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
-            raise _refuse(UsageError, "together, triangles, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
+        if dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
+            raise _refuse(UsageError, "together, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
         order = [name for names in _options.names(priority) for name in names.split(",")]
-        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], progress), stack.source)
+        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], target, progress), stack.source)
     if priority is not None or gap is not None:
         raise _refuse(UsageError, "priority and gap are about partition", "Give partition=True, or leave them out")
     return Model(_core.by_dt(stack._core, dt, target, progress), stack.source)

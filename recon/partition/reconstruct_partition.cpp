@@ -13,10 +13,11 @@
 #include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/look_here.h"
 #include "recon/input/validate.h"
+#include "recon/mesh/complex_parts.h"
 #include "recon/partition/certify_partition.h"
-#include "recon/partition/complex_parts.h"
 #include "recon/partition/face_contours.h"
 #include "recon/partition/inner_first.h"
+#include "recon/partition/interfaces.h"
 #include "recon/partition/interpolate.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/partition_topology.h"
@@ -172,7 +173,7 @@ class PartitionReconstructor {
     result_.slices_checked = given_.size();
     result_.certified = true;
     compare_topology();
-    drop_unused(result_.complex->mesh, result_.complex->interfaces);
+    drop_unused(*result_.complex);
   }
 
   void compare_topology() {
