@@ -202,7 +202,7 @@ class PartitionReconstructor {
   void forget_numbers() {
     for (Attention& item : result_.attention) {
       item.links.clear();
-      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen without --partition only.";
+      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen with --independent only.";
     }
     result_.links.clear();
     result_.void_links.clear();

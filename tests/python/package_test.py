@@ -154,7 +154,8 @@ class Partition(InFolder):
         for options in [{"gap": 1}, {"priority": "a,b"}]:
             with self.assertRaises(odontoscope.UsageError):
                 odontoscope.reconstruct(self.rows(), **options)
-        self.assertIsNone(odontoscope.reconstruct(self.rows()).complex)
+        self.assertIsNotNone(odontoscope.reconstruct(self.rows()).complex)   # they overlap
+        self.assertIsNone(odontoscope.reconstruct(self.rows(), partition=False).complex)
 
 
 class Links(InFolder):
