@@ -18,6 +18,7 @@ export class Labels {
     this.mark = null;
     this.host.append(this.lines);
     this.on = true;
+    this.muted = false;   // while a question is open
     this.height = Math.max(...parts.map(part => part.geometry.boundingBox.max.z)) - Math.min(...parts.map(part => part.geometry.boundingBox.min.z));
     this.looks = looks;
     this.named = parts.filter(part => part.kind !== 'cavity' || looks.get(part.key).as_body).map((part, index) => this.labelOf(part, index));
@@ -48,7 +49,7 @@ export class Labels {
       this.ring.setAttribute('cy', (1 - marked.y) / 2 * height);
     }
     for (const label of this.named) {
-      const look = this.looks.get(label.part.key), shown = this.on && !hidden && look.visible && look.opacity > 0;
+      const look = this.looks.get(label.part.key), shown = this.on && !this.muted && !hidden && look.visible && look.opacity > 0;
       const at = shown ? this.outermost(this.placesOf(label, plane), label.right, camera, width, height) : null;
       for (const piece of [label.words, label.line, label.dot]) piece.style.display = at ? '' : 'none';
       if (at) placed.push({label, at});
