@@ -121,7 +121,8 @@ export class Cues {
       if (!one) return;
       span.textContent = one.text;
       span.className = one.kind;
-      Object.assign(span.style, {left: `${one.on.x}px`, top: `${one.on.y}px`, fontSize: `${one.pixels}px`});
+      const half = 0.5 * widthOf(one) + 6, x = Math.min(Math.max(one.on.x, half), this.viewer.canvas.clientWidth - half);   // a name at the edge stays whole
+      Object.assign(span.style, {left: `${x}px`, top: `${one.on.y}px`, fontSize: `${one.pixels}px`});
     });
   }
 

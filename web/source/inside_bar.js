@@ -8,8 +8,14 @@ const along = 0.35;   // a cosine: less, and one looks at the wall
 function whereInWords(viewer) {
   const {camera} = viewer.journey, near = viewer.tours.map(tour => ({tour, ...tour.nearest(camera.position)})).sort((a, b) => a.distance - b.distance)[0];
   if (!near) return [];
-  const {tour, mm} = near, turn = camera.getWorldDirection(new Vector3()).dot(tour.direction(mm));
-  const deep = tour.orifice === null ? tour.name : mm < tour.orifice ? 'in the chamber' : `${tour.name}: ${(mm - tour.orifice).toFixed(1)} mm below the orifice`;
+  const {tour, mm} = near, look = camera.getWorldDirection(new Vector3());
+  if (tour.orifice !== null && mm < tour.orifice) {
+    const down = new Vector3();   // to where the canals lead, all together
+    for (const {curve} of viewer.tours) down.add(curve.getPointAt(1).sub(curve.getPointAt(0)));
+    const turn = look.dot(down.normalize());
+    return ['in the chamber', turn > along ? 'looking to the roots' : turn < -along ? 'looking to the crown' : 'looking to the side'];
+  }
+  const turn = look.dot(tour.direction(mm)), deep = tour.orifice === null ? tour.name : `${tour.name}: ${(mm - tour.orifice).toFixed(1)} mm below the orifice`;
   return [deep, turn > along ? 'looking to the tip' : turn < -along ? 'looking to the crown' : 'looking at the wall'];
 }
 

@@ -41,7 +41,7 @@ export class Labels {
     return {part, places, everywhere, words, line, dot, right: index % 2 === 0};
   }
 
-  place(camera, {hidden, plane, width, height}) {
+  place(camera, {hidden, plane, width, height, avoid = []}) {
     const placed = [], marked = this.mark && !hidden ? this.mark.clone().project(camera) : null;
     this.ring.style.display = marked && marked.z <= 1 ? '' : 'none';
     if (marked) {
@@ -55,7 +55,7 @@ export class Labels {
       if (at) placed.push({label, at});
     }
     const taken = {true: [], false: []};
-    for (const {label, at} of placed.sort((a, b) => a.at.y - b.at.y)) this.put(label, at, taken[label.right], width, height);   // lines do not cross
+    for (const {label, at} of placed.sort((a, b) => a.at.y - b.at.y)) this.put(label, at, taken[label.right], width, height, avoid);   // lines do not cross
   }
 
   /// Where a cut shows the structure there; of others what is left and not hidden behind something opaque.
@@ -85,12 +85,13 @@ export class Labels {
     return best && best.x > 0 && best.x < width && best.y > 0 && best.y < height ? best : null;
   }
 
-  put(label, at, taken, width, height) {
+  put(label, at, taken, width, height, avoid) {
     const size = label.words.getBoundingClientRect(), edge = 12;
     const gap = Math.min(90, 0.09 * width);
     const x = label.right ? Math.min(at.x + gap, width - size.width - edge) : Math.max(at.x - gap - size.width, edge);
     let y = Math.min(Math.max(at.y - 24, 24), height - 24);
     for (const other of taken) if (Math.abs(other - y) < 28) y = other + 30;
+    for (const box of [...avoid].sort((a, b) => a.top - b.top)) if (box.left < x + size.width + 4 && box.right > x - 4 && Math.abs(box.top - y) < 30) y = box.top + 32;
     taken.push(y);
     label.words.style.left = `${x}px`;
     label.words.style.top = `${y}px`;

@@ -15,6 +15,8 @@ export class ShownModel {
     this.looks = looks;
     this.bounds = bounds;
     this.voids = new Set(voidsOf(parts).map(part => part.geometry));
+    // One is inside a body itself: what touches it lies in the very place of its wall (the dentine round a pulp whose apex is open).
+    this.bodies = this.voids.size > 0 && !parts.some(part => part.kind === 'cavity');
     this.parts = parts.map(part => this.partMeshes(part, shared));
     this.caps = [...new Set(parts.map(part => part.structure))].map(structure => this.capMeshes(structure, shared));
     this.cutBy = null;
@@ -47,7 +49,7 @@ export class ShownModel {
     const cut = section && !inside;
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
-      const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && this.fills(part);
+      const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && (this.bodies || this.fills(part));
       const body = inside ? wall && part.kind !== 'cavity' : look.as_body && !cut;   // cut open, a cavity shows its wall
       part.seen = look.visible && opacity > 0 && !left_out;
       for (const mesh of [part.shown, part.first]) mesh.material.uniforms.show_depth.value = Boolean(wall && wallDepth);

@@ -254,6 +254,6 @@ export class Viewer extends EventTarget {
     if (this.headset.present) return;
     const plane = this.section.plane();
     this.pins.place(this.camera);
-    this.labels.place(this.camera, {hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
+    this.labels.place(this.camera, {avoid: this.pins.boxes, hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
   }
 }
