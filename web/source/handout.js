@@ -4,13 +4,13 @@ import {tell} from './address.js';
 import {element} from './dom.js';
 import {rightAnswer} from './marks.js';
 
-const size = {width: 960, height: 640};
-
 export class Handout {
   /// `lesson`: the page's own file, or null; `closed`: called when the picture is free again.
   constructor(viewer, staging, lesson, closed) {
     Object.assign(this, {viewer, staging, lesson, closed});
     this.host = document.getElementById('handout');
+    this.size = {width: 960, height: 640};   // of a picture, in pixels
+    this.way = viewer.quality.still;
     // Paper has the handout, and not the page round it, however printing was begun.
     addEventListener('beforeprint', () => {
       this.only = this.lesson !== null && this.host.hidden;
@@ -25,6 +25,7 @@ export class Handout {
     this.cameFrom = document.activeElement;
     this.fill(file);
     this.host.hidden = false;
+    this.covers(true);
     document.body.classList.add('reading');
     this.host.querySelector('h1').focus({preventScroll: true});
     this.host.scrollTop = 0;
@@ -32,13 +33,18 @@ export class Handout {
 
   close() {
     this.host.hidden = true;
+    this.covers(false);
     document.body.classList.remove('reading');
     tell({});
     this.closed();
     this.cameFrom?.focus?.({preventScroll: true});
   }
 
+  /// What lies under it is neither read nor reached.
+  covers(on) { for (const id of ['stage', 'panel']) document.getElementById(id).inert = on; }
+
   fill(file) {
+    const {size} = this;
     const asked = file.notes.filter(note => note.question), number = note => asked.indexOf(note) + 1;
     const pictures = this.pictures(file.notes);
     const steps = file.notes.map((note, index) => element('section', {class: 'sheet'}, element('h2', {}, `${index + 1}. ${note.title || note.question?.ask || ''}`),
@@ -59,7 +65,7 @@ export class Handout {
 
   /// Each step's picture with its pins and names, on white.
   pictures(notes) {
-    const {viewer, staging} = this, {picture, renderer, orbit} = viewer, still = orbit.still, ratio = renderer.getPixelRatio();
+    const {viewer, staging, size} = this, {picture, renderer, orbit} = viewer, still = orbit.still, ratio = renderer.getPixelRatio();
     const look = getComputedStyle(document.documentElement);
     renderer.setPixelRatio(1);
     renderer.setSize(size.width, size.height, false);
@@ -70,7 +76,7 @@ export class Handout {
       viewer.journey.resize(size.width / size.height);
       staging.show(note);
       if (viewer.inside) viewer.journey.update(0); else orbit.update(0);
-      viewer.draw({complete: true});
+      viewer.draw({way: this.way, complete: this.way.layers});
       return this.painted(note);
     });
     orbit.still = viewer.journey.still = still;
@@ -82,7 +88,7 @@ export class Handout {
   }
 
   painted(note) {
-    const canvas = Object.assign(document.createElement('canvas'), size), context = canvas.getContext('2d'), {viewer} = this;
+    const {viewer, size} = this, canvas = Object.assign(document.createElement('canvas'), size), context = canvas.getContext('2d');
     context.drawImage(viewer.canvas, 0, 0, size.width, size.height);
     context.font = '600 22px system-ui, sans-serif';
     context.textBaseline = 'middle';
