@@ -10,6 +10,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/web_input.h"
 #include "engine/app/words.h"
+#include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/notes.h"
 #include "recon/core/grouped.h"
 
@@ -23,6 +24,14 @@ struct WebArguments {
 
 constexpr std::size_t longest_title = 200;
 
+/// A file, or one of the lessons that come with the program by its title.
+TourNotes lesson_called(const std::string& called) {
+  const std::vector<BuiltInLesson> known = built_in_lessons();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i].title == called) return built_in_lesson_tour(i);
+  return read_tour(called);
+}
+
 /// A lesson in place of a model is about the model that it names, or the sample molar.
 std::optional<TourNotes> lesson_of(WebArguments& options) {
   if (named_like_a_tour(options.words.input)) {
@@ -30,7 +39,7 @@ std::optional<TourNotes> lesson_of(WebArguments& options) {
     std::swap(options.lesson, options.words.input);
   }
   if (options.lesson.empty()) return {};
-  TourNotes lesson = read_tour(options.lesson);
+  TourNotes lesson = lesson_called(options.lesson);
   if (options.words.input.empty() && !lesson.model.empty())
     options.words.input = (std::filesystem::path(options.lesson).parent_path() / lesson.model).lexically_normal().string();
   return lesson;
@@ -61,7 +70,7 @@ ExitCode make_page(WebArguments options, Session& session) {
   refuse_without_page();
   PlannedFiles files{.inputs = {}, .outputs = {options.output}};
   if (!options.words.input.empty()) files.inputs.push_back(options.words.input);
-  if (!options.lesson.empty()) files.inputs.push_back(options.lesson);
+  if (!options.lesson.empty() && std::filesystem::exists(options.lesson)) files.inputs.push_back(options.lesson);
   if (!options.words.dt.links.empty()) files.inputs.push_back(options.words.dt.links);
   refuse_unwritable(files);
 
@@ -84,9 +93,9 @@ ExitCode make_page(WebArguments options, Session& session) {
 Command web_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("web", "A page to look at a model in any browser, in one file");
   const auto options = std::make_shared<WebArguments>();
-  parser->add_option("INPUT", options->words.input, "Contour stack, mesh, lesson, or with --iso a volume; none: the sample molar")->type_name("");
+  parser->add_option("INPUT", options->words.input, "Contours, mesh, lesson, or with --iso a volume; none: the sample molar")->type_name("");
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
-  parser->add_option("--lesson", options->lesson, "A lesson to open with; without INPUT on the model it names")->type_name("FILE.tour.json");
+  parser->add_option("--lesson", options->lesson, "A lesson to open with: a file, or a title of those built in")->type_name("FILE");
   parser->add_option("--title", options->title, "What the page is called (default: the lesson's or the file's name)")->type_name("TEXT");
   parser->add_flag("--db", options->words.with_db, "The DB method's model too, and a switch between both");
   constexpr int most_triangles = 100'000'000;
@@ -101,6 +110,7 @@ Command web_command(CLI::App& root) {
       "Examples:\n"
       "  odontoscope web -o molar.html\n"
       "  odontoscope web canals.tour.json -o lesson.html\n"
+      "  odontoscope web --lesson \"Find your way\" -o quiz.html\n"
       "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
       "\n"

@@ -1,5 +1,6 @@
 // `odontoscope web` as a process. What the page does in a browser is judged in tests/judges.
 
+#include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
@@ -68,6 +69,7 @@ constexpr const char* lesson =
     R"({"title":"One","text":"<b>","camera":{"position":[0,9,0],"target":[0,0,0],"up":[0,0,1]}}]})";
 
 TEST_F(Web, OpensWithALessonOnTheModelThatItNames) {
+  std::filesystem::create_directory(folder.path() / "lessons");
   given("lessons/cube.json", cube_stack());
   given("lessons/two.tour.json", lesson);
   const Ending made = web({"lessons/two.tour.json", "-o", "lesson.html"});
@@ -82,6 +84,8 @@ TEST_F(Web, OpensWithALessonOnTheModelThatItNames) {
   ASSERT_EQ(web({"cube.json", "--lesson", "lessons/two.tour.json", "-o", "other.html", "--title", "Mine"}).exit_code, 0);
   EXPECT_NE(bytes_of("other.html").find("<title>Mine</title>"), std::string::npos);
   EXPECT_NE(bytes_of("other.html").find("id=\"tour\">"), std::string::npos);
+  ASSERT_EQ(web({"cube.json", "--lesson", "Find your way", "-o", "other.html"}).exit_code, 0);   // it comes with the program
+  EXPECT_NE(bytes_of("other.html").find("<title>Find your way</title>"), std::string::npos);
 }
 
 TEST_F(Web, RefusesABadLessonAndTouchesNothing) {

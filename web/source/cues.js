@@ -6,8 +6,8 @@ import {element} from './dom.js';
 
 const drawing = 'http://www.w3.org/2000/svg';
 const ringsAhead = 7, rimCorners = 40;
-const leastPixels = 11, mostPixels = 30;   // of a number
-const numberSize = 0.42;                   // of the canal's width there
+const leastPixels = 11, mostPixels = 28;   // of a number
+const numberSize = 0.26;                   // of the canal's width there
 const farWay = 8;                          // steps of the way ahead that are drawn
 
 /// Of what would lie upon each other only the first.

@@ -34,27 +34,34 @@ export class Pins {
   }
 
   place(camera) {
-    const {viewer} = this, width = viewer.canvas.clientWidth, height = viewer.canvas.clientHeight, taken = [];
+    const {viewer} = this, width = viewer.canvas.clientWidth, height = viewer.canvas.clientHeight, seen = [];
     camera.updateMatrixWorld();
     this.boxes = [];
-    const middle = this.pins.reduce((sum, {at}) => sum + at.clone().project(camera).x, 0) / Math.max(1, this.pins.length);
-    for (const {at, line, dot, words} of this.pins) {
-      const p = at.clone().project(camera), x = (p.x + 1) / 2 * width, y = (1 - p.y) / 2 * height;
-      const hidden = p.z > 1 || p.z < -1 || x < 0 || x > width || y < 0 || y > height || (viewer.inside && !viewer.inSight(at));
-      for (const piece of [line, dot, words]) piece.style.display = hidden ? 'none' : '';
-      if (hidden) continue;
+    for (const pin of this.pins) {
+      const p = pin.at.clone().project(camera), x = (p.x + 1) / 2 * width, y = (1 - p.y) / 2 * height;
+      const hidden = p.z > 1 || p.z < -1 || x < 0 || x > width || y < 0 || y > height || (viewer.inside && !viewer.inSight(pin.at));
+      for (const piece of [pin.line, pin.dot, pin.words]) piece.style.display = hidden ? 'none' : '';
+      if (!hidden) seen.push({...pin, x, y});
+    }
+    const middle = seen.reduce((sum, {x}) => sum + x, 0) / Math.max(1, seen.length);
+    for (const {x, y, line, dot, words} of seen.sort((a, b) => a.y - b.y)) {
       dot.setAttribute('cx', x);
       dot.setAttribute('cy', y);
-      // Outwards from the pins' middle: a label is not to cover another pin.
-      const room = words.offsetWidth, outwards = this.pins.length > 1 && p.x < middle - 1e-6 ? x - 30 - room >= 4 : x + 30 + room > width;
-      const left = outwards ? Math.max(4, x - 30 - room) : x + 30;
-      let top = Math.min(Math.max(y - 26, 20), height - 20);
-      for (const other of taken) if (Math.abs(other.left - left) < 140 && Math.abs(other.top - top) < 30) top = other.top + 32;
-      taken.push({left, top});
+      const room = words.offsetWidth, outwards = seen.length > 1 && x < middle - 1e-6 ? -1 : 1;
+      const {left, top} = this.freePlace({x, y, room, outwards, width, height}, seen);
       this.boxes.push({left, right: left + room, top});
       words.style.left = `${left}px`;
       words.style.top = `${top}px`;
-      for (const [key, value] of [['x1', x], ['y1', y], ['x2', left < x ? left + room : left], ['y2', top]]) line.setAttribute(key, value);
+      for (const [key, value] of [['x1', x], ['y1', y], ['x2', Math.min(Math.max(x, left), left + room)], ['y2', top]]) line.setAttribute(key, value);
     }
+  }
+
+  /// Beside the pin, outwards first, where the label covers neither a pin nor a label.
+  freePlace({x, y, room, outwards, width, height}, seen) {
+    const places = [26, 60, 94].flatMap(far => [outwards, -outwards].flatMap(side => [-far, far].map(down =>
+      ({left: Math.min(Math.max(side > 0 ? x + 30 : x - 30 - room, 4), width - room - 4), top: Math.min(Math.max(y + down, 20), height - 20)}))));
+    const free = ({left, top}) => seen.every(pin => pin.x < left - 8 || pin.x > left + room + 8 || Math.abs(pin.y - top) > 22) &&
+      this.boxes.every(box => box.right < left - 4 || box.left > left + room + 4 || Math.abs(box.top - top) > 29);
+    return places.find(free) ?? places[0];
   }
 }
