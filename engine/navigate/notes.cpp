@@ -222,13 +222,7 @@ class TourReader final : public StrictJson {
       if (!needed && !allowed && seen_.contains(key))
         refuse("unknown-key", fmt::format("a question of kind \"{}\" has no key {}", kind_->name, name(key)), "Remove it, or correct the kind.");
     }
-    if (asked.ask.empty()) refuse("bad-question", "a question asks nothing", "Write what to ask as \"ask\".");
-    if (asked.kind == TourQuestion::Kind::click && asked.structure.empty()) refuse("bad-question", "the structure to click has no name", "Name it.");
-    if (asked.within < 0) refuse("bad-question", "\"within\" is negative", "Write how far off is still right: 0 or more.");
-    if (asked.kind != TourQuestion::Kind::choice) return;
-    if (asked.choices.size() < least_choices) refuse("bad-question", fmt::format("a question with {} choices", asked.choices.size()), "Offer two or more.");
-    if (asked.answer != std::floor(asked.answer) || asked.answer < 0 || asked.answer >= static_cast<double>(asked.choices.size()))
-      refuse("bad-question", fmt::format("answer {} is none of {} choices", asked.answer, asked.choices.size()), "Choices are counted from 0.");
+    if (const std::string fault = fault_of(asked); !fault.empty()) refuse("bad-question", "a question that cannot be answered", fault);
   }
   std::string checked_text(const std::string& value) const {
     if (value.size() > most_text_bytes || !plain(value, true))
@@ -333,6 +327,18 @@ Json json_of(const TourQuestion& question) {
 }
 
 }  // namespace
+
+std::string fault_of(const TourQuestion& question) {
+  if (question.ask.empty()) return "Write what is asked.";
+  if (question.kind == TourQuestion::Kind::click) return question.structure.empty() ? "Say which structure is right." : "";
+  if (!(std::abs(question.answer) <= largest_answer)) return fmt::format("An answer lies within {}.", largest_answer);
+  if (question.kind == TourQuestion::Kind::number) return question.within >= 0 && question.within <= largest_answer ? "" : "Say how far off is still right: 0 or more.";
+  if (question.choices.size() < least_choices) return "Offer two choices or more.";
+  if (std::any_of(question.choices.begin(), question.choices.end(), [](const std::string& choice) { return choice.empty(); })) return "Write something for each choice.";
+  if (question.answer != std::floor(question.answer) || question.answer < 0 || question.answer >= static_cast<double>(question.choices.size()))
+    return fmt::format("Answer {} is none of {} choices; they are counted from 0.", question.answer, question.choices.size());
+  return "";
+}
 
 bool TourNotes::is_quiz() const {
   return std::any_of(notes.begin(), notes.end(), [](const TourNote& note) { return note.question.has_value(); });

@@ -88,6 +88,9 @@ TourNotes read_tour(const std::string& file);
 /// What parse_tour reads as the very same, in the oldest version that can say it.
 std::string to_json(const TourNotes& tour);
 
+/// Why it cannot be asked, in words; empty: it can.
+std::string fault_of(const TourQuestion& question);
+
 /// Is it called as such a file?
 bool named_like_a_tour(std::string_view file);
 
