@@ -27,6 +27,8 @@ writeFileSync(made('canals.tour.json'), lessonOf({}));
 writeFileSync(made('exam.tour.json'), lessonOf({feedback: 'at-end', title: 'Exam', notes: notes.slice(4)}));
 pageOrSkip('canals.tour.json', '-o', 'lesson.html');
 odontoscope('web', 'molar.json', '--lesson', 'exam.tour.json', '-o', 'exam.html');
+writeFileSync(made('box.json'), JSON.stringify({format: 'odontoscope.contours', version: 1, unit: 'mm', slices: [0, 1, 2].map(z => ({z, contours: [{points: [[0, 0], [9, 0], [9, 9], [0, 9]]}]}))}));
+odontoscope('web', 'box.json', '--lesson', 'canals.tour.json', '-o', 'embedded.html');   // drawn in no time
 
 const size = {width: 720, height: 420}, context = {reducedMotion: 'reduce', acceptDownloads: true};
 const one = await openedIn(chromium, made('lesson.html'), {size, context});
@@ -201,7 +203,7 @@ test('axe finds nothing on a step, an answered question, the marks and the hando
 });
 
 test('a page around it is told, and no other', async () => {
-  const file = readFileSync(made('lesson.html'));
+  const file = readFileSync(made('embedded.html'));
   const server = createServer((request, answer) => {
     answer.setHeader('content-type', 'text/html');
     answer.end(request.url === '/lesson.html' ? file : '<script>globalThis.heard=[];addEventListener("message",e=>heard.push(e.data))</script><iframe id=f width=500 height=400></iframe>');

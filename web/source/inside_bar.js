@@ -87,7 +87,7 @@ export class InsideBar {
     viewer.orbit.resize(viewer.canvas.width / viewer.canvas.height);
     viewer.orbit.goTo(view, true);
     viewer.orbit.update(0);
-    viewer.draw();
+    viewer.draw({way: viewer.quality.moving});   // it is small
     camera.updateMatrixWorld();
     this.seen = camera.clone();
     const {width, height} = this.map, scale = height / viewer.canvas.height;
