@@ -9,6 +9,7 @@ const [page_, picture, size, modules, address = '', script = ''] = process.argv.
 const {chromium} = createRequire(join(resolve(modules), 'x.js'))('playwright-core');
 const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--no-first-run']});
 const page = await browser.newPage({viewport: {width, height}, colorScheme: 'dark', reducedMotion: 'reduce'});
+page.setDefaultTimeout(300_000);   // software draws
 await page.goto(pathToFileURL(resolve(page_)).href + address);
 await page.evaluate(async () => {
   const viewer = await odontoscope;
