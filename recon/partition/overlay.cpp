@@ -145,7 +145,7 @@ class Overlayer {
     Label best = void_label;
     for (std::size_t s = 0; s < materials_.structures.size(); ++s)
       if ((members >> s & 1) != 0 && materials_.wins(static_cast<Label>(s + 1), best)) best = static_cast<Label>(s + 1);
-    return best;
+    return best == void_label ? void_label : materials_.label_of(best - 1);
   }
 
   // ---- gaps ---------------------------------------------------------------------------------------------------------
