@@ -175,7 +175,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
   if (auto meshes = meshes_in(kind, bytes, file)) return cut_told(std::move(*meshes), file, words, session);
   if (kind == FileKind::volume) {
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
-                     "Give --iso T for an image, --label N for a label map");
+                     "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }
   if (kind == FileKind::unknown) refuse_unknown(file, bytes);
   ContourStack stack = parse_stack(bytes, file);

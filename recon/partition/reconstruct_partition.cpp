@@ -13,10 +13,11 @@
 #include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/look_here.h"
 #include "recon/input/validate.h"
+#include "recon/mesh/complex_parts.h"
 #include "recon/partition/certify_partition.h"
-#include "recon/partition/complex_parts.h"
 #include "recon/partition/face_contours.h"
 #include "recon/partition/inner_first.h"
+#include "recon/partition/interfaces.h"
 #include "recon/partition/interpolate.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/partition_topology.h"
@@ -172,7 +173,7 @@ class PartitionReconstructor {
     result_.slices_checked = given_.size();
     result_.certified = true;
     compare_topology();
-    drop_unused(result_.complex->mesh, result_.complex->interfaces);
+    drop_unused(*result_.complex);
   }
 
   void compare_topology() {
@@ -201,7 +202,7 @@ class PartitionReconstructor {
   void forget_numbers() {
     for (Attention& item : result_.attention) {
       item.links.clear();
-      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen without --partition only.";
+      if (item.remedy.find("--") != std::string::npos) item.remedy = "Links can be chosen with --independent only.";
     }
     result_.links.clear();
     result_.void_links.clear();
