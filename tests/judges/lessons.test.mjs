@@ -202,12 +202,13 @@ test('axe finds nothing on a step, an answered question, the marks and the hando
   }
 });
 
-test('a page around it is told, and no other', async () => {
+test('a page around it is told, and no other', async t => {
   const file = readFileSync(made('embedded.html'));
   const server = createServer((request, answer) => {
     answer.setHeader('content-type', 'text/html');
     answer.end(request.url === '/lesson.html' ? file : '<script>globalThis.heard=[];addEventListener("message",e=>heard.push(e.data))</script><iframe id=f width=500 height=400></iframe>');
   }).listen(0, '127.0.0.1');
+  t.after(() => { server.close(); server.closeAllConnections(); });   // or a failure would keep this script alive
   await new Promise(done => server.once('listening', done));
   const home = `http://127.0.0.1:${server.address().port}`, around = await (await chromium.newContext({reducedMotion: 'reduce'})).newPage();
   const heardIn = async hash => {
@@ -224,7 +225,6 @@ test('a page around it is told, and no other', async () => {
   assert.deepEqual(heard.map(({event, step}) => [event, step ?? 0]), [['ready', 0], ['step', 1], ['step', 5], ['answer', 5], ['step', 8], ['done', 0]]);
   assert.deepEqual([heard[3].right, heard[3].given, heard[5].score], [false, 'enamel', {right: 0, of: 3}]);
   assert.deepEqual(await heardIn('#parent=https://elsewhere.example'), []);
-  server.close();
 });
 
 test('all that asked the network for nothing and complained of nothing', () => assert.deepEqual(one.watched, []));

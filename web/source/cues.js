@@ -5,7 +5,7 @@ import {depthStep} from './depth.js';
 import {element} from './dom.js';
 
 const drawing = 'http://www.w3.org/2000/svg';
-const ringsAhead = 7, rimCorners = 40;
+const ringsAhead = 7, rimCorners = 40, wayPoints = 24;
 const leastPixels = 11, mostPixels = 28;   // of a number
 const numberSize = 0.26;                   // of the canal's width there
 const farWay = 8;                          // steps of the way ahead that are drawn
@@ -130,7 +130,9 @@ export class Cues {
   loop(points, seen) {
     let path = '', open = false;
     [...points, ...points.slice(0, 1)].forEach(p => {
-      const on = this.viewer.inSight(p) ? seen(p) : null;
+      const at = seen(p), {clientWidth, clientHeight} = this.viewer.canvas;   // what is nowhere near the picture costs nothing
+      const near = at && Math.abs(at.x - 0.5 * clientWidth) < clientWidth && Math.abs(at.y - 0.5 * clientHeight) < clientHeight;
+      const on = near && this.viewer.inSight(p) ? at : null;
       if (on) path += `${open ? 'L' : 'M'}${on.x.toFixed(1)} ${on.y.toFixed(1)}`;
       open = Boolean(on);
     });
@@ -140,11 +142,11 @@ export class Cues {
   /// From just before one's feet on, as far as it is seen.
   ahead({tour, mm, lengths}, seen) {
     let path = '', low = null;
-    for (let i = 1; i <= 40; ++i) {
-      const at = mm + lengths.lookAhead * (0.35 + i / 40 * farWay * 0.5);
+    for (let i = 1; i <= wayPoints; ++i) {
+      const at = mm + lengths.lookAhead * (0.35 + i / wayPoints * farWay * 0.5);
       if (at > tour.length) break;
       const p = tour.place(at);
-      if (!this.viewer.inSight(p)) break;
+      if (i % 2 === 1 && !this.viewer.inSight(p)) break;
       low ??= 0.55 * this.viewer.journey.room(tour.place(mm));
       const on = seen(p.addScaledVector(tour.up(at), -Math.min(low, 0.55 * this.viewer.journey.room(p))));
       if (on) path += `${path ? 'L' : 'M'}${on.x.toFixed(1)} ${on.y.toFixed(1)}`;
