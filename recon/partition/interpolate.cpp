@@ -68,9 +68,12 @@ std::vector<Interpolation> Interpolator::attempts(std::size_t k) const {
 }
 
 std::vector<Interpolation> Interpolator::own_attempts(std::size_t k) const {
-  std::vector<Interpolation> list{{1, {.strips = true}}, {3, {.strips = true}}, {1, {.strips = false}}, {3, {.strips = false}}, {7, {.strips = false}}};
-  if (deserves_more(k)) list.push_back({15, {.strips = false}, true});
-  for (Interpolation& one : list) one.own = true;
+  std::vector<Interpolation> list;
+  for (const auto own : {Interpolation::Own::inner_first, Interpolation::Own::outer_first})
+    for (const auto& [slices, strips] : {std::pair{1, true}, {3, true}, {1, false}, {3, false}, {7, false}})
+      list.push_back({static_cast<std::size_t>(slices), {.strips = strips}, false, own});
+  if (deserves_more(k))
+    for (const auto own : {Interpolation::Own::inner_first, Interpolation::Own::outer_first}) list.push_back({15, {.strips = false}, true, own});
   return list;
 }
 
@@ -98,14 +101,15 @@ void Interpolator::blend(const Surveyed& one, std::size_t k, const std::vector<d
     for (const auto& contour : outlines[s]) contours[s].contours.push_back({name, contour});
 }
 
-/// The structures, and after them what each fills, whose rest goes to the next one inwards.
-Materials Interpolator::stand_ins() const {
+/// The structures, and after them what each fills.
+Materials Interpolator::stand_ins(Interpolation::Own own) const {
   Materials all = materials_;
-  for (std::size_t s = 0; s < materials_.structures.size(); ++s) all.stand_in.push_back(static_cast<Label>(s + 1));
+  if (own == Interpolation::Own::outer_first)
+    for (std::uint32_t& rank : all.rank) rank = static_cast<std::uint32_t>(all.rank.size()) - 1 - rank;
   for (std::size_t i = 1; i < filled_.size(); ++i) {
     all.rank.push_back(static_cast<std::uint32_t>(all.structures.size()));
     all.structures.push_back(filled_name(materials_.structures[structures_[i]]));
-    all.stand_in.push_back(static_cast<Label>(structures_[i - 1] + 1));
+    all.stand_ins.push_back({static_cast<Label>(structures_[i - 1] + 1), static_cast<Label>(structures_[i] + 1)});
   }
   return all;
 }
@@ -118,10 +122,11 @@ std::vector<InterpolatedBorders> Interpolator::between(std::size_t k, const Inte
   std::vector<Slice> contours(how.slices);
   for (std::size_t i = 0; i < filled_.size(); ++i) {
     const std::string& name = materials_.structures[structures_[i]];
-    blend(filled_[i], k, shares, how.options, how.own && i > 0 ? filled_name(name) : name, contours);
-    if (how.own && i > 0 && own_[i]) blend(*own_[i], k, shares, how.options, name, contours);
+    const bool hollow = how.own != Interpolation::Own::none && i > 0;
+    blend(filled_[i], k, shares, how.options, hollow ? filled_name(name) : name, contours);
+    if (hollow && own_[i]) blend(*own_[i], k, shares, how.options, name, contours);
   }
-  Materials thin = how.own ? stand_ins() : materials_;
+  Materials thin = how.own == Interpolation::Own::none ? materials_ : stand_ins(how.own);
   thin.gap = 0;
   thin.sliver = limits::sliver_share * height;
   for (std::size_t s = 0; s < how.slices; ++s) {

@@ -5,8 +5,8 @@
 // (recon/between), and a place belongs to the first of them that holds it. So interpolated neighbours never gape, and never overlap.
 //
 // What only a structure's own contours tell (that a canal leaves through dentine's wall between two slices) is lost on the way. So where that does not give
-// the implied topology, each structure is interpolated as it is, hollow, as well, and a place within the filled ones that none of these holds goes to the next
-// structure inwards.
+// the implied topology, each structure is interpolated as it is, hollow, as well, and what lies within the filled ones and in none of these goes to the next
+// structure inwards if it borders on that.
 
 #include <tbb/task_arena.h>
 
@@ -33,7 +33,8 @@ struct Interpolation {
   std::size_t slices = 0;   // none: its two slices alone
   between::BlendOptions options = {};
   bool late = false;        // costs several times all others: for what is nearly as it should be
-  bool own = false;         // by the structures' own contours, too
+  /// By the structures' own contours, too; which of them keeps a place that two hold.
+  enum class Own { none, inner_first, outer_first } own = Own::none;
 };
 
 class Interpolator {
@@ -58,7 +59,7 @@ class Interpolator {
   using Surveyed = delaunay::SurveyedStructure;
   bool deserves_more(std::size_t k) const;
   OrderedStack contours_of(const std::string& name, const std::function<bool(Label)>& chosen) const;
-  Materials stand_ins() const;
+  Materials stand_ins(Interpolation::Own own) const;
   void blend(const Surveyed& one, std::size_t k, const std::vector<double>& shares, const between::BlendOptions& options, const std::string& name,
              std::vector<Slice>& contours) const;
 
