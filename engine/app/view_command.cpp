@@ -21,7 +21,9 @@
 #include "engine/ui/viewer.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
+#include "recon/cavity/names.h"
 #include "recon/radiograph/tissue.h"
+#include "recon/sample/tooth_number.h"
 #include "recon/volume/read_volume.h"
 
 namespace odontoscope::app {
@@ -86,7 +88,9 @@ GreyValues grey_values(const Shown& shown) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
-  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session);
+  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
+    if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
+  });
   LoadedModel loaded;
   loaded.title = title_of(request.file);
   loaded.certificate = certificate_of(shown, progress);
@@ -98,6 +102,8 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
   mark_wall_depths(shown.model, *loaded.flight);
+  if (!loaded.flight->cavities.empty())
+    if (const auto kind = sample_of(loaded.flight->cavities.front().lines)) loaded.tooth = tooth_in_words(*kind);
   loaded.model = std::move(shown.model);
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);

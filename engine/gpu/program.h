@@ -8,6 +8,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/gpu/gl_object.h"
 #include "engine/gpu/shader_library.h"

@@ -17,8 +17,8 @@ constexpr std::string_view include_start = "#include \"";
 
 std::string text_of(const std::filesystem::path& folder, std::string_view name) {
   if (folder.empty()) {
-    for (const EmbeddedShader& shader : embedded_shaders())
-      if (shader.name == name) return std::string(shader.source);
+    for (const EmbeddedFile& shader : embedded_shaders())
+      if (shader.name == name) return std::string(shader.bytes);
     throw InternalError(fmt::format("there is no shader {}", name));
   }
   const std::filesystem::path file = folder / name;

@@ -2,19 +2,16 @@
 // Where the text of shaders comes from: embedded in the program, or a folder while developing.
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "recon/core/embedded_file.h"
 
 namespace odontoscope {
 
-struct EmbeddedShader {
-  std::string_view name;     // "surface.frag"
-  std::string_view source;
-};
-
 /// The files of shaders/ as they were when the program was built.
-const std::vector<EmbeddedShader>& embedded_shaders();
+std::span<const EmbeddedFile> embedded_shaders();
 
 struct ShaderLibrary {
   /// Empty: the embedded shaders. Otherwise files of this folder, read again each time.

@@ -184,8 +184,6 @@ Lesson parse_lesson(std::string_view bytes, const std::string& file) {
   return lesson;
 }
 
-Lesson built_in_lesson() { return parse_lesson(lesson_text(), "lesson.json"); }
-
 std::optional<double> quantity_of(const LabResult& result, std::string_view quantity, std::string_view structure) {
   std::optional<double> value;
   for (const LabStructure& one : result.structures) {

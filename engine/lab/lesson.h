@@ -13,12 +13,14 @@
 // `artefact` the camera goes to the first artefact instead of the scene's. Quantities: see `quantity_of`. Unknown keys are errors.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "engine/lab/db_pipeline.h"
 #include "engine/scene/scene.h"
+#include "recon/core/embedded_file.h"
 
 namespace odontoscope {
 
@@ -58,9 +60,10 @@ inline constexpr int depth = 12;
 /// bad-value, and what a scene's reader throws.
 Lesson parse_lesson(std::string_view bytes, const std::string& file);
 
-/// The one that comes with the program, for the sample molar.
-std::string_view lesson_text();
-Lesson built_in_lesson();
+/// The one that comes with the program, for the sample molar; in lesson_files.cpp, and so only in this room.
+std::span<const EmbeddedFile> lesson_files();
+inline std::string_view lesson_text() { return lesson_files()[0].bytes; }
+inline Lesson built_in_lesson() { return parse_lesson(lesson_text(), "lesson.json"); }
 
 /// "triangles", "cracks" (boundary edges), "misoriented", "nonmanifold" (edges), "pieces" (shells), "lowest_mm", "ridges_mm", "median_angle_deg" (median over the triangles of
 /// their smallest angle; the least of the structures); empty if there is no such quantity or structure.

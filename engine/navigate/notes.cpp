@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/scene/scene_json.h"
 #include "recon/core/read_file.h"
@@ -18,20 +20,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view format_name = "odontoscope.tour";
-constexpr int format_version = 2, version_without_scenes = 1;
+constexpr int format_version = 3, version_without_questions = 2, version_without_scenes = 1;
 constexpr double farthest_mm = 1e7;
 
 enum Node {
   document, format, version, title, model, notes, note, note_title, note_text, note_inside, note_scene,
-  camera, position, target, up, coordinate, angle, height, near, parallel
+  camera, position, target, up, coordinate, angle, height, near, parallel,
+  language, feedback, note_tour, marks, mark, mark_at, mark_label,
+  question, kind, ask, explain, structure, part, choices, a_choice, answer, within, unit
 };
 
 using Shape = JsonNode::Shape;
-constexpr JsonNode::Key document_keys[] = {{"format", format, true}, {"version", version, true}, {"title", title, true}, {"model", model, false}, {"notes", notes, true}};
+constexpr JsonNode::Key document_keys[] = {{"format", format, true}, {"version", version, true}, {"title", title, true}, {"model", model, false}, {"notes", notes, true},
+                                           {"language", language, false}, {"feedback", feedback, false}};
 constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false},
-                                       {"camera", camera, true},    {"scene", note_scene, false}};
+                                       {"camera", camera, true},    {"scene", note_scene, false}, {"marks", marks, false},
+                                       {"question", question, false}, {"tour", note_tour, false}};
 constexpr JsonNode::Key camera_keys[] = {{"position", position, true}, {"target", target, true},   {"up", up, true},
                                          {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false}, {"parallel", parallel, false}};
+constexpr JsonNode::Key mark_keys[] = {{"at", mark_at, true}, {"label", mark_label, false}};
+constexpr JsonNode::Key question_keys[] = {{"kind", kind, true}, {"ask", ask, true}, {"explain", explain, false}, {"structure", structure, false}, {"part", part, false},
+                                           {"choices", choices, false}, {"answer", answer, false}, {"within", within, false}, {"unit", unit, false}};
 constexpr JsonNode nodes[] = {
     {Shape::object, "a tour", -1, document_keys},
     {Shape::text, "\"format\""},
@@ -53,7 +62,39 @@ constexpr JsonNode nodes[] = {
     {Shape::number, "\"height_mm\""},
     {Shape::number, "\"near_mm\""},
     {Shape::boolean, "\"parallel\""},
+    {Shape::text, "\"language\""},
+    {Shape::text, "\"feedback\""},
+    {Shape::text, "\"tour\""},
+    {Shape::array, "\"marks\"", mark},
+    {Shape::object, "a mark", -1, mark_keys},
+    {Shape::array, "\"at\"", coordinate},
+    {Shape::text, "\"label\""},
+    {Shape::object, "a question", -1, question_keys},
+    {Shape::text, "\"kind\""},
+    {Shape::text, "\"ask\""},
+    {Shape::text, "\"explain\""},
+    {Shape::text, "\"structure\""},
+    {Shape::text, "\"part\""},
+    {Shape::array, "\"choices\"", a_choice},
+    {Shape::text, "a choice"},
+    {Shape::number, "\"answer\""},
+    {Shape::number, "\"within\""},
+    {Shape::text, "\"unit\""},
 };
+
+/// Keys that a kind of question needs, and those that it may have beside "ask" and "explain".
+struct KindRule {
+  std::string_view name;
+  TourQuestion::Kind kind;
+  std::vector<Node> needed, allowed;
+};
+const std::array<KindRule, 3>& kind_rules() {
+  static const std::array<KindRule, 3> rules = {{{"click", TourQuestion::Kind::click, {structure}, {part}},
+                                                 {"choice", TourQuestion::Kind::choice, {choices, answer}, {}},
+                                                 {"number", TourQuestion::Kind::number, {answer}, {within, unit}}}};
+  return rules;
+}
+constexpr Node kind_dependent[] = {structure, part, choices, answer, within, unit};
 
 bool plain(const std::string& text, bool lines) {
   return std::none_of(text.begin(), text.end(), [&](char c) { return (static_cast<unsigned char>(c) < 0x20 && !(lines && c == '\n')) || c == 0x7f; });
@@ -75,20 +116,43 @@ class TourReader final : public StrictJson {
       if (tour_.notes.size() == most_notes) refuse("too-many-notes", fmt::format("more than {} notes", most_notes), "Make two tours of it.");
       tour_.notes.emplace_back();
     }
-    if (node == position || node == target || node == up) {
+    if (node == mark) {
+      if (tour_.notes.back().marks.size() == most_marks) refuse("too-many-marks", fmt::format("a note with more than {} marks", most_marks), "Make two notes of it.");
+      tour_.notes.back().marks.emplace_back();
+    }
+    if (node == question) {
+      tour_.notes.back().question.emplace();
+      seen_.clear();
+      kind_ = nullptr;
+    }
+    if (node == choices) seen_.insert(choices);
+    if (is_place(node)) {
       vector_ = node;
       coordinates_ = 0;
     }
   }
   void closed(int node) override {
-    if ((node == position || node == target || node == up) && coordinates_ != 3) refuse("wrong-type", "a place has three coordinates", "Write [x, y, z].");
+    if (is_place(node) && coordinates_ != 3) refuse("wrong-type", "a place has three coordinates", "Write [x, y, z].");
     if (node == camera) validate(tour_.notes.back().camera, place().file);
+    if (node == question) check_question();
+  }
+  static bool is_place(int node) { return node == position || node == target || node == up || node == mark_at; }
+  glm::dvec3& place_read() {
+    TourNote& note = tour_.notes.back();
+    if (vector_ == mark_at) return note.marks.back().at;
+    return vector_ == position ? note.camera.position : vector_ == target ? note.camera.target : note.camera.up;
   }
   void number(int node, double value) override {
     if (node == version) {
-      if (value != format_version && value != version_without_scenes)
-        refuse("wrong-version", fmt::format("version {} of the format, but this program reads versions {} and {}", value, version_without_scenes, format_version),
+      if (value != format_version && value != version_without_questions && value != version_without_scenes)
+        refuse("wrong-version", fmt::format("version {} of the format, but this program reads versions {} to {}", value, version_without_scenes, format_version),
                "Write the file anew with a matching program.");
+      return;
+    }
+    if (node == answer || node == within) {
+      if (std::abs(value) > largest_answer) refuse("too-large", fmt::format("an answer of {} lies beyond {}", value, largest_answer), "Ask for it in a larger unit.");
+      seen_.insert(node);
+      (node == answer ? tour_.notes.back().question->answer : tour_.notes.back().question->within) = value;
       return;
     }
     Camera& camera = tour_.notes.back().camera;
@@ -98,7 +162,7 @@ class TourReader final : public StrictJson {
     else {
       if (coordinates_ == 3) refuse("wrong-type", "a place has three coordinates, this one more", "Write [x, y, z].");
       if (std::abs(value) > farthest_mm) refuse("too-large", fmt::format("{} mm lies beyond {} mm", value, farthest_mm), "Check the unit.");
-      (vector_ == position ? camera.position : vector_ == target ? camera.target : camera.up)[coordinates_++] = value;
+      place_read()[coordinates_++] = value;
     }
   }
   void boolean(int node, bool value) override {
@@ -113,11 +177,57 @@ class TourReader final : public StrictJson {
       case title: tour_.title = checked_title(value); return;
       case model: tour_.model = checked_title(value, 4096); return;
       case note_title: tour_.notes.back().title = checked_title(value); return;
+      case note_text: tour_.notes.back().text = checked_text(value); return;
+      case note_tour: tour_.notes.back().tour = checked_title(value); return;
+      case mark_label: tour_.notes.back().marks.back().label = checked_title(value); return;
+      case language:
+        if (value.empty() || value.size() > most_language_bytes || !std::all_of(value.begin(), value.end(), [](char c) { return c == '-' || std::isalnum(static_cast<unsigned char>(c)); }))
+          refuse("bad-value", "\"language\" is no tag of letters, digits and hyphens", "Write a tag such as \"en\".");
+        tour_.language = value;
+        return;
+      case feedback:
+        if (value != "at-once" && value != "at-end") refuse("bad-value", "\"feedback\" is neither \"at-once\" nor \"at-end\"", "Write one of the two.");
+        tour_.feedback_at_end = value == "at-end";
+        return;
+      default: question_text(node, value); return;
+    }
+  }
+  void question_text(int node, const std::string& value) {
+    TourQuestion& asked = *tour_.notes.back().question;
+    seen_.insert(node);
+    switch (node) {
+      case kind:
+        for (const KindRule& rule : kind_rules())
+          if (rule.name == value) kind_ = &rule;
+        if (!kind_) refuse("bad-question", fmt::format("a question's kind is \"{}\"", value.substr(0, most_unit_bytes)), "Write \"click\", \"choice\" or \"number\".");
+        asked.kind = kind_->kind;
+        return;
+      case ask: asked.ask = checked_text(value); return;
+      case explain: asked.explain = checked_text(value); return;
+      case structure: asked.structure = checked_title(value); return;
+      case part: asked.part = checked_title(value); return;
+      case unit: asked.unit = checked_title(value, most_unit_bytes); return;
       default: break;
     }
+    if (asked.choices.size() == most_choices) refuse("bad-question", fmt::format("a question with more than {} choices", most_choices), "Offer fewer.");
+    asked.choices.push_back(checked_title(value));
+  }
+  /// All of it was read.
+  void check_question() const {
+    const TourQuestion& asked = *tour_.notes.back().question;
+    const auto name = [](Node key) { return nodes[key].what; };
+    for (const Node key : kind_dependent) {
+      const bool needed = std::count(kind_->needed.begin(), kind_->needed.end(), key) > 0, allowed = std::count(kind_->allowed.begin(), kind_->allowed.end(), key) > 0;
+      if (needed && !seen_.contains(key)) refuse("missing-key", fmt::format("a question of kind \"{}\" has no {}", kind_->name, name(key)), fmt::format("Add {}.", name(key)));
+      if (!needed && !allowed && seen_.contains(key))
+        refuse("unknown-key", fmt::format("a question of kind \"{}\" has no key {}", kind_->name, name(key)), "Remove it, or correct the kind.");
+    }
+    if (const std::string fault = fault_of(asked); !fault.empty()) refuse("bad-question", "a question that cannot be answered", fault);
+  }
+  std::string checked_text(const std::string& value) const {
     if (value.size() > most_text_bytes || !plain(value, true))
       refuse("bad-text", fmt::format("a text is longer than {} bytes or has control characters", most_text_bytes), "Shorten it, or make two notes of it.");
-    tour_.notes.back().text = value;
+    return value;
   }
   std::string checked_title(const std::string& value, std::size_t most = most_title_bytes) const {
     if (value.size() > most || !plain(value, false))
@@ -127,6 +237,8 @@ class TourReader final : public StrictJson {
   void add_place(Place&) const override {}
 
   TourNotes tour_;
+  const KindRule* kind_ = nullptr;   // of the question that is read,
+  std::set<int> seen_;               // and its keys
   int vector_ = position;
   glm::length_t coordinates_ = 0;
 };
@@ -183,10 +295,60 @@ Scene TourNote::scene_over(const Scene& now, const Scene& usual) const {
 
 TourNotes read_tour(const std::string& file) { return parse_tour(read_file(file, most_tour_bytes), file); }
 
+namespace {
+
+int version_of(const TourNotes& tour) {
+  const auto any = [&](auto&& has) { return std::any_of(tour.notes.begin(), tour.notes.end(), has); };
+  if (!tour.language.empty() || tour.feedback_at_end || any([](const TourNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
+    return format_version;
+  return any([](const TourNote& note) { return !note.scene.empty(); }) ? version_without_questions : version_without_scenes;
+}
+
+Json json_of(const TourQuestion& question) {
+  const KindRule& rule = *std::find_if(kind_rules().begin(), kind_rules().end(), [&](const KindRule& one) { return one.kind == question.kind; });
+  Json json{{"kind", rule.name}, {"ask", question.ask}};
+  switch (question.kind) {
+    case TourQuestion::Kind::click:
+      json["structure"] = question.structure;
+      if (!question.part.empty()) json["part"] = question.part;
+      break;
+    case TourQuestion::Kind::choice:
+      json["choices"] = question.choices;
+      json["answer"] = static_cast<int>(question.answer);
+      break;
+    case TourQuestion::Kind::number:
+      json["answer"] = question.answer;
+      json["within"] = question.within;
+      if (!question.unit.empty()) json["unit"] = question.unit;
+      break;
+  }
+  if (!question.explain.empty()) json["explain"] = question.explain;
+  return json;
+}
+
+}  // namespace
+
+std::string fault_of(const TourQuestion& question) {
+  if (question.ask.empty()) return "Write what is asked.";
+  if (question.kind == TourQuestion::Kind::click) return question.structure.empty() ? "Say which structure is right." : "";
+  if (!(std::abs(question.answer) <= largest_answer)) return fmt::format("An answer lies within {}.", largest_answer);
+  if (question.kind == TourQuestion::Kind::number) return question.within >= 0 && question.within <= largest_answer ? "" : "Say how far off is still right: 0 or more.";
+  if (question.choices.size() < least_choices) return "Offer two choices or more.";
+  if (std::any_of(question.choices.begin(), question.choices.end(), [](const std::string& choice) { return choice.empty(); })) return "Write something for each choice.";
+  if (question.answer != std::floor(question.answer) || question.answer < 0 || question.answer >= static_cast<double>(question.choices.size()))
+    return fmt::format("Answer {} is none of {} choices; they are counted from 0.", question.answer, question.choices.size());
+  return "";
+}
+
+bool TourNotes::is_quiz() const {
+  return std::any_of(notes.begin(), notes.end(), [](const TourNote& note) { return note.question.has_value(); });
+}
+
 std::string to_json(const TourNotes& tour) {
-  const bool plain = std::all_of(tour.notes.begin(), tour.notes.end(), [](const TourNote& note) { return note.scene.empty(); });
-  Json json{{"format", format_name}, {"version", plain ? version_without_scenes : format_version}, {"title", tour.title}};
+  Json json{{"format", format_name}, {"version", version_of(tour)}, {"title", tour.title}};
   if (!tour.model.empty()) json["model"] = tour.model;
+  if (!tour.language.empty()) json["language"] = tour.language;
+  if (tour.feedback_at_end) json["feedback"] = "at-end";
   json["notes"] = Json::array();
   for (const TourNote& note : tour.notes) {
     const Camera& camera = note.camera;
@@ -195,7 +357,11 @@ std::string to_json(const TourNotes& tour) {
     if (camera.projection == Camera::Projection::parallel) eye["parallel"] = true;
     if (camera.near_mm > 0) eye["near_mm"] = camera.near_mm;
     json["notes"].push_back({{"title", note.title}, {"text", note.text}, {"inside", note.inside}, {"camera", eye}});
-    if (!note.scene.empty()) json["notes"].back()["scene"] = Json::parse(note.scene);
+    Json& written = json["notes"].back();
+    if (!note.scene.empty()) written["scene"] = Json::parse(note.scene);
+    for (const TourMark& mark : note.marks) written["marks"].push_back({{"at", json_of(mark.at)}, {"label", mark.label}});
+    if (note.question) written["question"] = json_of(*note.question);
+    if (!note.tour.empty()) written["tour"] = note.tour;
   }
   return json.dump(2) + "\n";
 }

@@ -33,7 +33,7 @@ constexpr std::array<ActionKey, 35> keys = {{
     {"E", Action::toggle_faulty_edges, "faulty edges", U'e'},
     {"N", Action::next_artefact, "next artefact", U'n'},
     {"V", Action::previous_artefact, "the artefact before", U'v'},
-    {"G", Action::toggle_lesson, "guided lesson", U'g'},
+    {"G", Action::toggle_lessons, "lessons", U'g'},
     {"PgDn", Action::next_step, "lesson: next", 0, Key::page_down},
     {"PgUp", Action::previous_step, "lesson: back", 0, Key::page_up},
     {"F12", Action::take_picture, "take a picture", 0, Key::f12},

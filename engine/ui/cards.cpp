@@ -20,24 +20,6 @@ namespace {
 
 using widgets::scaled;
 
-/// A card in the middle of the viewport, as high as what it holds.
-class Card {
- public:
-  Card(const char* id, const Area& viewport, float width) {
-    const float most = static_cast<float>(viewport.width) - scaled(32);
-    ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(scaled(width), most), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(24), scaled(20)});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(10));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(3);
-  }
-  ~Card() { ImGui::End(); }
-  Card(const Card&) = delete;
-  Card& operator=(const Card&) = delete;
-};
-
 void title(const Interface& interface, const char* words) {
   ImGui::PushFont(interface.large);
   ImGui::PushTextWrapPos(0);
@@ -47,6 +29,7 @@ void title(const Interface& interface, const char* words) {
 }
 
 std::string name_of(const std::string& file) { return file.empty() ? "the sample molar" : std::filesystem::path(file).filename().string(); }
+std::string name_of(const LoadRequest& request) { return request.lesson ? "the lesson" : name_of(request.file); }
 
 void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
   const Card card("loading", viewport, 400);
@@ -85,7 +68,7 @@ void question_card(ViewerState& state, const Interface& interface, const Area& v
 void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
   const Card card("open", viewport, 560);
   title(interface, "Open a file");
-  widgets::remark(interface, "A contour stack, a GLB, STL or PLY mesh, or a volume. Dropping it on the window does the same. Nothing typed: the sample molar.");
+  widgets::remark(interface, "A contour stack, a GLB, STL or PLY mesh, a volume, or a lesson. Dropping it on the window does the same. Nothing typed: the sample molar.");
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##file");
@@ -105,7 +88,7 @@ void leaving_card(ViewerState& state, const Interface& interface, const Area& vi
   const Card card("leaving", viewport, 460);
   LeavingNotes& leaving = *state.notes.leaving;
   title(interface, "Your notes are not saved");
-  widgets::wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(leaving.to_open->file))
+  widgets::wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(*leaving.to_open))
                           : "They go when the window is closed.");
   if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true)) leaving.answer = Answer::save;
   if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving")) leaving.answer = Answer::drop;
@@ -178,6 +161,19 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 }
 
 }  // namespace
+
+Card::Card(const char* id, const Area& viewport, float width) {
+  const float most = static_cast<float>(viewport.width) - scaled(32);
+  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({std::min(scaled(width), most), 0});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(24), scaled(20)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+  ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar(3);
+}
+
+Card::~Card() { ImGui::End(); }
 
 bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom) {
   const float width = std::min(most_width * scale, static_cast<float>(viewport.width) - 40 * scale);

@@ -7,6 +7,15 @@
 
 namespace odontoscope {
 
+/// A card in the middle of the viewport, as high as what it holds, until it goes out of scope.
+class Card {
+ public:
+  Card(const char* id, const Area& viewport, float width);
+  ~Card();
+  Card(const Card&) = delete;
+  Card& operator=(const Card&) = delete;
+};
+
 /// `viewport` is the part of the picture that the panel leaves.
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport);
 

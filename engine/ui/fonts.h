@@ -3,10 +3,15 @@
 
 #include <span>
 
+#include "recon/core/embedded_file.h"
+
 namespace odontoscope {
 
-/// The bytes of a TrueType or OpenType file.
-std::span<const unsigned char> regular_font();
-std::span<const unsigned char> bold_font();
+/// Two TrueType or OpenType files: regular, bold.
+std::span<const EmbeddedFile> font_files();
+
+inline std::span<const unsigned char> bytes_of(const EmbeddedFile& file) { return {reinterpret_cast<const unsigned char*>(file.bytes.data()), file.bytes.size()}; }
+inline std::span<const unsigned char> regular_font() { return bytes_of(font_files()[0]); }
+inline std::span<const unsigned char> bold_font() { return bytes_of(font_files()[1]); }
 
 }  // namespace odontoscope

@@ -267,7 +267,7 @@ void lab_section(ViewerState& state, const Interface& interface) {
   if (widgets::wide_button("Next artefact (N)", true)) state.todo.push_back(Action::next_artefact);
   progress_line(lab, interface);
   db_options(lab, interface);
-  if (widgets::wide_button(lab.lesson ? "End the lesson (G)" : "Guided lesson (G)")) state.todo.push_back(Action::toggle_lesson);
+  if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors")) state.todo.push_back(Action::toggle_lesson);
   if (widgets::wide_button("Leave DB mode (D)")) state.todo.push_back(Action::toggle_lab);
 }
 

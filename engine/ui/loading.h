@@ -36,6 +36,7 @@ struct LoadRequest {
   std::string file = {};         // empty: the sample molar
   std::optional<VolumeChoice> volume = {};
   bool from_command_line = false;
+  std::optional<std::size_t> lesson = {};   // of built_in_lessons(): instead of a file
 };
 
 /// Is the surface what it should be? In words for a person.
@@ -72,6 +73,7 @@ struct GreyValues {
 /// All that the viewer knows of what it shows.
 struct LoadedModel {
   std::string title;
+  std::string tooth = {};                     // "lower left first molar: FDI 36, Universal 19"; empty: not known
   Model model;
   OverlaySource overlays;
   std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none

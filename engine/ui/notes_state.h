@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "engine/navigate/notes.h"
 #include "engine/ui/loading.h"
@@ -19,15 +21,29 @@ struct LeavingNotes {
 struct NotesState {
   TourNotes tour;
   std::optional<std::size_t> shown;      // of tour.notes: the lesson is being given
-  std::optional<TourNote> draft;         // being written
+  std::optional<TourNote> draft;         // being written,
+  std::optional<std::size_t> draft_of;   // in place of this one of tour.notes; none: a new one
+  bool fresh_draft = false;              // its first field has not had the keyboard yet
+  enum class Placing { none, pin, answer };
+  Placing placing = Placing::none;       // the next click in the picture is for the draft
+  std::vector<std::pair<std::size_t, TourNote>> removed;   // the last one last: from where, and what
   bool unsaved = false;
   std::optional<LeavingNotes> leaving;   // the question is being asked
   // Asked for by the panels, done in the next frame.
   std::optional<std::size_t> go_to;
-  bool write = false, save = false;
+  bool write = false, save = false, retake = false;
 };
 
 /// The draft becomes a note. Precondition: there is one.
 void keep_draft(NotesState& notes);
+/// As if it had never been begun.
+void drop_draft(NotesState& notes);
+/// Begins to change a note. Precondition: there is one of that number.
+void edit_note(NotesState& notes, std::size_t number);
+/// One place up (`by` is -1) or down, as far as there is one.
+void move_note(NotesState& notes, std::size_t number, int by);
+void remove_note(NotesState& notes, std::size_t number);
+/// The one that was removed last comes back where it was. Precondition: `removed` is not empty.
+void bring_back_note(NotesState& notes);
 
 }  // namespace odontoscope

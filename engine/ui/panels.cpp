@@ -40,6 +40,12 @@ VerdictLook look_of(Certificate::Verdict verdict) {
   return {Certificate::Mark::bad, theme::bad, theme::bad_back};
 }
 
+/// With a capital at its beginning.
+std::string sentence(std::string words) {
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return words;
+}
+
 void heading(ViewerState& state, const Interface& interface) {
   ImGui::PushFont(interface.large);
   ImGui::TextUnformatted(state.shown ? state.shown->title.c_str() : "Odontoscope");
@@ -48,8 +54,7 @@ void heading(ViewerState& state, const Interface& interface) {
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
   if (widgets::button("?", {button, button})) state.todo.push_back(Action::toggle_help);
   if (!state.shown) return;
-  const std::size_t structures = state.shown->scene.looks.size();
-  widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
+  if (!state.shown->tooth.empty()) widgets::wrapped(sentence(state.shown->tooth));
   // In a word; what wants a look has its report above all else.
   const Certificate::Verdict verdict = state.shown->certificate.verdict;
   if (look_of(verdict).mark != Certificate::Mark::good) return;
@@ -138,6 +143,8 @@ void report_section(ViewerState& state, const Interface& interface) {
   const VerdictLook look = look_of(certificate.verdict);
   headline(certificate, look, interface);
   if (!widgets::section(interface, "Report", look.mark != Certificate::Mark::good)) return;
+  const std::size_t structures = state.shown->scene.looks.size();
+  widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
   ImGui::PushFont(interface.small);
   std::size_t number = 0;
   for (const Certificate::Finding& finding : certificate.findings) {
@@ -317,6 +324,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     // What people come for first; what was proven comes before it only where it wants a look.
     const bool good = look_of(state.shown->certificate.verdict).mark == Certificate::Mark::good;
     fly_entrance(state, interface);
+    if (widgets::wide_button("Lessons (G)", true)) state.todo.push_back(Action::toggle_lessons);
     if (state.lab.on) lab_section(state, interface);
     if (!good) report_section(state, interface);
     structures_section(state, interface);

@@ -191,6 +191,7 @@ std::string to_json(const Settings& wanted) {
                   {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
                   {"panel", settings.panel},
                     {"names", settings.names},
+                  {"hints", settings.hints},
                   {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
                   {"back_faces", word_for(settings.back_faces, back_faces_words)},
                   {"projection", word_for(settings.projection, projection_words)},
@@ -226,6 +227,7 @@ ReadSettings settings_from_json(const std::string& text) {
   window.read("height", settings.window.height, smallest_window_side, largest_window_side);
   reader.read("panel", settings.panel);
   reader.read("names", settings.names);
+  reader.read("hints", settings.hints);
   reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);

@@ -46,6 +46,7 @@ struct Settings {
   PixelSize window{1280, 800};
   bool panel = true;
   bool names = true;          // beside the tooth, from outside
+  bool hints = true;          // for the first run: until they are followed or closed
   float text_scale = 1;       // on top of the screen's own
   BackFaces back_faces = BackFaces::cull;
   Camera::Projection projection = Camera::Projection::perspective;

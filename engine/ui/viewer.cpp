@@ -9,13 +9,14 @@
 
 #include "engine/gpu/graphics_error.h"
 #include "engine/navigate/moves.h"
+#include "engine/scene/fit_visible.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/cards.h"
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/lab_panel.h"
+#include "engine/ui/lesson_cards.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/names.h"
-#include "engine/ui/notes_panel.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/trouble.h"
@@ -101,7 +102,9 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
 void Viewer::lay_out(const FrameInput& input) {
   const double left = state_.settings.panel ? std::min<double>(theme::panel_width * scale_, input.size.width / 2.0) : 0;
   const double whole = std::round(left);
-  viewport_ = {whole, 0, input.size.width - whole, static_cast<double>(input.size.height)};
+  constexpr double least_share = 0.3;   // of the picture, above a lesson's words
+  const double dock = state_.shown ? std::min(std::ceil(lesson_.dock_height), (1 - least_share) * input.size.height) : 0;
+  viewport_ = {whole, 0, input.size.width - whole, input.size.height - std::ceil(dock)};
   lay_out_lab(viewport_);
 }
 
@@ -121,6 +124,7 @@ void Viewer::take_finished_load() {
     if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
     notes_may_go_ = false;
     state_.notes = {};
+    lesson_.leave();
     if (auto tour = std::exchange(tour_after_load_, std::nullopt)) take_tour(std::move(*tour));
     if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
@@ -153,7 +157,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   if (!shown->looks_given) apply_remembered(state_.settings, state_.scene);
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
   if (!shown->camera_given)
-    state_.scene.camera = fit(NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
+    state_.scene.camera = fit_without(hidden_in(state_.scene), NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
   state_.shown = std::move(shown);
   state_.names = named_places(state_.shown->model, state_.shown->scene);
   state_.name_told.reset();
@@ -182,6 +186,8 @@ void Viewer::advance(double seconds) {
     if (look_transition_->over()) look_transition_.reset();
   }
   advance_flight(seconds);
+  lesson_.advance(state_.notes, seconds);
+  if (hints_.follow(state_)) notice("That is all it takes. ? lists the keys, G the lessons.", false, 10);
 }
 
 void Viewer::go_to(const Camera& camera, double seconds) { transition_.emplace(state_.scene.camera, camera, seconds); }
@@ -207,13 +213,14 @@ void Viewer::perform(Action action) {
     case Action::escape: escape(); return;
     default: break;
   }
+  if (!state.shown && action == Action::toggle_lessons) lesson_.toggle_menu();
   if (!state.shown && action == Action::enter_pulp) notice(job_ ? "The model is still being made." : "Open a model first.");
   if (!state.shown || perform_on_notes(action) || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
-  if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
+  if (const auto view = view_of(action)) return go_to(fit_without(hidden_in(state.scene), *view, state.shown->model, aspect, goal.projection));
   switch (action) {
-    case Action::fit: go_to(fit(goal, state.shown->model, aspect)); break;
+    case Action::fit: go_to(fit_without(hidden_in(state.scene), goal, state.shown->model, aspect)); break;
     case Action::toggle_projection: {
       const bool parallel = goal.projection == Camera::Projection::parallel;
       transition_.reset();
@@ -268,7 +275,9 @@ void Viewer::escape() {
   else if (state_.question) state_.question.reset();
   else if (state_.file_asked_for) state_.file_asked_for.reset();
   else if (state_.help) state_.help = false;
-  else if (state_.notes.draft) state_.notes.draft.reset();
+  else if (lesson_.menu()) lesson_.close_menu();
+  else if (state_.notes.placing != NotesState::Placing::none) state_.notes.placing = NotesState::Placing::none;
+  else if (state_.notes.draft) drop_draft(state_.notes);
   else if (state_.notes.shown) state_.notes.shown.reset();
   else if (state_.fly.on) leave_flight();
   else if (state_.tool != Tool::look) state_.tool = Tool::look;
@@ -281,7 +290,13 @@ void Viewer::escape() {
   else state_.measured = {};
 }
 
-bool Viewer::dialog_open() const { return !state_.trouble.empty() || state_.notes.leaving || state_.question || state_.file_asked_for || state_.help; }
+bool Viewer::dialog_open() const { return !state_.trouble.empty() || state_.notes.leaving || state_.question || state_.file_asked_for || state_.help || lesson_.menu(); }
+
+bool Viewer::pins_shown() const {
+  const NotesState& notes = state_.notes;
+  if (notes.draft) return !notes.draft->marks.empty();
+  return notes.shown && *notes.shown < notes.tour.notes.size() && !notes.tour.notes[*notes.shown].marks.empty();
+}
 
 void Viewer::notice(std::string words, bool bad, double seconds) {
   constexpr std::size_t most = 3;
@@ -367,19 +382,25 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
       if (names_shown() && first) draw_names(state_, pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
+      if (first && !pane.db) draw_pins(state_, pane, interface_, scale_);
+      if (first && (lesson_.wants_click(state_.notes) || state_.notes.placing != NotesState::Placing::none)) draw_cross(pane, scale_);
       if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
       if (last) draw_compass(pane, interface_, scale_, hovered_compass_, state_.fly.on);
       if (pane.seen && !first) continue;   // over the same place as the other half
-      if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
+      if (handle_shown()) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }
   }
-  if (state_.settings.panel) draw_panel(state_, interface_, {0, 0, viewport.left, viewport.height});
-  if (state_.shown) draw_note_card(state_, interface_, viewport, scale_);
+  const double height = static_cast<double>(input.size.height), dock_before = lesson_.dock_height;
+  if (state_.settings.panel) draw_panel(state_, interface_, {0, 0, viewport.left, height});
+  if (state_.shown) draw_lesson_dock(state_, lesson_, interface_, {viewport.left, 0, viewport.width, height}, scale_);
+  if (lesson_.dock_height != dock_before) frames_to_settle_ = 3;
+  hints_.draw(state_, interface_, viewport, scale_);
   if (state_.lab.on) draw_lab(state_, panes_, interface_, viewport, scale_);
   draw_cards(state_, job_.get(), interface_, viewport);
+  if (!job_) draw_lesson_menu(state_, lesson_, interface_, viewport);
   const ImDrawData* drawn = interface_.end();
-  if (const int by = std::exchange(tabs_, 0)) interface_.step(by, !dialog_open());
+  if (const int by = std::exchange(tabs_, 0)) interface_.step(by, !dialog_open() && !state_.notes.draft);
   const VolumeQuestion* asked = state_.question ? &*state_.question : nullptr;
   interface_pass_.draw(interface_, *drawn, target, asked ? &asked->drawn.picture : nullptr);
   state_.settings.back_faces = state_.shown ? state_.scene.back_faces : state_.settings.back_faces;
@@ -393,6 +414,10 @@ double Viewer::patience() const {
   return idle;
 }
 
-std::string Viewer::title() const { return state_.shown ? fmt::format("{} \xE2\x80\x94 Odontoscope", state_.shown->title) : "Odontoscope"; }
+std::string Viewer::title() const {
+  if (!state_.shown) return "Odontoscope";
+  const LoadedModel& shown = *state_.shown;
+  return fmt::format("{}{}{} \xE2\x80\x94 Odontoscope", shown.title, shown.tooth.empty() ? "" : ", ", shown.tooth);
+}
 
 }  // namespace odontoscope

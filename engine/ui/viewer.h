@@ -15,8 +15,10 @@
 #include "engine/navigate/section_handle.h"
 #include "engine/navigate/transition.h"
 #include "engine/render/renderer.h"
+#include "engine/ui/first_hints.h"
 #include "engine/ui/interface.h"
 #include "engine/ui/interface_pass.h"
+#include "engine/ui/lesson_mode.h"
 #include "engine/ui/loading.h"
 #include "engine/ui/viewer_state.h"
 #include "engine/view/input.h"
@@ -66,13 +68,20 @@ class Viewer {
   const std::vector<ViewPane>& panes() const { return panes_; }
 
   /// Structures' names beside the tooth: from outside, and not beside DB's surface.
-  bool names_shown() const { return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on; }
+  /// Not while they would answer a question, and not over a lesson's own pins.
+  bool names_shown() const { return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on && !lesson_.asked(state_.notes) && !pins_shown(); }
 
+  const LessonMode& lesson() const { return lesson_; }
+  const FirstHints& hints() const { return hints_; }
   const Interface& interface() const { return interface_; }
   ViewerState& state() { return state_; }
   const ViewerState& state() const { return state_; }
 
  private:
+  bool pins_shown() const;
+  /// The section's handle: not over a lesson's pins, nor over what is asked about.
+  bool handle_shown() const { return state_.scene.section && !lesson_.asked(state_.notes) && !pins_shown(); }
+
   // viewer.cpp: a frame
   void take_finished_load();
   void ask_about(LoadRequest request);
@@ -154,6 +163,9 @@ class Viewer {
   void ride_canal(std::size_t cavity, std::size_t line);
   void enter_here();
 
+  /// What a question or a note would be told of this place.
+  std::optional<PointedAt> pointed_at(const ViewPane& pane, double x, double y) const;
+
   // viewer_notes.cpp: a teacher's notes
   void tend_notes();
   bool perform_on_notes(Action action);
@@ -161,6 +173,11 @@ class Viewer {
   void save_notes();
   bool open_tour(LoadRequest& request);
   void take_tour(TourNotes tour);
+  TourNote view_now();
+  void save_marks();
+  bool point_for_lesson(const ViewPane& pane, double x, double y);
+  void point_at_middle();
+  bool ride_for_note(const TourNote& note);
   void go_to_note(std::size_t number);
   void show_note_outside(const TourNote& note);
   /// At once what a lesson's looks were on their way to.
@@ -238,6 +255,8 @@ class Viewer {
   double fine_picture_seconds_ = 0.5;   // about what one takes; a slow machine's guess until one was drawn
   double still_since_ = 0;
 
+  LessonMode lesson_;
+  FirstHints hints_;
   std::vector<Event> events_;
   std::vector<ViewPane> panes_;
   Area viewport_;                     // all of them together

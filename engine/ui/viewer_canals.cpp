@@ -7,6 +7,7 @@
 #include "engine/ui/fly_marks.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/viewer.h"
+#include "recon/core/lower_case.h"
 
 namespace odontoscope {
 
@@ -19,6 +20,12 @@ constexpr float see_through = 0.9f;
 double slack_mm(const Camera& camera, const Area& area, float scale) {
   const double depth = std::max(depth_of(camera, camera.target), 1e-6);
   return slack_pixels * scale * 2 * half_height_at(camera, depth) / std::max(area.height, 1.0);
+}
+
+/// What fills the cavity, if a structure of the model does; else the cavity itself.
+std::string pulp_of(const LoadedModel& shown, std::size_t cavity) {
+  const auto pulp = std::find_if(shown.model.parts.begin(), shown.model.parts.end(), [](const ModelPart& part) { return !part.cavity && lower_case(part.structure).find("pulp") != std::string::npos; });
+  return pulp != shown.model.parts.end() ? pulp->structure : shown.flight->cavities[cavity].structure;
 }
 
 /// From before all of the model: a parallel camera sees what lies behind its own place, too.
@@ -41,6 +48,21 @@ std::optional<CanalPick> Viewer::canal_at(const ViewPane& pane, double x, double
   const Look* look = state_.scene.look_of(state_.shown->flight->cavities[found->cavity].structure);
   const bool drawn = look && look->visible && look->opacity > 0;
   return drawn || state_.scene.section ? found : std::nullopt;
+}
+
+/// For a question about the pulp a canal counts as soon as it is seen, whatever translucent lies before it.
+std::optional<PointedAt> Viewer::pointed_at(const ViewPane& pane, double x, double y) const {
+  const NotesState& notes = state_.notes;
+  const TourQuestion* question = notes.draft ? nullptr : lesson_.asked(notes);
+  const auto is_pulp = [&](const std::string& structure) {
+    const auto& cavities = state_.shown->flight->cavities;
+    return lower_case(structure).find("pulp") != std::string::npos ||
+           std::any_of(cavities.begin(), cavities.end(), [&](const FlightSpace& space) { return space.structure == structure; });
+  };
+  const auto hit = hit_at(pane, x, y);
+  if (const auto canal = canal_at(pane, x, y); canal && ((question && is_pulp(question->structure)) || (hit && is_pulp(hit->structure)) || !question))
+    return PointedAt{question ? question->structure : pulp_of(*state_.shown, canal->cavity), name_of(*canal, *state_.shown->flight)};
+  return hit ? std::optional(PointedAt{hit->structure, ""}) : std::nullopt;
 }
 
 std::optional<CanalPick> Viewer::canal_in_small_picture(double x, double y) const {

@@ -120,7 +120,7 @@ void Viewer::on_press(const MouseButtonChanged& button) {
   drag.pane = static_cast<std::size_t>(pane - panes_.data());
   if (button.button == MouseButton::left && on_split_line(mouse_x_, mouse_y_)) drag.what = Drag::What::split;
   else if (button.button != MouseButton::left || button.with.shift) drag.what = Drag::What::pan;
-  else if (state_.scene.section) {
+  else if (handle_shown()) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     const auto grip = handle ? grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_)) : std::nullopt;
     if (grip) {
@@ -136,6 +136,10 @@ void Viewer::on_click(double x, double y) {
   last_click_ = second ? Click{} : Click{x, y, now_};
   const ViewPane* pane = pane_at(x, y);
   if (!pane) return;
+  if (point_for_lesson(*pane, x, y)) {
+    last_click_ = {};
+    return;
+  }
   const auto hit = hit_at(*pane, x, y);
   if (state_.fly.on) {
     if (const auto small = canal_in_small_picture(x, y)) ride_canal(small->cavity, small->line);
@@ -221,7 +225,9 @@ bool Viewer::answer_by_enter() {
 void Viewer::on_key(const KeyChanged& key) {
   if (key.down && key.place) last_place_ = key.place;
   if (on_panel_key(key)) return;
-  if (state_.fly.on && !(key.down && interface_.wants_text())) on_flight_key(key);
+  if (key.down && key.key == Key::enter && state_.notes.placing != NotesState::Placing::none) return point_at_middle();
+  if (!interface_.wants_text() && lesson_.handle(key, state_)) return;
+  if (state_.fly.on && !(key.down && state_.notes.draft) && !(key.down && interface_.wants_text())) on_flight_key(key);
   if (!key.down) return;
   if (interface_.wants_text() && key.key != Key::escape) return;
   if (state_.fly.on)
@@ -250,7 +256,8 @@ void Viewer::on_text(const TextTyped& typed) {
   // Greek or Cyrillic letters command as the American ones in their places do.
   constexpr char32_t beyond_latin = 0x250;
   const TextTyped text{typed.character >= beyond_latin && last_place_ ? static_cast<char32_t>(last_place_) : typed.character};
-  if (dialog_open() && text.character != U'?') return;
+  if (!(dialog_open() && !lesson_.menu()) && lesson_.handle(text, state_)) return;
+  if ((dialog_open() && !lesson_.menu() && text.character != U'?') || state_.notes.draft) return;   // letters are for what is being written
   if (state_.fly.on) {
     if (const auto action = action_for(text, flight_keys())) state_.todo.push_back(*action);
     else if (text.character >= U'1' && text.character <= U'9') begin_ride(text.character - U'1');
@@ -284,11 +291,20 @@ void Viewer::show_hovered() {
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane) return;
   hovered_compass_ = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_);
-  if (!hovered_compass_ && state_.scene.section) {
+  if (!hovered_compass_ && handle_shown()) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
   }
   if (!hovered_compass_ && !hovered_grip_) state_.under_pointer = hit_at(*pane, mouse_x_, mouse_y_);
+  if (lesson_.wants_click(state_.notes) || state_.notes.placing != NotesState::Placing::none) {
+    state_.under_pointer.reset();   // what is there is the question
+    if (!hovered_compass_ && !hovered_grip_) pointer_ = Pointer::cross;
+    return;
+  }
+  if (lesson_.asked(state_.notes)) {
+    state_.under_pointer.reset();
+    return;
+  }
   const bool over_picture = !hovered_compass_ && !hovered_grip_ && state_.tool == Tool::look;
   if (over_picture) state_.canal_under_pointer = state_.fly.on ? canal_in_small_picture(mouse_x_, mouse_y_) : canal_at(*pane, mouse_x_, mouse_y_);
   const bool canal = state_.canal_under_pointer && (state_.fly.on || !state_.canal_under_pointer->in_chamber);

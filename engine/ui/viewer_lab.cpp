@@ -217,7 +217,13 @@ void Viewer::lead_to_artefact(std::size_t artefact) {
   lab.artefact = artefact;
   const LabArtefact& broken = lab.made->artefacts[artefact];
   state_.scene.overlays.edges = true;
-  for (Look& look : state_.scene.looks) look.visible = look.structure == broken.structure;   // enamel hides what is broken in dentine
+  // Enamel hides what is broken in dentine; DT's dentine has its cavity as a part of its own.
+  const auto belongs = [&](const Look& look) {
+    return look.structure == broken.structure || std::any_of(state_.shown->model.parts.begin(), state_.shown->model.parts.end(), [&](const ModelPart& part) {
+             return part.structure == look.structure && part.solid == broken.structure;
+           });
+  };
+  for (Look& look : state_.scene.looks) look.visible = belongs(look);
   if (!lab.db_in_place) lab.db_in_place = true;
   go_to(camera_at(broken, lab.made->spacing_mm, state_.scene.camera, *lab.made->pickable, state_.scene));
 }

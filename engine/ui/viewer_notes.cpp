@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "engine/ui/note_editor.h"
 #include "engine/ui/viewer.h"
 #include "recon/core/atomic_file.h"
 #include "recon/core/error.h"
@@ -25,8 +26,48 @@ Scene of_model(Scene scene, const Model& model) {
 
 void keep_draft(NotesState& notes) {
   TourNote note = std::move(*std::exchange(notes.draft, std::nullopt));
-  if (note.title.empty()) note.title = fmt::format("Note {}", notes.tour.notes.size() + 1);
-  notes.tour.notes.push_back(std::move(note));
+  const std::optional<std::size_t> place = std::exchange(notes.draft_of, std::nullopt);
+  notes.placing = NotesState::Placing::none;
+  if (note.title.empty()) note.title = fmt::format("Note {}", place.value_or(notes.tour.notes.size()) + 1);
+  if (place && *place < notes.tour.notes.size()) notes.tour.notes[*place] = std::move(note);
+  else notes.tour.notes.push_back(std::move(note));
+  notes.unsaved = true;
+}
+
+void drop_draft(NotesState& notes) {
+  notes.draft.reset();
+  notes.draft_of.reset();
+  notes.placing = NotesState::Placing::none;
+}
+
+void edit_note(NotesState& notes, std::size_t number) {
+  notes.draft = notes.tour.notes[number];
+  notes.draft_of = number;
+  notes.fresh_draft = true;
+}
+
+void move_note(NotesState& notes, std::size_t number, int by) {
+  const std::size_t to = number + static_cast<std::size_t>(by);   // below 0 is beyond the last
+  if (number >= notes.tour.notes.size() || to >= notes.tour.notes.size()) return;
+  std::swap(notes.tour.notes[number], notes.tour.notes[to]);
+  if (notes.shown == number) notes.shown = to;
+  notes.unsaved = true;
+}
+
+void remove_note(NotesState& notes, std::size_t number) {
+  if (number >= notes.tour.notes.size()) return;
+  notes.removed.emplace_back(number, std::move(notes.tour.notes[number]));
+  notes.tour.notes.erase(notes.tour.notes.begin() + static_cast<std::ptrdiff_t>(number));
+  notes.shown.reset();
+  notes.unsaved = !notes.tour.notes.empty();
+}
+
+void bring_back_note(NotesState& notes) {
+  auto [number, note] = std::move(notes.removed.back());
+  notes.removed.pop_back();
+  number = std::min(number, notes.tour.notes.size());
+  notes.tour.notes.insert(notes.tour.notes.begin() + static_cast<std::ptrdiff_t>(number), std::move(note));
+  notes.shown.reset();
   notes.unsaved = true;
 }
 
@@ -34,14 +75,25 @@ void keep_draft(NotesState& notes) {
 void Viewer::tend_notes() {
   NotesState& notes = state_.notes;
   if (std::exchange(notes.write, false)) write_note();
+  if (std::exchange(notes.retake, false) && notes.draft) {
+    const TourNote now = view_now();
+    notes.draft->camera = now.camera;
+    notes.draft->scene = now.scene;
+    notes.draft->inside = now.inside;
+  }
   if (std::exchange(notes.save, false)) save_notes();
+  if (std::exchange(lesson_.save_marks, false)) save_marks();
+  if (std::exchange(lesson_.pick_middle, false)) point_at_middle();
   if (const auto wanted = std::exchange(notes.go_to, {})) go_to_note(*wanted);
   answer_about_notes();
 }
 
 bool Viewer::notes_at_risk() const {
   const NotesState& notes = state_.notes;
-  return notes.unsaved || (notes.draft && !(notes.draft->title.empty() && notes.draft->text.empty()));
+  if (notes.unsaved || !notes.draft) return notes.unsaved;
+  const TourNote& draft = *notes.draft;
+  if (notes.draft_of) return *notes.draft_of >= notes.tour.notes.size() || !(draft == notes.tour.notes[*notes.draft_of]);
+  return !draft.title.empty() || !draft.text.empty() || !draft.marks.empty() || draft.question;
 }
 
 bool Viewer::may_close() {
@@ -76,7 +128,13 @@ bool Viewer::perform_on_notes(Action action) {
     if (!notes.draft) write_note();
     return true;
   }
+  if (action == Action::toggle_lessons) {
+    lesson_.toggle_menu();
+    return true;
+  }
   if (!notes.shown) return false;
+  if (action == Action::next_step && lesson_.step(1, notes)) return true;
+  if (action == Action::previous_step && lesson_.step(-1, notes)) return true;
   if (action == Action::next_step) {
     if (*notes.shown + 1 < notes.tour.notes.size()) go_to_note(*notes.shown + 1);
     return true;
@@ -95,18 +153,87 @@ void Viewer::write_note() {
     notice(fmt::format("A lesson has at most {} notes.", most_notes));
     return;
   }
+  notes.draft = view_now();
+  notes.draft_of.reset();
+  notes.fresh_draft = true;
+  notes.shown.reset();
+}
+
+/// The view as it is, or is on its way to.
+TourNote Viewer::view_now() {
   held_.clear();
   state_.fly.mouse_caught = false;
   settle_looks();
   Scene seen = state_.scene;
   if (transition_) seen.camera = transition_->goal();
-  notes.draft = note_of(seen, state_.fly.on && state_.fly.cavity.has_value());
-  notes.shown.reset();
+  return note_of(seen, state_.fly.on && state_.fly.cavity.has_value());
+}
+
+/// Two files, written both or none.
+void Viewer::save_marks() {
+  const auto& quiz = lesson_.quiz();
+  if (!quiz) return;
+  try {
+    const std::string stem = (quiz->title.empty() ? "Quiz" : quiz->title) + "-marks";
+    std::filesystem::path csv, json;
+    std::error_code error;
+    do {
+      csv = new_file(stem, ".csv");
+      json = std::filesystem::path(csv).replace_extension(".json");
+    } while (std::filesystem::exists(json, error));
+    AtomicFile first(csv), second(json);
+    first.write(marks_csv(*quiz));
+    second.write(marks_json(*quiz));
+    first.commit();
+    second.commit();
+    notice(fmt::format("Saved {} and the same as .json.", csv.string()));
+  } catch (const Error& error) {
+    state_.trouble = error.what();
+  }
+}
+
+/// What a click here means for the lesson: a pin or an answer for the draft, or an answer to the question. true: it was for the lesson.
+bool Viewer::point_for_lesson(const ViewPane& pane, double x, double y) {
+  NotesState& notes = state_.notes;
+  const bool placing = notes.draft && notes.placing != NotesState::Placing::none;
+  if (!placing && !lesson_.wants_click(notes)) return false;
+  const auto clicked = pointed_at(pane, x, y);
+  if (placing && notes.placing == NotesState::Placing::pin) {
+    if (const auto hit = hit_at(pane, x, y)) {
+      notes.draft->marks.push_back({hit->point_mm, ""});
+      notes.placing = NotesState::Placing::none;
+      return true;
+    }
+  } else if (clicked && placing) {
+    if (notes.draft->question) {
+      notes.draft->question->structure = clicked->structure;
+      notes.draft->question->part = clicked->part;
+    }
+    notes.placing = NotesState::Placing::none;
+    return true;
+  } else if (clicked) {
+    lesson_.answer(notes, *clicked);
+    return true;
+  }
+  notice("There is nothing at this place: point at the tooth.");
+  return true;
+}
+
+void Viewer::point_at_middle() {
+  if (panes_.empty() || !state_.shown) return;
+  const ViewPane& pane = panes_.front();
+  point_for_lesson(pane, pane.area.left + pane.area.width / 2, pane.area.top + pane.area.height / 2);
 }
 
 void Viewer::save_notes() {
   NotesState& notes = state_.notes;
-  if (notes.draft && notes_at_risk()) keep_draft(notes);
+  if (notes.draft && notes_at_risk()) {
+    if (const std::string fault = fault_of_draft(*notes.draft); !fault.empty()) {
+      notice(fmt::format("The note that is being written cannot be kept yet. {}", fault), true);
+      return;
+    }
+    keep_draft(notes);
+  }
   if (notes.tour.notes.empty() || !state_.shown) return;
   try {
     if (notes.tour.title.empty()) notes.tour.title = state_.shown->title;
@@ -129,11 +256,11 @@ void Viewer::save_notes() {
 
 /// True: the request is done, or goes on as that of the tour's model.
 bool Viewer::open_tour(LoadRequest& request) {
-  if (!named_like_a_tour(request.file)) return false;
+  if (!request.lesson && !named_like_a_tour(request.file)) return false;
   failure_ = nullptr;
   TourNotes tour;
   try {
-    tour = read_tour(request.file);
+    tour = request.lesson ? built_in_lesson_tour(*request.lesson) : read_tour(request.file);
   } catch (const Error& error) {
     failure_ = std::current_exception();
     state_.trouble = error.what();
@@ -141,28 +268,35 @@ bool Viewer::open_tour(LoadRequest& request) {
   }
   const std::filesystem::path folder = std::filesystem::path(request.file).parent_path();
   const std::string model = tour.model.empty() ? "" : (folder / tour.model).lexically_normal().string();
-  const bool there = state_.shown && (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) == std::filesystem::weakly_canonical(model)));
+  const bool there = state_.shown && (!request.lesson || sample_shown_) && (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) == std::filesystem::weakly_canonical(model)));
   if (there) {
     take_tour(std::move(tour));
     return true;
   }
   tour_after_load_ = std::move(tour);
   request.file = model;
+  request.lesson.reset();
   return false;
 }
 
 void Viewer::take_tour(TourNotes tour) {
   state_.notes = {};
   state_.notes.tour = std::move(tour);
+  lesson_.leave();
   go_to_note(0);
 }
 
 void Viewer::go_to_note(std::size_t number) {
   NotesState& notes = state_.notes;
   if (number >= notes.tour.notes.size() || !state_.shown) return;
-  notes.draft.reset();
+  drop_draft(notes);
   notes.shown = number;
+  state_.canal.reset();
+  state_.name_told.reset();
+  state_.tool = Tool::look;
+  lesson_.enter(notes);
   const TourNote note = notes.tour.notes[number];
+  if (!note.tour.empty() && ride_for_note(note)) return;
   if (!note.inside) {
     show_note_outside(note);
     return;
@@ -183,6 +317,23 @@ void Viewer::go_to_note(std::size_t number) {
     state_.scene = of_model(note.scene_over(state_.scene, state_.scene), state_.shown->model);
     see_from_flight();
   });
+}
+
+/// Down the canal that the note names; false: there is none of that name, or it is not to be ridden.
+bool Viewer::ride_for_note(const TourNote& note) {
+  if (!flight_possible() || state_.settings.comfort.reduced_motion) return false;
+  const auto& cavities = state_.shown->flight->cavities;
+  for (std::size_t cavity = 0; cavity < cavities.size(); ++cavity) {
+    const auto lines = rideable(cavities[cavity].lines);
+    for (std::size_t line = 0; line < lines.size(); ++line)
+      if (lines[line]->name == note.tour) {
+        if (track_of(*lines[line], state_.shown->flight->rules.clearance).points.empty()) return false;
+        ride_canal(cavity, line);
+        return true;
+      }
+  }
+  notice(fmt::format("This model has no canal called {}.", note.tour), true);
+  return false;
 }
 
 /// The usual looks are the model's own, over the background that the person chose.

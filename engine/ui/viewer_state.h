@@ -29,7 +29,7 @@ enum class Action {
   measure_distance, measure_thickness, take_picture, save_scene, toggle_panel, toggle_names, toggle_help, open_file, escape,
   enter_pulp, fly_outdoors, enter_here, leave_flight, pass_wall, catch_mouse, faster, slower,
   ride_play, ride_back, ride_farther, ride_nearer, ride_to_start, ride_to_end, next_canal, toggle_labels, toggle_depth, toggle_where, turn_where, write_note,
-  toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, next_step, previous_step
+  toggle_lab, next_lab_layout, swap_methods, toggle_faulty_edges, next_artefact, previous_artefact, toggle_lesson, toggle_lessons, next_step, previous_step
 };
 
 /// A rectangle of the picture in pixels from the upper left.

@@ -4,9 +4,6 @@
 
 using namespace odontoscope;
 
-/// The lesson that comes with the program is embedded in its room, which is not built for the fuzzers, and not read here.
-std::string_view odontoscope::lesson_text() { return {}; }
-
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::refused_or_read([&] {
     for (const LessonStep& step : parse_lesson(fuzz::text(data, size), "fuzz").steps) step.scene_over(Scene{});

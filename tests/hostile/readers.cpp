@@ -22,9 +22,6 @@
 #include "tests/hostile/volume_name.h"
 #include "tests/output/temporary_folder.h"
 
-/// The lesson that comes with the program is embedded in a room that is not linked, and not read here.
-std::string_view odontoscope::lesson_text() { return {}; }
-
 namespace odontoscope::hostile {
 namespace {
 

@@ -74,6 +74,79 @@ TEST(TourNotes, WithScenesAreReadAsTheyWereWritten) {
   EXPECT_EQ(some_tour().notes[0].scene_over(other, other).looks, other.looks) << "a note of a camera alone leaves looks as they are";
 }
 
+TourNotes quiz_tour() {
+  TourNotes tour = tour_with_scenes();
+  tour.language = "en";
+  tour.feedback_at_end = true;
+  tour.notes[0].tour = "mesiobuccal canal";
+  tour.notes[0].marks = {{{1, 2, 3}, "furcation"}, {{0.1, -1, 1.0 / 3}}};
+  tour.notes[1].question = TourQuestion{.kind = TourQuestion::Kind::click, .ask = "Click the distal canal.", .explain = "The wide one.", .structure = "pulp", .part = "distal canal"};
+  tour.notes.push_back({"Which?", "", tour.notes[1].camera});
+  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::choice, .ask = "Which structure is this?", .choices = {"enamel", "dentine"}, .answer = 1};
+  tour.notes.push_back({"How long?", "", tour.notes[1].camera});
+  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How long is it?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  return tour;
+}
+
+TEST(TourNotes, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
+  const TourNotes tour = quiz_tour();
+  const std::string text = to_json(tour);
+  EXPECT_NE(text.find("\"version\": 3"), std::string::npos);
+  const TourNotes read = parse_tour(text, "a");
+  EXPECT_EQ(read, tour);
+  EXPECT_TRUE(read.is_quiz());
+  EXPECT_FALSE(tour_with_scenes().is_quiz());
+  EXPECT_NE(to_json(tour_with_scenes()).find("\"version\": 2"), std::string::npos) << "older programs read it, too";
+}
+
+/// A tour of one note with this beside title, text and camera.
+std::string with(const std::string& more, const std::string& top = "") {
+  return R"({"format":"odontoscope.tour","version":3,"title":"",)" + top + R"("notes":[{"title":"","text":"","camera":{"position":[0,0,9],"target":[0,0,8],"up":[0,1,0]},)" + more + "}]}";
+}
+
+TEST(TourNotes, RefuseQuestionsThatCannotBeAnswered) {
+  const auto asked = [](const std::string& question) { return cause_of(with("\"question\":{" + question + "}")); };
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":1)"), "read");
+  EXPECT_EQ(asked(R"("choices":["x","y"],"answer":1,"ask":"a","kind":"choice")"), "read") << "keys come in any order";
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":2)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":-1)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":0.5)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x"],"answer":0)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":[],"answer":0)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["1","2","3","4","5","6","7","8","9"],"answer":0)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"])"), "missing-key");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","answer":0)"), "missing-key");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"","choices":["x","y"],"answer":1)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","choices":["x","y"],"answer":1)"), "missing-key");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":1,"within":1)"), "unknown-key");
+  EXPECT_EQ(asked(R"("kind":"guess","ask":"a","answer":1)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"click","ask":"a","structure":"pulp")"), "read");
+  EXPECT_EQ(asked(R"("kind":"click","ask":"a","structure":"")"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"click","ask":"a","part":"distal canal")"), "missing-key");
+  EXPECT_EQ(asked(R"("kind":"click","ask":"a","structure":"pulp","choices":["a","b"])"), "unknown-key");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":3)"), "read");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":3,"within":-1)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":1e10)"), "too-large");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":NaN)"), "not-finite");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":3,"unit":"a unit of many letters")"), "bad-title");
+  EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":"3")"), "wrong-type");
+}
+
+TEST(TourNotes, RefusePinsAndTopsThatMakeNoSense) {
+  std::string pins;
+  for (std::size_t i = 0; i < most_marks; ++i) pins += R"({"at":[1,2,3]},)";
+  EXPECT_EQ(cause_of(with("\"marks\":[" + pins.substr(0, pins.size() - 1) + "]")), "read");
+  EXPECT_EQ(cause_of(with("\"marks\":[" + pins + R"({"at":[1,2,3]}])")), "too-many-marks");
+  EXPECT_EQ(cause_of(with(R"("marks":[{"at":[1,2]}])")), "wrong-type");
+  EXPECT_EQ(cause_of(with(R"("marks":[{"at":[1,2,1e300]}])")), "too-large");
+  EXPECT_EQ(cause_of(with(R"("marks":[{"label":"x"}])")), "missing-key");
+  EXPECT_EQ(cause_of(with(R"("marks":[{"at":[1,2,3],"label":"\u0007"}])")), "bad-title");
+  EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("language":"de-AT","feedback":"at-once",)")), "read");
+  EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("language":"",)")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("language":"de AT",)")), "bad-value");
+  EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("feedback":"never",)")), "bad-value");
+}
+
 TEST(TourNotes, OfCamerasAloneAreStillVersionOne) {
   const std::string text = to_json(some_tour());
   EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
@@ -110,7 +183,7 @@ TEST(TourNotes, RefuseEachWithItsCause) {
   EXPECT_EQ(cause_of(""), "unparsable");
   EXPECT_EQ(cause_of("{"), "unparsable");
   EXPECT_EQ(cause_of(changed("odontoscope.tour", "odontoscope.lesson")), "wrong-format");
-  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 3")), "wrong-version");
+  EXPECT_EQ(cause_of(changed("\"version\": 1", "\"version\": 4")), "wrong-version");
   EXPECT_EQ(cause_of(changed("\"title\": \"Three canals\",", "")), "missing-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"insid\": true")), "unknown-key");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": 1")), "wrong-type");
@@ -131,10 +204,10 @@ TEST(TourNotes, RefuseEachWithItsCause) {
 }
 
 TEST(TourNotes, NoChangeOfAByteDoesHarm) {
-  const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes())};
+  const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes()), to_json(quiz_tour())};
   RandomNumbers random(3);
-  for (int i = 0; i < 4000; ++i) {
-    std::string text = wholes[i % 2];
+  for (int i = 0; i < 6000; ++i) {
+    std::string text = wholes[i % 3];
     for (int k = random.whole(1, 4); k > 0; --k) {
       const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
       if (random.chance(0.5)) text[at] = static_cast<char>(random.below(256));

@@ -45,8 +45,8 @@ std::vector<NamedCamera> cameras() {
 }
 
 void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::string& folder) {
-  for (const EmbeddedShader& shader : embedded_shaders()) {
-    std::string text(shader.source);
+  for (const EmbeddedFile& shader : embedded_shaders()) {
+    std::string text(shader.bytes);
     for (const ShaderEdit& edit : edits) {
       if (edit.shader != shader.name) continue;
       const std::size_t at = text.find(edit.from);

@@ -15,8 +15,8 @@ constexpr PixelSize size{200, 150};
 
 /// The embedded shaders with some text changed. Every edit must find what it changes.
 void write_edited_shaders(const std::vector<Mutation::Edit>& edits, const std::filesystem::path& folder) {
-  for (const EmbeddedShader& shader : embedded_shaders()) {
-    std::string text(shader.source);
+  for (const EmbeddedFile& shader : embedded_shaders()) {
+    std::string text(shader.bytes);
     for (const Mutation::Edit& edit : edits) {
       if (edit.shader != shader.name) continue;
       const std::size_t at = text.find(edit.from);

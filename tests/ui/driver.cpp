@@ -50,6 +50,7 @@ Viewer& ViewerTest::make_viewer(ViewerOptions options) {
   if (!options.load) options.load = [](const LoadRequest&, const Progress&) { return toy_tooth(); };
   options.coarse_when_slow = false;
   options.side = 1;
+  if (!first_run_) options.settings.hints = false;
   viewer_.reset();
   viewer_ = std::make_unique<Viewer>(gl(), ShaderLibrary{}, std::move(options));
   return *viewer_;

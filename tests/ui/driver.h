@@ -52,6 +52,7 @@ class ViewerTest : public ::testing::Test {
   void keep_picture(const std::string& name);
   Viewer& viewer() { return *viewer_; }
   const Gl& gl() const { return context_->gl(); }
+  bool first_run_ = false;   // with the strip of hints
   float scale_ = 1;
   PixelSize size_ = size;
 

@@ -9,6 +9,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/teeth.h"
 
 namespace odontoscope::testing_support {
 namespace {
@@ -47,6 +48,12 @@ class Lab : public ViewerTest {
     viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return molar(); }});
   }
   LabState& lab() { return viewer().state().lab; }
+  /// From the menu, where it is the last of the lessons.
+  void begin_lesson() {
+    type(U'g');
+    type(U'6');
+    frame();
+  }
   void wait_until_made() {
     for (int i = 0; i < 6000; ++i) {
       frame(0);
@@ -274,7 +281,7 @@ TEST_F(Lab, CountsOfDtAreThoseOfItsSurface) {
 TEST_F(Lab, TheLessonGoesStepByStep) {
   size_ = {1280, 800};
   viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return load({}); }});   // its claims are of the sample as it is
-  type(U'g');
+  begin_lesson();
   ASSERT_TRUE(lab().lesson);
   const std::size_t steps = lab().lesson->steps.size();
   press_key(Key::page_up);
@@ -307,7 +314,7 @@ TEST_F(Lab, TheLessonLoadsTheSampleMolarFirst) {
   }});
   viewer().open({.file = "another.json"});
   wait_until_loaded();
-  type(U'g');
+  begin_lesson();
   frame();
   wait_until_loaded();
   EXPECT_EQ(loaded, (std::vector<std::string>{"", "another.json", ""}));

@@ -1,0 +1,83 @@
+// The lessons that come with the program: whole, readable, and true of the sample molar that they are about.
+
+#include "engine/navigate/built_in_lessons.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "recon/sample/sample_tooth.h"
+
+namespace odontoscope::test {
+namespace {
+
+std::vector<TourNotes> all() {
+  std::vector<TourNotes> tours;
+  for (std::size_t number = 0; number < built_in_lessons().size(); ++number) tours.push_back(built_in_lesson_tour(number));
+  return tours;
+}
+
+TEST(BuiltInLessons, AreListedInTheirOrder) {
+  std::vector<std::string> titles;
+  for (const BuiltInLesson& lesson : built_in_lessons()) titles.push_back(lesson.title);
+  EXPECT_EQ(titles, (std::vector<std::string>{"The tooth and its tissues", "Down the three canals", "Canal types", "What a radiograph hides", "Find your way"}));
+  EXPECT_GE(built_in_lessons().back().questions, 8u);
+  EXPECT_LE(built_in_lessons().back().questions, 12u);
+}
+
+TEST(BuiltInLessons, CanBeReadAtAGlance) {
+  constexpr std::size_t most_bytes = 420;   // what fits on the card beside the tooth
+  for (const TourNotes& tour : all()) {
+    EXPECT_EQ(tour.language, "en");
+    for (const TourNote& note : tour.notes) {
+      EXPECT_FALSE(note.title.empty()) << tour.title;
+      EXPECT_LE(note.text.size(), most_bytes) << note.title;
+      EXPECT_TRUE(!note.text.empty() || note.question) << note.title;
+      if (note.question) {
+        EXPECT_FALSE(note.question->explain.empty()) << note.title;
+      }
+    }
+  }
+}
+
+TEST(BuiltInLessons, AskInAllThreeWays) {
+  for (const auto kind : {TourQuestion::Kind::click, TourQuestion::Kind::choice, TourQuestion::Kind::number}) {
+    const TourNotes quiz = all().back();
+    EXPECT_GE(std::count_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.question && note.question->kind == kind; }), 2);
+  }
+}
+
+/// Whatever they name is there, by that name; and what they say of it in numbers is so.
+TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
+  const SampleFacts facts = sample_facts(ToothKind::molar);
+  std::vector<std::string> parts = {"pulp chamber"};
+  for (const CanalFact& canal : facts.canals) parts.push_back(canal.name + " canal");
+  const std::vector<std::string> structures = {"enamel", "dentine", "pulp"};
+  const auto among = [](const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  for (const TourNotes& tour : all())
+    for (const TourNote& note : tour.notes) {
+      if (!note.tour.empty()) {
+        EXPECT_TRUE(among(parts, note.tour)) << note.tour;
+      }
+      for (const TourMark& mark : note.marks) {
+        EXPECT_LE(std::max(std::abs(mark.at.x), std::abs(mark.at.y)), 6) << mark.label;
+        EXPECT_TRUE(mark.at.z > 0 && mark.at.z < 22) << mark.label;
+      }
+      if (!note.question || note.question->kind != TourQuestion::Kind::click) continue;
+      EXPECT_TRUE(among(structures, note.question->structure)) << note.title;
+      if (!note.question->part.empty()) {
+        EXPECT_TRUE(among(parts, note.question->part)) << note.title;
+      }
+    }
+  const TourNotes quiz = all().back();
+  const auto answer_of = [&](const char* title) {
+    const auto found = std::find_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.title == title; });
+    return found == quiz.notes.end() ? -1 : found->question->answer;
+  };
+  EXPECT_EQ(answer_of("How many?"), static_cast<double>(facts.canals.size()));
+  EXPECT_EQ(answer_of("Horns"), static_cast<double>(facts.horns.size()));
+}
+
+}  // namespace
+}  // namespace odontoscope::test

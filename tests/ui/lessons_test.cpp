@@ -1,0 +1,441 @@
+// Lessons and quizzes as a student takes them, and as a teacher makes them: by mouse, and by the keyboard alone.
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/navigate/built_in_lessons.h"
+#include "engine/navigate/screen.h"
+#include "engine/ui/lesson_mode.h"
+#include "engine/ui/marks.h"
+#include "tests/ui/flight_fixture.h"
+
+namespace odontoscope::testing_support {
+namespace {
+
+class LessonsTest : public FlightTest {
+ protected:
+  NotesState& notes() { return viewer().state().notes; }
+  const LessonMode& lesson() { return viewer().lesson(); }
+  void settle() {
+    for (int i = 0; i < 6; ++i) frame(0.3);
+  }
+  glm::dvec2 middle() {
+    const Area& area = viewer().panes().front().area;
+    return {area.left + area.width / 2, area.top + area.height / 2};
+  }
+  void take(TourNotes tour) {
+    notes() = {};
+    notes().tour = std::move(tour);
+    notes().go_to = 0;
+    frames(2);
+    settle();
+  }
+  void type_all(std::u32string_view letters) {
+    for (const char32_t letter : letters) type(letter);
+  }
+  static std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+  }
+};
+
+/// Three questions about the toy tooth, one of each kind.
+TourNotes toy_quiz(const Viewer& viewer, bool at_end = false) {
+  TourNotes tour{"Toy quiz", "", {}};
+  tour.feedback_at_end = at_end;
+  TourNote note = note_of(viewer.state().scene, false);
+  note.title = "Click";
+  note.question = TourQuestion{.kind = TourQuestion::Kind::click, .ask = "Click the enamel.", .explain = "It is outside.", .structure = "enamel"};
+  tour.notes.push_back(note);
+  note.title = "Choose";
+  note.question = TourQuestion{.kind = TourQuestion::Kind::choice, .ask = "Which is inside?", .choices = {"enamel", "pulp"}, .answer = 1};
+  note.marks = {{{0, 0, 4}, ""}};
+  tour.notes.push_back(note);
+  note.title = "Count";
+  note.question = TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How wide?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  tour.notes.push_back(note);
+  return tour;
+}
+
+TEST_F(LessonsTest, TheMenuListsThemAndOpensOne) {
+  viewer_with_tooth();
+  type(U'g');
+  ASSERT_TRUE(lesson().menu());
+  frame();
+  press_key(Key::down);
+  press_key(Key::down);
+  press_key(Key::up);
+  press_key(Key::enter);
+  wait_until_loaded();
+  EXPECT_FALSE(lesson().menu());
+  EXPECT_EQ(notes().tour.title, "Down the three canals");
+  EXPECT_EQ(notes().shown, std::optional<std::size_t>(0));
+  EXPECT_FALSE(notes().unsaved);
+  type(U'g');
+  type(U'1');
+  frames(3);
+  EXPECT_EQ(notes().tour.title, "The tooth and its tissues");
+  type(U'g');
+  press_key(Key::escape);
+  EXPECT_FALSE(lesson().menu());
+  EXPECT_TRUE(notes().shown) << "Esc closed the menu alone";
+}
+
+TEST_F(LessonsTest, ABuiltInLessonBringsTheSampleMolar) {
+  std::vector<std::string> loaded;
+  viewer_with_tooth({.load = [&loaded](const LoadRequest& request, const Progress&) {
+    loaded.push_back(request.file);
+    return toy_tooth();
+  }});
+  viewer().open({.file = "another.json"});
+  wait_until_loaded();
+  viewer().open({.lesson = 0});
+  frame();
+  wait_until_loaded();
+  EXPECT_EQ(loaded, (std::vector<std::string>{"", "another.json", ""}));
+  EXPECT_EQ(notes().tour.title, built_in_lessons()[0].title);
+}
+
+TEST_F(LessonsTest, AQuizIsTakenByTheKeyboardAloneAndItsMarksAreSaved) {
+  const ScratchFolder scratch;
+  viewer_with(toy_tooth(), {.folder = scratch.path()});
+  size_ = {960, 640};
+  take(toy_quiz(viewer()));
+  ASSERT_TRUE(lesson().quiz());
+  EXPECT_TRUE(lesson().wants_click(notes()));
+  EXPECT_FALSE(viewer().names_shown()) << "they would give it away";
+  press_key(Key::right);   // turns the tooth
+  press_key(Key::enter);   // at the cross
+  EXPECT_EQ(lesson().feedback(notes()), "Right: enamel.");
+  press_key(Key::enter);
+  settle();
+  ASSERT_EQ(notes().shown, std::optional<std::size_t>(1));
+  frame(0.5);
+  type(U'3');   // there is no third: from mesial, as ever
+  EXPECT_TRUE(lesson().asked(notes()));
+  type(U'1');
+  EXPECT_EQ(lesson().feedback(notes()), "You said enamel. It is pulp.");
+  type(U'2');
+  EXPECT_EQ(lesson().row(notes())->given, "enamel") << "an answer stands";
+  keep_picture("quiz-choice");
+  press_key(Key::page_down);
+  settle();
+  type_all(U"x12,8");
+  EXPECT_EQ(lesson().typed(), "12,8");
+  press_key(Key::backspace);
+  type(U'9');
+  press_key(Key::enter);
+  EXPECT_TRUE(lesson().row(notes())->right);
+  EXPECT_EQ(lesson().row(notes())->given, "12.9 mm");
+  press_key(Key::enter);
+  frame();
+  ASSERT_TRUE(lesson().result());
+  EXPECT_EQ(lesson().quiz()->score(), 2u);
+  EXPECT_GE(lesson().quiz()->rows[1].seconds, 0.5);
+  frames(3);
+  keep_picture("quiz-result");
+  press_key(Key::enter);
+  frames(2);
+  const auto files = files_in(scratch.path());
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[0].filename(), "Toy-quiz-marks-001.csv");
+  EXPECT_EQ(files[1].filename(), "Toy-quiz-marks-001.json");
+  std::ifstream csv(files[0]);
+  std::string head, first;
+  std::getline(csv, head);
+  std::getline(csv, first);
+  EXPECT_EQ(head, "number,kind,question,given,right,seconds");
+  EXPECT_EQ(first.substr(0, first.rfind(',')), "1,click,Click the enamel.,enamel,yes");
+  std::ifstream json(files[1]);
+  EXPECT_EQ(nlohmann::json::parse(json)["score"], 2);
+  press_key(Key::escape);
+  press_key(Key::escape);
+  EXPECT_FALSE(notes().shown);
+}
+
+TEST_F(LessonsTest, AQuizIsTakenByTheMouse) {
+  viewer_with_tooth();
+  size_ = {960, 640};
+  take(toy_quiz(viewer(), true));
+  const Area& area = viewer().panes().front().area;
+  click(area.left + 4, area.top + area.height - 4);   // nothing there
+  EXPECT_TRUE(lesson().wants_click(notes()));
+  drag(middle().x, middle().y, middle().x + 60, middle().y);
+  EXPECT_TRUE(lesson().wants_click(notes())) << "a drag turns the tooth";
+  click(middle().x, middle().y);
+  EXPECT_NE(lesson().feedback(notes()).find("at the end"), std::string::npos) << "nothing is told yet";
+  click_control("Next (Page down)", {}, "note");
+  settle();
+  click_control("2   pulp", {}, "note");
+  EXPECT_EQ(lesson().row(notes())->given, "pulp");
+  click_control("Next (Page down)", {}, "note");
+  settle();
+  click_control("Result (Page down)", {}, "note");   // the last one is passed over
+  frames(2);
+  ASSERT_TRUE(lesson().result());
+  EXPECT_EQ(lesson().quiz()->score(), 2u);
+  EXPECT_FALSE(lesson().quiz()->finished());
+  click_control("Back (Page up)", {}, "quiz result");
+  EXPECT_FALSE(lesson().result());
+  EXPECT_TRUE(lesson().asked(notes())) << "it can still be answered";
+  press_key(Key::page_down);
+  click_control("Once more", {}, "quiz result");
+  settle();
+  EXPECT_EQ(notes().shown, std::optional<std::size_t>(0));
+  EXPECT_EQ(lesson().quiz()->score(), 0u);
+}
+
+TEST_F(LessonsTest, WordsStandBelowThePictureAndCoverNothing) {
+  viewer_with_tooth();
+  size_ = {960, 640};
+  frames(2);
+  const double whole = viewer().panes().front().area.height;
+  EXPECT_EQ(whole, 640);
+  take(toy_quiz(viewer()));
+  const Area area = viewer().panes().front().area;
+  EXPECT_LT(area.height, whole - 60);
+  for (const Interface::Place& place : viewer().interface().places)
+    if (place.window == control_id("", {}, "note")) {
+      EXPECT_GE(place.top, area.top + area.height - 1);
+    }
+  press_key(Key::escape);
+  frames(3);
+  EXPECT_EQ(viewer().panes().front().area.height, whole);
+}
+
+TEST_F(LessonsTest, ANoteRidesDownTheCanalThatItNames) {
+  viewer_with(sample_tooth_loaded());
+  TourNotes tour = built_in_lesson_tour(1);
+  take(tour);
+  notes().go_to = 2;
+  frames(2);
+  settle();
+  ASSERT_TRUE(fly().on);
+  ASSERT_TRUE(fly().ride);
+  const auto lines = rideable(spaces().cavities.at(*fly().cavity).lines);
+  EXPECT_EQ(lines[fly().ride->line]->name, "mesiobuccal canal");
+  EXPECT_TRUE(fly().ride->playing);
+  viewer().state().settings.comfort.reduced_motion = true;   // to where the ride ends, without riding
+  notes().go_to = 4;
+  frames(2);
+  settle();
+  ASSERT_TRUE(fly().on);
+  EXPECT_FALSE(fly().ride && fly().ride->playing);
+  ASSERT_TRUE(fly().place);
+  EXPECT_EQ(lines[fly().place->line]->name, "distal canal");
+  EXPECT_LT(fly().place->to_end, 1.5);
+}
+
+TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
+  viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
+  for (std::size_t number = 0; number < built_in_lessons().size(); ++number) {
+    const TourNotes tour = built_in_lesson_tour(number);
+    for (const TourNote& note : tour.notes) {
+      if (note.inside) {
+        const auto inside = [&](const FlightSpace& space) {
+          return space.walls.locate(note.camera.position) == Walls::Side::inside && space.walls.nearest(note.camera.position).distance >= spaces().rules.clearance;
+        };
+        EXPECT_TRUE(std::any_of(spaces().cavities.begin(), spaces().cavities.end(), inside)) << note.title;
+      }
+      for (const TourMark& mark : note.marks) {
+        const Box& box = viewer().state().shown->model.bounds_mm;
+        for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(mark.at[axis] >= box.low[axis] - 0.3 && mark.at[axis] <= box.high[axis] + 0.3) << note.title << ": " << mark.label;
+      }
+    }
+  }
+}
+
+/// Somewhere in the picture each of the quiz's questions to click can be answered rightly.
+TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
+  viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
+  const TourNotes tour = built_in_lesson_tour(4);
+  std::size_t clicks = 0;
+  take(tour);
+  for (std::size_t i = 0; i < tour.notes.size(); ++i) {
+    if (!tour.notes[i].question || tour.notes[i].question->kind != TourQuestion::Kind::click) continue;
+    ++clicks;
+    notes().go_to = i;
+    frame();
+    for (int wait = 0; wait < 4; ++wait) frame(0.5);
+    glm::dvec3 at{0, 4.5, 17};   // the crown's buccal side
+    for (const CentreLine* line : rideable(spaces().cavities.front().lines))
+      if (line->name == tour.notes[i].question->part) {
+        const Point3& half_way = line->points[line->points.size() / 2].at;
+        at = {half_way.x, half_way.y, half_way.z};
+      }
+    const ViewPane& pane = viewer().panes().front();
+    const auto place = place_of(pane.camera, at);
+    ASSERT_TRUE(place);
+    const glm::dvec2 pixel = pixel_of(pane.area, *place);
+    click(pixel.x, pixel.y);
+    ASSERT_TRUE(lesson().row(notes()));
+    EXPECT_TRUE(lesson().row(notes())->right) << tour.notes[i].question->ask << " " << lesson().row(notes())->given;
+  }
+  EXPECT_GE(clicks, 3u);
+}
+
+TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
+  const ScratchFolder scratch;
+  size_ = {1280, 800};
+  viewer_with(toy_tooth(), {.folder = scratch.path()});
+  notes().write = true;
+  frames(3);
+  ASSERT_TRUE(notes().draft);
+  type_all(U"Look");
+  click_control("Place a pin", {}, "note draft");
+  ASSERT_EQ(notes().placing, NotesState::Placing::pin);
+  frames(2);
+  click(middle().x, middle().y);
+  ASSERT_EQ(notes().draft->marks.size(), 1u);
+  notes().draft->marks[0].label = "here";
+  frames(2);
+  click_control("Click", {"question"}, "note draft");
+  ASSERT_TRUE(notes().draft->question);
+  EXPECT_FALSE(fault_of(*notes().draft->question).empty());
+  notes().draft->question->ask = "Click the enamel.";
+  frames(2);
+  keep_picture("note-editor");
+  click_control("Show what is right", {}, "note draft");
+  frames(2);
+  press_key(Key::enter);   // at the cross
+  EXPECT_EQ(notes().draft->question->structure.empty(), false);
+  frames(2);
+  click_control("Keep the note", {}, "note draft");
+  ASSERT_EQ(notes().tour.notes.size(), 1u);
+  notes().save = true;
+  frames(2);
+  const auto files = files_in(scratch.path());
+  ASSERT_EQ(files.size(), 1u);
+  const TourNotes saved = read_tour(files[0].string());
+  EXPECT_EQ(saved.notes[0].title, "Look");
+  EXPECT_EQ(saved.notes[0].marks.at(0).label, "here");
+  EXPECT_TRUE(saved.is_quiz());
+
+  viewer_with(toy_tooth());
+  viewer().handle(FilesDropped{{files[0].string()}});
+  frames(2);
+  settle();
+  EXPECT_TRUE(lesson().wants_click(notes()));
+}
+
+TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
+  viewer_with_tooth();
+  TourNotes tour = toy_quiz(viewer());
+  take(tour);
+  move_note(notes(), 0, 1);
+  EXPECT_EQ(notes().tour.notes[0].title, "Choose");
+  EXPECT_EQ(notes().shown, std::optional<std::size_t>(1)) << "the same note is still shown";
+  move_note(notes(), 0, -1);
+  EXPECT_EQ(notes().tour.notes[0].title, "Choose") << "there is nothing above the first";
+  remove_note(notes(), 0);
+  ASSERT_EQ(notes().tour.notes.size(), 2u);
+  remove_note(notes(), 1);
+  bring_back_note(notes());
+  bring_back_note(notes());
+  ASSERT_EQ(notes().tour.notes.size(), 3u);
+  EXPECT_EQ(notes().tour.notes[0].title, "Choose");
+  EXPECT_TRUE(notes().unsaved);
+  edit_note(notes(), 1);
+  frames(3);
+  notes().draft->title = "Click it";
+  const Camera before = notes().draft->camera;
+  press_key(Key::escape);
+  EXPECT_EQ(notes().tour.notes[1].title, "Click") << "Esc changes nothing";
+  edit_note(notes(), 1);
+  notes().draft->title = "Click it";   // before the field has the keyboard
+  frames(2);
+  viewer().state().scene.camera.position.x += 3;
+  notes().retake = true;
+  frames(2);
+  EXPECT_NE(notes().draft->camera, before);
+  keep_draft(notes());
+  EXPECT_EQ(notes().tour.notes.size(), 3u);
+  EXPECT_EQ(notes().tour.notes[1].title, "Click it");
+  EXPECT_TRUE(notes().tour.notes[1].question) << "it is still what it was otherwise";
+}
+
+TEST_F(LessonsTest, WhileANoteIsWrittenLettersAndTabStayWithIt) {
+  viewer_with_tooth();
+  notes().write = true;
+  frames(3);
+  for (int i = 0; i < 40; ++i) {
+    press_key(Key::tab);
+    for (const Interface::Place& place : viewer().interface().places)
+      if (viewer().interface().on_control(place.id)) {
+        EXPECT_NE(place.window, control_id("", {}, "panel")) << "the panel lies behind";
+      }
+    type(U's');   // into a field, or nowhere
+  }
+  EXPECT_FALSE(viewer().state().scene.section);
+  EXPECT_TRUE(notes().draft);
+}
+
+class FirstRunTest : public FlightTest {
+ protected:
+  void SetUp() override {
+    FlightTest::SetUp();
+    first_run_ = true;
+    size_ = {900, 500};
+  }
+};
+
+TEST_F(FirstRunTest, HintsAreTickedAndGoForGood) {
+  viewer_with(sample_tooth_loaded());
+  ASSERT_TRUE(viewer().hints().shown(viewer().state()));
+  frames(2);
+  keep_picture("first-run");
+  EXPECT_FALSE(viewer().hints().turned());
+  const Area area = viewer().panes().front().area;
+  drag(area.left + 300, area.top + 300, area.left + 400, area.top + 300);
+  EXPECT_TRUE(viewer().hints().turned());
+  type(U'c');
+  fade();
+  EXPECT_TRUE(viewer().hints().flown());
+  EXPECT_TRUE(viewer().state().settings.hints);
+  type(U'1');   // a canal by its number
+  fade();
+  EXPECT_FALSE(viewer().state().settings.hints);
+  const Settings next = settings_from_json(to_json(viewer().state().settings)).settings;
+  EXPECT_FALSE(next.hints);
+}
+
+TEST_F(FirstRunTest, HintsCanBeClosed) {
+  viewer_with_tooth();
+  frames(2);
+  click_control("Got it", {}, "hints");
+  EXPECT_FALSE(viewer().hints().shown(viewer().state()));
+  EXPECT_FALSE(viewer().state().settings.hints);
+}
+
+TEST_F(FirstRunTest, TheTitleNamesTheTooth) {
+  LoadedModel tooth = toy_tooth();
+  tooth.tooth = "lower left first molar: FDI 36, Universal 19";
+  viewer_with(tooth);
+  EXPECT_NE(viewer().title().find("FDI 36, Universal 19"), std::string::npos);
+}
+
+/// From start to the inside of a canal in two actions.
+TEST_F(FirstRunTest, ANewcomerIsInACanalAfterTwoActions) {
+  viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
+  const Point3& half_way = [&]() -> const Point3& {
+    const CentreLine& canal = spaces().cavities.front().lines.canals.front();
+    return canal.points[canal.points.size() / 2].at;
+  }();
+  const ViewPane& pane = viewer().panes().front();
+  const auto place = place_of(pane.camera, {half_way.x, half_way.y, half_way.z});
+  ASSERT_TRUE(place);
+  const glm::dvec2 pixel = pixel_of(pane.area, *place);
+  click(pixel.x, pixel.y);
+  press_key(Key::enter);
+  fade();
+  EXPECT_TRUE(fly().on);
+  EXPECT_TRUE(fly().ride);
+}
+
+}  // namespace
+}  // namespace odontoscope::testing_support
