@@ -1,17 +1,22 @@
 // A picture of a page that `odontoscope web` wrote, as Chromium shows it. Called by make-pictures.
-//   node web-picture.mjs PAGE.html PICTURE.png WIDTHxHEIGHT MODULES      MODULES: node_modules with playwright-core, such as the judges' own
+//   node web-picture.mjs PAGE.html PICTURE.png WIDTHxHEIGHT MODULES [#ADDRESS [SCRIPT]]
+// MODULES: node_modules with playwright-core, such as the judges' own. SCRIPT: run with `viewer` before the picture is taken.
 import {createRequire} from 'node:module';
 import {join, resolve} from 'node:path';
 import {pathToFileURL} from 'node:url';
 
-const [page_, picture, size, modules] = process.argv.slice(2), [width, height] = size.split('x').map(Number);
+const [page_, picture, size, modules, address = '', script = ''] = process.argv.slice(2), [width, height] = size.split('x').map(Number);
 const {chromium} = createRequire(join(resolve(modules), 'x.js'))('playwright-core');
 const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--no-first-run']});
-const page = await browser.newPage({viewport: {width, height}, colorScheme: 'dark'});
-await page.goto(pathToFileURL(resolve(page_)).href);
+const page = await browser.newPage({viewport: {width, height}, colorScheme: 'dark', reducedMotion: 'reduce'});
+page.setDefaultTimeout(300_000);   // software draws
+await page.goto(pathToFileURL(resolve(page_)).href + address);
 await page.evaluate(async () => {
   const viewer = await odontoscope;
   await new Promise(done => viewer.addEventListener('drawn', done, {once: true}));
+  globalThis.viewer = viewer;
 });
+await page.evaluate(script);
+if (address) await page.waitForFunction(() => viewer.picture.finished(viewer.wayOf(viewer.quality.still)));
 await page.screenshot({path: picture});
 await browser.close();

@@ -8,7 +8,7 @@
 #include "recon/core/read_file.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
-#include "recon/partition/reconstruct_partition.h"
+#include "recon/partition/reconstruct_structures.h"
 
 namespace odontoscope::app {
 namespace {
@@ -59,13 +59,22 @@ void refuse_senseless(const DtWords& words) {
 }
 
 Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session) {
-  if (!words.partition.wanted) return reconstruct(stack, understood(words, stack, session), session.progress());
-  PartitionOptions options;
-  if (!words.partition.priority.empty()) options.priority = names_in(words.partition.priority, "--priority");
-  options.gap = words.partition.gap.value_or(0);
-  options.between = words.between.value_or(Between::blended);
-  options.threads = session.threads;
-  return reconstruct_partition(stack, options, session.progress());
+  if (words.partition.wanted) {
+    PartitionOptions options;
+    if (!words.partition.priority.empty()) options.priority = names_in(words.partition.priority, "--priority");
+    options.gap = words.partition.gap.value_or(0);
+    options.between = words.between.value_or(Between::blended);
+    options.threads = session.threads;
+    return reconstruct_partition(stack, options, session.progress());
+  }
+  const ReconstructOptions options = understood(words, stack, session);
+  if (words.partition.independent || words.correspondence || !words.links.empty() || words.link_words.any())
+    return reconstruct(stack, options, session.progress());
+  MadeOfStructures made = reconstruct_structures(stack, options, session.progress());
+  if (made.reconstruction.complex) session.console.say("Structures share walls or overlap: they became one partition. --independent makes each by itself.");
+  if (!made.no_partition.empty())
+    session.console.complain(fmt::format("warning: no partition came of it, so each structure was made by itself, and neighbours may gape or overlap. {}", made.no_partition));
+  return std::move(made.reconstruction);
 }
 
 void refuse_for_mesh(const DtWords& words, const std::string& file) {

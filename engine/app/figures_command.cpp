@@ -16,7 +16,6 @@
 #include "engine/figures/page.h"
 #include "engine/gpu/context.h"
 #include "engine/picture/png.h"
-#include "recon/input/stack_json.h"
 
 namespace odontoscope::app {
 namespace {
@@ -74,11 +73,8 @@ std::optional<ContourStack> contours_of(const FiguresArguments& options, Session
     if (options.volume.any_level()) throw UsageError("--iso and --label want a volume", "Name it before the options");
     return std::nullopt;
   }
-  if (options.volume.any_level()) return contours_told(options.input, understood(options.volume), session);
-  if (named_like_a_volume(options.input))
-    throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", options.input),
-                     "Give --iso T for an image, --label N for a label map");
-  return read_stack(options.input, session.progress().stop);
+  refuse_volume_without_level(options.input, options.volume);
+  return contours_of_input(options.input, options.volume, session);
 }
 
 std::string about(const figures::ToothModels& tooth) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/app/options.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
@@ -79,6 +80,7 @@ std::string head_of(const std::string& file) {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& file, std::string_view bytes) {
+  refuse_empty(file);
   Place place;
   place.file = file;
   if (bytes.substr(0, 4096).find("<Section") != bytes.npos) {
@@ -175,7 +177,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
   if (auto meshes = meshes_in(kind, bytes, file)) return cut_told(std::move(*meshes), file, words, session);
   if (kind == FileKind::volume) {
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
-                     "Give --iso T for an image, --label N for a label map");
+                     "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }
   if (kind == FileKind::unknown) refuse_unknown(file, bytes);
   ContourStack stack = parse_stack(bytes, file);

@@ -86,12 +86,10 @@ void refuse_senseless_as_given(const ReconstructArguments& options) {
   }
 }
 
-/// Simplifying one structure would tear it from its neighbours.
 void refuse_with_partition(const ReconstructArguments& options) {
   if (!options.dt.partition.wanted) return;
   if (options.method == Method::db) throw UsageError("--partition is about the DT method", "Use --method dt");
   if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
-  if (options.triangles) throw UsageError("--triangles does not work with --partition yet", "Leave one of them out");
 }
 
 void refuse_senseless(const ReconstructArguments& options) {
@@ -167,7 +165,9 @@ struct Input {
 };
 
 Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
-  const auto model = std::make_shared<Model>(Model{reconstructed(stack, options.dt, session), {}, {}});
+  DtWords dt = options.dt;
+  if (!options.together.empty()) dt.partition.independent = true;
+  const auto model = std::make_shared<Model>(Model{reconstructed(stack, dt, session), {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   if (options.as_given && input.volume && input.volume->upright) {

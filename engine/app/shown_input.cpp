@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/app/foreign_input.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/sniff.h"
 #include "engine/app/tell_volume.h"
 #include "engine/scene/shells.h"
@@ -150,7 +151,8 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
 [[noreturn]] void refuse(FileKind kind, const std::string& file) {
   if (kind == FileKind::volume)
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
-                     "Give --iso T for an image, --label N for a label map");
+                     "Give --iso T (or --iso auto) for an image, --label N for a label map");
+  refuse_empty(file);
   Place place;
   place.file = file;
   throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",

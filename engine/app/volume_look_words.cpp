@@ -149,7 +149,7 @@ void show_volume(const VolumeLookRequest& request, const Shown& shown, Scene& sc
     return;
   }
   if (!shown.values || !shown.greys) throw UsageError("only a volume has grey values to show", "Give the volume that the model was made from, with --show volume, or with --iso and --show both.");
-  if (look.shows == VolumeLook::Shows::both && shown.only_voxels) throw UsageError("--show both: nothing says where in the volume the surface lies", "Give --iso T for an image, or --show volume.");
+  if (look.shows == VolumeLook::Shows::both && shown.only_voxels) throw UsageError("--show both: nothing says where in the volume the surface lies", "Give --iso T (or --iso auto) for an image, or --show volume.");
   const auto told = greys_from(request.grey);
   const GreyAnchors greys = told.value_or(*shown.greys);
   lay_out(request, greys, *shown.values, look);

@@ -234,7 +234,11 @@ bool named_like_a_volume(const std::string& file) {
 
 ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
   if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
-  ContourStack stack = is_contour_file(file) ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
+  const bool of_another_program = is_contour_file(file);
+  if (!of_another_program && needs_conversion(file, {})) {
+    throw UsageError(fmt::format("{} is a mesh, and contours are wanted here", file), fmt::format("Cut it first: odontoscope contours {} --spacing-z D -o FILE.json", file));
+  }
+  ContourStack stack = of_another_program ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "engine/app/command.h"
@@ -9,6 +10,8 @@
 #include "engine/app/outputs.h"
 #include "engine/app/web_input.h"
 #include "engine/app/words.h"
+#include "engine/navigate/built_in_lessons.h"
+#include "engine/navigate/notes.h"
 #include "recon/core/grouped.h"
 
 namespace odontoscope::app {
@@ -16,13 +19,35 @@ namespace {
 
 struct WebArguments {
   WebWords words;
-  std::string output, title;
+  std::string output, title, lesson;
 };
 
 constexpr std::size_t longest_title = 200;
 
-std::string title_of(const WebArguments& options) {
+/// A file, or one of the lessons that come with the program by its title.
+TourNotes lesson_called(const std::string& called) {
+  const std::vector<BuiltInLesson> known = built_in_lessons();
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i].title == called) return built_in_lesson_tour(i);
+  return read_tour(called);
+}
+
+/// A lesson in place of a model is about the model that it names, or the sample molar.
+std::optional<TourNotes> lesson_of(WebArguments& options) {
+  if (named_like_a_tour(options.words.input)) {
+    if (!options.lesson.empty()) throw UsageError(fmt::format("{} is a lesson, and --lesson names another", options.words.input), "Give one of them");
+    std::swap(options.lesson, options.words.input);
+  }
+  if (options.lesson.empty()) return {};
+  TourNotes lesson = lesson_called(options.lesson);
+  if (options.words.input.empty() && !lesson.model.empty())
+    options.words.input = (std::filesystem::path(options.lesson).parent_path() / lesson.model).lexically_normal().string();
+  return lesson;
+}
+
+std::string title_of(const WebArguments& options, const std::optional<TourNotes>& lesson) {
   if (!options.title.empty()) return options.title;
+  if (lesson && !lesson->title.empty()) return lesson->title;
   if (options.words.input.empty()) return "Sample molar";
   std::filesystem::path path(options.words.input);
   if (!path.has_filename()) path = path.parent_path();
@@ -36,19 +61,22 @@ void refuse_without_page() {
                    "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
 }
 
-ExitCode make_page(const WebArguments& options, Session& session) {
+ExitCode make_page(WebArguments options, Session& session) {
   known_ending(options.output, {".html"});
   if (options.title.size() > longest_title)
     throw UsageError(fmt::format("--title has {} bytes", options.title.size()), fmt::format("Make it {} or less", longest_title));
+  const std::optional<TourNotes> lesson = lesson_of(options);
   refuse_senseless(options.words);
   refuse_without_page();
   PlannedFiles files{.inputs = {}, .outputs = {options.output}};
   if (!options.words.input.empty()) files.inputs.push_back(options.words.input);
+  if (!options.lesson.empty() && std::filesystem::exists(options.lesson)) files.inputs.push_back(options.lesson);
   if (!options.words.dt.links.empty()) files.inputs.push_back(options.words.dt.links);
   refuse_unwritable(files);
 
   WebPage page = web_page_of(options.words, session);
-  page.title = title_of(options);
+  page.title = title_of(options, lesson);
+  if (lesson) page.lesson = to_json(*lesson);
   session.progress().check();
   session.progress().tell("page", 0.8);
   const std::string html = web_page(page, embedded_page().html);
@@ -65,9 +93,10 @@ ExitCode make_page(const WebArguments& options, Session& session) {
 Command web_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("web", "A page to look at a model in any browser, in one file");
   const auto options = std::make_shared<WebArguments>();
-  parser->add_option("INPUT", options->words.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")->type_name("");
+  parser->add_option("INPUT", options->words.input, "Contours, mesh, lesson, or with --iso a volume; none: the sample molar")->type_name("");
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
-  parser->add_option("--title", options->title, "What the page is called (default: the file's name)")->type_name("TEXT");
+  parser->add_option("--lesson", options->lesson, "A lesson to open with: a file, or a title of those built in")->type_name("FILE");
+  parser->add_option("--title", options->title, "What the page is called (default: the lesson's or the file's name)")->type_name("TEXT");
   parser->add_flag("--db", options->words.with_db, "The DB method's model too, and a switch between both");
   constexpr int most_triangles = 100'000'000;
   parser->add_option("--triangles", options->words.triangles, "Simplify DT's surfaces to at most N triangles in all")
@@ -80,6 +109,8 @@ Command web_command(CLI::App& root) {
   parser->footer(
       "Examples:\n"
       "  odontoscope web -o molar.html\n"
+      "  odontoscope web canals.tour.json -o lesson.html\n"
+      "  odontoscope web --lesson \"Find your way\" -o quiz.html\n"
       "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
       "\n"

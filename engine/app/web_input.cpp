@@ -93,27 +93,30 @@ std::vector<WebLook> looks_of(const WrittenModel& written) {
   return looks;
 }
 
-/// The centre lines of the largest void's canals, from the chamber to their ends; none where the void's wall is not sound enough for any.
-std::vector<WebTour> tours_through(const WrittenModel& written, Session& session) {
+WebTour along(const CentreLine& line) {
+  WebTour tour{line.name, {}, line.length_to_wall()};
+  for (const CentrePoint& point : line.points) tour.points.push_back(point.at);
+  return tour;
+}
+
+/// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall is not sound enough for any.
+void add_ways(const WrittenModel& written, WebPage& page, Session& session) {
   const std::vector<Cavity> cavities = cavities_in(sound_structures(written));
-  if (cavities.empty()) return {};
-  std::vector<WebTour> tours;
+  if (cavities.empty()) return;
   try {
     const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress());
     for (const CentreLine& canal : lines.canals) {
-      tours.push_back({canal.name, {}, canal.length_to_wall()});
-      if (canal.orifice > 0 || !lines.has_chamber) tours.back().orifice_mm = canal.points[canal.orifice].along;
-      for (const CentrePoint& point : canal.points) tours.back().points.push_back(point.at);
+      page.tours.push_back(along(canal));
+      if (canal.orifice > 0 || !lines.has_chamber) page.tours.back().orifice_mm = canal.points[canal.orifice].along;
     }
-  } catch (const UsageError&) {
-    return {};
+    for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));
+  } catch (const UsageError&) {   // the page is of use without them
   }
-  return tours;
 }
 
 WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
   Model made{reconstructed(stack, words.dt, session), {}, {}};
-  page.tours = tours_through(made.reconstruction, session);
+  add_ways(made.reconstruction, page, session);
   page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
@@ -176,7 +179,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   }
   WebPage page;
   page.looks = looks_of(written);
-  page.tours = tours_through(written, session);
+  add_ways(written, page, session);
   page.models.push_back(web_model(written, certificate_of(structures, reports)));
   page.models.back().name = "Mesh";
   page.models.back().words = "A mesh, as it was read.";

@@ -42,7 +42,9 @@ Json description_of(const WebPage& page) {
   for (const WebLook& look : page.looks)
     looks.push_back({{"structure", look.structure}, {"colour", look.colour}, {"opacity", look.opacity}, {"as_body", look.as_body}, {"depth", look.depth}});
   for (const WebTour& tour : page.tours) tours.push_back(json_of(tour));
-  return {{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}};
+  Json horns = Json::array();
+  for (const WebTour& horn : page.horns) horns.push_back(json_of(horn));
+  return {{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}, {"horns", horns}};
 }
 
 /// JSON that no parser of HTML takes for anything but text, whatever its strings hold. Text that is no UTF-8 is replaced.
@@ -58,6 +60,7 @@ std::string text_in_script(const Json& json) {
 
 std::string data_elements(const WebPage& page) {
   std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n", text_in_script(description_of(page)));
+  if (!page.lesson.empty()) html += fmt::format("<script type=\"application/json\" id=\"tour\">{}</script>\n", text_in_script(Json::parse(page.lesson)));
   for (std::size_t i = 0; i < page.models.size(); ++i)
     html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
   return html;

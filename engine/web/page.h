@@ -58,6 +58,8 @@ struct WebPage {
   std::vector<WebModel> models;   // one or more
   std::vector<WebLook> looks;
   std::vector<WebTour> tours;
+  std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
+  std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
 };
 
 /// The page without a model. Empty if this program was built without it; `why` then says what was missing.

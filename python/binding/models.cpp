@@ -21,7 +21,7 @@
 #include "recon/output/comparison_json.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
-#include "recon/partition/reconstruct_partition.h"
+#include "recon/partition/reconstruct_structures.h"
 
 namespace odontoscope::python {
 namespace {
@@ -84,25 +84,39 @@ DbOptions understood(const DbWords& words) {
   return options;
 }
 
+/// `triangles`: how many its surfaces may have together.
+Model model_of(Reconstruction reconstruction, std::optional<std::size_t> triangles, const Progress& progress) {
+  auto made = std::make_shared<DtModel>(DtModel{std::move(reconstruction), {}});
+  if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
+  return {std::move(made), nullptr};
+}
+
 Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles,
                  const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    auto made = std::make_shared<DtModel>(
-        DtModel{reconstruct(*contours.stack, understood(words, *contours.stack), progress), {}});
-    if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
-    return Model{std::move(made), nullptr};
+    return model_of(reconstruct(*contours.stack, understood(words, *contours.stack), progress), triangles, progress);
   });
 }
 
-Model made_as_partition(const Contours& contours, const PartitionWords& words, const py::object& listener) {
+/// A partition where structures share walls or overlap; why none came of it, if so.
+std::pair<Model, std::string> made_of_structures(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles, const py::object& listener) {
+  std::string no_partition;
+  Model model = watched(listener, [&](const Progress& progress) {
+    MadeOfStructures made = reconstruct_structures(*contours.stack, understood(words, *contours.stack), progress);
+    no_partition = std::move(made.no_partition);
+    return model_of(std::move(made.reconstruction), triangles, progress);
+  });
+  return {std::move(model), std::move(no_partition)};
+}
+
+Model made_as_partition(const Contours& contours, const PartitionWords& words, std::optional<std::size_t> triangles,
+                        const py::object& listener) {
   PartitionOptions options;
   options.priority = words.priority;
   options.gap = words.gap;
   options.threads = words.threads;
   return watched(listener, [&](const Progress& progress) {
-    return Model{
-        std::make_shared<const DtModel>(DtModel{reconstruct_partition(*contours.stack, options, progress), {}}),
-        nullptr};
+    return model_of(reconstruct_partition(*contours.stack, options, progress), triangles, progress);
   });
 }
 
@@ -310,9 +324,12 @@ void add_models(py::module_& module) {
   module.def("by_dt",
              [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
                 const py::object& listener) { return made_by_dt(contours, dt_words(words), triangles, listener); });
+  module.def("of_structures",
+             [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
+                const py::object& listener) { return made_of_structures(contours, dt_words(words), triangles, listener); });
   module.def("as_partition", [](const Contours& contours, const std::vector<std::string>& priority, double gap,
-                                int threads, const py::object& listener) {
-    return made_as_partition(contours, {priority, gap, threads}, listener);
+                                int threads, std::optional<std::size_t> triangles, const py::object& listener) {
+    return made_as_partition(contours, {priority, gap, threads}, triangles, listener);
   });
   module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) {
     return made_by_db(contours, db_words(words), listener);

@@ -25,6 +25,7 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
 
@@ -482,7 +483,7 @@ class Model:
 
 def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tracked", between: str = "blended", links: Any = None,
                 link: Union[str, Iterable[str]] = (), unlink: Union[str, Iterable[str]] = (), together: Union[str, Iterable[str]] = (),
-                partition: bool = False, priority: Union[str, Iterable[str], None] = None, gap: Optional[float] = None, triangles: Optional[int] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
+                partition: Optional[bool] = None, priority: Union[str, Iterable[str], None] = None, gap: Optional[float] = None, triangles: Optional[int] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
                 decimate: Union[int, str, None] = None, threads: int = 0, progress: Optional[Progress] = None, **reading: Any) -> Model:
     """Contours or a volume to a solid, certified model.
 
@@ -494,7 +495,8 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
         links: your own choices of what connects: dicts as in ``Model.links``, or a file of them. They win.
         link, unlink: single ones, "NAME:N:B-U": contour B of slice N and U of N + 1.
         together: "A,B": make structures one solid, the inner a cavity of the outer.
-        partition: one complex of all structures, which share their faces without gap or overlap (``Model.complex``).
+        partition: True: one complex of all structures, which share their faces without gap or overlap (``Model.complex``). False: each by
+            itself. None: a partition where structures share walls or overlap, unless links, correspondence or together are chosen.
         priority, gap: with ``partition``: who keeps the place where structures overlap ("A,B"); void narrower than so many mm between two
             structures is closed.
         triangles: simplify the surfaces to at most so many in all; topology is kept, and ``report["simplification_aim"]`` says whether
@@ -524,12 +526,17 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
         return Model(_core.by_db(stack._core, db, progress), stack.source)
     target = None if triangles is None else _options.whole(triangles, "triangles", 1)
     if partition:
-        if target is not None or dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
-            raise _refuse(UsageError, "together, triangles, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
+        if dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
+            raise _refuse(UsageError, "together, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
         order = [name for names in _options.names(priority) for name in names.split(",")]
-        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], progress), stack.source)
+        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], target, progress), stack.source)
     if priority is not None or gap is not None:
         raise _refuse(UsageError, "priority and gap are about partition", "Give partition=True, or leave them out")
+    if partition is None and not (dt["links"] or dt["correspondence"] != "tracked" or _options.names(together)):
+        model, no_partition = _core.of_structures(stack._core, dt, target, progress)
+        if no_partition:
+            warnings.warn(f"no partition came of it, so each structure was made by itself, and neighbours may gape or overlap. {no_partition}", stacklevel=2)
+        return Model(model, stack.source)
     return Model(_core.by_dt(stack._core, dt, target, progress), stack.source)
 
 

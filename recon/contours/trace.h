@@ -59,7 +59,8 @@ Stand next(const Field& field, const Stand& stand) {
 /// Calls `take(std::vector<Point2>&&)` for every contour of the slice, inside on its left (outer contours
 /// counter-clockwise, holes clockwise), in the order of their lowest, then leftmost rising crossing, which is also
 /// their first point. Stops early when `take` returns false. Field also has Point2 crossing(Vertex inside, Vertex
-/// outside), strictly between the two.
+/// outside), strictly between the two; and may have void bend(const Stand&, std::vector<Point2>& points), which appends
+/// points that a contour has in the cell ahead, between its two crossings, where it does not run straight.
 template <class Field, class Take>
 void contours(const Field& field, std::size_t width, std::size_t height, const Take& take) {
   std::vector<bool> visited(width * height, false);  // rising crossings to the right of each pixel
@@ -75,6 +76,7 @@ void contours(const Field& field, std::size_t width, std::size_t height, const T
       do {
         if (stand.ahead == up) visited[number(stand.inside)] = true;
         points.push_back(field.crossing(stand.inside, stand.outside()));
+        if constexpr (requires { field.bend(stand, points); }) field.bend(stand, points);
         stand = next(field, stand);
       } while (!(stand == start));
       if (!take(std::move(points))) return;

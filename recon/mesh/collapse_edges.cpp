@@ -22,7 +22,7 @@ using Face = HalfEdgeMesh::Face_index;
 using ExactPoint = ExactKernel::Point_3;
 using FixedEdges = HalfEdgeMesh::Property_map<HalfEdgeMesh::Edge_index, bool>;
 using Placement = sms::Constrained_placement<sms::LindstromTurk_placement<HalfEdgeMesh>, FixedEdges>;
-using Refusal = CollapseGuard::Refusal;
+using Refusal = CollapseRefusal;
 
 constexpr std::string_view collapse_stage = "simplify";
 /// A round is repeated if it took away more than one in so many edges.
@@ -74,11 +74,12 @@ struct Round {
   }
 
   template <class Profile>
-  CollapseGuard::Star star_of(const Profile& profile) const {
-    CollapseGuard::Star star{profile.v0(), profile.v1(), {}};
+  CollapseStar star_of(const Profile& profile) const {
+    CollapseStar star{profile.v0(), profile.v1(), profile.p0(), profile.p1(), {}};
     const auto& triangles = profile.triangles();  // first those that vanish: two, as the surface is closed
     for (std::size_t n = 2; n < triangles.size(); ++n) {
-      star.triangles.push_back({triangles[n].v0, triangles[n].v1, triangles[n].v2});
+      const auto& [before, moved, after] = triangles[n];
+      star.triangles.push_back({{before, moved, after}, {all.mesh.point(before), all.mesh.point(moved), all.mesh.point(after)}});
     }
     return star;
   }
@@ -86,7 +87,7 @@ struct Round {
   /// The first place that nothing speaks against; `refusal` says what spoke against the best.
   template <class Profile>
   boost::optional<ExactPoint> allowed(const Profile& profile, const boost::optional<ExactPoint>& best) {
-    const CollapseGuard::Star star = star_of(profile);
+    const CollapseStar star = star_of(profile);
     std::vector<ExactPoint> places;
     if (best) places.push_back(*best);
     const bool held = all.keep[profile.v0().idx()] || all.keep[profile.v1().idx()];

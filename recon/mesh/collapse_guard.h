@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "recon/mesh/cgal_surface.h"
+#include "recon/mesh/collapse_star.h"
 #include "recon/mesh/moving_box_tree.h"
 
 namespace odontoscope {
@@ -22,45 +22,25 @@ class CollapseGuard {
   using Face = HalfEdgeMesh::Face_index;
   using Point = ExactKernel::Point_3;
 
-  enum class Refusal {
-    far,     // the new vertex, or one of the old, would lie farther off the surface than the edge is long
-    turned,  // a triangle would turn over
-    flat,    // a triangle would have no area
-    cuts,    // a triangle would cut or touch another
-  };
-
-  /// The star of an edge that is about to be collapsed into one vertex.
-  struct Star {
-    Vertex one, other;
-    /// Triangles that stay, each with its two vertices beside the one that moves, the latter between them.
-    struct Triangle {
-      Vertex before, moved, after;
-    };
-    std::vector<Triangle> triangles;
-  };
-
   /// `surface_of[v]`: number of the surface that vertex v belongs to. Both must outlive the guard.
   CollapseGuard(const HalfEdgeMesh& mesh, const std::vector<std::uint32_t>& surface_of);
 
   /// Nothing if the star's edge may be collapsed into `placed`. May triangles turn over where nothing is cut?
-  std::optional<Refusal> refusal(const Star& star, const Point& placed, bool may_turn) const;
+  std::optional<CollapseRefusal> refusal(const CollapseStar& star, const Point& placed, bool may_turn) const;
 
   /// To be told of each collapse: of the faces that vanish, and of the vertex whose faces have changed.
   void vanished(Face face) { tree_.move(face.idx(), {}); }
   void moved(Vertex vertex);
 
  private:
-  MovingBox box_of(Face face) const;
-  bool strays(const Star& star, const Point& placed) const;
-  bool turns(const Star& star, const Point& placed) const;
-  bool flattens(const Star& star, const Point& placed) const;
-  bool cuts_others(const Star& star, const Point& placed) const;
-  bool cuts_itself(const Star& star, const Point& placed) const;
-  bool cuts(const Star::Triangle& made, const Point& placed, Face other) const;
+  bool cuts_others(const CollapseStar& star, const Point& placed) const;
 
   const HalfEdgeMesh& mesh_;
   const std::vector<std::uint32_t>& surface_of_;
   MovingBoxTree tree_;
 };
+
+/// Of its three corners.
+MovingBox box_of(const NumberedTriangle& triangle);
 
 }  // namespace odontoscope

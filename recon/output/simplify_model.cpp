@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "recon/core/error.h"
-#include "recon/mesh/simplify_surface.h"
+#include "recon/mesh/complex_parts.h"
+#include "recon/mesh/simplify_interfaces.h"
 
 namespace odontoscope {
 namespace {
@@ -39,18 +40,36 @@ StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
   return told;
 }
 
+/// Interfaces once for both their materials.
+SimplifiedSurfaces simplified(const Reconstruction& reconstruction, const LabelledComplex& complex, std::size_t triangles, const Progress& progress) {
+  const SimplifiedInterfaces simple = simplify_interfaces(complex, triangles, progress);
+  SimplifiedSurfaces all{{}, simple.triangles, simple.reached, simple.obstacles, simple.restarts};
+  for (const Solid& solid : reconstruction.solids) {
+    const auto named = std::find(complex.structures.begin(), complex.structures.end(), solid.structure);
+    SimplifiedSurface one;
+    one.surface = surface_of(simple.complex, static_cast<Label>(named - complex.structures.begin() + 1));
+    one.report = inspect(one.surface);
+    if (const auto distance = surface_distance(one.surface, solid.surface, {}, progress)) one.distance = *distance;
+    all.surfaces.push_back(std::move(one));
+  }
+  return all;
+}
+
+SimplifiedSurfaces simplified(const Reconstruction& reconstruction, std::size_t triangles, const Progress& progress) {
+  if (reconstruction.complex) return simplified(reconstruction, *reconstruction.complex, triangles, progress);
+  std::vector<const SurfaceMesh*> surfaces;
+  for (const Solid& solid : reconstruction.solids) surfaces.push_back(&solid.surface);
+  return simplify(surfaces, {.triangles = triangles, .distance = {}}, progress);
+}
+
 }  // namespace
 
 ModelSimplification simplify_surfaces(Reconstruction& reconstruction, std::size_t triangles, const Progress& progress) {
   std::size_t before = 0;
-  std::vector<const SurfaceMesh*> surfaces;
-  for (const Solid& solid : reconstruction.solids) {
-    before += solid.surface.triangles.size();
-    surfaces.push_back(&solid.surface);
-  }
+  for (const Solid& solid : reconstruction.solids) before += solid.surface.triangles.size();
   if (triangles >= before) return {};
   const auto start = std::chrono::steady_clock::now();
-  SimplifiedSurfaces simple = simplify(surfaces, {.triangles = triangles, .distance = {}}, progress);
+  SimplifiedSurfaces simple = simplified(reconstruction, triangles, progress);
   ModelSimplification done;
   for (std::size_t n = 0; n < simple.surfaces.size(); ++n)
     done.structures.push_back(replaced_by(simple.surfaces[n], reconstruction.solids[n]));

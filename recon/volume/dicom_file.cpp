@@ -293,6 +293,7 @@ class Walk {
     if (!head.is_undefined()) {
       pixels.at = at_;
       pixels.length = head.length;
+      pixels.words = head.is("OW");
       skip(head.length, end);
       pixels.tag = head.tag;
       return;

@@ -58,6 +58,7 @@ struct DicomPixels {
   std::vector<Fragment> fragments;
   std::vector<std::uint32_t> offset_table;
   bool encapsulated = false;
+  bool words = false;  // of 16 bits (VR OW)
 };
 
 struct DicomFile {

@@ -269,7 +269,7 @@ void read_pixel_format(DicomImage& image) {
   const unsigned float_bits = file.pixels.tag == dicom::float_pixels ? 32 : 64;
   const bool known = floating ? image.bits_allocated == float_bits && !file.pixels.encapsulated
                               : image.bits_allocated == 8 || image.bits_allocated == 16 || image.bits_allocated == 32;
-  const bool of_bits = image.bits_allocated == 1 && is_dicom_segmentation(file) && !file.pixels.encapsulated && !file.big_endian;
+  const bool of_bits = image.bits_allocated == 1 && is_dicom_segmentation(file) && !file.pixels.encapsulated;
   if (!known && !of_bits) {
     refuse("pixel-type", file, fmt::format("its pixels have {}", image.bits_allocated == 1 ? "one bit, in an unusual coding" : fmt::format("{} bits", image.bits_allocated)),
            image.bits_allocated == 1 ? "export the segmentation as a label map (NRRD or NIfTI)" : convert_it);

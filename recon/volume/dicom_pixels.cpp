@@ -43,6 +43,18 @@ void convert(const DicomImage& image, const DicomFrame& frame, const char* raw, 
   }
 }
 
+/// `count` bytes of plain pixels from `from` on. Words (VR OW) differ between byte orders within each word (PS3.5, 6.2), whatever a pixel takes: they are turned, so that
+/// pixels are little-endian.
+void read_plain(const DicomImage& image, DicomBytes& bytes, std::uint64_t from, std::size_t count, std::string& to) {
+  const DicomPixels& pixels = image.file.pixels;
+  to.resize(count);
+  if (!image.file.big_endian || !pixels.words) return bytes.read(pixels.at + from, to.data(), count);
+  const std::uint64_t first = from / 2 * 2, end = (from + count + 1) / 2 * 2;
+  std::string pairs(static_cast<std::size_t>(end - first), '\0');
+  bytes.read(pixels.at + first, pairs.data(), pairs.size());
+  for (std::size_t n = 0; n < count; ++n) to[n] = pairs[static_cast<std::size_t>(from - first + n) ^ 1u];
+}
+
 /// Numbers of the first fragment of each frame, and one behind the last.
 std::vector<std::size_t> first_fragments(const DicomImage& image) {
   const DicomPixels& pixels = image.file.pixels;
@@ -94,9 +106,8 @@ class Reader {
       decode(values);
       open(*plane.image);
       const std::size_t bytes = pixels_ * plane.image->bits_allocated / 8;
-      raw_.resize(bytes);
-      bytes_->read(plane.image->file.pixels.at + plane.frame * bytes, raw_.data(), bytes);
-      const bool swapped = plane.image->file.big_endian != (std::endian::native == std::endian::big);
+      read_plain(*plane.image, *bytes_, plane.frame * bytes, bytes, raw_);
+      const bool big = plane.image->file.big_endian && !plane.image->file.pixels.words, swapped = big != (std::endian::native == std::endian::big);
       values.resize(values.size() + pixels_);
       convert(*plane.image, plane.image->frames[plane.frame], raw_.data(), swapped, values.data() + values.size() - pixels_);
     }
@@ -148,7 +159,7 @@ class Reader {
   const DicomImage* opened_ = nullptr;
   std::unique_ptr<DicomBytes> bytes_;
   std::vector<std::size_t> first_;
-  std::vector<char> raw_;
+  std::string raw_;
   std::vector<CompressedFrame> frames_;
   std::vector<DicomPlane> planes_;
   std::size_t pending_bytes_ = 0;
@@ -176,8 +187,8 @@ void check_plausible(const std::vector<DicomPlane>& planes) {
 
 void read_bits(const DicomImage& image, std::size_t frame, DicomBytes& bytes, std::vector<float>& to) {
   const std::uint64_t first = std::uint64_t{frame} * image.pixels(), end = first + image.pixels();
-  std::string raw(static_cast<std::size_t>((end + 7) / 8 - first / 8), '\0');
-  bytes.read(image.file.pixels.at + first / 8, raw.data(), raw.size());
+  std::string raw;
+  read_plain(image, bytes, first / 8, static_cast<std::size_t>((end + 7) / 8 - first / 8), raw);
   to.resize(image.pixels());
   for (std::size_t n = 0; n < to.size(); ++n) {
     const std::uint64_t bit = first % 8 + n;

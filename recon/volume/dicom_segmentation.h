@@ -9,7 +9,7 @@
 // Slices are the planes in which any segment has a frame, and those at even distances between them. Their distance is the spacing between slices where the
 // frames fit it, else the least distance of two frames; where all frames are several spacings apart, that wider distance, which is told.
 //
-// Not supported: frames without places, tiles of slides, binary ones that are compressed or big-endian.
+// Not supported: frames without places, tiles of slides, binary ones that are compressed.
 
 #include <string>
 #include <vector>

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/volume/label_meetings.h"
 #include "recon/volume/lattice_crossing.h"
 
 namespace odontoscope {
@@ -17,13 +19,14 @@ using trace::Vertex;
 
 class LabelField {
  public:
-  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, std::size_t k, const LabelValues& label)
+  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, const LabelMeetings* meetings, std::size_t k, const LabelValues& label)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
         label_(label),
         lattice_(lattice),
         smooth_(smooth),
+        meetings_(meetings),
         k_(k) {}
 
   bool inside(Vertex v) const {
@@ -42,6 +45,12 @@ class LabelField {
     return trace::between(lattice_, in, out, middle);
   }
 
+  void bend(const trace::Stand& stand, std::vector<Point2>& points) const {
+    if (!meetings_) return;
+    constexpr float outside = std::numeric_limits<float>::quiet_NaN();
+    meetings_->append(lattice_, stand, [&](Vertex v) { return in_image(v) ? pixels_[v.j * width_ + v.i] : outside; }, points);
+  }
+
  private:
   bool in_image(Vertex v) const { return v.i >= 0 && v.j >= 0 && v.i < width_ && v.j < height_; }
 
@@ -50,6 +59,7 @@ class LabelField {
   const LabelValues& label_;
   const Lattice& lattice_;
   const SmoothLabels* smooth_;
+  const LabelMeetings* meetings_;
   std::size_t k_;
 };
 
@@ -80,6 +90,16 @@ void check_label(const Volume& volume, std::int64_t label) {
                    "give a label that is there (--label N[=NAME])");
 }
 
+/// None where labels overlap: then nobody knows whose a place is.
+std::shared_ptr<const LabelMeetings> meetings_of(const Volume& volume, const std::vector<LabelLevel>& labels) {
+  std::vector<float> values;
+  for (const LabelLevel& level : labels) {
+    if (LabelValues(volume, level.label).any_shared()) return {};
+    values.push_back(static_cast<float>(level.label));
+  }
+  return std::make_shared<const LabelMeetings>(std::move(values));
+}
+
 }  // namespace
 
 std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::vector<LabelLevel>& labels,
@@ -100,11 +120,12 @@ std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::ve
 std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<LabelLevel>& labels,
                                        const std::shared_ptr<const SmoothLabels>& smooth) {
   std::vector<LevelTracer> tracers;
+  const std::shared_ptr<const LabelMeetings> meetings = meetings_of(volume, labels);
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
-    const auto trace_slice = [&volume, smooth, lattice = Lattice(volume), label = LabelValues(volume, level.label)](
+    const auto trace_slice = [&volume, smooth, meetings, lattice = Lattice(volume), label = LabelValues(volume, level.label)](
                                  std::size_t k, const LevelTracer::Take& take) {
-      trace::contours(LabelField(volume, lattice, smooth.get(), k, label), volume.size[0], volume.size[1], take);
+      trace::contours(LabelField(volume, lattice, smooth.get(), meetings.get(), k, label), volume.size[0], volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("label {}", level.label)});
   }

@@ -3,10 +3,10 @@
 //
 // A pixel is inside a label where its value equals it. Contours cross grid edges at their midpoints, so a label's
 // outline runs through pixel edges' middles with its corners cut at 45 degrees, and the wall between two labels is one
-// and the same line in both: they coincide there exactly. Pixels of one label that meet only across a corner are not
-// joined, so different labels never overlap; where three or four labels meet in a cell they leave a small void between
-// them, up to 1/2 of a pixel in area. At the image's border the contour runs half a pixel outside the outermost
-// centres. All points lie on the volume's lattice (lattice.h), as exactly as if voxels measured 2 x 2.
+// and the same line in both: they coincide there exactly. Where three or four labels meet in a cell their walls meet, too
+// (label_meetings.h). Pixels of one label that meet only across a corner are not joined, so different labels never
+// overlap. At the image's border the contour runs half a pixel outside the outermost centres. All points lie on the
+// volume's lattice (lattice.h), as exactly as if voxels measured 2 x 2.
 //
 // All contours of a label are closed, simple and pairwise disjoint. The zigzag of pixels stays, unless points are moved
 // along their grid edges by SmoothLabels, which changes nothing of the above but the midpoints.
@@ -25,7 +25,8 @@ struct LabelLevel {
   std::string structure = "tooth";
 };
 
-/// Where labels overlap (Volume::overlaps), a pixel is inside each of them, and their contours may cross.
+/// Where labels overlap (Volume::overlaps), a pixel is inside each of them, and their contours may cross; walls then do
+/// not meet where three labels do.
 /// Throws InputError label-not-found, naming labels that are there, and what validate_volume and trace_levels throw;
 /// UsageError for a label beyond limits::largest_label. A label that fills the whole volume is contoured along the
 /// border.

@@ -46,6 +46,11 @@ double Lattice::at(std::size_t axis, std::ptrdiff_t halves) const {
   return static_cast<double>(axes_[axis].origin + halves * (axes_[axis].spacing / 2)) * half_step_;
 }
 
+double Lattice::quarters_from(std::size_t axis, std::ptrdiff_t index, int quarters) const {
+  const Axis& a = axes_[axis];
+  return static_cast<double>(4 * a.origin + (4 * index + quarters) * a.spacing) * (half_step_ / 4);
+}
+
 double Lattice::between(std::size_t axis, std::ptrdiff_t index, double part) const {
   const Axis& a = axes_[axis];
   const std::int64_t along = std::llround(part * static_cast<double>(a.spacing));

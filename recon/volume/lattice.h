@@ -35,6 +35,9 @@ class Lattice {
   double x(std::ptrdiff_t i) const { return at(0, 2 * i); }
   double y(std::ptrdiff_t j) const { return at(1, 2 * j); }
   double z(std::size_t k) const { return at(2, 2 * static_cast<std::ptrdiff_t>(k)); }
+  /// So many quarters of the way from i to i + 1, exactly, as far as doubles reach; on the lattice if that is half or all.
+  double x_quarters(std::ptrdiff_t i, int quarters) const { return quarters_from(0, i, quarters); }
+  double y_quarters(std::ptrdiff_t j, int quarters) const { return quarters_from(1, j, quarters); }
   /// Between neighbours: the lattice point nearest to the given part of the way from i to i + 1, which lies in (0, 1).
   double x_between(std::ptrdiff_t i, double part) const { return between(0, i, part); }
   double y_between(std::ptrdiff_t j, double part) const { return between(1, j, part); }
@@ -45,6 +48,7 @@ class Lattice {
     std::int64_t origin = 0, spacing = 0;
   };
   double at(std::size_t axis, std::ptrdiff_t halves) const;
+  double quarters_from(std::size_t axis, std::ptrdiff_t index, int quarters) const;
   double between(std::size_t axis, std::ptrdiff_t index, double part) const;
 
   double half_step_ = 0, largest_shift_ = 0;

@@ -84,5 +84,22 @@ TEST_F(Volumes, SayWhatTheyAssume) {
   EXPECT_EQ(odontoscope({"reconstruct", "a.nrrd", "--allow-outside", "-o", "b.glb"}).exit_code, 2);
 }
 
+TEST_F(Volumes, LabelsThatShareWallsBecomeOnePartition) {
+  given("map.nrrd", nrrd([](int i, int j, int) { return !inside(i, j) ? 0 : i == 4 && j == 4 ? 2 : 1; }));
+  const auto made = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"reconstruct", "map.nrrd", "--label", "1=dentine", "--label", "2=pulp", "-o", "a.glb", "--report", "a.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Ending ending = odontoscope(words);
+    EXPECT_EQ(ending.exit_code, 0) << ending.err;
+    return std::pair(bytes_of("a.json").find("\"partition\"") != std::string::npos, ending.says("became one partition. --independent makes each by itself"));
+  };
+  EXPECT_EQ(made({}), std::pair(true, true));
+  EXPECT_EQ(made({"--partition"}), std::pair(true, false));
+  EXPECT_EQ(made({"--triangles", "60"}), std::pair(true, true));
+  EXPECT_EQ(made({"--independent"}), std::pair(false, false));
+  EXPECT_EQ(made({"--correspondence", "medial"}), std::pair(false, false));
+  EXPECT_EQ(odontoscope({"reconstruct", "map.nrrd", "--label", "1", "--partition", "--independent", "-o", "a.glb"}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace odontoscope::testing_support

@@ -1,5 +1,6 @@
 // `odontoscope web` as a process. What the page does in a browser is judged in tests/judges.
 
+#include <filesystem>
 #include <string>
 
 #include "tests/app/program.h"
@@ -61,6 +62,44 @@ TEST_F(Web, IsOnePageThatKnowsNoOtherPlace) {
     EXPECT_EQ(html.find(from_elsewhere), std::string::npos) << from_elsewhere;
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
   EXPECT_NE(html.find("Permission is hereby granted"), std::string::npos);   // three.js's licence
+}
+
+constexpr const char* lesson =
+    R"({"format":"odontoscope.tour","version":2,"title":"Two </script> steps","model":"cube.json","notes":[)"
+    R"({"title":"One","text":"<b>","camera":{"position":[0,9,0],"target":[0,0,0],"up":[0,0,1]}}]})";
+
+TEST_F(Web, OpensWithALessonOnTheModelThatItNames) {
+  std::filesystem::create_directory(folder.path() / "lessons");
+  given("lessons/cube.json", cube_stack());
+  given("lessons/two.tour.json", lesson);
+  const Ending made = web({"lessons/two.tour.json", "-o", "lesson.html"});
+  if (without_page_) GTEST_SKIP() << made.err;
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  const std::string html = bytes_of("lesson.html");
+  EXPECT_NE(html.find("<title>Two &lt;/script&gt; steps</title>"), std::string::npos);
+  const std::size_t tour = html.find("id=\"tour\">");
+  ASSERT_NE(tour, std::string::npos);
+  EXPECT_EQ(html.substr(tour, html.find("</script>", tour) - tour).find("\"<b>\""), std::string::npos);
+  given("cube.json", cube_stack());
+  ASSERT_EQ(web({"cube.json", "--lesson", "lessons/two.tour.json", "-o", "other.html", "--title", "Mine"}).exit_code, 0);
+  EXPECT_NE(bytes_of("other.html").find("<title>Mine</title>"), std::string::npos);
+  EXPECT_NE(bytes_of("other.html").find("id=\"tour\">"), std::string::npos);
+  ASSERT_EQ(web({"cube.json", "--lesson", "Find your way", "-o", "other.html"}).exit_code, 0);   // it comes with the program
+  EXPECT_NE(bytes_of("other.html").find("<title>Find your way</title>"), std::string::npos);
+}
+
+TEST_F(Web, RefusesABadLessonAndTouchesNothing) {
+  given("old.html", "old");
+  given("cube.json", cube_stack());
+  given("bad.tour.json", R"({"format":"odontoscope.tour","version":2,"title":"","notes":[]})");
+  given("good.tour.json", lesson);
+  EXPECT_EQ(web({"bad.tour.json", "-o", "old.html"}).exit_code, without_page_ ? 2 : 3);
+  EXPECT_EQ(web({"cube.json", "--lesson", "missing.tour.json", "-o", "old.html"}).exit_code, 4);
+  EXPECT_EQ(web({"good.tour.json", "--lesson", "good.tour.json", "-o", "old.html"}).exit_code, 2);
+  const Ending over = web({"good.tour.json", "-o", "good.tour.json"});
+  EXPECT_EQ(over.exit_code, 2);
+  EXPECT_EQ(bytes_of("good.tour.json"), lesson);
+  EXPECT_EQ(bytes_of("old.html"), "old");
 }
 
 TEST_F(Web, RefusesWhatMakesNoSenseAndTouchesNothing) {

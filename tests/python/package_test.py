@@ -148,13 +148,14 @@ class Partition(InFolder):
         self.assertEqual((self.folder / "a.vtu").read_bytes(), (self.folder / "b.vtu").read_bytes())
 
     def test_is_refused_with_what_does_not_go_with_it(self):
-        for options in [{"triangles": 8}, {"link": "tooth:0:0-0"}, {"method": "db"}, {"gap": -1}, {"correspondence": "medial"}]:
+        for options in [{"link": "tooth:0:0-0"}, {"method": "db"}, {"gap": -1}, {"correspondence": "medial"}, {"triangles": 0}]:
             with self.assertRaises(odontoscope.UsageError):
                 odontoscope.reconstruct(self.rows(), partition=True, **options)
         for options in [{"gap": 1}, {"priority": "a,b"}]:
             with self.assertRaises(odontoscope.UsageError):
                 odontoscope.reconstruct(self.rows(), **options)
-        self.assertIsNone(odontoscope.reconstruct(self.rows()).complex)
+        self.assertIsNotNone(odontoscope.reconstruct(self.rows()).complex)   # they overlap
+        self.assertIsNone(odontoscope.reconstruct(self.rows(), partition=False).complex)
 
 
 class Links(InFolder):

@@ -8,6 +8,7 @@
 #include "recon/input/validate.h"
 #include "recon/mesh/surface_distance.h"
 #include "recon/mesh/vector.h"
+#include "recon/partition/reconstruct_partition.h"
 #include "shape_based.h"
 #include "visible.h"
 
@@ -103,19 +104,13 @@ class Measuring {
   }
 
   void reconstruct_by_delaunay(Between way) {
-    const std::string method = method_name(way);
     ReconstructOptions engine = options_.engine;
     engine.between = way;
-    try {
-      const Reconstruction made = reconstruct(stack_, engine);
-      for (const Solid& solid : made.solids) take_surface(method, solid.structure, solid.surface, solid.report);
-      for (const Attention& item : made.attention) {
-        for (std::size_t s = 0; s < truth_.names.size(); ++s)
-          if (truth_.names[s] == item.structure) of(method)[s].warned = true;
-      }
-    } catch (const Error& error) {
-      for (MethodResult& result : of(method)) result.refused = error.what();
-    }
+    take(method_name(way), [&] { return reconstruct(stack_, engine); });
+  }
+
+  void reconstruct_as_partition(const ContourStack& shared) {
+    take("DT partition", [&] { return reconstruct_partition(shared, {.threads = options_.engine.threads}); });
   }
 
   void reconstruct_by_references() {
@@ -134,6 +129,20 @@ class Measuring {
   Results results;
 
  private:
+  template <class Make>
+  void take(const std::string& method, Make make) {
+    try {
+      const Reconstruction made = make();
+      for (const Solid& solid : made.solids) take_surface(method, solid.structure, solid.surface, solid.report);
+      for (const Attention& item : made.attention) {
+        for (std::size_t s = 0; s < truth_.names.size(); ++s)
+          if (truth_.names[s] == item.structure) of(method)[s].warned = true;
+      }
+    } catch (const Error& error) {
+      for (MethodResult& result : of(method)) result.refused = error.what();
+    }
+  }
+
   std::vector<MethodResult>& of(const std::string& method) {
     std::vector<MethodResult>& found = results.methods[method];
     found.resize(truth_.names.size());
@@ -184,16 +193,17 @@ Topology topology_of(const SurfaceReport& report) {
 }
 
 const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> names{"DT plain", "DT blended", "DB 64",    "DB 128",
+  static const std::vector<std::string> names{"DT plain", "DT blended", "DT partition", "DB 64", "DB 128",
                                               "DB 256",   "SBI linear", "SBI cubic"};
   return names;
 }
 
 const char* method_name(Between way) { return way == Between::delaunay ? "DT plain" : "DT blended"; }
 
-Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options) {
+Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared) {
   Measuring measuring(stack, truth, options);
   for (const Between way : options.ways) measuring.reconstruct_by_delaunay(way);
+  if (shared) measuring.reconstruct_as_partition(*shared);
   if (options.references) measuring.reconstruct_by_references();
   measuring.results.visible = visible(ordered(stack).stack, truth);
   return std::move(measuring.results);

@@ -48,7 +48,7 @@ struct MeasureOptions {
   bool references = false;  // DB and shape-based interpolation, too
 };
 
-/// "DT plain", "DT blended", "DB 64", "DB 128", "DB 256", "SBI linear", "SBI cubic": in the order of tables.
+/// "DT plain", "DT blended", "DT partition", "DB 64", "DB 128", "DB 256", "SBI linear", "SBI cubic": in the order of tables.
 const std::vector<std::string>& method_names();
 const char* method_name(Between way);
 
@@ -57,6 +57,7 @@ struct Results {
   std::vector<bool> visible;  // whether the slices can tell of it at all, see visible.h
 };
 
-Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options);
+/// `shared`: the same tooth's contours as a partition wants them, structures filled or sharing their walls; none: no partition is made.
+Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared = nullptr);
 
 }  // namespace odontoscope::test

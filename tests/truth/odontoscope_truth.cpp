@@ -28,7 +28,7 @@ struct Asked {
   std::string seeds = "1..20";
   std::uint64_t seed = 1;
   std::vector<double> spacings;
-  bool every_spacing = false, labels = false, failing = false, tables = false;
+  bool every_spacing = false, labels = false, failing = false, tables = false, partition = false;
   std::optional<double> smooth;
   std::string folder = std::string(ODONTOSCOPE_DATA) + "/incisor_meshes", output;
   MeasureOptions measure;
@@ -90,6 +90,8 @@ ContourStack cut(const TurnedTooth& tooth, double spacing, const Asked& asked) {
 
 void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
   const TurnedTooth tooth(random_tooth(seed));
+  TurnedTooth filled = tooth;
+  filled.fill();
   const std::string about = fmt::format("seed {}: {}", seed, tooth.tooth().in_words);
   const auto topology = counted_topology(tooth, usual_steps());
   if (!topology) {
@@ -100,7 +102,9 @@ void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
   std::vector<Output::Line> lines;
   for (const double spacing : spacings_for(seed, asked)) {
     const ContourStack stack = cut(tooth, spacing, asked);
-    lines.push_back({spacing, truth, measure(stack, truth, asked.measure)});
+    std::optional<ContourStack> shared;
+    if (asked.partition) shared = asked.labels ? stack : cut(filled, spacing, asked);
+    lines.push_back({spacing, truth, measure(stack, truth, asked.measure, shared ? &*shared : nullptr)});
   }
   output.take(seed, about, fmt::format("{:5}", seed), std::move(lines));
 }
@@ -132,7 +136,8 @@ void run_incisor(const Asked& asked) {
 }
 
 void write_tooth(const Asked& asked) {
-  const TurnedTooth tooth(random_tooth(asked.seed));
+  TurnedTooth tooth(random_tooth(asked.seed));
+  if (asked.partition) tooth.fill();
   const double spacing = asked.spacings.empty() ? 0.25 : asked.spacings.front();
   write_stack(cut(tooth, spacing, asked), asked.output);
   fmt::print("{}\n", tooth.tooth().in_words);
@@ -147,6 +152,7 @@ void add_cutting(CLI::App& command, Asked& asked) {
 
 void add_measuring(CLI::App& command, Asked& asked) {
   command.add_flag("--shape", asked.measure.shape, "Measure areas and distances between slices too");
+  command.add_flag("--partition", asked.partition, "Beside DT of each structure the partition of all, of filled contours or of the label map");
   command.add_flag("--references", asked.measure.references, "DB and shape-based interpolation beside DT");
   command.add_flag("--tables", asked.tables, "All methods and measures, as tables in Markdown; single teeth on the error output");
   command.add_flag("--failing", asked.failing, "Print only what DT has wrong though the slices tell of it");
@@ -181,6 +187,7 @@ int run(int argc, char** argv) {
   incisor.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");
   CLI::App& tooth = *app.add_subcommand("tooth", "Writes one tooth's contours");
   tooth.add_option("--seed", asked.seed, "Which");
+  tooth.add_flag("--filled", asked.partition, "Structures overlap those within them, for a partition");
   tooth.add_option("-o", asked.output, "A .json file")->required();
   for (CLI::App* command : {&family, &tooth}) add_cutting(*command, asked);
   for (CLI::App* command : {&family, &incisor}) add_measuring(*command, asked);

@@ -38,6 +38,8 @@ class TurnedTooth {
   /// Values at all points of a plane. Far from every surface a point holds the values of one nearby, which are on the
   /// same side (see `far_from_surfaces`).
   std::vector<Values> plane(const Raster& raster, double z) const;
+  /// From now on structures are filled, so that each overlaps those within it, and no gap parts them: contours for a partition.
+  void fill() { filled_ = true; }
   /// The same as bits: bit s where structure s is.
   Mask mask(const Raster& raster, double z) const;
 
@@ -67,7 +69,7 @@ class TurnedTooth {
   double crown_z_ = 0;  // below it the occlusal surface need not be asked for
   std::vector<std::pair<double, double>> steep_;  // heights of the unstretched tooth where values change fast along z
   Box own_box_, image_box_;
-  bool skip_ = true;
+  bool skip_ = true, filled_ = false;
 };
 
 }  // namespace odontoscope::test

@@ -167,6 +167,16 @@ TEST(DicomFrames, OfADoseGridLieAtItsOffsets) {
   EXPECT_EQ(cause_of(plain_frames(dose("0\\2.5\\7.5"))), "uneven-slices");
 }
 
+/// PS3.5, 6.2: between byte orders words of 16 bits are turned each by itself, so the lower half of a pixel of 32 bits still comes first.
+TEST(DicomFrames, OfPixelsOfTwoWordsInABigEndianFile) {
+  DicomObject data(DicomCoding::explicit_big);
+  data.text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.7.3").text(0x18, 0x88, "DS", "2").text(0x20, 0xe, "UI", "1.2.3.4");
+  data.text(0x20, 0x32, "DS", "10\\20\\30").text(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0").shorts(0x28, 2, {1}).text(0x28, 4, "CS", "MONOCHROME2").text(0x28, 8, "IS", "2");
+  data.shorts(0x28, 0x10, {1}).shorts(0x28, 0x11, {2}).text(0x28, 0x30, "DS", "1\\1").shorts(0x28, 0x100, {32}).shorts(0x28, 0x101, {32}).shorts(0x28, 0x102, {31}).shorts(0x28, 0x103, {0});
+  const Volume volume = read(data.words(0x7fe0, 0x10, {1, 2, 3, 4, 5, 6, 7, 8}).file());
+  EXPECT_EQ(volume.values, (std::vector<float>{1 + 2 * 65536, 3 + 4 * 65536, 5 + 6 * 65536, 7 + 8 * 65536}));
+}
+
 /// One frame's compressed bytes in each piece.
 std::string compressed(const std::string& syntax, const std::vector<std::string>& pieces) {
   DicomObject data;

@@ -67,18 +67,39 @@ TEST(LabelContours, ShareTheWallBetweenTwo) {
     const auto& other = slice.contours[1].points;
     if (std::find(other.begin(), other.end(), p) != other.end()) shared.push_back(p);
   }
-  EXPECT_EQ(shared.size(),
-            5u);  // four rows and the step between; the wall's ends on the border are cut at 45 degrees on either side
-  // All but the corners at the border, cut off by 1/8 each: four of the image and four where the wall meets it.
-  EXPECT_DOUBLE_EQ(region_area(slice, "a") + region_area(slice, "b"), 20 - 8.0 / 8);
+  EXPECT_EQ(shared.size(), 7u);   // four rows, the step between, and the wall's ends on the border
+  // All but the corners of the image, cut off by 1/8 each.
+  EXPECT_DOUBLE_EQ(region_area(slice, "a") + region_area(slice, "b"), 20 - 4.0 / 8);
 }
 
-TEST(LabelContours, LeaveASmallVoidWhereFourMeet) {
-  const Volume volume = volume_of_rows({"12", "34"});
-  const ContourStack stack = label_contours(volume, {{1, "a"}, {2, "b"}, {3, "c"}, {4, "d"}}).stack;
-  for (const char* structure : {"a", "b", "c", "d"}) {
-    EXPECT_DOUBLE_EQ(region_area(stack.slices[0], structure), 0.5) << structure;  // a diamond round each pixel
-  }
+double area_of_all(const ContourStack& stack) {
+  std::set<std::string> structures;
+  for (const Contour& contour : stack.slices[0].contours) structures.insert(contour.structure);
+  double sum = 0;
+  for (const std::string& structure : structures) sum += region_area(stack.slices[0], structure);
+  return sum;
+}
+
+TEST(LabelContours, LeaveNothingWhereThreeOrFourMeet) {
+  const std::vector<LabelLevel> four{{1, "a"}, {2, "b"}, {3, "c"}, {4, "d"}};
+  const auto of = [&](const std::vector<std::string>& rows, std::size_t labels) {
+    return label_contours(volume_of_rows(rows), {four.begin(), four.begin() + static_cast<std::ptrdiff_t>(labels)}).stack;
+  };
+  constexpr double corners = 4.0 / 8;   // of the image
+  EXPECT_DOUBLE_EQ(area_of_all(of({"12", "34"}, 4)), 4 - corners);
+  EXPECT_DOUBLE_EQ(area_of_all(of({"12", "33"}, 3)), 4 - corners);
+  EXPECT_DOUBLE_EQ(area_of_all(of({"13", "23"}, 3)), 4 - corners);
+  EXPECT_DOUBLE_EQ(area_of_all(of({"12", "31"}, 3)), 4 - corners);
+  EXPECT_DOUBLE_EQ(area_of_all(of({"21", "13"}, 3)), 4 - corners);
+  // Of the pair that is cut off each gets its diamond alone; of the other two each half of what is between as well.
+  const ContourStack four_meet = of({"12", "34"}, 4);
+  for (const char* structure : {"a", "d"}) EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 - 1.0 / 8) << structure;
+  for (const char* structure : {"b", "c"}) EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 + 1.0 / 8) << structure;
+}
+
+TEST(LabelContours, LeaveASmallVoidWhereTwoTakeTurns) {
+  const ContourStack stack = label_contours(volume_of_rows({"12", "21"}), {{1, "a"}, {2, "b"}}).stack;
+  EXPECT_DOUBLE_EQ(area_of_all(stack), 4 - 4.0 / 8 - 0.5);
 }
 
 TEST(LabelContours, DoNotJoinAcrossACorner) {

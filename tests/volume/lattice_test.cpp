@@ -49,7 +49,7 @@ TEST(Lattice, OfLabelMapsIsTheScaledLatticeOfWholeNumbersPointForPoint) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     RandomNumbers random(seed);
     Volume volume = seed % 2 == 0 ? noise(seed, {7, 8, 4}, 3) : toothlike(random);
-    volume.spacing = {2, 2, 2};
+    volume.spacing = {4, 4, 4};   // so that quarters are whole, too
     const ContourStack whole = label_contours(volume, {{1, "a"}, {2, "b"}}).stack;
     give_decimal_place(volume, random);
     const ContourStack scaled = label_contours(volume, {{1, "a"}, {2, "b"}}).stack;
@@ -57,14 +57,14 @@ TEST(Lattice, OfLabelMapsIsTheScaledLatticeOfWholeNumbersPointForPoint) {
     ASSERT_EQ(whole.slices.size(), scaled.slices.size());
     for (std::size_t s = 0; s < whole.slices.size(); ++s) {
       const Slice &expected = whole.slices[s], &slice = scaled.slices[s];
-      ASSERT_EQ(slice.z * half_steps, double(lattice.origin[2] + long(expected.z) * lattice.spacing[2]));
+      ASSERT_EQ(slice.z * half_steps, double(lattice.origin[2]) + expected.z / 2 * double(lattice.spacing[2]));
       ASSERT_EQ(expected.contours.size(), slice.contours.size());
       for (std::size_t c = 0; c < slice.contours.size(); ++c) {
         ASSERT_EQ(expected.contours[c].points.size(), slice.contours[c].points.size());
         for (std::size_t p = 0; p < slice.contours[c].points.size(); ++p) {
           const Point2 at = slice.contours[c].points[p], number = expected.contours[c].points[p];
-          ASSERT_EQ(at.x * half_steps, double(lattice.origin[0] + long(number.x) * lattice.spacing[0])) << "seed " << seed;
-          ASSERT_EQ(at.y * half_steps, double(lattice.origin[1] + long(number.y) * lattice.spacing[1])) << "seed " << seed;
+          ASSERT_EQ(at.x * half_steps, double(lattice.origin[0]) + number.x / 2 * double(lattice.spacing[0])) << "seed " << seed;
+          ASSERT_EQ(at.y * half_steps, double(lattice.origin[1]) + number.y / 2 * double(lattice.spacing[1])) << "seed " << seed;
         }
       }
     }

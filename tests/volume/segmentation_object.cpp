@@ -51,7 +51,15 @@ std::string SegmentationObject::bytes() const {
     if (!shared_segment && !is_map && frame.segment != 0) item.all(segment_of(frame.segment));
     groups.push_back(item);
   }
-  return data.sequence(0x5200, 0x9230, groups).text(0x7fe0, 0x10, "OB", pixels_of(*this)).file();
+  data.sequence(0x5200, 0x9230, groups);
+  std::string pixels = pixels_of(*this);
+  if (!words) return data.text(0x7fe0, 0x10, "OB", pixels).file();
+  if (pixels.size() % 2 != 0) pixels += '\0';
+  std::vector<std::uint16_t> pairs;
+  for (std::size_t n = 0; n < pixels.size(); n += 2) {
+    pairs.push_back(static_cast<std::uint16_t>(static_cast<unsigned char>(pixels[n]) | static_cast<unsigned char>(pixels[n + 1]) << 8));
+  }
+  return data.words(0x7fe0, 0x10, pairs).file();
 }
 
 }  // namespace odontoscope::test

@@ -25,6 +25,7 @@ struct SegmentationObject {
   std::uint16_t fraction_of = 255;
   bool has_places = true, shared_segment = false, refers = false;
   DicomCoding coding = DicomCoding::explicit_little;
+  bool words = false;   // pixels as words of 16 bits (OW) and not as bytes
   std::string bytes() const;
 };
 

@@ -50,19 +50,29 @@ export class Orbit {
     return distance;
   }
 
+  /// From afar enough to see what a camera of a file sees from top to bottom, and at least as much from side to side.
+  distanceOf({position, target, field_of_view_deg: angle = fieldOfView, height_mm: height, parallel}) {
+    const far = new Vector3(...position).distanceTo(new Vector3(...target));
+    const seen = parallel ? height ?? 25 : 2 * far * Math.tan(MathUtils.degToRad(angle) / 2);
+    return 0.5 * seen / Math.tan(MathUtils.degToRad(fieldOfView) / 2) * Math.max(1, 1 / this.camera.aspect);
+  }
+
+  /// `view`: {towards, up}, all of the model in the picture, and with a `pose` what that camera of a file sees.
   goTo(view, atOnce = false) {
-    const towards = new Vector3(...view.towards).normalize(), up = new Vector3(...view.up);
-    const position = this.bounds.centre.clone().addScaledVector(towards, this.distanceFrom(towards, up));
+    const towards = new Vector3(...view.towards).normalize(), up = new Vector3(...view.up), {pose} = view, goal = pose ? new Vector3(...pose.target) : this.bounds.centre;
+    if (Math.abs(towards.z) > 0.9995) towards.addScaledVector(up, -0.02).normalize();   // what is up in the picture is told by a little tilt
+    const position = goal.clone().addScaledVector(towards, pose ? this.distanceOf(pose) : this.distanceFrom(towards, up));
     this.view = view;
     if (atOnce || this.still.matches) {
+      this.move = null;
       this.camera.position.copy(position);
-      this.controls.target.copy(this.bounds.centre);
+      this.controls.target.copy(goal);
       this.controls.update();
       this.changed();
       return;
     }
-    const from = this.camera.position.clone().sub(this.controls.target), to = position.clone().sub(this.bounds.centre);
-    this.move = {from, to, target: this.controls.target.clone(), part: 0};
+    const from = this.camera.position.clone().sub(this.controls.target), to = position.clone().sub(goal);
+    this.move = {from, to, target: this.controls.target.clone(), goal: goal.clone(), part: 0};
     this.changed();
   }
 

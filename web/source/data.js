@@ -8,6 +8,12 @@ export function description() {
   return JSON.parse(document.getElementById('description').textContent);
 }
 
+/// The tour file that the page carries, as the program checked it; null: none.
+export function lessonOf() {
+  const held = document.getElementById('tour');
+  return held ? JSON.parse(held.textContent) : null;
+}
+
 async function unpacked(element) {
   const text = element.textContent.trim();
   const bytes = Uint8Array.from(atob(text), letter => letter.charCodeAt(0));

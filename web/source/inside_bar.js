@@ -2,6 +2,25 @@
 import {Vector3} from 'three';
 import {element, slider} from './dom.js';
 
+const along = 0.35;   // a cosine: less, and one looks at the wall
+
+/// In flight: the canal one is in, how deep, and which way one looks. Nothing is said where the page knows no canals.
+function whereInWords(viewer) {
+  const {camera} = viewer.journey, near = viewer.tours.map(tour => ({tour, ...tour.nearest(camera.position)})).sort((a, b) => a.distance - b.distance)[0];
+  if (!near) return [];
+  const {tour, mm} = near, look = camera.getWorldDirection(new Vector3());
+  if (tour.orifice !== null && mm < tour.orifice) {
+    const down = new Vector3();   // to where the canals lead, all together
+    for (const {curve} of viewer.tours) down.add(curve.getPointAt(1).sub(curve.getPointAt(0)));
+    const turn = look.dot(down.normalize());
+    return ['in the chamber', turn > along ? 'looking to the roots' : turn < -along ? 'looking to the crown' : 'looking to the side'];
+  }
+  const turn = look.dot(tour.direction(mm)), deep = tour.orifice === null ? tour.name : `${tour.name}: ${(mm - tour.orifice).toFixed(1)} mm below the orifice`;
+  return [deep, turn > along ? 'looking to the tip' : turn < -along ? 'looking to the crown' : 'looking at the wall'];
+}
+
+const capital = words => words.charAt(0).toUpperCase() + words.slice(1);
+
 export class InsideBar {
   constructor(viewer) {
     this.viewer = viewer;
@@ -12,7 +31,7 @@ export class InsideBar {
     this.told = element('output', {});
     const fly = element('button', {type: 'button', title: 'From here', onclick: () => viewer.startFlight()}, 'Fly');
     this.fly = fly;
-    this.bar.append(this.play, this.scrub, this.told, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, 'Leave'));
+    this.bar.append(this.told, this.play, this.scrub, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, 'Leave'));
     this.mode = null;
     viewer.addEventListener('enter', () => { this.cameFrom = document.activeElement; this.drawMap(); });
     viewer.addEventListener('change', () => this.show());
@@ -32,10 +51,10 @@ export class InsideBar {
     this.bar.hidden = this.map.hidden = !viewer.inside || viewer.headset.present;
     document.getElementById('pad').hidden = journey.mode !== 'fly' || !touch;
     document.getElementById('scale').hidden = viewer.inside;
-    const told = tour ? journey.tour.name : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
+    const told = tour ? '' : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
     // One flies where DT's walls are, whatever is shown: DB's have holes.
     const whose = viewer.inside && viewer.chosen !== 0 ? `. Shown is ${viewer.model.name}; the walls that hold are ${viewer.models[0].name}\u2019s` : '';
-    document.getElementById('notice').textContent = told + whose;
+    document.getElementById('notice').textContent = (told + whose).replace(/^\. /, '');
     this.moveFocus();
     if (!viewer.inside || viewer.headset.present) return;
     this.play.hidden = this.scrub.hidden = this.fly.hidden = !tour;
@@ -44,9 +63,9 @@ export class InsideBar {
     if (tour) {
       this.scrub.max = journey.tour.length;
       this.scrub.value = journey.mm;
-      this.told.textContent = `${journey.tour.placeInWords(journey.mm)}, ${width}`;
+      this.told.textContent = capital(`${journey.tour.name}: ${journey.tour.placeInWords(journey.mm)}, ${width}`);
       this.scrub.setAttribute('aria-valuetext', this.told.textContent);
-    } else this.told.textContent = width;
+    } else this.told.textContent = capital([...whereInWords(viewer), width].join(', '));
     this.markMap();
   }
 
@@ -56,6 +75,7 @@ export class InsideBar {
     if (journey.mode === this.mode) return;
     this.mode = journey.mode;
     this.play.hidden = this.mode !== 'tour';
+    if (this.viewer.led) return;
     ({tour: this.play, fly: canvas}[this.mode] ?? this.cameFrom)?.focus({preventScroll: true});
   }
 
@@ -67,7 +87,7 @@ export class InsideBar {
     viewer.orbit.resize(viewer.canvas.width / viewer.canvas.height);
     viewer.orbit.goTo(view, true);
     viewer.orbit.update(0);
-    viewer.draw();
+    viewer.draw({way: viewer.quality.moving});   // it is small
     camera.updateMatrixWorld();
     this.seen = camera.clone();
     const {width, height} = this.map, scale = height / viewer.canvas.height;

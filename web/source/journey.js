@@ -28,7 +28,7 @@ export class Tour {
 
   placeInWords(mm) {
     if (this.orifice === null) return `${mm.toFixed(1)} of ${this.length.toFixed(1)} mm`;
-    return mm < this.orifice ? 'In the chamber' : `${(mm - this.orifice).toFixed(1)} of ${this.canalLength.toFixed(1)} mm below the orifice`;
+    return mm < this.orifice ? 'in the chamber' : `${(mm - this.orifice).toFixed(1)} of ${this.canalLength.toFixed(1)} mm below the orifice`;
   }
 
   place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }
@@ -50,6 +50,19 @@ export class Tour {
       ups.push(up.normalize());
     }
     return ups;
+  }
+
+  /// The nearest place on the way: {mm, distance}.
+  nearest(place) {
+    this.samples ??= this.curve.getSpacedPoints(Math.max(20, Math.round(this.length / (0.5 * this.lengths.step))));
+    let mm = 0, best = Infinity;
+    const last = this.samples.length - 1;
+    for (let i = 0; i < last; ++i) {
+      const a = this.samples[i], way = this.samples[i + 1].clone().sub(a), off = place.clone().sub(a);
+      const part = MathUtils.clamp(off.dot(way) / Math.max(way.lengthSq(), 1e-12), 0, 1), distance = off.addScaledVector(way, -part).length();
+      if (distance < best) [best, mm] = [distance, (i + part) / last * this.length];
+    }
+    return {mm, distance: best};
   }
 
   up(mm) { return this.ups[Math.round(MathUtils.clamp(mm / this.length, 0, 1) * (this.ups.length - 1))]; }
@@ -80,6 +93,7 @@ export class Journey {
   startTour(tour) {
     this.mode = 'tour';
     this.tour = tour;
+    this.stopAt = null;
     this.seek(0);
   }
 
@@ -93,7 +107,7 @@ export class Journey {
 
   /// From where one is, if that is within the void; else from `start`.
   startFlight(start) {
-    if (this.mode !== 'tour') {
+    if (this.mode !== 'tour' || start.set) {
       this.camera.position.copy(start.place);
       this.camera.up.copy(start.up);
       this.camera.lookAt(start.place.clone().add(start.direction));
@@ -124,9 +138,10 @@ export class Journey {
     this.pause = (this.pause ?? 0) + seconds;
     const stepwise = this.still.matches;
     if (stepwise && this.pause < 1.5) return false;   // still pictures in place of motion
-    this.seek(this.mm + (stepwise ? this.tour.length / 12 : this.lengths.perSecond * seconds));
+    const before = this.mm, stop = this.stopAt !== null && before < this.stopAt ? this.stopAt : this.tour.length;
+    this.seek(Math.min(stop, before + (stepwise ? this.tour.length / 12 : this.lengths.perSecond * seconds)));
     this.pause = 0;
-    if (this.mm >= this.tour.length) this.playing = false;
+    if (this.mm >= stop) this.playing = false;
     return true;
   }
 

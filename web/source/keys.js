@@ -9,7 +9,7 @@ const told = [
   ['arrow keys', 'turn'], ['+  \u2212', 'nearer, farther'], ['1 to 6, 0', 'from buccal, lingual, mesial, distal, occlusal, apical, three quarters'], ['F', 'fit all into the picture'],
   ['S', 'cut the model open or close it'], ['R', 'cut away the other side'], ['[  ]', 'move the cut'], ['B', 'faces from behind: cull, two-sided, tint'], ['X', 'DT or DB, where the page has both'],
   ['L', 'labels'], ['C', 'fly inside, and back out'], ['W A S D, E Q', 'fly: ahead, left, back, right, up, down; or I J K L, O U'],
-  ['T, 1 to 9', 'tour through the next canal; inside: through that one'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'], ['Esc', 'leave tour or flight'], ['?', 'this list'],
+  ['T, 1 to 9', 'tour through the next canal; inside: through that one'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'], ['Esc', 'leave tour or flight'], ['N, P', 'lesson, quiz: on, back'], ['?', 'this list'],
 ];
 
 export function makeHelp() {
@@ -67,18 +67,21 @@ function onTour(viewer, key) {
   }
 }
 
-export function listenToKeys(viewer, help) {
+/// `teaching`: see teaching.js.
+export function listenToKeys(viewer, help, teaching) {
   const held = new Set();
   const steer = () => {
     for (const axis of Object.keys(viewer.journey.speed)) viewer.journey.speed[axis] = 0;
     for (const key of held) if (flying[key]) viewer.journey.speed[flying[key][0]] += flying[key][1];
   };
   addEventListener('keydown', event => {
-    if (event.ctrlKey || event.altKey || event.metaKey || document.getElementById('help').open) return;
+    if (event.ctrlKey || event.altKey || event.metaKey || document.getElementById('help').open || teaching.handout.isOpen) return;
     const key = event.key.toLowerCase(), at = event.target;
+    if (at instanceof HTMLInputElement && at.type === 'text') return;   // what is written is no command
     // A slider, a button or a box keeps the keys that work it.
     if (at instanceof HTMLInputElement && (key.startsWith('arrow') || key === ' ' || key === 'home' || key === 'end')) return;
     if ((at instanceof HTMLButtonElement || at.tagName === 'SUMMARY') && (key === ' ' || key === 'enter')) return;
+    if (teaching.key(event)) return event.preventDefault();
     const mode = viewer.journey.mode;
     let done;
     if (mode === 'fly' && flying[key]) {

@@ -18,6 +18,7 @@ export class Labels {
     this.mark = null;
     this.host.append(this.lines);
     this.on = true;
+    this.muted = false;   // while a question is open
     this.height = Math.max(...parts.map(part => part.geometry.boundingBox.max.z)) - Math.min(...parts.map(part => part.geometry.boundingBox.min.z));
     this.looks = looks;
     this.named = parts.filter(part => part.kind !== 'cavity' || looks.get(part.key).as_body).map((part, index) => this.labelOf(part, index));
@@ -40,7 +41,7 @@ export class Labels {
     return {part, places, everywhere, words, line, dot, right: index % 2 === 0};
   }
 
-  place(camera, {hidden, plane, width, height}) {
+  place(camera, {hidden, plane, width, height, avoid = []}) {
     const placed = [], marked = this.mark && !hidden ? this.mark.clone().project(camera) : null;
     this.ring.style.display = marked && marked.z <= 1 ? '' : 'none';
     if (marked) {
@@ -48,13 +49,13 @@ export class Labels {
       this.ring.setAttribute('cy', (1 - marked.y) / 2 * height);
     }
     for (const label of this.named) {
-      const look = this.looks.get(label.part.key), shown = this.on && !hidden && look.visible && look.opacity > 0;
+      const look = this.looks.get(label.part.key), shown = this.on && !this.muted && !hidden && look.visible && look.opacity > 0;
       const at = shown ? this.outermost(this.placesOf(label, plane), label.right, camera, width, height) : null;
       for (const piece of [label.words, label.line, label.dot]) piece.style.display = at ? '' : 'none';
       if (at) placed.push({label, at});
     }
     const taken = {true: [], false: []};
-    for (const {label, at} of placed.sort((a, b) => a.at.y - b.at.y)) this.put(label, at, taken[label.right], width, height);   // lines do not cross
+    for (const {label, at} of placed.sort((a, b) => a.at.y - b.at.y)) this.put(label, at, taken[label.right], width, height, avoid);   // lines do not cross
   }
 
   /// Where a cut shows the structure there; of others what is left and not hidden behind something opaque.
@@ -84,12 +85,13 @@ export class Labels {
     return best && best.x > 0 && best.x < width && best.y > 0 && best.y < height ? best : null;
   }
 
-  put(label, at, taken, width, height) {
+  put(label, at, taken, width, height, avoid) {
     const size = label.words.getBoundingClientRect(), edge = 12;
     const gap = Math.min(90, 0.09 * width);
     const x = label.right ? Math.min(at.x + gap, width - size.width - edge) : Math.max(at.x - gap - size.width, edge);
     let y = Math.min(Math.max(at.y - 24, 24), height - 24);
     for (const other of taken) if (Math.abs(other - y) < 28) y = other + 30;
+    for (const box of [...avoid].sort((a, b) => a.top - b.top)) if (box.left < x + size.width + 4 && box.right > x - 4 && Math.abs(box.top - y) < 30) y = box.top + 32;
     taken.push(y);
     label.words.style.left = `${x}px`;
     label.words.style.top = `${y}px`;

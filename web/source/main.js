@@ -1,11 +1,12 @@
 // The page begins here.
 import {MathUtils} from 'three';
-import {description} from './data.js';
+import {description, lessonOf} from './data.js';
 import {element} from './dom.js';
 import {watchForHeadset} from './headset.js';
 import {InsideBar} from './inside_bar.js';
 import {listenToKeys, makeHelp} from './keys.js';
 import {makePanel} from './panel.js';
+import {Teaching} from './teaching.js';
 import {Viewer} from './viewer.js';
 
 const longestStep = 0.1;   // seconds: after a pause the world does not jump
@@ -61,17 +62,21 @@ function headsetSection(viewer) {
 
 async function start() {
   const viewer = await Viewer.of(description(), document.getElementById('canvas'));
-  const help = makeHelp();
-  makePanel(viewer, {help, extra: headsetSection(viewer)});
+  const help = makeHelp(), lesson = lessonOf();
+  let teaching = null;
+  makePanel(viewer, {help, extra: headsetSection(viewer), learn: {lesson: lesson?.title ?? null, open: () => teaching.openLesson(), quiz: () => teaching.openQuiz({source: 'model'})}});
   new InsideBar(viewer);
   followColours(viewer);
-  listenToKeys(viewer, help);
+  teaching = new Teaching(viewer, lesson);
+  viewer.teaching = teaching;
+  listenToKeys(viewer, help, teaching);
   viewer.addEventListener('drawn', () => drawScale(viewer));
   let before = performance.now();
   viewer.renderer.setAnimationLoop(now => {
     viewer.frame(Math.min(longestStep, Math.max(0, (now - before) / 1000)));
     before = now;
   });
+  teaching.begin();
   return viewer;
 }
 

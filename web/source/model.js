@@ -2,7 +2,7 @@
 import {BufferGeometry, CustomBlending, Group, Mesh, NoBlending, Vector4} from 'three';
 import {capGeometry} from './cap.js';
 import {voidsOf} from './data.js';
-import {setFaces, surfaceMaterial} from './surface.js';
+import {setColour, setFaces, surfaceMaterial} from './surface.js';
 
 const seeThroughOrder = 1000;
 const mostBehindCap = 6;     // walls of a material that its cap stands for
@@ -15,6 +15,8 @@ export class ShownModel {
     this.looks = looks;
     this.bounds = bounds;
     this.voids = new Set(voidsOf(parts).map(part => part.geometry));
+    // One is inside a body itself: what touches it lies in the very place of its wall (the dentine round a pulp whose apex is open).
+    this.bodies = this.voids.size > 0 && !parts.some(part => part.kind === 'cavity');
     this.parts = parts.map(part => this.partMeshes(part, shared));
     this.caps = [...new Set(parts.map(part => part.structure))].map(structure => this.capMeshes(structure, shared));
     this.cutBy = null;
@@ -47,11 +49,11 @@ export class ShownModel {
     const cut = section && !inside;
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
-      const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && this.fills(part);
+      const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && (this.bodies || this.fills(part));
       const body = inside ? wall && part.kind !== 'cavity' : look.as_body && !cut;   // cut open, a cavity shows its wall
       part.seen = look.visible && opacity > 0 && !left_out;
       for (const mesh of [part.shown, part.first]) mesh.material.uniforms.show_depth.value = Boolean(wall && wallDepth);
-      this.put(part, {opacity, faces, body, depth: look.depth});
+      this.put(part, {colour: look.colour, opacity, faces, body, depth: look.depth});
     }
     if (cut && !this.cutBy?.equals(section)) {
       this.cutBy = section.clone();
@@ -64,13 +66,14 @@ export class ShownModel {
       const look = this.looks.get(cap.key);
       cap.seen = Boolean(cut) && look.visible && look.opacity > 0;
       // All of the material lies behind it: it is denser than one wall.
-      this.put(cap, {opacity: 1 - (1 - look.opacity) ** mostBehindCap, faces: faces === 'tint' ? 'show' : faces, body: false, depth: look.depth});
+      this.put(cap, {colour: look.colour, opacity: 1 - (1 - look.opacity) ** mostBehindCap, faces: faces === 'tint' ? 'show' : faces, body: false, depth: look.depth});
     }
   }
 
-  put(drawn, {opacity, faces, body, depth}) {
+  put(drawn, {colour, opacity, faces, body, depth}) {
     drawn.clear = opacity < 1;
     for (const mesh of [drawn.shown, drawn.first]) {
+      setColour(mesh.material, colour);
       setFaces(mesh.material, faces, body);
       mesh.material.uniforms.opacity.value = opacity;
       mesh.material.transparent = drawn.clear;

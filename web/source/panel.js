@@ -99,9 +99,20 @@ function insideSection(viewer) {
   const step = depthStep(viewer.description.tours);
   const told = element('p', {class: 'quiet'}, `Below the orifice: a ring every ${step} mm, a bold one every ${5 * step}. Amber near the crown, teal and blue towards the tip.`);
   const cues = viewer.description.tours.some(tour => tour.orifice_mm !== null) ? [element('label', {class: 'switch'}, depth, 'Depth on the walls of canals'), told] : [];
+  if (viewer.tours.length > 0) {
+    const marks = element('input', {type: 'checkbox', checked: viewer.cues.on, onchange: e => { viewer.cues.on = e.target.checked; viewer.touch(); }});
+    cues.push(element('label', {class: 'switch'}, marks, 'Numbers, names and the way ahead'));
+  }
   return element('section', {'aria-label': 'Inside'}, element('h2', {}, 'Inside'),
     tours.length > 0 ? element('p', {class: 'quiet'}, 'Tours through the canals, from the chamber to the tip:') : null,
     element('div', {class: 'row'}, ...tours, fly), ...cues);
+}
+
+/// A quiz made from the model, offered where the page can ask enough.
+function learnSection(learn) {
+  const about = element('p', {class: 'quiet'}, learn.lesson ? `“${learn.lesson}”` : 'Questions made from this model: name it, click it, count, measure by eye.');
+  const open = learn.lesson ? element('button', {type: 'button', class: 'main', onclick: learn.open}, 'Open the lesson') : null;
+  return element('section', {id: 'learn', 'aria-label': 'Learn'}, element('h2', {}, 'Learn'), about, element('div', {class: 'row'}, open, element('button', {type: 'button', onclick: learn.quiz}, 'Quiz on this model')));
 }
 
 function viewSection(viewer, help) {
@@ -119,15 +130,18 @@ function viewSection(viewer, help) {
     element('button', {type: 'button', onclick: help}, 'Keys and gestures'));
 }
 
-export function makePanel(viewer, {help, extra}) {
+/// `learn`: {lesson: its title or null, open, quiz}.
+export function makePanel(viewer, {help, extra, learn}) {
   document.getElementById('title').textContent = viewer.description.title;
-  document.getElementById('controls').append(...[certificateSection(viewer), extra, methodSection(viewer), insideSection(viewer), structuresSection(viewer), cutSection(viewer),
+  document.getElementById('controls').append(...[certificateSection(viewer), extra, methodSection(viewer), insideSection(viewer), learnSection(learn), structuresSection(viewer), cutSection(viewer),
     facesSection(viewer), viewSection(viewer, help)].filter(Boolean));
   const panel = document.getElementById('panel'), fold = document.getElementById('fold');
   const folded = on => {
     panel.classList.toggle('folded', on);
     fold.setAttribute('aria-expanded', String(!on));
   };
+  const phone = matchMedia('(max-width: 44rem)');
+  viewer.addEventListener('enter', () => { if (phone.matches) folded(true); });   // the drawer would cover the tour
   fold.addEventListener('click', () => folded(!panel.classList.contains('folded')));
-  folded(matchMedia('(max-width: 44rem)').matches);
+  folded(learn.lesson !== null || phone.matches);
 }

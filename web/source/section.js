@@ -8,6 +8,8 @@ export const sides = [
   {name: 'occlusal', words: 'Occlusal', normal: [0, 0, 1]},
 ];
 
+const squareTo = 0.9999;   // a cosine
+
 export class Section {
   constructor(bounds) {
     this.bounds = bounds;
@@ -15,6 +17,23 @@ export class Section {
     this.side = sides[0];
     this.reversed = false;
     this.at = 0;   // mm from the model's middle
+    this.free = null;   // {point, normal} in any direction, in place of a side
+  }
+
+  /// As a lesson wants it; null: none. A plane square to an axis is a side's, which the slider moves.
+  put(plane) {
+    this.on = plane !== null;
+    this.free = null;
+    if (!plane) return;
+    const {point, normal} = plane, along = normal.toArray(), side = sides.find(s => Math.abs(s.normal.reduce((sum, x, k) => sum + x * along[k], 0)) > squareTo);
+    if (!side) {
+      this.free = plane;
+      return;
+    }
+    const k = side.normal.indexOf(1);
+    this.side = side;
+    this.reversed = along[k] < 0;
+    this.at = point[k] - this.bounds.centre.getComponent(k);
   }
 
   range() {
@@ -24,6 +43,7 @@ export class Section {
   }
 
   choose(side) {
+    this.free = null;
     this.side = side;
     this.at = 0;
   }
@@ -31,6 +51,10 @@ export class Section {
   /// The plane as (normal, distance), or null.
   plane() {
     if (!this.on) return null;
+    if (this.free) {
+      const {point, normal} = this.free;
+      return new Vector4(normal.x, normal.y, normal.z, normal.x * point[0] + normal.y * point[1] + normal.z * point[2]);
+    }
     const sign = this.reversed ? -1 : 1, [x, y, z] = this.side.normal.map(c => sign * c), c = this.bounds.centre;
     return new Vector4(x, y, z, x * c.x + y * c.y + z * c.z + sign * this.at);
   }

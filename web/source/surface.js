@@ -118,6 +118,8 @@ export function surfaceMaterial(shared, hex) {
   });
 }
 
+export function setColour(material, hex) { material.uniforms.colour.value.setStyle(hex, SRGBColorSpace); }
+
 /// `faces`: 'cull', 'show' or 'tint'; `body`: inside out.
 export function setFaces(material, faces, body) {
   const u = material.uniforms;

@@ -8,6 +8,9 @@ import {Headset} from './headset.js';
 import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
 import {ShownModel} from './model.js';
+import {Cues} from './cues.js';
+import {Pointing} from './pointing.js';
+import {Pins} from './pins.js';
 import {Picture, setLightFrame} from './picture.js';
 import {Quality} from './quality.js';
 import {Section, sides} from './section.js';
@@ -67,8 +70,12 @@ export class Viewer extends EventTarget {
     this.section = new Section(this.bounds);
     this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
     this.labels = new Labels(models[0].parts, this.looks);
+    this.pins = new Pins(this);
+    this.led = false;   // a lesson is moving the picture
     this.prepareInside();
     this.headset = new Headset(this);
+    this.pointing = new Pointing(this);
+    this.cues = new Cues(this);
     this.frames = this.rested = 0;
     this.dress();
     this.resize();
@@ -85,9 +92,25 @@ export class Viewer extends EventTarget {
     const {positions, indices} = trianglesOf(cavities.length > 0 ? cavities : parts);
     this.walls = new TriangleTree(positions, indices);
     this.tours = this.description.tours.filter(tour => tour.points_mm.length > 1).map(tour => new Tour(tour, lengthsFor(this.bounds.radius)));
+    this.horns = (this.description.horns ?? []).filter(horn => horn.points_mm.length > 1).map(horn => new Tour({...horn, orifice_mm: null}, lengthsFor(this.bounds.radius)));
     this.journey = new Journey(this.walls, this.tours, this.bounds);
     this.cavities = cavities;
     this.hasInside = cavities.length > 0;
+  }
+
+  /// Within: does no wall lie between the eye and a place? Places on a wall, or nearly, are seen.
+  inSight(place) {
+    const from = this.camera.position, way = place.clone().sub(from), far = way.length(), little = 2e-3 * this.bounds.radius, slack = 15 * little;
+    way.normalize();
+    const p = from.clone();
+    for (let gone = 0, i = 0; i < 80; ++i) {
+      const {distance} = this.walls.nearest(p.toArray());
+      gone += Math.max(distance, little);
+      if (gone >= far - slack) return true;
+      if (distance < little) return false;
+      p.copy(from).addScaledVector(way, gone);
+    }
+    return false;
   }
 
   get inside() { return this.journey.mode !== null; }
@@ -155,9 +178,10 @@ export class Viewer extends EventTarget {
     this.journey.playing = true;
     this.dress();
   }
-  startFlight() {
+  /// `from`: {place, direction, up}; else from where one is within, or where one sees most.
+  startFlight(from = null) {
     this.enter();
-    this.journey.startFlight(flightStart(this.walls, this.tours, this.cavities, this.bounds));
+    this.journey.startFlight(from ? {...from, set: true} : flightStart(this.walls, this.tours, this.cavities, this.bounds));
     this.dress();
   }
   enter() {
@@ -229,6 +253,7 @@ export class Viewer extends EventTarget {
     this.dispatchEvent(new Event('drawn'));
     if (this.headset.present) return;
     const plane = this.section.plane();
-    this.labels.place(this.camera, {hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
+    this.pins.place(this.camera);
+    this.labels.place(this.camera, {avoid: this.pins.boxes, hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
   }
 }

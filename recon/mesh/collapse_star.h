@@ -1,0 +1,41 @@
+#pragma once
+// The triangles round an edge that is about to be collapsed, and what speaks against a place for the vertex that it becomes. Inner part of
+// collapse_guard.h and collapse_interfaces.h: needs CGAL's headers.
+
+#include <optional>
+#include <vector>
+
+#include "recon/mesh/triangle_pairs.h"
+
+namespace odontoscope {
+
+enum class CollapseRefusal {
+  far,      // the new vertex, or one of the old, would lie farther off the surface than the edge is long
+  turned,   // a triangle would turn over
+  flat,     // a triangle would have no area
+  cuts,     // a triangle would cut or touch another
+};
+
+struct CollapseStar {
+  using Point = ExactKernel::Point_3;
+
+  PointIndex one = 0, other = 0;   // the edge's vertices; what they become keeps the number of the first
+  Point one_at, other_at;
+  /// Triangles that stay, as they are now; the corner in the middle is the one that moves.
+  std::vector<NumberedTriangle> triangles;
+
+  /// Triangle t with its middle corner moved.
+  NumberedTriangle made(std::size_t t, const Point& placed) const;
+  bool holds(PointIndex v) const { return v == one || v == other; }
+
+  /// What the star's own triangles have against it, measured in doubles but for `flat` and `cuts`.
+  std::optional<CollapseRefusal> refusal(const Point& placed, bool may_turn) const;
+
+ private:
+  bool strays(const Point& placed) const;
+  bool turns(const Point& placed) const;
+  bool flattens(const Point& placed) const;
+  bool cuts_itself(const Point& placed) const;
+};
+
+}  // namespace odontoscope

@@ -1,0 +1,23 @@
+#include "recon/partition/reconstruct_structures.h"
+
+#include "recon/core/error.h"
+#include "recon/partition/structures_meet.h"
+
+namespace odontoscope {
+
+MadeOfStructures reconstruct_structures(const ContourStack& stack, const ReconstructOptions& options, const Progress& progress) {
+  std::string no_partition;
+  if (structures_meet(stack)) {
+    try {
+      return {reconstruct_partition(stack, {.between = options.between, .threads = options.threads}, progress), {}};
+    } catch (const InternalError& error) {
+      no_partition = error.what();
+    } catch (const InputError& error) {
+      if (error.cause() != "slices-too-close" && error.cause() != "too-many-structures") throw;
+      no_partition = error.what();
+    }
+  }
+  return {reconstruct(stack, options, progress), std::move(no_partition)};
+}
+
+}  // namespace odontoscope

@@ -1,0 +1,96 @@
+// A lesson beside the picture: title, text, question, back and on, and the list of its steps.
+import {element} from './dom.js';
+import {asCsv, asJson, rightAnswer} from './marks.js';
+import {questionForm} from './question_form.js';
+
+const paragraphs = text => String(text ?? '').split(/\n+/).filter(Boolean).map(line => element('p', {}, line));
+
+export class LessonCard {
+  /// `does`: {leave, handout, again}; each may be missing.
+  constructor(viewer, lesson, does) {
+    Object.assign(this, {viewer, lesson, does});
+    this.heading = element('h2', {id: 'lesson-title', tabindex: -1});
+    this.where = element('p', {class: 'quiet', id: 'lesson-step'});
+    this.body = element('div', {id: 'lesson-body'});
+    this.back = element('button', {type: 'button', title: 'Key P', onclick: () => lesson.go(lesson.index - 1)}, '\u2190 Back');
+    this.next = element('button', {type: 'button', class: 'main', title: 'Key N', onclick: () => lesson.go(lesson.index + 1)});
+    this.steps = element('ol', {});
+    this.told = element('p', {class: 'unseen', role: 'status', 'aria-live': 'polite'});
+    const all = lesson.kind === 'lesson' ? element('details', {class: 'steps'}, element('summary', {}, 'All steps'), this.steps) : null;
+    this.host = document.getElementById('lesson');
+    this.host.setAttribute('aria-label', lesson.kind === 'quiz' ? 'Quiz' : 'Lesson');
+    this.host.replaceChildren(...[this.where, this.heading, this.body, element('div', {class: 'row steer'}, this.back, this.next), all, this.ways(), this.told].filter(Boolean));
+    this.host.hidden = false;
+    document.body.classList.add('teaching');
+    for (const event of ['step', 'answer']) lesson.addEventListener(event, () => this.show(event));
+  }
+
+  ways() {
+    const {does, lesson} = this;
+    const button = (act, words) => act ? element('button', {type: 'button', onclick: act}, words) : null;
+    return element('div', {class: 'row'}, button(does.quiz, 'Questions only'), button(does.handout, 'Handout to print'),
+      button(does.leave, lesson.kind === 'quiz' ? 'Leave the quiz' : 'Close the lesson'));
+  }
+
+  show(event) {
+    const {lesson} = this, {note, index} = lesson, held = this.host.contains(document.activeElement);
+    this.where.textContent = note ? `${lesson.kind === 'quiz' ? 'Question' : 'Step'} ${index + 1} of ${lesson.count}` : lesson.title;
+    this.heading.textContent = note ? note.title || note.question?.ask || lesson.title : 'Your marks';
+    this.body.replaceChildren(...(note ? this.step(note) : this.end()));
+    this.steer();
+    this.list();
+    if (event === 'step') {
+      this.told.textContent = [this.where.textContent, this.heading.textContent, ...this.spoken(note)].join('. ');
+      this.host.closest('#panel').scrollTop = 0;
+      if (held) this.heading.focus({preventScroll: true});
+    } else if (held || document.activeElement === document.body) this.next.focus({preventScroll: true});
+  }
+
+  spoken(note) { return note ? [note.text, note.question && note.question.ask !== note.title ? note.question.ask : ''].filter(Boolean) : this.body.firstChild ? [this.body.firstChild.textContent] : []; }
+
+  steer() {
+    const {lesson} = this, {index} = lesson, ends = index >= lesson.last;
+    this.back.disabled = index <= 0;
+    this.next.hidden = ends;
+    const waits = lesson.note?.question && !lesson.answers.has(index) && !lesson.told;
+    this.next.textContent = index === lesson.count - 1 ? 'To your marks \u2192' : waits ? 'Skip \u2192' : 'Next \u2192';
+    this.next.classList.toggle('main', !waits);
+  }
+
+  list() {
+    const {lesson} = this;
+    if (lesson.kind !== 'lesson') return;
+    const items = lesson.notes.map((note, i) => {
+      const mark = lesson.mayTell(i) ? lesson.answers.get(i).right ? ' \u2713' : ' \u2717' : '';
+      return element('li', {}, element('button', {type: 'button', 'aria-current': i === lesson.index ? 'step' : null, onclick: () => lesson.go(i)}, (note.title || note.question?.ask || `Step ${i + 1}`) + mark));
+    });
+    this.steps.replaceChildren(...items);
+  }
+
+  step(note) {
+    const parts = paragraphs(note.text);
+    if (note.question) parts.push(questionForm(this.viewer, this.lesson, note));
+    return parts;
+  }
+
+  end() {
+    const {lesson} = this, {rows} = lesson, {right, of} = lesson.score;
+    const told = element('p', {class: 'score'}, `${right} of ${of} right`);
+    const list = element('ol', {class: 'marks'}, ...rows.map(row => {
+      const answer = row.given ? `You: ${row.given}.` : 'Not answered.';
+      return element('li', {class: row.right ? 'good' : 'bad'}, element('strong', {}, `${row.right ? '\u2713 Right' : '\u2717 Wrong'}: `), row.question, element('br'),
+        element('span', {class: 'quiet'}, row.right ? answer : `${answer} Right: ${rightAnswer(row.asked)}.`), row.asked.explain ? element('p', {class: 'quiet'}, row.asked.explain) : null);
+    }));
+    const save = (name, kind, text) => element('button', {type: 'button', onclick: () => download(name, kind, text())}, `Save ${name.split('.').pop().toUpperCase()}`);
+    const again = this.does.again ? element('button', {type: 'button', onclick: this.does.again}, 'Again, other order') : null;
+    return [told, list, element('div', {class: 'row'}, save('marks.csv', 'text/csv', () => asCsv(rows)), save('marks.json', 'application/json', () => asJson(lesson.title, rows)), again)];
+  }
+}
+
+function download(name, type, text) {
+  const url = URL.createObjectURL(new Blob([text], {type: `${type};charset=utf-8`})), link = element('a', {href: url, download: name});
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}
