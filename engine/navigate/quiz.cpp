@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "recon/core/lower_case.h"
 
 namespace odontoscope {
 
@@ -17,9 +20,21 @@ std::string_view kind_name(TourQuestion::Kind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
+/// "-3", "-3 mm": no formula.
+bool is_measure(const std::string& text) {
+  const std::size_t space = std::min(text.find(' '), text.size());
+  return number_from(text.substr(0, space)) && std::all_of(text.begin() + static_cast<std::ptrdiff_t>(space), text.end(), [](char c) { return c == ' ' || std::isalpha(static_cast<unsigned char>(c)); });
+}
+
+/// Capitals do not count, and the pulp chamber may be called the chamber.
+std::string plain_name(const std::string& name) {
+  const std::string lower = lower_case(name);
+  return lower == "pulp chamber" ? "chamber" : lower;
+}
+
 /// As RFC 4180 wants it; what begins like a formula is told to be text, since questions come from files and CSV is opened in spreadsheets.
 std::string csv_field(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos && !number_from(text)) text.insert(text.begin(), '\'');
+  if (!text.empty() && std::string_view("=+-@\t\r").find(text.front()) != std::string_view::npos && !is_measure(text)) text.insert(text.begin(), '\'');
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted.append(c == '"' ? 2 : 1, c);
@@ -31,7 +46,7 @@ double rounded_seconds(double seconds) { return std::round(10 * seconds) / 10; }
 }  // namespace
 
 bool is_right(const TourQuestion& question, const PointedAt& clicked) {
-  return clicked.structure == question.structure && (question.part.empty() || clicked.part == question.part);
+  return plain_name(clicked.structure) == plain_name(question.structure) && (question.part.empty() || plain_name(clicked.part) == plain_name(question.part));
 }
 bool is_right(const TourQuestion& question, std::size_t choice) { return static_cast<double>(choice) == question.answer; }
 /// Decimal numbers are rarely doubles: 0.1 off is within 0.1.

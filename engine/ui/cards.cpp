@@ -65,6 +65,40 @@ void question_card(ViewerState& state, const Interface& interface, const Area& v
   if (answer != VolumeAnswer::none) state.question.reset();
 }
 
+/// Recent files, and the folder to go through; the file that was pressed, or nothing.
+std::string listed_file(ViewerState& state, const Interface& interface) {
+  std::string chosen;
+  const auto row = [&](const std::string& words, const std::string& file) {
+    if (widgets::wide_button(words.c_str())) chosen = file;
+  };
+  if (!state.settings.recent.empty()) widgets::remark(interface, "Opened before");
+  constexpr std::size_t most_shown = 4;
+  for (std::size_t i = 0; i < std::min(state.settings.recent.size(), most_shown); ++i) {
+    const std::filesystem::path file(state.settings.recent[i]);
+    ImGui::PushID(static_cast<int>(i));
+    row(fmt::format("{}   in {}", file.filename().string(), file.parent_path().filename().string()), file.string());
+    ImGui::PopID();
+  }
+  widgets::remark(interface, state.folder.folder.string());
+  if (!state.folder.trouble.empty()) widgets::remark(interface, state.folder.trouble);
+  ImGui::BeginChild("folder", {0, scaled(190)});
+  std::filesystem::path enter;
+  if (state.folder.folder.has_parent_path() && state.folder.folder != state.folder.folder.root_path() && widgets::wide_button("..")) enter = state.folder.folder.parent_path();
+  for (const FolderEntry& entry : state.folder.entries) {
+    ImGui::PushID(entry.name.c_str());
+    if (entry.folder) {
+      if (widgets::wide_button((entry.name + "/").c_str())) enter = state.folder.folder / entry.name;
+    } else {
+      row(entry.name, (state.folder.folder / entry.name).string());
+    }
+    ImGui::PopID();
+  }
+  if (state.folder.left_out > 0) widgets::remark(interface, fmt::format("{} more are not listed: type the name.", state.folder.left_out));
+  ImGui::EndChild();
+  if (!enter.empty()) state.folder = list_folder(enter);
+  return chosen;
+}
+
 void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
   const Card card("open", viewport, 560);
   title(interface, "Open a file");
@@ -74,6 +108,10 @@ void open_card(ViewerState& state, const Interface& interface, const Area& viewp
   widgets::text_field("##file");
   bool open = ImGui::InputText("##file", &*state.file_asked_for, ImGuiInputTextFlags_EnterReturnsTrue);
   widgets::noted("##file");
+  if (const std::string chosen = listed_file(state, interface); !chosen.empty()) {
+    state.file_asked_for = chosen;
+    open = true;
+  }
   open = widgets::wide_button("Open", true) || open;
   if (open) {
     state.to_load = LoadRequest{.file = *state.file_asked_for, .volume = {}};

@@ -28,9 +28,4 @@ bool openable(std::string_view name);
 /// What begins with a dot is left out. Never throws for what the disk holds.
 FolderList list_folder(const std::filesystem::path& folder);
 
-/// What the card under Ctrl O shows besides the field to type into.
-struct FileBrowser {
-  FolderList list;
-};
-
 }  // namespace odontoscope

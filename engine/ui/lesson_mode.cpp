@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace odontoscope {
@@ -127,7 +128,14 @@ bool LessonMode::step(int by, const NotesState& notes) {
 }
 
 void LessonMode::advance(const NotesState& notes, double seconds) {
-  if (QuizRow* waiting = row_asked(notes)) waiting->seconds += seconds;
+  QuizRow* waiting = row_asked(notes);
+  if (!waiting) {
+    clock_before_.reset();
+    return;
+  }
+  const double now = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  waiting->seconds += std::max(seconds, now - clock_before_.value_or(now));
+  clock_before_ = now;
 }
 
 bool LessonMode::handle(const Event& event, ViewerState& state) {

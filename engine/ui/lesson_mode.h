@@ -30,6 +30,7 @@ class LessonMode {
   bool handle(const Event& event, ViewerState& state);
   /// Past the last note lies the result. true: it was shown, or put away.
   bool step(int by, const NotesState& notes);
+  /// Counts the time for the question that waits. `seconds` are the frame's, which a window at rest cuts short: by the clock it may have been longer.
   void advance(const NotesState& notes, double seconds);
 
   /// The question on the screen that waits for an answer; null: none.
@@ -65,6 +66,7 @@ class LessonMode {
   std::size_t menu_at_ = 0;
   std::optional<Quiz> quiz_;
   std::string typed_;
+  std::optional<double> clock_before_;   // s, of the frame before, while a question waits
 };
 
 /// Entries of the menu: built-in lessons, "Why culling shows errors", "Open a lesson's file".

@@ -89,9 +89,11 @@ void draw_compass(const ViewPane& pane, const Interface& interface, float scale,
   const double x = pane.area.left + pane.area.width - scale * compass_margin, y = pane.area.top + scale * compass_margin;
   list.AddCircleFilled(vec(x, y), static_cast<float>(scale * (compass_radius + 20)), theme::rgb(0x14181c, hovered ? 150 : 110), 64);
   std::string words;
-  for (const PlacedPoint& p : placed(pane, scale)) {
+  auto points = placed(pane, scale);
+  if (in_flight) std::reverse(points.begin(), points.end());   // what lies ahead on top of what lies behind
+  for (const PlacedPoint& p : points) {
     const bool lit = hovered == p.point->action, nearest = p.depth > 0.92;
-    const double opacity = lit ? 1 : 0.35 + 0.65 * (0.5 + 0.5 * p.depth);
+    const double opacity = lit ? 1 : 0.35 + 0.65 * (0.5 + 0.5 * (in_flight ? -p.depth : p.depth));
     const bool positive = p.point->action == Action::view_buccal || p.point->action == Action::view_mesial || p.point->action == Action::view_occlusal;
     const ImU32 colour = faded(positive ? theme::accent : theme::rgb(0x8fa0ae), opacity);
     list.AddLine(vec(x, y), vec(p.x, p.y), faded(colour, 0.8), 1.6f * scale);

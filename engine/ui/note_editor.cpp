@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "engine/navigate/ride.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -96,6 +97,17 @@ void question_fields(NotesState& notes) {
   line_field("##explain", question.explain, most_text_bytes, -1, "what is told after the answer");
 }
 
+/// In a canal, or where the note rides already: down it to where the view is.
+void ride_toggle(ViewerState& state) {
+  TourNote& draft = *state.notes.draft;
+  const FlyState& fly = state.fly;
+  std::string name = draft.tour;
+  if (fly.on && fly.cavity && fly.place) name = rideable(state.shown->flight->cavities[*fly.cavity].lines)[fly.place->line]->name;
+  if (name.empty() || !draft.inside) return;
+  bool rides = draft.tour == name;
+  if (widgets::toggle(fmt::format("Ride down the {}", name).c_str(), rides)) draft.tour = rides ? name : "";
+}
+
 void placing_part(NotesState& notes, const Interface& interface) {
   ImGui::PushFont(interface.bold);
   widgets::wrapped(notes.placing == NotesState::Placing::pin ? "Click where the pin goes." : "Click what is right.");
@@ -128,6 +140,7 @@ void note_editor(ViewerState& state, const Interface& interface) {
   ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
   widgets::noted("##text");
   if (draft.text.size() > most_text_bytes) draft.text.resize(most_text_bytes);
+  ride_toggle(state);
   if (notes.draft_of && widgets::wide_button("Take the view as it is now")) notes.retake = true;
   const std::string fault = fault_of_draft(draft);
   if (!fault.empty()) widgets::remark(interface, fault);

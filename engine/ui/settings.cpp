@@ -52,6 +52,16 @@ class Reader {
         if (*found == word) return void(value = meaning);
     complain(key, "is none of the words that it may be");
   }
+  void read(const char* key, std::vector<std::string>& files) const {
+    const auto found = object_.find(key);
+    if (found == object_.end()) return;
+    if (!found->is_array()) return void(complain(key, "is no list"));
+    for (const Json& file : *found) {
+      if (files.size() == most_recent_files) return void(complain(key, fmt::format("has more than {} files", most_recent_files)));
+      if (!file.is_string() || file.get<std::string>().empty() || file.get<std::string>().size() > most_path_bytes) return void(complain(key, "has a file that is none"));
+      files.push_back(file.get<std::string>());
+    }
+  }
   void read(const char* key, std::vector<RememberedLook>& looks) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
@@ -157,6 +167,15 @@ Json parsed(const std::string& text) {
 
 }  // namespace
 
+void remember_file(Settings& settings, const std::string& file) {
+  std::error_code error;
+  const std::string whole = std::filesystem::absolute(file, error).lexically_normal().string();
+  if (error || whole.empty() || whole.size() > most_path_bytes) return;
+  std::erase(settings.recent, whole);
+  settings.recent.insert(settings.recent.begin(), whole);
+  if (settings.recent.size() > most_recent_files) settings.recent.resize(most_recent_files);
+}
+
 Background background_of(Backdrop backdrop) {
   switch (backdrop) {
     case Backdrop::light: return {};
@@ -211,6 +230,7 @@ std::string to_json(const Settings& wanted) {
   Json looks = Json::object();
   for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
+  json["recent"] = settings.recent;
   // Names come from files of all kinds: what is no text is replaced, and so forgotten.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -228,6 +248,7 @@ ReadSettings settings_from_json(const std::string& text) {
   reader.read("panel", settings.panel);
   reader.read("names", settings.names);
   reader.read("hints", settings.hints);
+  reader.read("recent", settings.recent);
   reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);

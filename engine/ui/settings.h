@@ -41,6 +41,7 @@ struct RememberedLook {
   friend bool operator==(const RememberedLook&, const RememberedLook&) = default;
 };
 inline constexpr std::size_t most_remembered_looks = 64, most_structure_bytes = 200;
+inline constexpr std::size_t most_recent_files = 8, most_path_bytes = 4096;
 
 struct Settings {
   PixelSize window{1280, 800};
@@ -54,8 +55,12 @@ struct Settings {
   PictureSettings picture = {};
   Comfort comfort = {};
   std::vector<RememberedLook> looks = {};   // the latest last; the oldest are forgotten
+  std::vector<std::string> recent = {};     // files that were opened, the latest first
   friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+/// By its whole path, before all others.
+void remember_file(Settings& settings, const std::string& file);
 
 Background background_of(Backdrop backdrop);
 

@@ -121,6 +121,7 @@ void Viewer::take_finished_load() {
     // As if it were opened by its name alone: of a volume that would be asked about.
     const bool by_name = !job->request().volume && !options_.wants_level({.file = job->request().file, .volume = {}});
     file_shown_ = by_name ? job->request().file : std::string();
+    if (!job->request().file.empty()) remember_file(state_.settings, job->request().file);
     if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
     notes_may_go_ = false;
     state_.notes = {};
@@ -209,7 +210,11 @@ void Viewer::perform(Action action) {
   switch (action) {
     case Action::toggle_panel: state.settings.panel = !state.settings.panel; return;
     case Action::toggle_help: state.help = !state.help; return;
-    case Action::open_file: state.file_asked_for = ""; return;
+    case Action::open_file:
+      state.file_asked_for = "";
+      state.folder = list_folder(state.settings.recent.empty() ? std::filesystem::path() : std::filesystem::path(state.settings.recent.front()).parent_path());
+      if (!state.folder.trouble.empty()) state.folder = list_folder({});
+      return;
     case Action::escape: escape(); return;
     default: break;
   }

@@ -266,6 +266,7 @@ bool Viewer::open_tour(LoadRequest& request) {
     state_.trouble = error.what();
     return true;
   }
+  if (!request.lesson) remember_file(state_.settings, request.file);
   const std::filesystem::path folder = std::filesystem::path(request.file).parent_path();
   const std::string model = tour.model.empty() ? "" : (folder / tour.model).lexically_normal().string();
   const bool there = state_.shown && (!request.lesson || sample_shown_) && (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) == std::filesystem::weakly_canonical(model)));

@@ -11,6 +11,7 @@
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/canal_pick.h"
 #include "engine/scene/scene.h"
+#include "engine/ui/file_list.h"
 #include "engine/ui/fly_state.h"
 #include "engine/ui/lab_state.h"
 #include "engine/ui/loading.h"
@@ -93,7 +94,8 @@ struct ViewerState {
   std::optional<CanalPick> canal_under_pointer;   // and that could be
   std::optional<Section> section_put_away; // what switching the section off and on again brings back
   bool help = false;
-  std::optional<std::string> file_asked_for;   // being typed
+  std::optional<std::string> file_asked_for;   // being typed,
+  FolderList folder;                           // and the folder that is shown beside
   std::optional<VolumeQuestion> question;
   LabState lab;
   FlyState fly;

@@ -17,6 +17,9 @@ TEST(Quiz, KnowsWhatIsRight) {
   EXPECT_TRUE(is_right(click(), PointedAt{"pulp", "distal canal"}));
   EXPECT_FALSE(is_right(click(), PointedAt{"pulp", "mesial canal"}));
   EXPECT_FALSE(is_right(click(), PointedAt{"dentine", "distal canal"}));
+  TourQuestion chamber = click();
+  chamber.part = "chamber";
+  EXPECT_TRUE(is_right(chamber, PointedAt{"Pulp", "pulp chamber"}));
   TourQuestion whole = click();
   whole.part.clear();
   EXPECT_TRUE(is_right(whole, PointedAt{"pulp", "mesial canal"}));
@@ -69,12 +72,12 @@ TEST(Quiz, CountsEachQuestionOnce) {
 TEST(Quiz, MarksAreWrittenForSpreadsheetsAndPrograms) {
   Quiz quiz = some_quiz();
   quiz.rows[0] = {0, TourQuestion::Kind::click, "=1+1", "distal canal", true, true, 4.24};
-  quiz.rows[2].given = "-3";
+  quiz.rows[2].given = "-3 mm";
   EXPECT_EQ(marks_csv(quiz),
             "number,kind,question,given,right,seconds\n"
             "1,click,'=1+1,distal canal,yes,4.2\n"
             "2,choice,\"Which, \"\"this\"\"?\",,no,0.0\n"
-            "3,number,How long?,-3,no,0.0\n");
+            "3,number,How long?,-3 mm,no,0.0\n");
   const auto json = nlohmann::json::parse(marks_json(quiz));
   EXPECT_EQ(json["format"], "odontoscope.marks");
   EXPECT_EQ(json["version"], 1);

@@ -306,6 +306,22 @@ TEST_F(Lab, TheLessonGoesStepByStep) {
   EXPECT_TRUE(lab().on);
 }
 
+/// With the model as the program makes it, whose dentine has its cavity as a part of its own.
+TEST_F(Lab, TheCrackOfTheLessonIsLookedAtInBothHalves) {
+  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return sample_tooth_loaded(); }});
+  begin_lesson();
+  press_key(Key::page_down);
+  press_key(Key::page_down);
+  wait_until_made();
+  settle();
+  ASSERT_TRUE(lab().artefact);
+  ASSERT_EQ(viewer().panes().size(), 2u);
+  for (const ViewPane& pane : viewer().panes()) {
+    move(pane.area.left + pane.area.width / 2, pane.area.top + pane.area.height / 2);
+    EXPECT_TRUE(viewer().state().under_pointer) << (pane.db ? "DB" : "DT");
+  }
+}
+
 TEST_F(Lab, TheLessonLoadsTheSampleMolarFirst) {
   std::vector<std::string> loaded;
   viewer_with_tooth({.load = [&loaded](const LoadRequest& request, const Progress&) {

@@ -1,8 +1,9 @@
 // Lessons and quizzes as a student takes them, and as a teacher makes them: by mouse, and by the keyboard alone.
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -229,6 +230,32 @@ TEST_F(LessonsTest, ANoteRidesDownTheCanalThatItNames) {
   ASSERT_TRUE(fly().place);
   EXPECT_EQ(lines[fly().place->line]->name, "distal canal");
   EXPECT_LT(fly().place->to_end, 1.5);
+}
+
+TEST_F(LessonsTest, ANoteTakenInACanalCanRideDownIt) {
+  viewer_with(sample_tooth_loaded());
+  size_ = {1280, 800};
+  type(U'c');
+  fade();
+  type(U'3');
+  fade();
+  type(U'n');
+  frames(3);
+  ASSERT_TRUE(notes().draft);
+  const std::string canal = rideable(spaces().cavities.at(*fly().cavity).lines)[fly().place->line]->name;
+  click_control("Ride down the " + canal, {}, "note draft");
+  EXPECT_EQ(notes().draft->tour, canal);
+}
+
+/// A window at rest draws twice a second and cuts its frames short; the pupil's time goes on.
+TEST_F(LessonsTest, TimeIsTheClocks) {
+  viewer_with_tooth();
+  take(toy_quiz(viewer()));
+  frame(0);
+  const double before = lesson().row(notes())->seconds;
+  std::this_thread::sleep_for(std::chrono::milliseconds(120));
+  frame(0.01);
+  EXPECT_GE(lesson().row(notes())->seconds - before, 0.12);
 }
 
 TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {

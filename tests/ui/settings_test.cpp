@@ -27,6 +27,8 @@ Settings unusual() {
   settings.picture = {640, 480, false, 4, true};
   settings.comfort = {90, 2.5, true, true};
   settings.looks = {{"enamel", colour_of(0x123456), 0.25f}, {"Zahnbein \xC3\xA4", colour_of(0xffffff), 0}};
+  settings.hints = false;
+  settings.recent = {"/teeth/b.json", "/teeth/a.glb"};
   return settings;
 }
 
