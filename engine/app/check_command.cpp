@@ -11,6 +11,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/outputs.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/read_file.h"
@@ -85,6 +86,7 @@ ExitCode check_stack(const ContourStack& stack, const CheckArguments& options, S
     throw UsageError(fmt::format("{} is a volume image; check judges contour stacks and meshes", file),
                      fmt::format("Contours of it: odontoscope contours {} --iso T -o FILE.json", file));
   }
+  refuse_empty(file);
   Place place;
   place.file = file;
   throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a glTF, STL, PLY or OBJ mesh",

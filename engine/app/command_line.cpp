@@ -123,6 +123,25 @@ void explain_usage(Console& console, const CLI::App& root, const std::vector<std
   console.complain(fmt::format("{}\nSee odontoscope{}{} --help.", wrong, chosen ? " " : "", chosen ? chosen->get_name() : ""));
 }
 
+/// "help" and "help view" are what "--help" and "view --help" say.
+std::vector<std::string> without_help_word(std::vector<std::string> arguments) {
+  if (arguments.front() != "help") return arguments;
+  arguments.erase(arguments.begin());
+  arguments.push_back("--help");
+  return arguments;
+}
+
+/// Elsewhere "-" stands for what comes in or goes out. Files are written whole or not at all, and read more than once: that takes names.
+void refuse_dash(const std::vector<std::string>& arguments) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i] != "-") continue;
+    const bool output = i > 0 && (arguments[i - 1] == "-o" || arguments[i - 1] == "--output");
+    if (!output && i > 0 && arguments[i - 1].starts_with("-")) continue;   // some other option's value
+    throw CLI::ValidationError(output ? "-o -: nothing is written to standard output. Give the file a name; its ending says the format"
+                                      : "-: nothing is read from standard input. Give the name of a file");
+  }
+}
+
 /// The exit code if the program is over after reading its command line.
 std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv) {
   const std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -132,7 +151,9 @@ std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv
     return static_cast<int>(ExitCode::usage);
   }
   try {
-    root.parse(argc, argv);
+    refuse_dash(arguments);
+    const std::vector<std::string> meant = without_help_word(arguments);
+    root.parse(std::vector<std::string>(meant.rbegin(), meant.rend()));   // which takes them from the end
     return std::nullopt;
   } catch (const CLI::Success& asked) {   // --help, --version
     root.exit(asked);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/app/options.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/sniff.h"
 #include "engine/app/words.h"
 #include "recon/core/error.h"
@@ -79,6 +80,7 @@ std::string head_of(const std::string& file) {
 }
 
 [[noreturn]] void refuse_unknown(const std::string& file, std::string_view bytes) {
+  refuse_empty(file);
   Place place;
   place.file = file;
   if (bytes.substr(0, 4096).find("<Section") != bytes.npos) {

@@ -48,7 +48,7 @@ CLI::Validator whole_number_from_one_to(int largest) {
 CLI::Validator one_of(const std::vector<std::string>& words) {
   return CLI::Validator(
       [words](const std::string& text) {
-        if (std::find(words.begin(), words.end(), text) != words.end()) return std::string();
+        if (std::find(words.begin(), words.end(), lower_case(text)) != words.end()) return std::string();
         return fmt::format("{} is none of {}", text, fmt::join(words, ", "));
       },
       "");

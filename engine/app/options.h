@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "recon/core/lower_case.h"
+
 namespace odontoscope::app {
 
 /// An option that may be given several times, with one value each time.
@@ -16,7 +18,7 @@ CLI::Validator at_least_zero();
 CLI::Validator whole_number_from_one_to(int largest);
 CLI::Validator one_of(const std::vector<std::string>& words);
 
-/// An option whose value is one of a few words, each with its meaning.
+/// An option whose value is one of a few words in small letters, each with its meaning; "Molar" is "molar".
 template <typename Meaning>
 CLI::Option* add_choice(CLI::App& parser, const std::string& name, Meaning& chosen,
                         const std::vector<std::pair<std::string, Meaning>>& choices, const std::string& description) {
@@ -24,7 +26,7 @@ CLI::Option* add_choice(CLI::App& parser, const std::string& name, Meaning& chos
   for (const auto& [word, meaning] : choices) words.push_back(word);
   const auto choose = [&chosen, choices](const std::string& typed) {
     for (const auto& [word, meaning] : choices) {
-      if (word == typed) chosen = meaning;
+      if (word == lower_case(typed)) chosen = meaning;
     }
   };
   return parser.add_option_function<std::string>(name, choose, description)->check(one_of(words));

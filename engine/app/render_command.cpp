@@ -140,7 +140,7 @@ class ModelOnTheWay {
   ModelOnTheWay(const RenderArguments& options, const Session& session)
       : interrupted_(session.interrupts.token(), [this] { stop_.request_stop(); }), session_(session) {
     session_.watched = Progress{session.progress().report, stop_.get_token()};
-    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, options.dt, session_); });
+    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, options.dt, session_, [&options](const ContourStack& stack) { refuse_unknown_structures(options.scene, stack); }); });
   }
   ~ModelOnTheWay() { stop_.request_stop(); }
 

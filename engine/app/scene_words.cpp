@@ -7,12 +7,14 @@
 #include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 
 #include "engine/app/options.h"
 #include "engine/app/plain_input.h"
 #include "engine/picture/image.h"
+#include "engine/scene/fit_visible.h"
 #include "engine/scene/scene_json.h"
 #include "recon/core/error.h"
 
@@ -43,13 +45,18 @@ std::pair<std::string, std::string> name_and_value(const std::string& text, std:
   return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
+std::pair<std::string, float> opacity_in(const std::string& text) {
+  const auto [structure, value] = name_and_value(text, "--opacity");
+  const double opacity = number_in(value, "--opacity");
+  if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text));
+  return {structure, static_cast<float>(opacity)};
+}
+
 void change_looks(const SceneWords& words, Scene& scene) {
   for (const std::string& structure : words.hide) look_called(scene, structure, "--hide").visible = false;
   for (const std::string& text : words.opacity) {
-    const auto [structure, value] = name_and_value(text, "--opacity");
-    const double opacity = number_in(value, "--opacity");
-    if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text));
-    look_called(scene, structure, "--opacity").opacity = static_cast<float>(opacity);
+    const auto [structure, opacity] = opacity_in(text);
+    look_called(scene, structure, "--opacity").opacity = opacity;
   }
   for (const std::string& text : words.colour) {
     const auto [structure, value] = name_and_value(text, "--colour");
@@ -147,9 +154,11 @@ void add_overlays(const SceneWords& words, const OverlaySource& source, Scene& s
 }
 
 void place_camera(const SceneWords& words, const odontoscope::Model& model, double aspect, Scene& scene) {
+  const bool given = !words.camera_file.empty() || !words.scene_file.empty();
   if (!words.camera_file.empty()) scene.camera = read_scene(words.camera_file, scene).camera;
   const auto projection = words.parallel ? Camera::Projection::parallel : scene.camera.projection;
-  if (!words.view.empty()) scene.camera = fit(view_named(words.view), model, aspect, projection);
+  const NamedView view = words.view.empty() ? NamedView::three_quarter : view_named(words.view);
+  if (!words.view.empty() || (!given && !words.hide.empty())) scene.camera = fit_without(words.hide, view, model, aspect, projection);
   scene.camera.projection = projection;
   // Nearer rather than with a longer lens; a parallel camera has only its height.
   scene.camera.position = scene.camera.target + (scene.camera.position - scene.camera.target) / words.zoom;
@@ -241,10 +250,28 @@ void refuse_senseless(const SceneWords& words) {
   if (!words.back_faces.empty()) culling_from(words.back_faces);
   for (const std::string& text : words.overlays) refuse_unknown_overlay(text);
   if (!words.background.empty()) background_from(words.background);
+  for (const std::string& text : words.opacity) opacity_in(text);
+  for (const std::string& text : words.colour) colour_from_hex(name_and_value(text, "--colour").second);
   for (const std::string& file : {words.scene_file, words.camera_file}) {
     refuse_pipe(file);
     if (!file.empty()) read_scene(file, Scene{});
   }
+}
+
+void refuse_unknown_structures(const SceneWords& words, const ContourStack& stack) {
+  std::set<std::string> known;
+  for (const Slice& slice : stack.slices)
+    for (const Contour& contour : slice.contours) known.insert(contour.structure);
+  Scene scene;
+  for (const std::string& structure : known) scene.looks.push_back({.structure = structure, .colour = {}});
+  const auto check = [&](const std::string& structure, std::string_view option) {
+    constexpr std::string_view cavity = " cavity";
+    const bool hollow = structure.ends_with(cavity) && known.contains(structure.substr(0, structure.size() - cavity.size()));
+    if (!hollow) look_called(scene, structure, option);
+  };
+  for (const std::string& structure : words.hide) check(structure, "--hide");
+  for (const std::string& text : words.opacity) check(name_and_value(text, "--opacity").first, "--opacity");
+  for (const std::string& text : words.colour) check(name_and_value(text, "--colour").first, "--colour");
 }
 
 PixelSize size_from(const std::string& text) {

@@ -32,6 +32,10 @@ void add_scene_options(CLI::App& parser, SceneWords& words);
 /// Throws what scene_from would throw whatever the model is: to be called before any long work.
 void refuse_senseless(const SceneWords& words);
 
+/// Likewise for names of structures, once the contours are read and before a model is made of them: `--hide`, `--opacity` and `--colour` name what is
+/// in the stack, or a cavity in it.
+void refuse_unknown_structures(const SceneWords& words, const ContourStack& stack);
+
 /// The model's usual scene, then what the scene file says, then the words. Throws UsageError for words that make no sense
 /// (a structure that the model has not, a view that there is none), FileError and InputError for the files.
 /// UsageError, too, for overlays that the input cannot have, and for a cap of CT values without `values` (null: the input is no volume).

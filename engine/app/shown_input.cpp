@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/app/foreign_input.h"
+#include "engine/app/plain_input.h"
 #include "engine/app/sniff.h"
 #include "engine/app/tell_volume.h"
 #include "engine/scene/shells.h"
@@ -39,7 +40,8 @@ struct Found {
   bool only_voxels = false;
 };
 
-Found found_in(ContourStack stack, const DtWords& dt, Session& session) {
+Found found_in(ContourStack stack, const DtWords& dt, Session& session, const StackCheck& check) {
+  if (check) check(stack);
   Reconstruction made = reconstructed(stack, dt, session);
   Found found;
   found.overlays.contours = std::move(stack);
@@ -72,7 +74,7 @@ Box with_margin(const Box& bounds, const Volume& volume) {
 }
 
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
-Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
+Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
   auto volume = std::make_unique<Volume>();
   std::optional<ReportVolume> facts;
   ContourStack stack = contours_told(file, understood(words), session, volume.get(), &facts);
@@ -81,7 +83,7 @@ Found found_in_volume(const std::string& file, const VolumeWords& words, const D
   if (words.voxels) greys = grey_anchors(*volume);
   auto values = std::make_shared<const ValueGrid>(value_grid(*volume, words.voxels ? with_margin(bounds, *volume) : bounds));
   volume.reset();
-  Found found = found_in(std::move(stack), dt, session);
+  Found found = found_in(std::move(stack), dt, session, check);
   found.values = std::move(values);
   found.greys = greys;
   for (const auto& [structure, iso] : facts->isos) found.isos.push_back(iso);
@@ -150,21 +152,22 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
   if (kind == FileKind::volume)
     throw UsageError(fmt::format("{} is a volume, and nothing says where in it the surface lies", file),
                      "Give --iso T (or --iso auto) for an image, --label N for a label map");
+  refuse_empty(file);
   Place place;
   place.file = file;
   throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats, or a volume with --iso");
 }
 
-Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
-  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session);
-  if (words.any_level()) return found_in_volume(file, words, dt, session);
+Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
+  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session, check);
+  if (words.any_level()) return found_in_volume(file, words, dt, session, check);
   if (words.voxels && named_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
   if (named_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
-  if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session);
+  if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session, check);
   const FileKind kind = kind_of(bytes, file);
-  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), dt, session);
+  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), dt, session, check);
   if (auto meshes = meshes_in(kind, bytes, file)) {
     refuse_for_mesh(dt, file);
     for (const NamedMesh& mesh : *meshes) {
@@ -195,8 +198,8 @@ Shown::Proven proven_by(const Reconstruction& made) {
   return proven;
 }
 
-Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
-  Found found = found_in(file, words, dt, session);
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
+  Found found = found_in(file, words, dt, session, check);
   session.progress().check();
   session.progress().tell("shade", 0.2);
   Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), found.greys, std::move(found.isos), found.only_voxels, std::move(found.proven), found.slices};

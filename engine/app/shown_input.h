@@ -2,6 +2,7 @@
 // What a picture is made of: any file that has, or can be made into, surfaces.
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,8 @@ Shown::Proven proven_by(const Reconstruction& made);
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
 /// they are, told by their content. With `words.voxels` a volume needs no surface: the model is then the box of what is denser than air, called "volume". Empty `file`: the sample molar. Throws as the readers and the engine do;
 /// UsageError for `dt` with a mesh.
-Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session);
+/// `check` is shown contours before a model is made of them, and may throw.
+using StackCheck = std::function<void(const ContourStack&)>;
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check = {});
 
 }  // namespace odontoscope::app

@@ -88,7 +88,9 @@ GreyValues grey_values(const Shown& shown) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
-  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session);
+  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
+    if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
+  });
   LoadedModel loaded;
   loaded.title = title_of(request.file);
   loaded.certificate = certificate_of(shown, progress);

@@ -138,7 +138,7 @@ void result_part(ViewerState& state, LessonMode& lesson, const Interface& interf
   const float width = button_width(4);
   if (widgets::button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
   ImGui::SameLine();
-  if (coloured_button("Save the marks", width, theme::accent_dark)) lesson.save_marks = true;
+  if (coloured_button("Save the marks (Enter)", width, theme::accent_dark)) lesson.save_marks = true;
   ImGui::SameLine();
   if (widgets::button("Once more", {width, 0})) lesson.again(state.notes);
   ImGui::SameLine();

@@ -145,6 +145,10 @@ bool LessonMode::handle(const Event& event, ViewerState& state) {
     return true;
   }
   if (notes.draft || !notes.shown) return false;
+  if (result_ && enter) {
+    save_marks = true;
+    return true;
+  }
   const TourQuestion* question = asked(notes);
   if (!question) {
     if (!enter || !row(notes)) return false;

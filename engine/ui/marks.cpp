@@ -124,6 +124,8 @@ ScaleBar scale_bar(const ViewPane& pane, double most_pixels) {
 
 void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scale) {
   const ScaleBar bar = scale_bar(pane, 160 * scale);
+  // In perspective what is nearer is larger.
+  const std::string words = pane.camera.projection == Camera::Projection::perspective ? bar.words + " at the middle" : bar.words;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const double left = pane.area.left + 24 * scale, right = left + bar.pixels, y = pane.area.top + pane.area.height - 26 * scale, tick = 5 * scale;
   const std::pair<float, ImU32> strokes[] = {{4.5f * scale, theme::mark_outline}, {2.0f * scale, theme::text}};
@@ -132,7 +134,7 @@ void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scal
     list.AddLine(vec(left, y - tick), vec(left, y + tick), colour, width);
     list.AddLine(vec(right, y - tick), vec(right, y + tick), colour, width);
   }
-  outlined(list, interface.bold, interface.bold->FontSize, vec(left + 2 * scale, y - 26 * scale), theme::text, bar.words.c_str());
+  outlined(list, interface.bold, interface.bold->FontSize, vec(left + 2 * scale, y - 26 * scale), theme::text, words.c_str());
 }
 
 void draw_section_handle(const ViewPane& pane, const Section& section, float scale, std::optional<SectionGrip> lit) {

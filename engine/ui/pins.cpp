@@ -17,7 +17,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double wall_slack_mm = 0.3, opaque_slack_mm = 0.25;
+constexpr double wall_slack_mm = 0.3, opaque_slack_mm = 1.5;   // a pin may stand in the middle of a canal
 constexpr float hides = 0.9f;
 
 enum class PinSeen { plain, behind, hidden };

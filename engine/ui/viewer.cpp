@@ -9,6 +9,7 @@
 
 #include "engine/gpu/graphics_error.h"
 #include "engine/navigate/moves.h"
+#include "engine/scene/fit_visible.h"
 #include "engine/ui/actions.h"
 #include "engine/ui/cards.h"
 #include "engine/ui/fly_marks.h"
@@ -156,7 +157,7 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   if (!shown->looks_given) apply_remembered(state_.settings, state_.scene);
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
   if (!shown->camera_given)
-    state_.scene.camera = fit(NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
+    state_.scene.camera = fit_without(hidden_in(state_.scene), NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
   state_.shown = std::move(shown);
   state_.names = named_places(state_.shown->model, state_.shown->scene);
   state_.name_told.reset();
@@ -217,9 +218,9 @@ void Viewer::perform(Action action) {
   if (!state.shown || perform_on_notes(action) || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
-  if (const auto view = view_of(action)) return go_to(fit(*view, state.shown->model, aspect, goal.projection));
+  if (const auto view = view_of(action)) return go_to(fit_without(hidden_in(state.scene), *view, state.shown->model, aspect, goal.projection));
   switch (action) {
-    case Action::fit: go_to(fit(goal, state.shown->model, aspect)); break;
+    case Action::fit: go_to(fit_without(hidden_in(state.scene), goal, state.shown->model, aspect)); break;
     case Action::toggle_projection: {
       const bool parallel = goal.projection == Camera::Projection::parallel;
       transition_.reset();
@@ -387,7 +388,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
       if (last) draw_readout(pane, state_, interface_, scale_);
       if (last) draw_compass(pane, interface_, scale_, hovered_compass_, state_.fly.on);
       if (pane.seen && !first) continue;   // over the same place as the other half
-      if (state_.scene.section) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
+      if (handle_shown()) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }
   }
   const double height = static_cast<double>(input.size.height), dock_before = lesson_.dock_height;

@@ -79,6 +79,8 @@ class Viewer {
 
  private:
   bool pins_shown() const;
+  /// The section's handle: not over a lesson's pins, nor over what is asked about.
+  bool handle_shown() const { return state_.scene.section && !lesson_.asked(state_.notes) && !pins_shown(); }
 
   // viewer.cpp: a frame
   void take_finished_load();

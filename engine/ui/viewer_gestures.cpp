@@ -120,7 +120,7 @@ void Viewer::on_press(const MouseButtonChanged& button) {
   drag.pane = static_cast<std::size_t>(pane - panes_.data());
   if (button.button == MouseButton::left && on_split_line(mouse_x_, mouse_y_)) drag.what = Drag::What::split;
   else if (button.button != MouseButton::left || button.with.shift) drag.what = Drag::What::pan;
-  else if (state_.scene.section) {
+  else if (handle_shown()) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     const auto grip = handle ? grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_)) : std::nullopt;
     if (grip) {
@@ -291,7 +291,7 @@ void Viewer::show_hovered() {
   const ViewPane* pane = pane_at(mouse_x_, mouse_y_);
   if (!pane) return;
   hovered_compass_ = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_);
-  if (!hovered_compass_ && state_.scene.section) {
+  if (!hovered_compass_ && handle_shown()) {
     const auto handle = section_handle(*state_.scene.section, pane->camera, handle_reach(pane->area, scale_));
     if (handle) hovered_grip_ = grip_at(*handle, place_in(pane->area, mouse_x_, mouse_y_), handle_tolerance(pane->area, scale_));
   }

@@ -114,6 +114,28 @@ class Overlayer {
     spread();
     for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face)
       face->info().label = part_labels_ ? static_cast<Label>(face->info().members) : winner(face->info().members);
+    if (part_labels_ || materials_.stand_ins.empty()) return;
+    for (auto face = cdt_.finite_faces_begin(); face != cdt_.finite_faces_end(); ++face)
+      if (label(face) > materials_.own_labels()) settle_stand_in(face);
+  }
+
+  /// All faces of one stand-in that hang together get one label.
+  void settle_stand_in(Overlay::Face_handle start) {
+    const Label standing = label(start);
+    const auto& [inner, outer] = materials_.stand_ins[standing - 1 - materials_.own_labels()];
+    bool borders_on_inner = false;
+    std::vector<Overlay::Face_handle> piece{start};
+    start->info().label = outer;
+    for (std::size_t n = 0; n < piece.size(); ++n)
+      for (int i = 0; i < 3; ++i) {
+        const auto other = piece[n]->neighbor(i);
+        borders_on_inner = borders_on_inner || label(other) == inner;
+        if (label(other) != standing) continue;
+        other->info().label = outer;
+        piece.push_back(other);
+      }
+    if (!borders_on_inner) return;
+    for (const auto& face : piece) face->info().label = inner;
   }
 
   /// Every piece toggles its structures for what lies beyond it; rounding may have moved it, but contours stay closed.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "recon/core/error.h"
+#include "recon/core/limits.h"
 #include "recon/core/parallel.h"
 #include "recon/delaunay/certify.h"
 #include "recon/delaunay/difference_place.h"
@@ -105,13 +106,21 @@ class PartitionReconstructor {
     if (between_ == Between::blended) interpolator_.emplace(borders_, materials_, input_, arena_, progress_);
   }
 
+  BetweenTask task(std::size_t k) const {
+    BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr, k, place(k)};
+    for (const ImpliedTopology& one : implied_) task.implied.push_back(one.of_slab[k]);
+    return task;
+  }
+
   void solve_slabs() {
     between_slices_.resize(slices_.size() - 1);
-    for_each(between_slices_.size(), arena_, "slabs", progress_, [&](std::size_t k) {
-      BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr, k, place(k)};
-      for (const ImpliedTopology& one : implied_) task.implied.push_back(one.of_slab[k]);
-      between_slices_[k] = solve_between(task, progress_);
-    });
+    for_each(between_slices_.size(), arena_, "slabs", progress_, [&](std::size_t k) { between_slices_[k] = solve_between(task(k), progress_); });
+    std::vector<std::size_t> off;
+    for (std::size_t k = 0; k < between_slices_.size(); ++k)
+      if (between_slices_[k].off > 0 && between_slices_[k].off <= odontoscope::limits::mendable) off.push_back(k);
+    if (off.empty() || !interpolator_ || structures() < 2 || structures() > partition::limits::most_structures / 2) return;
+    interpolator_->survey_own(arena_, progress_);
+    for_each(off.size(), arena_, "slabs", progress_, [&](std::size_t i) { improve_between(task(off[i]), between_slices_[off[i]], progress_); });
   }
 
   template <class Work>

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "recon/core/limits.h"
 #include "recon/delaunay/face_table.h"
 #include "recon/delaunay/topology.h"
 
@@ -36,6 +37,16 @@ long apart(const std::vector<Topology>& a, const std::vector<Topology>& b) {
   return off;
 }
 
+/// Keeps the first of the attempts that gives what is implied, else the one that comes nearest.
+void attempt(const BetweenTask& task, const std::vector<Interpolation>& attempts, std::optional<SolvedBetween>& best, const Progress& progress) {
+  for (const Interpolation& how : attempts) {
+    if (best && (best->off == 0 || (how.late && best->off > odontoscope::limits::mendable))) break;
+    SolvedBetween solved = solved_through(task, how, progress);
+    solved.off = apart(solved.found, task.implied);
+    if (!best || solved.off < best->off) best = std::move(solved);
+  }
+}
+
 }  // namespace
 
 LabelledPart part_of(const TetraMesh& mesh, std::size_t first, std::size_t end, Label label) {
@@ -48,18 +59,15 @@ LabelledPart part_of(const TetraMesh& mesh, std::size_t first, std::size_t end, 
 
 SolvedBetween solve_between(const BetweenTask& task, const Progress& progress) {
   const bool alone = !task.interpolator || (task.lower.empty() && task.upper.empty());
-  const std::vector<Interpolation> attempts = alone ? std::vector<Interpolation>{{}} : task.interpolator->attempts(task.slab);
   std::optional<SolvedBetween> best;
-  long least = 0;
-  for (const Interpolation& how : attempts) {
-    SolvedBetween solved = solved_through(task, how, progress);
-    const long off = apart(solved.found, task.implied);
-    if (best && off >= least) continue;
-    least = off;
-    best = std::move(solved);
-    if (off == 0) break;
-  }
+  attempt(task, alone ? std::vector<Interpolation>{{}} : task.interpolator->attempts(task.slab), best, progress);
   return std::move(*best);
+}
+
+void improve_between(const BetweenTask& task, SolvedBetween& solved, const Progress& progress) {
+  std::optional<SolvedBetween> best = std::move(solved);
+  attempt(task, task.interpolator->own_attempts(task.slab), best, progress);
+  solved = std::move(*best);
 }
 
 }  // namespace odontoscope::partition

@@ -14,6 +14,7 @@ struct SolvedBetween {
   std::vector<PartitionSlice> slices;   // interpolated, bottom up
   std::vector<PartitionSlab> slabs;     // one more
   std::vector<Topology> found;          // of each structure
+  long off = 0;                         // pieces, handles and bubbles by which it is not what is implied
 };
 
 struct BetweenTask {
@@ -28,6 +29,9 @@ struct BetweenTask {
 
 /// The first attempt that gives what is implied, else the one that comes nearest.
 SolvedBetween solve_between(const BetweenTask& task, const Progress& progress);
+
+/// Once more, by the structures' own contours, if that comes nearer. Precondition: task.interpolator, and its survey_own was called.
+void improve_between(const BetweenTask& task, SolvedBetween& solved, const Progress& progress);
 
 /// The tetrahedra of one label, and their boundary.
 struct LabelledPart {

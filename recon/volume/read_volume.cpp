@@ -74,6 +74,8 @@ Volume read_volume(const std::string& path, const ReadVolumeOptions& options, co
   } else if (looks_like_dicom(path)) {
     volume = read_dicom_volume(path, options, progress);
   } else {
+    std::error_code error;
+    if (fs::file_size(path, error) == 0 && !error) throw InputError("unknown-volume-format", in_file(path), "the file is empty", "write or copy it again");
     throw InputError("unknown-volume-format", in_file(path), "it is no volume that can be read here, or its header is damaged",
                      "give NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz) or DICOM");
   }

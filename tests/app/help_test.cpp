@@ -23,6 +23,14 @@ TEST_F(Help, WithoutArgumentsIsShownButIsAMistake) {
   EXPECT_EQ(nothing.out, "");
 }
 
+TEST_F(Help, IsGivenToWhoeverAsksInAWord) {
+  const Ending word = odontoscope({"help"}), option = odontoscope({"--help"});
+  EXPECT_EQ(word.exit_code, 0);
+  EXPECT_EQ(word.out, option.out);
+  EXPECT_EQ(odontoscope({"help", "sample"}).out, odontoscope({"sample", "--help"}).out);
+  EXPECT_EQ(odontoscope({"sample", "Premolar", "-o", "p.json"}).exit_code, 0) << "a capital is no mistake";
+}
+
 TEST_F(Help, VersionIsOneLine) {
   const Ending version = odontoscope({"--version"});
   EXPECT_EQ(version.exit_code, 0);

@@ -2,6 +2,7 @@
 // contours.
 
 #include "recon/sample/sample_tooth.h"
+#include "recon/sample/tooth_number.h"
 
 #include <gtest/gtest.h>
 
@@ -206,6 +207,21 @@ TEST(SampleToothFacts, AxesAreMesialAndBuccal) {
     EXPECT_EQ(cusp.name.starts_with("mesio"), cusp.at.x > 0) << cusp.name;
     EXPECT_EQ(cusp.name.ends_with("lingual"), cusp.at.y < 0) << cusp.name;
   }
+}
+
+TEST(ToothNumber, FollowsTheMouthAround) {
+  EXPECT_EQ(universal_number("18"), 1);
+  EXPECT_EQ(universal_number("11"), 8);
+  EXPECT_EQ(universal_number("21"), 9);
+  EXPECT_EQ(universal_number("28"), 16);
+  EXPECT_EQ(universal_number("38"), 17);
+  EXPECT_EQ(universal_number("31"), 24);
+  EXPECT_EQ(universal_number("41"), 25);
+  EXPECT_EQ(universal_number("48"), 32);
+  for (const char* none : {"", "1", "19", "10", "51", "366"}) EXPECT_EQ(universal_number(none), 0) << none;
+  EXPECT_EQ(tooth_in_words(ToothKind::molar), "lower left first molar: FDI 36, Universal 19");
+  EXPECT_EQ(tooth_in_words(ToothKind::premolar), "upper right first premolar: FDI 14, Universal 5");
+  EXPECT_EQ(tooth_in_words(ToothKind::incisor), "upper right central incisor: FDI 11, Universal 8");
 }
 
 }  // namespace

@@ -136,7 +136,8 @@ void run_incisor(const Asked& asked) {
 }
 
 void write_tooth(const Asked& asked) {
-  const TurnedTooth tooth(random_tooth(asked.seed));
+  TurnedTooth tooth(random_tooth(asked.seed));
+  if (asked.partition) tooth.fill();
   const double spacing = asked.spacings.empty() ? 0.25 : asked.spacings.front();
   write_stack(cut(tooth, spacing, asked), asked.output);
   fmt::print("{}\n", tooth.tooth().in_words);
@@ -186,6 +187,7 @@ int run(int argc, char** argv) {
   incisor.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");
   CLI::App& tooth = *app.add_subcommand("tooth", "Writes one tooth's contours");
   tooth.add_option("--seed", asked.seed, "Which");
+  tooth.add_flag("--filled", asked.partition, "Structures overlap those within them, for a partition");
   tooth.add_option("-o", asked.output, "A .json file")->required();
   for (CLI::App* command : {&family, &tooth}) add_cutting(*command, asked);
   for (CLI::App* command : {&family, &incisor}) add_measuring(*command, asked);

@@ -9,6 +9,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/ui/driver.h"
+#include "tests/ui/teeth.h"
 
 namespace odontoscope::testing_support {
 namespace {

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/navigate/built_in_lessons.h"
+#include "engine/navigate/screen.h"
 #include "engine/ui/lesson_mode.h"
+#include "engine/ui/marks.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {
@@ -137,7 +139,6 @@ TEST_F(LessonsTest, AQuizIsTakenByTheKeyboardAloneAndItsMarksAreSaved) {
   EXPECT_GE(lesson().quiz()->rows[1].seconds, 0.5);
   frames(3);
   keep_picture("quiz-result");
-  for (int i = 0; i < 12 && !viewer().interface().on_control(control_id("Save the marks", {}, "quiz result")); ++i) press_key(Key::tab);
   press_key(Key::enter);
   frames(2);
   const auto files = files_in(scratch.path());
@@ -258,18 +259,22 @@ TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
   for (std::size_t i = 0; i < tour.notes.size(); ++i) {
     if (!tour.notes[i].question || tour.notes[i].question->kind != TourQuestion::Kind::click) continue;
     ++clicks;
-    bool right = false;
-    const Area area = viewer().panes().front().area;
-    for (int k = 0; k < 90 && !right; ++k) {
-      notes().go_to = i;
-      const_cast<LessonMode&>(lesson()).leave();
-      frame();
-      for (int wait = 0; wait < 4; ++wait) frame(0.4);
-      const double x = area.left + area.width * (0.36 + 0.03 * (k % 10)), y = area.top + area.height * (0.3 + 0.06 * (k / 10));
-      click(x, y);
-      right = lesson().row(notes()) && lesson().row(notes())->right;
-    }
-    EXPECT_TRUE(right) << tour.notes[i].question->ask;
+    notes().go_to = i;
+    frame();
+    for (int wait = 0; wait < 4; ++wait) frame(0.5);
+    glm::dvec3 at{0, 4.5, 17};   // the crown's buccal side
+    for (const CentreLine* line : rideable(spaces().cavities.front().lines))
+      if (line->name == tour.notes[i].question->part) {
+        const Point3& half_way = line->points[line->points.size() / 2].at;
+        at = {half_way.x, half_way.y, half_way.z};
+      }
+    const ViewPane& pane = viewer().panes().front();
+    const auto place = place_of(pane.camera, at);
+    ASSERT_TRUE(place);
+    const glm::dvec2 pixel = pixel_of(pane.area, *place);
+    click(pixel.x, pixel.y);
+    ASSERT_TRUE(lesson().row(notes()));
+    EXPECT_TRUE(lesson().row(notes())->right) << tour.notes[i].question->ask << " " << lesson().row(notes())->given;
   }
   EXPECT_GE(clicks, 3u);
 }
@@ -289,13 +294,13 @@ TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
   ASSERT_EQ(notes().draft->marks.size(), 1u);
   notes().draft->marks[0].label = "here";
   frames(2);
-  click_control("Click", {"columns", "question"}, "note draft");
+  click_control("Click", {"question"}, "note draft");
   ASSERT_TRUE(notes().draft->question);
   EXPECT_FALSE(fault_of(*notes().draft->question).empty());
   notes().draft->question->ask = "Click the enamel.";
   frames(2);
   keep_picture("note-editor");
-  click_control("Show what is right", {"columns"}, "note draft");
+  click_control("Show what is right", {}, "note draft");
   frames(2);
   press_key(Key::enter);   // at the cross
   EXPECT_EQ(notes().draft->question->structure.empty(), false);
@@ -342,8 +347,8 @@ TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
   press_key(Key::escape);
   EXPECT_EQ(notes().tour.notes[1].title, "Click") << "Esc changes nothing";
   edit_note(notes(), 1);
+  notes().draft->title = "Click it";   // before the field has the keyboard
   frames(2);
-  notes().draft->title = "Click it";
   viewer().state().scene.camera.position.x += 3;
   notes().retake = true;
   frames(2);
@@ -375,7 +380,7 @@ class FirstRunTest : public FlightTest {
   void SetUp() override {
     FlightTest::SetUp();
     first_run_ = true;
-    size_ = {1280, 800};
+    size_ = {900, 500};
   }
 };
 
@@ -386,7 +391,7 @@ TEST_F(FirstRunTest, HintsAreTickedAndGoForGood) {
   keep_picture("first-run");
   EXPECT_FALSE(viewer().hints().turned());
   const Area area = viewer().panes().front().area;
-  drag(area.left + 500, area.top + 300, area.left + 640, area.top + 300);
+  drag(area.left + 300, area.top + 300, area.left + 400, area.top + 300);
   EXPECT_TRUE(viewer().hints().turned());
   type(U'c');
   fade();
@@ -417,16 +422,15 @@ TEST_F(FirstRunTest, TheTitleNamesTheTooth) {
 /// From start to the inside of a canal in two actions.
 TEST_F(FirstRunTest, ANewcomerIsInACanalAfterTwoActions) {
   viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
-  std::optional<glm::dvec2> place;
-  const Area area = viewer().panes().front().area;
-  for (int k = 0; k < 400 && !place; ++k) {
-    const double x = area.left + area.width * (0.3 + 0.02 * (k % 20)), y = area.top + area.height * (0.45 + 0.02 * (k / 20));
-    move(x, y);
-    const auto& canal = viewer().state().canal_under_pointer;
-    if (canal && !canal->in_chamber) place = {x, y};
-  }
-  ASSERT_TRUE(place) << "no canal can be pointed at in the first picture";
-  click(place->x, place->y);
+  const Point3& half_way = [&]() -> const Point3& {
+    const CentreLine& canal = spaces().cavities.front().lines.canals.front();
+    return canal.points[canal.points.size() / 2].at;
+  }();
+  const ViewPane& pane = viewer().panes().front();
+  const auto place = place_of(pane.camera, {half_way.x, half_way.y, half_way.z});
+  ASSERT_TRUE(place);
+  const glm::dvec2 pixel = pixel_of(pane.area, *place);
+  click(pixel.x, pixel.y);
   press_key(Key::enter);
   fade();
   EXPECT_TRUE(fly().on);
