@@ -42,7 +42,7 @@ struct ReconstructArguments {
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
-  bool tours = false, compress = false, as_given = false;
+  bool tours = false, compress = false, see_through = false, as_given = false;
   std::string report;
 };
 
@@ -104,9 +104,11 @@ void refuse_senseless(const ReconstructArguments& options) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
-  if ((options.tours || options.compress) && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
-    throw UsageError(options.tours ? "--tours: only .glb and .gltf hold cameras that move" : "--compress: only .glb and .gltf are written compressed",
-                     "Write one of these too: -o model.glb");
+  const char* of_gltf_alone = options.tours ? "--tours: only .glb and .gltf hold cameras that move"
+                              : options.compress ? "--compress: only .glb and .gltf are written compressed"
+                              : options.see_through ? "--see-through: only .glb and .gltf have materials that are seen through" : nullptr;
+  if (of_gltf_alone && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
+    throw UsageError(of_gltf_alone, "Write one of these too: -o model.glb");
   if (options.as_given) refuse_senseless_as_given(options);
   if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
@@ -138,7 +140,7 @@ Made files_of(const MadeModel& model, const ReconstructArguments& options, Sessi
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
   for (const std::string& output : options.outputs) {
-    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress}));
+    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress, .see_through = options.see_through}));
   }
   return made;
 }
@@ -252,6 +254,7 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
       ->required()
       ->type_name("FILE");
   parser.add_flag("--tours", options.tours, "Into .glb and .gltf: a moving camera for each canal, to be played");
+  parser.add_flag("--see-through", options.see_through, "In .glb and .gltf enamel and dentine show the pulp");
   parser.add_flag("--compress", options.compress, "Smaller .glb and .gltf, without loss, for readers that know meshopt");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},

@@ -104,6 +104,7 @@ class Builder {
   }
 
   void add_solid(const WrittenSurface& solid, const std::vector<FloatPoint>& points, const GlbOptions& options) {
+    see_through_ = options.see_through;
     const std::vector<ShellGroup> groups = shell_groups(solid);
     const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
     for (const ShellGroup& group : groups) add_group(group, points, shaded);
@@ -264,7 +265,8 @@ class Builder {
     tinygltf::Material fresh;
     fresh.name = paint.name;
     fresh.doubleSided = false;
-    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], 1};
+    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], see_through_ ? paint.see_through : 1};
+    if (see_through_ && paint.see_through < 1) fresh.alphaMode = "BLEND";
     fresh.pbrMetallicRoughness.metallicFactor = 0;
     fresh.pbrMetallicRoughness.roughnessFactor = paint.roughness;
     model_.materials.push_back(std::move(fresh));
@@ -272,6 +274,7 @@ class Builder {
   }
 
   tinygltf::Model model_;
+  bool see_through_ = false;
 };
 
 std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool binary) {

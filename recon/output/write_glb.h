@@ -27,6 +27,8 @@ struct GlbOptions {
   std::vector<CameraPath> paths = {};
   /// Without loss, but readable by those only who know the extension EXT_meshopt_compression.
   bool compressed = false;
+  /// Enamel, dentine and a tooth as a whole are blended (alphaMode BLEND), so that the pulp, or a cavity's far wall, is seen through them.
+  bool see_through = false;
 };
 
 /// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too

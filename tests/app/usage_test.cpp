@@ -56,6 +56,7 @@ const Mistake mistakes[] = {
     {"UnknownCriterion", {"reconstruct", "cube.json", "--correspondence", "guess", "-o", "a.glb"}, "medial"},
     {"NoTriangles", {"reconstruct", "cube.json", "--triangles", "0", "-o", "a.glb"}, "--triangles"},
     {"ToursInAFormatWithoutCameras", {"reconstruct", "cube.json", "--tours", "-o", "a.stl"}, ".glb"},
+    {"SeeingThroughAFormatWithoutIt", {"reconstruct", "cube.json", "--see-through", "-o", "a.stl"}, "--see-through"},
     {"CompressionOfAFormatWithoutIt", {"reconstruct", "cube.json", "--compress", "-o", "a.stl"}, "--compress"},
     {"ToursOfASolidWithoutAVoid", {"reconstruct", "cube.json", "--tours", "-o", "a.glb"}, "no void"},
     {"TogetherWithItself", {"reconstruct", "cube.json", "--together", "tooth", "-o", "a.glb"}, "--together"},

@@ -37,11 +37,31 @@ function flipped(glb, share) {
   return glbOf({json, binary: changed});
 }
 
+/// The same model with a pulp of pure blue: where its picture differs, the pulp is seen.
+function bluePulp(glb) {
+  const parts = glbParts(glb);
+  for (const {name, pbrMetallicRoughness} of parts.json.materials) if (name === 'pulp') pbrMetallicRoughness.baseColorFactor = [0, 0, 1, 1];
+  return glbOf(parts);
+}
+const pulpSeen = (one, other) => one.reduce((count, value, i) => count + (Math.abs(value - other[i]) > 12), 0);
+
 /// Directions spread over the ball.
 const directions = Array.from({length: cameras}, (_, i) => {
   const z = 1 - 2 * (i + 0.5) / cameras, turn = i * Math.PI * (3 - Math.sqrt(5)), r = Math.sqrt(1 - z * z);
   return [r * Math.cos(turn), z, r * Math.sin(turn)];
 });
+
+odontoscope('reconstruct', 'molar.json', '--see-through', '-o', 'clear.glb');
+const pulps = {opaque: {red: bytesOf('dt.glb'), blue: bluePulp(bytesOf('dt.glb'))}, clear: {red: bytesOf('clear.glb'), blue: bluePulp(bytesOf('clear.glb'))}};
+
+/// Is the pulp seen only where it is to be? `channel(url)` draws, and gives one colour's pixels.
+async function judgePulp(viewer, channel) {
+  const seen = {};
+  for (const name of ['opaque', 'clear']) seen[name] = pulpSeen(await channel(`${name}/red.glb`), await channel(`${name}/blue.glb`));
+  console.log(`${viewer}: the pulp is seen in ${seen.clear} pixels with --see-through, in ${seen.opaque} without`);
+  assert.equal(seen.opaque, 0);
+  assert.ok(seen.clear > 0.02 * size * size, `${viewer}: ${seen.clear} pixels of pulp`);
+}
 
 /// A page that may load the given files, and nothing else.
 async function pageWith(files) {
@@ -93,7 +113,7 @@ async function seen(opacities) {
 }
 
 test('three.js', {timeout: 240_000}, async () => {
-  const script = `import {Box3, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
+  const script = `import {AmbientLight, Box3, PerspectiveCamera, Scene, Vector3, WebGLRenderer} from 'three';
     import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
     import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
     const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
@@ -116,6 +136,14 @@ test('three.js', {timeout: 240_000}, async () => {
     };
     const renderer = new WebGLRenderer({alpha: true, antialias: false, preserveDrawingBuffer: true});
     renderer.setSize(${size}, ${size});
+    globalThis.blues = async url => {
+      await load(url);
+      scene.add(new AmbientLight(0xffffff, 2));
+      opacities([0, 0, -1]);
+      const gl = renderer.getContext(), pixels = new Uint8Array(${4 * size * size});
+      gl.readPixels(0, 0, ${size}, ${size}, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return btoa(String.fromCharCode(...pixels.filter((_, i) => i % 4 === 2)));
+    };
     globalThis.load = async url => {
       globalThis.scene = new Scene();
       scene.add((await loader.loadAsync(url)).scene);
@@ -139,7 +167,7 @@ test('three.js', {timeout: 240_000}, async () => {
   const given = {DT: models('dt'), compressed: models('compressed'), DB: models('db'), mutant: {front: flipped(bytesOf('dt.glb'), 0.1), both: twoSided(bytesOf('dt.glb'))}};
   const {page, failures} = await pageWith(path => {
     const [name, which] = path.replace('.glb', '').split('/');
-    return path === 'index.html' ? '<!DOCTYPE html><script src="three.js"></script>' : path === 'three.js' ? readFileSync(made('three.js')) : given[name]?.[which];
+    return path === 'index.html' ? '<!DOCTYPE html><script src="three.js"></script>' : path === 'three.js' ? readFileSync(made('three.js')) : (given[name] ?? pulps[name])?.[which];
   });
   await page.goto('http://judge.test/index.html');
   const results = {};
@@ -153,6 +181,7 @@ test('three.js', {timeout: 240_000}, async () => {
   }
   assert.ok(await page.evaluate(() => alike('DT/front.glb', 'compressed/front.glb')), 'compression changed places, normals or windings');
   assert.ok(!await page.evaluate(() => alike('DT/front.glb', 'mutant/front.glb')), 'flipped triangles pass for the same');
+  await judgePulp('three.js', async url => Buffer.from(await page.evaluate(one => blues(one), url), 'base64'));
   assert.deepEqual(failures, []);
   judge('three.js', results);
   assert.equal(results.compressed.holes, 0, 'holes in the compressed DT');
@@ -261,18 +290,19 @@ test('model-viewer', {timeout: 240_000}, async () => {
     sky.getContext('2d').fillRect(0, 0, 64, 32);
     document.querySelector('model-viewer').environmentImage = sky.toDataURL();
   });
+  const show = file => page.evaluate(async url => {
+    const viewer = document.querySelector('model-viewer'), loaded = new Promise((done, failed) => {
+      viewer.addEventListener('load', done, {once: true});
+      viewer.addEventListener('error', event => failed(new Error(event.detail?.type)), {once: true});
+    });
+    viewer.src = url;
+    await loaded;
+  }, file);
   const results = {};
   for (const name of Object.keys(given)) {
     const drawn = {};
     for (const which of ['both', 'front']) {
-      await page.evaluate(async url => {
-        const viewer = document.querySelector('model-viewer'), loaded = new Promise((done, failed) => {
-          viewer.addEventListener('load', done, {once: true});
-          viewer.addEventListener('error', event => failed(new Error(event.detail?.type)), {once: true});
-        });
-        viewer.src = url;
-        await loaded;
-      }, `${name}/${which}.glb`);
+      await show(`${name}/${which}.glb`);
       drawn[which] = (await page.evaluate(async all => {
         const viewer = document.querySelector('model-viewer'), pictures = [];
         for (const [x, y, z] of all) {
