@@ -17,7 +17,7 @@ namespace odontoscope::app {
 namespace {
 
 struct ContoursArguments {
-  std::string input;
+  std::vector<std::string> inputs;   // several meshes, or one of anything
   VolumeWords words;
   ForeignWords foreign;
   VoxelWords voxels;
@@ -25,15 +25,21 @@ struct ContoursArguments {
   bool histogram = false;
 };
 
+ContourStack read_told(const ContoursArguments& options, Session& session, Whence& whence) {
+  if (options.inputs.size() > 1) return meshes_told(options.inputs, options.foreign, session);
+  return converted_told(options.inputs.front(), options.foreign, session, &whence);
+}
+
 ContourStack stack_of(const ContoursArguments& options, Session& session, Whence& whence) {
-  if (options.words.any_level()) return contours_told(options.input, understood(options.words), session, nullptr, nullptr, &whence);
-  ContourStack stack = converted_told(options.input, options.foreign, session, &whence);
+  if (options.words.any_level()) return contours_told(options.inputs.front(), understood(options.words), session, nullptr, nullptr, &whence);
+  ContourStack stack = read_told(options, session, whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
 ExitCode show_histogram(const ContoursArguments& options, Session& session) {
+  if (options.inputs.size() > 1) throw UsageError("--histogram looks at one volume", "Give one input");
   if (!options.outputs.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
-  tell_histogram(options.input, understood(options.words), session);
+  tell_histogram(options.inputs.front(), understood(options.words), session);
   return ExitCode::done;
 }
 
@@ -42,12 +48,13 @@ void refuse_senseless(const ContoursArguments& options) {
   for (const std::string& output : options.outputs) {
     if (!is_structures_file(output)) known_ending(output, {".json", ".dcm", ".seg.dcm", ".seg.nrrd"});
   }
-  refuse_volume_without_level(options.input, options.words);
+  if (options.inputs.size() > 1 && options.words.any_level()) throw UsageError("--iso and --label are about one volume", "Give one input");
+  if (options.inputs.size() == 1) refuse_volume_without_level(options.inputs.front(), options.words);
   refuse_senseless(options.foreign, options.words.any_level());
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
   if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (options.words.any_level()) understood(options.words);
-  refuse_unwritable({.inputs = {options.input}, .outputs = options.outputs});
+  refuse_unwritable({.inputs = options.inputs, .outputs = options.outputs});
 }
 
 ExitCode make_contours(const ContoursArguments& options, Session& session) {
@@ -73,8 +80,8 @@ Command contours_command(CLI::App& root) {
   parser->alias("section");   // of a model: the way back to contours
   const auto options = std::make_shared<ContoursArguments>();
   parser
-      ->add_option("INPUT", options->input,
-                   "Volume, mesh, or other program's contours; see below")
+      ->add_option("INPUT", options->inputs,
+                   "Volume, mesh (several become one stack), or other program's contours; see below")
       ->required()
       ->type_name("");
   repeatable(parser->add_option("-o,--output", options->outputs, "File to write; its ending tells the format; repeatable"))->type_name("FILE");
@@ -91,6 +98,7 @@ Command contours_command(CLI::App& root) {
       "  odontoscope contours DICOM --series 2 --iso 120 -o tooth.json\n"
       "  odontoscope contours segmented.mha --label 1=tooth --label 2=pulp --simplify 0.05 -o tooth.json\n"
       "  odontoscope contours scan.stl --spacing-z 0.2 -o scan.json\n"
+      "  odontoscope contours enamel.stl dentine.stl pulp.stl --spacing-z 0.2 -o tooth.json\n"
       "  odontoscope section molar.glb --at 4.5 --at 12 -o two.json\n"
       "  odontoscope contours series.ser --structure Cell -o cell.json\n"
       "  odontoscope contours rtss.dcm --structure Heart --repair -o heart.json\n"
@@ -100,6 +108,7 @@ Command contours_command(CLI::App& root) {
       "another program (Reconstruct series .ser, CSL, DICOM RTSTRUCT), or a contour stack to be repaired.\n"
       "Written are contour stacks (.json), DICOM structure sets (RTSTRUCT, .dcm) and segmentations (SEG,\n"
       ".seg.dcm), and label maps with names (.seg.nrrd); they refer to the DICOM series that was read.\n"
+      "Several meshes are cut by the same planes, each as a structure called after its file.\n"
       "What a file is, is told by its content. --repair mends contours that cross, touch or repeat themselves, and\n"
       "small gaps of meshes, and lists every change; without it such input is refused. section is another name for\n"
       "this subcommand.\n");

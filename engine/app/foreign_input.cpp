@@ -1,11 +1,13 @@
 #include "engine/app/foreign_input.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <utility>
 
 #include "engine/app/options.h"
@@ -183,6 +185,24 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
   ContourStack stack = parse_stack(bytes, file);
   keep_structures(stack, words.structures);
   return checked(std::move(stack), words, session);
+}
+
+ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session) {
+  std::vector<NamedMesh> all;
+  std::map<std::string, std::string> file_of;   // of each structure
+  for (const std::string& file : files) {
+    const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
+    std::optional<std::vector<NamedMesh>> meshes = meshes_in(kind_of(bytes, file), bytes, file);
+    if (!meshes) throw UsageError(fmt::format("{} is no mesh, and only meshes are read several at a time", file), "Give it by itself");
+    if (meshes->size() == 1) meshes->front().name = std::filesystem::path(file).stem().string();
+    for (NamedMesh& mesh : *meshes) {
+      const std::string structure = mesh.name.empty() ? "tooth" : structure_of_mesh(mesh.name);
+      const auto [known, fresh] = file_of.try_emplace(structure, file);
+      if (known->second != file) throw UsageError(fmt::format("both {} and {} have a structure called \"{}\"", known->second, file, structure), "Rename one of the files");
+      all.push_back(std::move(mesh));
+    }
+  }
+  return cut_told(std::move(all), fmt::format("{}", fmt::join(files, ", ")), words, session);
 }
 
 }  // namespace odontoscope::app

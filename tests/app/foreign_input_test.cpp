@@ -22,6 +22,21 @@ TEST_F(ForeignInput, OurOwnModelComesBackAsContours) {
   }
 }
 
+TEST_F(ForeignInput, SeveralMeshesBecomeOneStack) {
+  given("a.json", cube_stack());
+  ASSERT_EQ(odontoscope({"reconstruct", "a.json", "-o", "dentine.stl", "-o", "enamel.ply", "-o", "dentine.obj"}).exit_code, 0);
+  const Ending both = odontoscope({"contours", "dentine.stl", "enamel.ply", "--spacing-z", "0.25", "-o", "both.json"});
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_TRUE(both.says("4 slices from z = 0.125 to 0.875 mm, 8 contours")) << both.out;
+  EXPECT_TRUE(both.says("structures: dentine, enamel")) << both.out;
+  const Ending twice = odontoscope({"contours", "dentine.stl", "dentine.obj", "--spacing-z", "0.25", "-o", "b.json"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_TRUE(twice.complains("both dentine.stl and dentine.obj have a structure called \"dentine\"")) << twice.err;
+  EXPECT_EQ(odontoscope({"contours", "dentine.stl", "a.json", "--spacing-z", "0.25", "-o", "b.json"}).exit_code, 2);
+  EXPECT_EQ(odontoscope({"contours", "dentine.stl", "enamel.ply", "-o", "b.json"}).exit_code, 2);
+  EXPECT_FALSE(exists("b.json"));
+}
+
 TEST_F(ForeignInput, ContentDecidesNotTheEnding) {
   given("planes.txt", csl + "0 1 2 3\n");
   const Ending ending = odontoscope({"reconstruct", "planes.txt", "-o", "a.glb"});
