@@ -132,6 +132,7 @@ LoadRequest first_request(const ViewArguments& options) { return {.file = option
 /// What the window would show, drawn without one.
 ExitCode take_screenshot(const ViewArguments& options, Session& session) {
   Settings settings;
+  settings.hints = false;   // nobody is there to follow them
   if (!options.size.empty()) settings.window = size_from(options.size);
   known_ending(options.screenshot, {".png"});
   refuse_unwritable({.inputs = options.input.empty() ? std::vector<std::string>{} : std::vector{options.input}, .outputs = {options.screenshot}});
