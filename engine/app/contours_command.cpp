@@ -81,7 +81,7 @@ Command contours_command(CLI::App& root) {
   const auto options = std::make_shared<ContoursArguments>();
   parser
       ->add_option("INPUT", options->inputs,
-                   "Volume, mesh (several become one stack), or other program's contours; see below")
+                   "Volume, mesh or meshes, or other program's contours; see below")
       ->required()
       ->type_name("");
   repeatable(parser->add_option("-o,--output", options->outputs, "File to write; its ending tells the format; repeatable"))->type_name("FILE");
