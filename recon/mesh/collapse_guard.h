@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "recon/mesh/collapse_star.h"
-#include "recon/mesh/moving_box_tree.h"
 
 namespace odontoscope {
 
@@ -33,14 +32,9 @@ class CollapseGuard {
   void moved(Vertex vertex);
 
  private:
-  bool cuts_others(const CollapseStar& star, const Point& placed) const;
-
   const HalfEdgeMesh& mesh_;
   const std::vector<std::uint32_t>& surface_of_;
   MovingBoxTree tree_;
 };
-
-/// Of its three corners.
-MovingBox box_of(const NumberedTriangle& triangle);
 
 }  // namespace odontoscope

@@ -5,9 +5,8 @@
 #include <queue>
 #include <tuple>
 
-#include "recon/mesh/collapse_guard.h"
 #include "recon/mesh/collapse_quadric.h"
-#include "recon/mesh/moving_box_tree.h"
+#include "recon/mesh/collapse_star.h"
 
 namespace odontoscope {
 namespace {
@@ -168,23 +167,16 @@ class InterfaceCollapse {
     if (elsewhere && !placed.bound) places.insert(places.end(), {middle_of(one, other), one, other});
     for (const Point3& at : places) {
       std::optional<CollapseRefusal> spoken = star.refusal(exact(at), false);
-      if (!spoken && cuts_others(star, exact(at))) spoken = CollapseRefusal::cuts;
+      if (!spoken && cuts(star, exact(at))) spoken = CollapseRefusal::cuts;
       if (!spoken) return at;
       if (!refusal) refusal = spoken;
     }
     return std::nullopt;
   }
 
-  bool cuts_others(const CollapseStar& star, const ExactPoint& placed) const {
-    for (std::size_t t = 0; t < star.triangles.size(); ++t) {
-      const NumberedTriangle made = star.made(t, placed);
-      const bool cut = tree_.any(box_of(made), [&](std::uint32_t f) {
-        const Triangle& other = web_.faces()[f].triangle;
-        return std::none_of(other.begin(), other.end(), [&](PointIndex v) { return star.holds(v); }) && meet_elsewhere(made, numbered(web_, other));
-      });
-      if (cut) return true;
-    }
-    return false;
+  bool cuts(const CollapseStar& star, const ExactPoint& placed) const {
+    const auto triangle = [&](std::uint32_t f) { return numbered(web_, web_.faces()[f].triangle); };
+    return cuts_others(star, placed, tree_, triangle, [](const NumberedTriangle&) { return true; });
   }
 
   void collapse(PointIndex a, PointIndex b, const Point3& at) {

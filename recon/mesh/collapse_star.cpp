@@ -13,6 +13,12 @@ using Segment3 = ExactKernel::Segment_3;
 
 }  // namespace
 
+MovingBox box_of(const NumberedTriangle& triangle) {
+  MovingBox box;
+  for (const auto& p : triangle.corner) box.add(Point3{p.x(), p.y(), p.z()});
+  return box;
+}
+
 NumberedTriangle CollapseStar::made(std::size_t t, const Point& placed) const {
   NumberedTriangle triangle = triangles[t];
   triangle.number[1] = one;

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "recon/core/error.h"
-#include "recon/mesh/collapse_guard.h"
 #include "recon/mesh/collapse_interfaces.h"
+#include "recon/mesh/collapse_star.h"
 #include "recon/mesh/complex_parts.h"
 #include "recon/mesh/surface_report.h"
 
