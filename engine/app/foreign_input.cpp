@@ -36,9 +36,11 @@ void tell_changes(const std::vector<ContourChange>& changes, Console& console) {
   if (changes.size() > most_lines) console.say(fmt::format("    and {} more", changes.size() - most_lines));
 }
 
+std::string structure_of(const NamedMesh& mesh) { return mesh.name.empty() ? "tooth" : structure_of_mesh(mesh.name); }
+
 std::vector<NamedMesh> surfaces_of(std::vector<NamedMesh> meshes, const ForeignWords& words, const std::string& file) {
   std::vector<NamedMesh> surfaces;
-  for (NamedMesh& mesh : meshes) surfaces.push_back({mesh.name.empty() ? "tooth" : structure_of_mesh(mesh.name), std::move(mesh.surface)});
+  for (NamedMesh& mesh : meshes) surfaces.push_back({structure_of(mesh), std::move(mesh.surface)});
   if (words.structures.empty()) return surfaces;
   // As a stack of their names, so that unknown ones are said as everywhere.
   ContourStack names{{{0, {}}}, file};
@@ -196,7 +198,7 @@ ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWor
     if (!meshes) throw UsageError(fmt::format("{} is no mesh, and only meshes are read several at a time", file), "Give it by itself");
     if (meshes->size() == 1) meshes->front().name = std::filesystem::path(file).stem().string();
     for (NamedMesh& mesh : *meshes) {
-      const std::string structure = mesh.name.empty() ? "tooth" : structure_of_mesh(mesh.name);
+      const std::string structure = structure_of(mesh);
       const auto [known, fresh] = file_of.try_emplace(structure, file);
       if (known->second != file) throw UsageError(fmt::format("both {} and {} have a structure called \"{}\"", known->second, file, structure), "Rename one of the files");
       all.push_back(std::move(mesh));

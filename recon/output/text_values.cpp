@@ -28,6 +28,15 @@ void append_number(std::string& text, double value, std::size_t most) {
   text += number;
 }
 
+void append_point(std::string& text, const Point3& p) {
+  const char* separator = "";
+  for (const double coordinate : {p.x, p.y, p.z}) {
+    text += separator;
+    append_number(text, coordinate);
+    separator = " ";
+  }
+}
+
 std::string xml_escaped(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

@@ -5,12 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "recon/core/geometry.h"
+
 namespace odontoscope {
 
 /// The shortest decimal number that gives the same double again; -0 becomes 0.
 void append_number(std::string& text, double value);
 /// The same in at most `most` characters (15 or more), then with as many digits as fit.
 void append_number(std::string& text, double value, std::size_t most);
+
+/// "x y z".
+void append_point(std::string& text, const Point3& p);
 
 /// Text within an XML element or attribute.
 std::string xml_escaped(std::string_view text);

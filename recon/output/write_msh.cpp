@@ -106,12 +106,7 @@ std::string entities(const std::vector<Part>& parts) {
 void append_nodes(std::string& text, std::size_t first, const std::vector<Point3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) fmt::format_to(std::back_inserter(text), "{}\n", first + i);
   for (const Point3& p : points) {
-    const char* separator = "";
-    for (const double coordinate : {p.x, p.y, p.z}) {
-      text += separator;
-      append_number(text, coordinate);
-      separator = " ";
-    }
+    append_point(text, p);
     text += '\n';
   }
 }

@@ -73,12 +73,7 @@ IndexedPart part_of(const SurfaceMesh& surface, const ShellGroup& group) {
 void append_points(std::string& text, const SurfaceMesh& surface, const IndexedPart& part) {
   for (const PointIndex v : part.points) {
     const Point3& p = surface.points[v];
-    const char* separator = "";
-    for (const double coordinate : {p.x, p.y, p.z}) {
-      text += separator;
-      append_number(text, coordinate);
-      separator = " ";
-    }
+    append_point(text, p);
     text += ",\n";
   }
 }
