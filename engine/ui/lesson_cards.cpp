@@ -203,7 +203,7 @@ void draw_lesson_menu(ViewerState& state, LessonMode& lesson, const Interface& i
     if (!remark.empty()) widgets::remark(interface, remark);
     ++number;
   };
-  for (const BuiltInLesson& built_in : built_in_lessons())
+  for (const BuiltInLesson& built_in : lesson.lessons())
     entry(built_in.title, built_in.questions > 0 ? fmt::format("A quiz of {} questions", built_in.questions) : fmt::format("{} steps", built_in.notes));
   entry("Why culling shows errors", "The sample molar made in two ways, for those who make models");
   entry("Open a lesson's file\xE2\x80\xA6", "NAME.tour.json, from a teacher; dropping it on the window does the same");

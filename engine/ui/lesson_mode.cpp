@@ -34,15 +34,16 @@ bool belongs_to_number(char32_t character, const std::string& typed) {
 
 }  // namespace
 
-std::size_t lesson_choices() { return built_in_lessons().size() + 2; }
+std::size_t lesson_choices() { return lesson_tours().size() + 2; }
 
 void LessonMode::toggle_menu() {
   menu_ = !menu_;
+  if (menu_ && lessons_.empty()) lessons_ = built_in_lessons();
   menu_at_ = 0;
 }
 
 void LessonMode::choose(std::size_t number, ViewerState& state) {
-  const std::size_t built_in = built_in_lessons().size();
+  const std::size_t built_in = lesson_tours().size();
   menu_ = false;
   if (number < built_in) state.to_load = LoadRequest{.file = {}, .volume = {}, .lesson = number};
   else if (number == built_in) state.todo.push_back(Action::toggle_lesson);

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/quiz.h"
@@ -46,6 +47,8 @@ class LessonMode {
   bool result() const { return result_; }
   const std::string& typed() const { return typed_; }
   std::size_t menu_at() const { return menu_at_; }
+  /// Built-in ones that the menu lists; read when it is opened first.
+  const std::vector<BuiltInLesson>& lessons() const { return lessons_; }
   /// Words for what was just answered: "Right.", "No: it is the distal canal."; empty while nothing may be told.
   std::string feedback(const NotesState& notes) const;
   const QuizRow* row(const NotesState& notes) const;
@@ -64,6 +67,7 @@ class LessonMode {
 
   bool menu_ = false, result_ = false;
   std::size_t menu_at_ = 0;
+  std::vector<BuiltInLesson> lessons_;
   std::optional<Quiz> quiz_;
   std::string typed_;
   std::optional<double> clock_before_;   // s, of the frame before, while a question waits
