@@ -52,7 +52,7 @@ def _build(to: pathlib.Path, folder: pathlib.Path) -> None:
     _run("cmake", "-S", str(ROOT), "-B", str(folder), *generator, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12",
          "-DODONTOSCOPE_ENGINE=OFF", "-DODONTOSCOPE_TESTS=OFF", "-DODONTOSCOPE_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}",
          *shlex.split(os.environ.get("CMAKE_ARGS", "")))
-    _run("cmake", "--build", str(folder), "--target", "odontoscope_python")
+    _run("cmake", "--build", str(folder), "--target", "odontoscope_python_all")
     _run("cmake", "--install", str(folder), "--component", "python", "--prefix", str(to), "--strip")
 
 

@@ -54,7 +54,7 @@ Certificate::Verdict verdict_of(Verdict verdict) {
 
 }  // namespace
 
-Certificate certificate_of(const Shown::Proven& facts) {
+Certificate certificate_of(const Proven& facts) {
   Certificate certificate{verdict_of(facts.verdict), facts.headline, {}};
   for (const Attention& item : facts.attention)
     certificate.findings.push_back(
@@ -82,11 +82,10 @@ Certificate certificate_of(const std::vector<std::string>& structures, const std
   return certificate;
 }
 
-Certificate certificate_of(const Shown& shown, const Progress& progress) {
-  if (shown.proven) return certificate_of(*shown.proven);
+Certificate certificate_of(const std::vector<NamedSurface>& surfaces, const Progress& progress) {
   std::vector<std::string> structures;
   std::vector<SurfaceReport> reports;
-  for (const NamedSurface& named : shown.surfaces) {
+  for (const NamedSurface& named : surfaces) {
     progress.check();
     structures.push_back(named.structure);
     reports.push_back(inspect(named.surface));

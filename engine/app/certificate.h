@@ -4,18 +4,18 @@
 #include <string>
 #include <vector>
 
-#include "engine/app/shown_input.h"
+#include "engine/app/proven.h"
 #include "engine/ui/loading.h"
 
 namespace odontoscope::app {
 
 /// Of surfaces that were made by a reconstruction which proved them.
-Certificate certificate_of(const Shown::Proven& facts);
+Certificate certificate_of(const Proven& facts);
 
 /// Of surfaces by what inspecting them found, one report a structure.
 Certificate certificate_of(const std::vector<std::string>& structures, const std::vector<SurfaceReport>& reports);
 
-/// Of a reconstruction what it proved of itself; of a mesh what inspecting it finds.
-Certificate certificate_of(const Shown& shown, const Progress& progress);
+/// Of surfaces that nobody proved: each is inspected.
+Certificate certificate_of(const std::vector<NamedSurface>& surfaces, const Progress& progress);
 
 }  // namespace odontoscope::app

@@ -19,10 +19,12 @@
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/radiograph_options.h"
+#include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/tour_film.h"
 #include "engine/app/volume_look_words.h"
+#include "engine/app/wall_marks.h"
 #include "engine/picture/film.h"
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
@@ -315,7 +317,7 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
-  if (scene.wall_depth) mark_wall_depths(shown, session);
+  if (scene.wall_depth) mark_wall_depths(shown.model, shown.surfaces, session.progress());
   Painter painter(options, *context, renderer, shown, scene, session);
   std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
   if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});

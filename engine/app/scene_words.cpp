@@ -11,7 +11,6 @@
 #include <string_view>
 #include <utility>
 
-#include "engine/app/options.h"
 #include "engine/app/plain_input.h"
 #include "engine/picture/image.h"
 #include "engine/scene/fit_visible.h"
@@ -25,7 +24,7 @@ double number_in(std::string_view text, std::string_view option) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-    throw UsageError(fmt::format("{}: \"{}\" is no number", option, text));
+    throw UsageError(fmt::format("{}: \"{}\" is no number", option, text), "Give one such as 2.5.");
   return number;
 }
 
@@ -48,7 +47,7 @@ std::pair<std::string, std::string> name_and_value(const std::string& text, std:
 std::pair<std::string, float> opacity_in(const std::string& text) {
   const auto [structure, value] = name_and_value(text, "--opacity");
   const double opacity = number_in(value, "--opacity");
-  if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text));
+  if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text), "From 0, clear, to 1, solid: --opacity enamel=0.3");
   return {structure, static_cast<float>(opacity)};
 }
 
@@ -134,7 +133,7 @@ void show_slab(const std::string& text, const OverlaySource& source, Scene& scen
     throw UsageError(fmt::format("--overlay {}: a mesh has no tetrahedra", text), "Give the contour stack, or the volume, that it was made from.");
   const std::size_t slab = slab_in(text).value_or(source.slabs() / 2);
   if (slab >= source.slabs())
-    throw UsageError(fmt::format("--overlay {}: the slabs are counted from 0 to {}", text, source.slabs() - 1));
+    throw UsageError(fmt::format("--overlay {}: there is no such slab", text), fmt::format("The slabs are counted from 0 to {}.", source.slabs() - 1));
   scene.overlays.slab = slab;
   for (Look& look : scene.looks) look.opacity = std::min(look.opacity, around_tetrahedra);
 }
@@ -203,7 +202,7 @@ glm::dvec3 direction_in(const std::string& text) {
     direction[axis] = number_in(std::string_view(text).substr(from, comma - from), "--section");
     from = comma + 1;
   }
-  if (!(glm::length(direction) > 0)) throw UsageError(fmt::format("--section {}: that points nowhere", text));
+  if (!(glm::length(direction) > 0)) throw UsageError(fmt::format("--section {}: that points nowhere", text), "Give a direction, such as 1,1,0.");
   return glm::normalize(direction);
 }
 
@@ -284,42 +283,6 @@ PixelSize size_from(const std::string& text) {
     throw UsageError(fmt::format("--size {}: that is no size of a picture", text),
                      fmt::format("Give width and height in pixels, 1 to {}: 1200x900.", most_picture_side));
   return size;
-}
-
-void add_scene_options(CLI::App& parser, SceneWords& words) {
-  constexpr const char* looking = "Looking";
-  constexpr const char* showing = "Showing";
-  CLI::Option* view = parser.add_option("--view", words.view,
-                                        "three-quarter (default), buccal, lingual, mesial, distal, occlusal, apical");
-  view->type_name("NAME")->group(looking);
-  parser.add_option("--camera", words.camera_file, "The camera of a saved scene")->type_name("FILE.json")->group(looking)->excludes(view);
-  parser.add_option("--scene", words.scene_file, "A saved scene; other options change it")->type_name("FILE.json")->group(looking);
-  parser.add_flag("--parallel", words.parallel, "Parallel instead of perspective projection")->group(looking);
-  parser.add_option("--zoom", words.zoom, "So many times nearer")->type_name("F")->check(CLI::Range(0.01, 100.0).description(""))->group(looking);
-  repeatable(parser.add_option("--hide", words.hide, "Leave a structure out; repeatable"))->type_name("S")->group(showing);
-  repeatable(parser.add_option("--opacity", words.opacity, "0 clear to 1 solid, e.g. enamel=0.3; repeatable"))->type_name("S=F")->group(showing);
-  repeatable(parser.add_option("--colour", words.colour, "e.g. pulp=#c9332e; repeatable"))->type_name("S=#RRGGBB")->group(showing);
-  parser.add_option("--section", words.section, "Cut away: +x to -z, buccal, ..., or X,Y,Z; @MM says where, e.g. -x@2.5")
-      ->type_name("SIDE[@MM]")
-      ->group(showing);
-  parser.add_option("--cap", words.cap, "On the cut: material (default), plain, or CT values: ct, ct=BLACK,WHITE")
-      ->type_name("WHAT")
-      ->group(showing);
-  parser.add_option("--cull", words.back_faces, "Faces seen from behind: on (leave out, default), off (show), tint (alarm)")
-      ->type_name("MODE")
-      ->group(showing);
-  parser.add_flag("--wire", words.wire, "Draw the triangles' edges")->group(showing);
-  parser.add_flag("--wall-depth", words.wall_depth, "Canals' walls tell their depth: colour, a ring every mm")->group(showing);
-  repeatable(parser.add_option("--overlay", words.overlays, "contours, edges (faulty ones), tetrahedra[=SLAB]; repeatable"))
-      ->type_name("WHAT")
-      ->group(showing);
-  parser.add_option("--occlusion", words.occlusion, "Darkening of hollows: 0 none, 1 natural (default), up to 4")
-      ->type_name("F")
-      ->check(CLI::Range(0.0, 4.0).description(""))
-      ->group(showing);
-  parser.add_option("--background", words.background, "white, black, transparent, #RRGGBB, or two colours from top to bottom")
-      ->type_name("COLOUR")
-      ->group(showing);
 }
 
 }  // namespace odontoscope::app

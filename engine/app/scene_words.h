@@ -1,7 +1,6 @@
 #pragma once
-// How a scene is told on the command line.
+// How a scene is told in words: those of the command line, and of the Python package.
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 
 namespace odontoscope::app {
 
-/// As typed; not yet understood.
+/// As typed; not yet understood. Whoever takes them keeps `zoom` from 0.01 to 100 and `occlusion` from 0 to 4.
 struct SceneWords {
   std::string scene_file, camera_file, view;
   bool parallel = false;
@@ -26,8 +25,6 @@ struct SceneWords {
   std::optional<double> occlusion;
   bool wire = false, wall_depth = false;
 };
-
-void add_scene_options(CLI::App& parser, SceneWords& words);
 
 /// Throws what scene_from would throw whatever the model is: to be called before any long work.
 void refuse_senseless(const SceneWords& words);

@@ -32,7 +32,7 @@ constexpr std::string_view external_suffix = " external", cavity_suffix = " cavi
 struct Found {
   std::vector<NamedSurface> surfaces;
   OverlaySource overlays;
-  std::optional<Shown::Proven> proven = {};
+  std::optional<Proven> proven = {};
   std::shared_ptr<const ValueGrid> values = {};
   std::optional<std::size_t> slices = {};
   std::optional<GreyAnchors> greys = {};
@@ -181,22 +181,6 @@ Found found_in(const std::string& file, const VolumeWords& words, const DtWords&
 }
 
 }  // namespace
-
-Shown::Proven proven_by(const Reconstruction& made) {
-  Shown::Proven proven{{},
-                       {},
-                       made.counts.kept,
-                       made.slices_checked,
-                       verdict_of(made),
-                       headline(made),
-                       made.attention,
-                       in_words(made.changes)};
-  for (const Solid& solid : made.solids) {
-    proven.structures.push_back(solid.structure);
-    proven.reports.push_back(solid.report);
-  }
-  return proven;
-}
 
 Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
   Found found = found_in(file, words, dt, session, check);

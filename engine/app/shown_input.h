@@ -10,12 +10,11 @@
 
 #include "engine/app/command.h"
 #include "engine/app/dt_options.h"
+#include "engine/app/proven.h"
 #include "engine/app/volume_options.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/value_grid.h"
-#include "recon/delaunay/verdict.h"
-#include "recon/mesh/surface_report.h"
 #include "recon/radiograph/grey_anchors.h"
 
 namespace odontoscope::app {
@@ -31,22 +30,10 @@ struct Shown {
   std::vector<double> isos;           // and the values at which surfaces were taken
   bool only_voxels = false;           // the surface is but the box of them
 
-  /// What was proven of the solids whose surfaces these are; empty for a mesh that somebody else made.
-  struct Proven {
-    std::vector<std::string> structures;
-    std::vector<SurfaceReport> reports;   // one a structure
-    std::size_t tetrahedra = 0, slices = 0;
-    Verdict verdict = Verdict::green;
-    std::string headline;
-    std::vector<Attention> attention;
-    std::string changes;  // in words; empty: none
-  };
+  using Proven = app::Proven;
   std::optional<Proven> proven;
   std::optional<std::size_t> slices;   // given ones that it was made from, here or by who wrote the mesh; empty: not known
 };
-
-/// What a reconstruction proved, with the reports that it holds now.
-Shown::Proven proven_by(const Reconstruction& made);
 
 /// A contour stack is reconstructed, and so is a volume if `words` say where its surface lies; GLB, STL, PLY and OBJ are taken as
 /// they are, told by their content. With `words.voxels` a volume needs no surface: the model is then the box of what is denser than air, called "volume". Empty `file`: the sample molar. Throws as the readers and the engine do;

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/app/wall_marks.h"
 #include "engine/app/whole_structures.h"
 #include "engine/navigate/seen_within.h"
-#include "engine/navigate/wall_depth.h"
 #include "recon/cavity/centre_lines.h"
 #include "recon/cavity/tooth_axis.h"
 #include "recon/core/lower_case.h"
@@ -25,14 +25,6 @@ constexpr double mouth_ahead = 2;
 std::string typed(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '-');
   return lower_case(std::move(name));
-}
-
-/// The model's part that walls the void in.
-VoidWall wall_of(const Cavity& cavity, const odontoscope::Model& model) {
-  const bool open = !cavity.mouths.empty();   // then the outer surface leads inside
-  for (const ModelPart& part : model.parts)
-    if (part.cavity != open && part.solid == cavity.structure) return {part.structure, false};
-  return {cavity.structure, cavity.body};
 }
 
 struct NamedLine {
@@ -73,18 +65,6 @@ Film film_of(const Shown& shown, const TourWords& wanted, Session& session) {
     names += (names.empty() ? "" : ", ") + (line.name == line.number ? line.number : fmt::format("{} ({})", line.number, line.name));
   }
   throw UsageError(fmt::format("--tour: there is no line \"{}\"", wanted.line), names.empty() ? "The void has no branches." : "There are " + names + ".");
-}
-
-void mark_wall_depths(Shown& shown, Session& session) {
-  const std::vector<NamedMesh> whole = whole_structures(shown.surfaces);
-  const std::vector<Cavity> cavities = cavities_in(looked_at(whole));
-  if (cavities.empty()) throw UsageError("--wall-depth: there is no void inside", what_a_void_takes);
-  std::vector<std::pair<std::string, CentreLines>> lined;
-  for (const Cavity& cavity : cavities)
-    lined.emplace_back(wall_of(cavity, shown.model).structure, centre_lines(cavity, {tooth_axis(looked_at(whole)).along}, session.progress()));
-  std::vector<LinedWall> walls;
-  for (const auto& [structure, lines] : lined) walls.push_back({&structure, &lines});
-  mark_wall_depths(shown.model, walls);
 }
 
 std::string station(const Film& film, double seconds) {

@@ -30,9 +30,6 @@ struct TourWords {
 /// The tour through a void of what is shown. UsageError with the list of names if there is none such.
 Film film_of(const Shown& shown, const TourWords& wanted, Session& session);
 
-/// Gives the walls of all voids their depths: see navigate/wall_depth.h. UsageError if there is no void.
-void mark_wall_depths(Shown& shown, Session& session);
-
 /// Where the eye is at `seconds`, in an anatomist's words: "chamber", "orifice", "canal, 3.2 mm deep", "apex, 9.8 mm deep"; along other lines "horn 1, 2.0 mm". What begins in a
 /// chamber is in the "chamber" there.
 std::string station(const Film& film, double seconds);

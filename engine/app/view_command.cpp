@@ -11,6 +11,7 @@
 #include "engine/app/certificate.h"
 #include "engine/app/command.h"
 #include "engine/app/outputs.h"
+#include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/volume_look_words.h"
@@ -93,7 +94,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   });
   LoadedModel loaded;
   loaded.title = title_of(request.file);
-  loaded.certificate = certificate_of(shown, progress);
+  loaded.certificate = shown.proven ? certificate_of(*shown.proven) : certificate_of(shown.surfaces, progress);
   for (const NamedSurface& named : shown.surfaces) loaded.triangles += named.surface.triangles.size();
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);

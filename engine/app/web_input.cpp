@@ -10,17 +10,12 @@
 #include "engine/app/certificate.h"
 #include "engine/app/foreign_input.h"
 #include "engine/app/model.h"
+#include "engine/app/model_page.h"
 #include "engine/app/sniff.h"
-#include "engine/app/whole_structures.h"
-#include "engine/scene/scene.h"
-#include "engine/scene/shells.h"
-#include "recon/cavity/centre_lines.h"
-#include "recon/cavity/tooth_axis.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/append.h"
 #include "recon/mesh/read_mesh.h"
-#include "recon/output/write_glb.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::app {
@@ -33,123 +28,24 @@ struct Inspected {
   SurfaceReport report;
 };
 
-const char* name(Certificate::Verdict verdict) {
-  switch (verdict) {
-    case Certificate::Verdict::certified:
-      return "certified";
-    case Certificate::Verdict::look_here:
-      return "amber";
-    case Certificate::Verdict::sound:
-      return "sound";
-    case Certificate::Verdict::wanting:
-      break;
-  }
-  return "wanting";
-}
-
-const char* name(Certificate::Mark mark) {
-  switch (mark) {
-    case Certificate::Mark::good:
-      return "good";
-    case Certificate::Mark::look:
-      return "look";
-    case Certificate::Mark::bad:
-      break;
-  }
-  return "bad";
-}
-
-WebCertificate in_web_words(const Certificate& certificate) {
-  WebCertificate web;
-  web.verdict = name(certificate.verdict);
-  web.headline = certificate.headline;
-  for (const Certificate::Finding& finding : certificate.findings) {
-    web.findings.push_back({name(finding.mark), finding.words, {}});
-    if (finding.at) web.findings.back().at_mm = Point3{finding.at->x, finding.at->y, finding.at->z};
-  }
-  return web;
-}
-
-WebModel web_model(const WrittenModel& written, const Certificate& certificate) {
-  WebModel model;
-  for (const WrittenSurface& one : written.solids) model.triangles += one.surface.triangles.size();
-  model.glb = glb_bytes(written);
-  model.certificate = in_web_words(certificate);
-  return model;
-}
-
-/// The desktop's first look at the same surfaces.
-std::vector<WebLook> looks_of(const WrittenModel& written) {
-  std::vector<NamedSurface> surfaces;
-  for (const WrittenSurface& one : written.solids) {
-    const std::size_t before = surfaces.size();
-    add_shells(one.structure, one.surface, one.report, surfaces);
-    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
-  }
-  const odontoscope::Model model = odontoscope::make_model(surfaces);
-  std::vector<WebLook> looks;
-  for (const Look& look : usual_scene(model, 1).looks)
-    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1)});
-  return looks;
-}
-
-WebTour along(const CentreLine& line) {
-  WebTour tour{line.name, {}, line.length_to_wall()};
-  for (const CentrePoint& point : line.points) tour.points.push_back(point.at);
-  return tour;
-}
-
-/// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall is not sound enough for any.
-void add_ways(const WrittenModel& written, WebPage& page, Session& session) {
-  const std::vector<Cavity> cavities = cavities_in(sound_structures(written));
-  if (cavities.empty()) return;
-  try {
-    const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, session.progress());
-    for (const CentreLine& canal : lines.canals) {
-      page.tours.push_back(along(canal));
-      if (canal.orifice > 0 || !lines.has_chamber) page.tours.back().orifice_mm = canal.points[canal.orifice].along;
-    }
-    for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));
-  } catch (const UsageError&) {   // the page is of use without them
-  }
-}
-
 WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
   Model made{reconstructed(stack, words.dt, session), {}, {}};
-  add_ways(made.reconstruction, page, session);
+  add_ways(made.reconstruction, page, session.progress());
   page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
   session.progress().tell("page", 0.2);
-  Certificate certificate = certificate_of(proven_by(made.reconstruction));
-  for (const std::string& warning : {made.aim ? missed_aim_in_words(*made.aim) : "", absurd_distance_in_words(made.simplifications)}) {
+  std::vector<std::string> warnings;
+  for (std::string& warning : std::array{made.aim ? missed_aim_in_words(*made.aim) : "", absurd_distance_in_words(made.simplifications)}) {
     if (warning.empty()) continue;
     session.console.complain("warning: " + warning + ".");
-    certificate.findings.push_back({Certificate::Mark::bad, warning + "."});
+    warnings.push_back(std::move(warning));
   }
-  if (!made.simplifications.empty())
-    certificate.findings.push_back(
-        {Certificate::Mark::good,
-         "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
-  WebModel model = web_model(made.reconstruction, certificate);
-  model.name = "DT";
-  model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";
-  return model;
+  return web_model_by_dt(made.reconstruction, !made.simplifications.empty(), warnings);
 }
 
 WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& session) {
-  const DbReconstruction made = reconstruct_by_distance(stack, understood(words, session.threads), session.progress());
-  std::vector<std::string> structures;
-  std::vector<SurfaceReport> reports;
-  for (const DbSurface& one : made.surfaces) {
-    structures.push_back(one.structure);
-    reports.push_back(one.report);
-  }
-  WebModel model = web_model(made, certificate_of(structures, reports));
-  model.name = "DB";
-  model.words = fmt::format("Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned triangles are the method's own.",
-                            made.grid.columns, made.grid.rows, made.grid.layers.size(), name(words.cases.value_or(DbOptions{}.cases)));
-  return model;
+  return web_model_by_db(reconstruct_by_distance(stack, understood(words, session.threads), session.progress()), words.cases.value_or(DbOptions{}.cases));
 }
 
 std::vector<Inspected> inspected(const std::vector<NamedMesh>& meshes, const std::string& file, Session& session) {
@@ -179,7 +75,7 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
   }
   WebPage page;
   page.looks = looks_of(written);
-  add_ways(written, page, session);
+  add_ways(written, page, session.progress());
   page.models.push_back(web_model(written, certificate_of(structures, reports)));
   page.models.back().name = "Mesh";
   page.models.back().words = "A mesh, as it was read.";

@@ -76,6 +76,10 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
+void raise_error(const char* type, const Error& error, const std::string& cause) {
+  raise(type, error, cause, {}, without(error.what(), {}, " [" + cause + "]"));
+}
+
 void translate_errors() { py::register_exception_translator(&translate); }
 
 }  // namespace odontoscope::python

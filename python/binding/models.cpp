@@ -85,16 +85,16 @@ DbOptions understood(const DbWords& words) {
 }
 
 /// `triangles`: how many its surfaces may have together.
-Model model_of(Reconstruction reconstruction, std::optional<std::size_t> triangles, const Progress& progress) {
+Model model_of(const Contours& contours, Reconstruction reconstruction, std::optional<std::size_t> triangles, const Progress& progress) {
   auto made = std::make_shared<DtModel>(DtModel{std::move(reconstruction), {}});
   if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
-  return {std::move(made), nullptr};
+  return {std::move(made), nullptr, contours.stack};
 }
 
 Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles,
                  const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    return model_of(reconstruct(*contours.stack, understood(words, *contours.stack), progress), triangles, progress);
+    return model_of(contours, reconstruct(*contours.stack, understood(words, *contours.stack), progress), triangles, progress);
   });
 }
 
@@ -104,7 +104,7 @@ std::pair<Model, std::string> made_of_structures(const Contours& contours, const
   Model model = watched(listener, [&](const Progress& progress) {
     MadeOfStructures made = reconstruct_structures(*contours.stack, understood(words, *contours.stack), progress);
     no_partition = std::move(made.no_partition);
-    return model_of(std::move(made.reconstruction), triangles, progress);
+    return model_of(contours, std::move(made.reconstruction), triangles, progress);
   });
   return {std::move(model), std::move(no_partition)};
 }
@@ -116,7 +116,7 @@ Model made_as_partition(const Contours& contours, const PartitionWords& words, s
   options.gap = words.gap;
   options.threads = words.threads;
   return watched(listener, [&](const Progress& progress) {
-    return model_of(reconstruct_partition(*contours.stack, options, progress), triangles, progress);
+    return model_of(contours, reconstruct_partition(*contours.stack, options, progress), triangles, progress);
   });
 }
 
@@ -129,7 +129,7 @@ Model made_by_db(const Contours& contours, const DbWords& words, const py::objec
   const DbOptions options = understood(words);
   return watched(listener, [&](const Progress& progress) {
     return Model{nullptr, std::make_shared<DbModel>(
-                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options})};
+                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options}), contours.stack};
   });
 }
 

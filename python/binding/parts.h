@@ -41,6 +41,7 @@ struct DbModel {
 struct Model {
   std::shared_ptr<const DtModel> dt;
   std::shared_ptr<const DbModel> db;
+  std::shared_ptr<const ContourStack> contours;   // that it was made from
 };
 
 /// One structure of a model.

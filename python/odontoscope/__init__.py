@@ -23,8 +23,10 @@ Ctrl-C (KeyboardInterrupt). While the library works, other Python threads run.
 
 from __future__ import annotations
 
+import html as _html
 import json
 import os
+import pathlib
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
@@ -33,18 +35,21 @@ import numpy as np
 
 from . import _core
 from . import arrays as _arrays
+from . import draw as _draw
 from . import options as _options
-from .errors import Error, FileError, InputError, InternalError, UsageError, refuse as _refuse
+from .errors import Error, FileError, GraphicsError, InputError, InternalError, UsageError, refuse as _refuse
 
 __version__: str = _core.__version__
 __all__ = [
-    "Complex", "Contours", "Error", "FileError", "InputError", "InternalError", "Model", "Solid", "UsageError", "Volume", "anatomy", "check",
-    "compare", "contours", "read_mesh", "read_volume", "reconstruct", "sample",
+    "Complex", "Contours", "Error", "FileError", "GraphicsError", "InputError", "InternalError", "Model", "Solid", "UsageError", "Volume", "anatomy",
+    "check", "compare", "contours", "png", "read_mesh", "read_volume", "reconstruct", "render", "sample",
 ]
 
 Progress = Callable[[str, float], Any]
 Level = Union[float, str, Mapping[str, float], Iterable[Any]]
 Source = Union["Contours", "Volume", str, "os.PathLike[str]", Iterable[Any]]
+File = Union[str, "os.PathLike[str]"]
+Look = Union[str, Iterable[str], Mapping[str, Any], None]
 
 
 class Contours(Sequence):
@@ -224,6 +229,7 @@ class Volume:
 
     @property
     def source(self) -> str:
+        """The file it came from, or ""."""
         return self._core.source()
 
     @property
@@ -334,6 +340,17 @@ def contours(source: Source, *, iso: Optional[Level] = None, label: Optional[Lev
     return made if simplify is None else made.simplify(simplify, progress)
 
 
+def _neighbours(tetrahedra: np.ndarray) -> np.ndarray:
+    """Per face, opposite to each corner, the tetrahedron on its other side."""
+    faces = np.sort(tetrahedra[:, [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]].reshape(-1, 3), axis=1)
+    order = np.lexsort(faces.T[::-1])
+    twice = np.flatnonzero((faces[order[1:]] == faces[order[:-1]]).all(axis=1))
+    found = np.full(len(faces), -1, dtype=np.int64)
+    one, other = order[twice], order[twice + 1]
+    found[one], found[other] = other // 4, one // 4
+    return found.reshape(-1, 4)
+
+
 class Solid:
     """One structure of a model, as arrays: read-only views without copies, that stay valid however long they are kept."""
 
@@ -342,6 +359,7 @@ class Solid:
 
     @property
     def structure(self) -> str:
+        """Its name."""
         return self._part.structure()
 
     @property
@@ -368,6 +386,11 @@ class Solid:
     def labels(self) -> Optional[np.ndarray]:
         """Material of each tetrahedron: shape (n,), uint16."""
         return self._part.labels()
+
+    @property
+    def neighbours(self) -> Optional[np.ndarray]:
+        """Behind the face opposite to each corner: shape (n, 4), int64, indices into ``tetrahedra``, -1 for outside. Worked out when asked for."""
+        return None if self.tetrahedra is None else _neighbours(self.tetrahedra)
 
     @property
     def volume(self) -> float:
@@ -411,6 +434,11 @@ class Complex:
         return self._core.labels()
 
     @property
+    def neighbours(self) -> np.ndarray:
+        """Behind the face opposite to each corner: shape (n, 4), int64, indices into ``tetrahedra``, -1 for outside. Worked out when asked for."""
+        return _neighbours(self.tetrahedra)
+
+    @property
     def interfaces(self) -> np.ndarray:
         """Every face between two labels, once: shape (n, 3), uint32, indices into ``points``; counter-clockwise seen from the outer side."""
         return self._core.interfaces()
@@ -443,6 +471,7 @@ class Model:
         return None if core is None else Complex(core)
 
     def __getitem__(self, structure: str) -> Solid:
+        """The solid of that name; KeyError if there is none."""
         for solid in self.solids:
             if solid.structure == structure:
                 return solid
@@ -475,6 +504,63 @@ class Model:
     def save(self, *files: Union[str, "os.PathLike[str]"], progress: Optional[Progress] = None) -> None:
         """In the formats that the files' endings name, all or none: .glb .gltf .stl .ply .obj .wrl .x3d .vtp; tetrahedra .vtu .msh .inp."""
         self._core.write([_options.path(file) for file in files], progress)
+
+    def render(self, *, view: str = "", size: Union[str, tuple[int, int]] = "1200x900", samples: int = 4, scene: Optional[File] = None,
+               camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
+               opacity: Look = None, colour: Look = None, section: str = "", cap: str = "", cull: str = "", wire: bool = False,
+               wall_depth: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
+               background: str = "", backend: str = "auto", save_scene: Optional[File] = None, progress: Optional[Progress] = None) -> np.ndarray:
+        """A picture: shape (rows, columns, 4), uint8; red, green, blue (sRGB), alpha (not premultiplied); the first row is the top.
+
+        Drawn without a display, by EGL or OSMesa; the pixels are those of ``odontoscope render``, whose options these are. Raises GraphicsError
+        where the machine cannot draw.
+
+        Args:
+            view: "three-quarter", "buccal", "lingual", "mesial", "distal", "occlusal", "apical".
+            size: width and height, pixels. samples: a pixel, 1, 4, 9 or 16.
+            scene, camera: a scene file that the viewer or ``save_scene`` wrote: all of it, or its camera alone.
+            parallel, zoom: parallel projection; so many times nearer, 0.01 to 100.
+            hide: structures to leave out.
+            opacity, colour: ``{"enamel": 0.3}``, ``{"pulp": "#c9332e"}``, or "enamel=0.3".
+            section, cap: "buccal", "-x@2.5" (mm), "1,1,0@3": what is cut away; "material" or "plain" on the cut.
+            cull: faces seen from behind: "on" (left out), "off" (shown), "tint".
+            wire, wall_depth: edges of triangles; canals' walls tell their depth.
+            overlay: "contours", "edges" (faulty ones), "tetrahedra", "tetrahedra=12" (of slab 12).
+            occlusion: darkening of hollows, 0 to 4.
+            background: "white", "black", "transparent", "#rrggbb", or two colours from top to bottom.
+            backend: "auto", "egl" or "osmesa".
+
+            >>> model = reconstruct(sample("incisor"))
+            >>> model.render(size=(80, 60), background="transparent").shape
+            (60, 80, 4)
+        """
+        given = {name: value for name, value in locals().items() if name not in ("self", "progress")}
+        return _draw.picture(self._core, progress, **given)
+
+    def page(self, title: str = "", progress: Optional[Progress] = None) -> str:
+        """The page of ``odontoscope web`` as text: one HTML file that opens from disk in any browser and asks the network for nothing.
+
+        ``title``: the source's name without ending where it is left out.
+        """
+        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", progress)
+
+    def _repr_png_(self) -> Optional[bytes]:
+        """For notebooks; None where the machine cannot draw."""
+        try:
+            return png(self.render(size="640x480"))
+        except (GraphicsError, UsageError):
+            return None
+
+    def _repr_html_(self) -> Optional[str]:
+        """The page in a frame, for notebooks; None where it is not built or has more than ``draw.PAGE_LIMIT`` bytes."""
+        try:
+            page = self.page()
+        except UsageError:
+            return None
+        if len(page) > _draw.PAGE_LIMIT:
+            return None
+        return (f'<iframe title="{_html.escape(repr(self))}" style="width: 100%; height: 540px; border: 0" allow="fullscreen; xr-spatial-tracking" '
+                f'sandbox="allow-scripts allow-downloads allow-modals allow-pointer-lock" srcdoc="{_html.escape(page)}"></iframe>')
 
     def __repr__(self) -> str:
         told = self._core.headline() or ("closed surfaces" if self.certified else "not certified")
@@ -554,6 +640,37 @@ def anatomy(source: Union[Source, Model], progress: Optional[Progress] = None, *
     """A tooth in numbers: canals, roots, structures (docs/formats.md). Of a Model, or of what ``reconstruct`` takes."""
     model = source if isinstance(source, Model) else reconstruct(source, progress=progress, **options)
     return model.anatomy(progress)
+
+
+_render_words = frozenset(Model.render.__kwdefaults__) - {"progress"}
+
+
+def render(source: Union[Source, Model], *, progress: Optional[Progress] = None, **options: Any) -> np.ndarray:
+    """A picture, as ``Model.render`` draws it. Of a Model, or of what ``reconstruct`` takes, with the options of both.
+
+        >>> render(sample("incisor"), view="from above")
+        Traceback (most recent call last):
+        ...
+        odontoscope.errors.UsageError: there is no view ...
+    """
+    looks = {name: options.pop(name) for name in list(options) if name in _render_words}
+    _draw.check(**looks)   # before any long work
+    if isinstance(source, Model) and options:
+        raise _refuse(UsageError, f"{', '.join(options)}: a model is made already", "Leave them out, or give what it was made from")
+    model = source if isinstance(source, Model) else reconstruct(source, progress=progress, **options)
+    return model.render(progress=progress, **looks)
+
+
+def png(pixels: Any) -> bytes:
+    """A picture as the bytes of a PNG file; the same pixels give the same bytes.
+
+    Args:
+        pixels: shape (rows, columns, 4), uint8, as ``Model.render`` gives them.
+    """
+    array = _arrays.numbers(pixels, "pixels", dimensions=3, kinds="u")
+    if array.dtype != np.uint8 or array.shape[2] != 4 or array.size == 0:
+        raise _refuse(InputError, f"has the shape {array.shape} of {array.dtype}, not (rows, columns, 4) of uint8", "Give what render gives", "wrong-shape", name="pixels")
+    return _draw.png(np.ascontiguousarray(array))
 
 
 def sample(kind: str = "molar", *, slice_spacing: float = 0.25, point_spacing: float = 0.22, filled_dentine: bool = False,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["Error", "FileError", "InputError", "InternalError", "UsageError"]
+__all__ = ["Error", "FileError", "GraphicsError", "InputError", "InternalError", "UsageError"]
 
 
 class Error(Exception):
@@ -45,6 +45,10 @@ class FileError(Error, OSError):
 
 class UsageError(Error, ValueError):
     """A call that makes no sense: an option that is none, options that contradict each other."""
+
+
+class GraphicsError(Error, RuntimeError):
+    """This machine cannot draw: ``cause`` is no-egl, no-osmesa, no-gl, gl-too-old, out-of-graphics-memory or picture-too-large."""
 
 
 class InternalError(Error, RuntimeError):

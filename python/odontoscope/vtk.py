@@ -2,6 +2,8 @@
 
     ContoursToTetrahedra   closed polylines or polygons in planes of constant z -> vtkUnstructuredGrid of tetrahedra (DT)
     ContoursToSurface      the same -> vtkPolyData of triangles (DT or DB)
+    ImageToContours        vtkImageData, an image or a label map -> vtkPolyData of closed polylines
+    SampleContours         the contours of a made-up tooth -> vtkPolyData of closed polylines
     ContoursReader         a file of contours, or a mesh cut by planes -> vtkPolyData of closed polylines
     ContoursWriter         closed polylines or polygons -> a contour stack file
     ModelReader            a glTF, STL, PLY or OBJ file -> vtkPolyData of triangles
@@ -25,13 +27,13 @@ import numpy as np
 from vtkmodules.util import numpy_support
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 
-from . import Contours, Model, Solid, contours as _contours, read_mesh as _read_mesh, reconstruct as _reconstruct
-from .errors import Error, InputError, refuse as _refuse
+from . import Contours, Model, Solid, Volume, contours as _contours, read_mesh as _read_mesh, reconstruct as _reconstruct, sample as _sample
+from .errors import Error, InputError, UsageError, refuse as _refuse
 
-__all__ = ["ContoursReader", "ContoursToSurface", "ContoursToTetrahedra", "ContoursWriter", "ModelReader", "from_polydata", "to_polydata", "to_surface",
-           "to_tetrahedra"]
+__all__ = ["ContoursReader", "ContoursToSurface", "ContoursToTetrahedra", "ContoursWriter", "ImageToContours", "ModelReader", "SampleContours", "from_image",
+           "from_polydata", "to_interfaces", "to_polydata", "to_surface", "to_tetrahedra"]
 
 #: Points of a contour, and contours of a slice, count as in one plane where their z differ by no more than this share of the largest
 #: coordinate: what single precision rounds.
@@ -92,6 +94,18 @@ def from_polydata(data: vtkPolyData, source: str = "VTK", repair: bool = False) 
             planes.append(z)
     nearest = np.searchsorted(planes, [z for z, _, _ in given], side="right") - 1
     return Contours(sorted(((planes[n], xy, name) for n, (_, xy, name) in zip(nearest, given)), key=lambda row: row[0]), source, repair)
+
+
+def from_image(image: vtkImageData, source: str = "VTK") -> Volume:
+    """The active point scalars of an image, of one component, with its spacing, origin and direction (mm)."""
+    scalars = image.GetPointData().GetScalars()
+    if scalars is None or scalars.GetNumberOfComponents() != 1:
+        raise _refuse(InputError, "has no scalars" if scalars is None else f"has {scalars.GetNumberOfComponents()} components", "Give an image of one number a voxel", "unsupported", name="input")
+    columns, rows, slices = image.GetDimensions()
+    low = image.GetExtent()[0::2]
+    direction = np.array([[image.GetDirectionMatrix().GetElement(row, column) for column in range(3)] for row in range(3)])
+    origin = np.array(image.GetOrigin()) + direction @ (np.array(low) * image.GetSpacing())   # of the first voxel that there is
+    return Volume(numpy_support.vtk_to_numpy(scalars).reshape(slices, rows, columns), image.GetSpacing(), origin, direction, source)
 
 
 def _name_structures(data: Any, names: list[str]) -> None:
@@ -159,6 +173,20 @@ def to_surface(solids: list[Solid]) -> vtkPolyData:
     data.SetPolys(_cell_array(cells))
     _cell_data(data, "structure", numbers)
     _name_structures(data, [solid.structure for solid in solids])
+    return data
+
+
+def to_interfaces(model: Model) -> vtkPolyData:
+    """Of a partition every face between two labels, once: cell data "inside" and "outside" are the labels, 0 for void; counter-clockwise seen from outside."""
+    shared = model.complex
+    if shared is None:
+        raise _refuse(UsageError, "the model's structures share no faces", "Make it with partition=True")
+    data = vtkPolyData()
+    data.SetPoints(_points([shared.points]))
+    data.SetPolys(_cell_array(shared.interfaces))
+    for column, name in enumerate(("inside", "outside")):
+        _cell_data(data, name, np.ascontiguousarray(shared.interface_labels[:, column], dtype=np.int32))
+    _name_structures(data, list(shared.structures))
     return data
 
 
@@ -288,6 +316,20 @@ class ContoursToSurface(_Filter):
         return self._guarded(lambda: output.ShallowCopy(to_surface(self._made(inputs).solids)), output)
 
 
+class ImageToContours(_Options, VTKPythonAlgorithmBase):
+    """An image (``SetIso``) or a label map (``SetLabel``) to contours: closed polylines, slice by slice."""
+
+    _options = {"iso": None, "label": None, "min_area": None, "smooth": None, "simplify": None}
+
+    def __init__(self):
+        VTKPythonAlgorithmBase.__init__(self, nInputPorts=1, nOutputPorts=1, inputType="vtkImageData", outputType="vtkPolyData")
+        self._begin()
+
+    def RequestData(self, request, inputs, outputs):
+        image, output = vtkImageData.GetData(inputs[0]), vtkPolyData.GetData(outputs)
+        return self._guarded(lambda: output.ShallowCopy(to_polydata(_contours(from_image(image), **self._values))), output)
+
+
 class _Reader(_Options, VTKPythonAlgorithmBase):
     def __init__(self):
         VTKPythonAlgorithmBase.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
@@ -296,6 +338,15 @@ class _Reader(_Options, VTKPythonAlgorithmBase):
     def RequestData(self, request, inputs, outputs):
         output = vtkPolyData.GetData(outputs)
         return self._guarded(lambda: output.ShallowCopy(self._read()), output)
+
+
+class SampleContours(_Reader):
+    """Contours of a made-up tooth, as ``odontoscope.sample`` gives them."""
+
+    _options = {"kind": "molar", "slice_spacing": 0.25, "point_spacing": 0.22, "filled_dentine": False, "filled": False}
+
+    def _read(self) -> vtkPolyData:
+        return to_polydata(_sample(**self._values))
 
 
 class ContoursReader(_Reader):

@@ -1,6 +1,7 @@
 """The package as a user meets it: doctests, files, options, progress, Ctrl-C, threads, errors."""
 import ast
 import doctest
+import importlib.util
 import inspect
 import json
 import os
@@ -15,7 +16,7 @@ import unittest
 
 import numpy as np
 import odontoscope
-from odontoscope import _core, options
+from odontoscope import _core, draw, options
 from shapes import SQUARE, ball, box, circle, root
 
 PROGRAM = os.environ["ODONTOSCOPE_PROGRAM"]
@@ -23,7 +24,7 @@ SOURCE = pathlib.Path(os.environ["ODONTOSCOPE_SOURCE"])
 
 
 def load_tests(loader, tests, pattern):
-    for module in (odontoscope, options):
+    for module in (odontoscope, draw, options):
         tests.addTests(doctest.DocTestSuite(module, optionflags=doctest.ELLIPSIS))
     tests.addTests(doctest.DocFileSuite(str(SOURCE / "docs/python.md"), module_relative=False, optionflags=doctest.ELLIPSIS))
     return tests
@@ -298,18 +299,37 @@ class LongWork(unittest.TestCase):
 
 class Stubs(unittest.TestCase):
     def test_name_what_is_there(self):
-        tree = ast.parse((pathlib.Path(odontoscope.__file__).parent / "_core.pyi").read_text())
-        declared = {}
-        for node in tree.body:
-            if isinstance(node, ast.FunctionDef):
-                declared[node.name] = None
-            if isinstance(node, ast.ClassDef):
-                declared[node.name] = {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
-        there = {name for name in vars(_core) if not name.startswith("_")}
-        self.assertEqual(set(declared), there)
-        for name, members in declared.items():
-            if members is not None:
-                self.assertEqual(members, {one for one in vars(getattr(_core, name)) if not one.startswith("_")}, name)
+        for module in ("_core", "_draw"):
+            if importlib.util.find_spec(f"odontoscope.{module}") is None:
+                continue
+            compiled = importlib.import_module(f"odontoscope.{module}")
+            tree = ast.parse((pathlib.Path(odontoscope.__file__).parent / f"{module}.pyi").read_text())
+            declared = {}
+            for node in tree.body:
+                if isinstance(node, ast.FunctionDef):
+                    declared[node.name] = None
+                if isinstance(node, ast.ClassDef):
+                    declared[node.name] = {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
+            there = {name for name in vars(compiled) if not name.startswith("_")}
+            self.assertEqual(set(declared), there)
+            for name, members in declared.items():
+                if members is not None:
+                    self.assertEqual(members, {one for one in vars(getattr(compiled, name)) if not one.startswith("_")}, name)
+
+    def test_everything_public_says_its_types_and_what_it_does(self):
+        for name in odontoscope.__all__:
+            public = getattr(odontoscope, name)
+            members = [(name, public)]
+            if inspect.isclass(public) and not issubclass(public, Exception):
+                members += [(f"{name}.{inner}", member) for inner, member in vars(public).items() if inspect.isfunction(member) and not inner.startswith("_")]
+                members += [(f"{name}.{inner}", member.fget) for inner, member in vars(public).items() if isinstance(member, property)]
+            for called, member in members:
+                self.assertTrue(member.__doc__, f"{called} has no docstring")
+                if inspect.isfunction(member):
+                    signature = inspect.signature(member)
+                    untyped = [one.name for one in signature.parameters.values() if one.name != "self" and one.annotation is one.empty]
+                    self.assertEqual(untyped, [], called)
+                    self.assertIsNot(signature.return_annotation, signature.empty, called)
 
     def test_mark_the_package_as_typed(self):
         self.assertTrue((pathlib.Path(odontoscope.__file__).parent / "py.typed").exists())

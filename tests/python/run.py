@@ -4,14 +4,14 @@ import pathlib
 import sys
 import unittest
 
-NEEDED = {"package": ["numpy"], "arrays": ["numpy"], "vtk": ["numpy", "vtkmodules.util.vtkAlgorithm"]}
+NEEDED = {"package": ["numpy"], "arrays": ["numpy"], "vtk": ["numpy", "vtkmodules.util.vtkAlgorithm"], "draw": ["numpy"], "notebook": ["numpy", "nbclient", "ipykernel"]}
 
 part = sys.argv[1]
 for module in NEEDED[part]:
     try:
         importlib.import_module(module)
     except ImportError as error:
-        print(f"SKIPPED: {error}; Debian has it as {'python3-vtk9' if 'vtk' in module else 'python3-numpy'}")
+        print(f"SKIPPED: {error}; Debian has it as {'python3-vtk9' if 'vtk' in module else 'python3-' + module}")
         sys.exit(0)
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 suite = unittest.defaultTestLoader.loadTestsFromName(f"{part}_test")

@@ -1,0 +1,127 @@
+#include "engine/app/model_page.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <utility>
+
+#include "engine/app/whole_structures.h"
+#include "engine/scene/scene.h"
+#include "engine/scene/shells.h"
+#include "recon/cavity/centre_lines.h"
+#include "recon/cavity/tooth_axis.h"
+#include "recon/core/error.h"
+#include "recon/output/write_glb.h"
+
+namespace odontoscope::app {
+namespace {
+
+const char* name(Certificate::Verdict verdict) {
+  switch (verdict) {
+    case Certificate::Verdict::certified:
+      return "certified";
+    case Certificate::Verdict::look_here:
+      return "amber";
+    case Certificate::Verdict::sound:
+      return "sound";
+    case Certificate::Verdict::wanting:
+      break;
+  }
+  return "wanting";
+}
+
+const char* name(Certificate::Mark mark) {
+  switch (mark) {
+    case Certificate::Mark::good:
+      return "good";
+    case Certificate::Mark::look:
+      return "look";
+    case Certificate::Mark::bad:
+      break;
+  }
+  return "bad";
+}
+
+WebCertificate in_web_words(const Certificate& certificate) {
+  WebCertificate web;
+  web.verdict = name(certificate.verdict);
+  web.headline = certificate.headline;
+  for (const Certificate::Finding& finding : certificate.findings) {
+    web.findings.push_back({name(finding.mark), finding.words, {}});
+    if (finding.at) web.findings.back().at_mm = Point3{finding.at->x, finding.at->y, finding.at->z};
+  }
+  return web;
+}
+
+WebTour along(const CentreLine& line) {
+  WebTour tour{line.name, {}, line.length_to_wall()};
+  for (const CentrePoint& point : line.points) tour.points.push_back(point.at);
+  return tour;
+}
+
+}  // namespace
+
+WebModel web_model(const WrittenModel& written, const Certificate& certificate) {
+  WebModel model;
+  for (const WrittenSurface& one : written.solids) model.triangles += one.surface.triangles.size();
+  model.glb = glb_bytes(written);
+  model.certificate = in_web_words(certificate);
+  return model;
+}
+
+std::vector<WebLook> looks_of(const WrittenModel& written) {
+  std::vector<NamedSurface> surfaces;
+  for (const WrittenSurface& one : written.solids) {
+    const std::size_t before = surfaces.size();
+    add_shells(one.structure, one.surface, one.report, surfaces);
+    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
+  }
+  const odontoscope::Model model = odontoscope::make_model(surfaces);
+  std::vector<WebLook> looks;
+  for (const Look& look : usual_scene(model, 1).looks)
+    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1)});
+  return looks;
+}
+
+void add_ways(const WrittenModel& written, WebPage& page, const Progress& progress) {
+  const std::vector<Cavity> cavities = cavities_in(sound_structures(written));
+  if (cavities.empty()) return;
+  try {
+    const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, progress);
+    for (const CentreLine& canal : lines.canals) {
+      page.tours.push_back(along(canal));
+      if (canal.orifice > 0 || !lines.has_chamber) page.tours.back().orifice_mm = canal.points[canal.orifice].along;
+    }
+    for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));
+  } catch (const UsageError&) {   // the page is of use without them
+  }
+}
+
+WebModel web_model_by_dt(const Reconstruction& made, bool simplified, const std::vector<std::string>& warnings) {
+  Certificate certificate = certificate_of(proven_by(made));
+  for (const std::string& warning : warnings) certificate.findings.push_back({Certificate::Mark::bad, warning + "."});
+  if (simplified)
+    certificate.findings.push_back(
+        {Certificate::Mark::good,
+         "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
+  WebModel model = web_model(made, certificate);
+  model.name = "DT";
+  model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";
+  return model;
+}
+
+WebModel web_model_by_db(const DbReconstruction& made, CaseTable cases) {
+  std::vector<std::string> structures;
+  std::vector<SurfaceReport> reports;
+  for (const DbSurface& one : made.surfaces) {
+    structures.push_back(one.structure);
+    reports.push_back(one.report);
+  }
+  WebModel model = web_model(made, certificate_of(structures, reports));
+  model.name = "DB";
+  model.words = fmt::format("Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned triangles are the method's own.",
+                            made.grid.columns, made.grid.rows, made.grid.layers.size(), name(cases));
+  return model;
+}
+
+}  // namespace odontoscope::app

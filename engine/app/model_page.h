@@ -1,0 +1,28 @@
+#pragma once
+// A model's part of a web page, from what the engines made.
+
+#include <string>
+#include <vector>
+
+#include "engine/app/certificate.h"
+#include "engine/web/page.h"
+#include "recon/core/progress.h"
+#include "recon/distance/db_reconstruction.h"
+#include "recon/output/written_model.h"
+
+namespace odontoscope::app {
+
+/// GLB and certificate; its name and words are left to the caller.
+WebModel web_model(const WrittenModel& written, const Certificate& certificate);
+
+/// The desktop's first look at the same surfaces.
+std::vector<WebLook> looks_of(const WrittenModel& written);
+
+/// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall is not sound enough for any.
+void add_ways(const WrittenModel& written, WebPage& page, const Progress& progress);
+
+/// `simplified`: its surfaces no longer bound its tetrahedra. `warnings`, without full stops, become findings.
+WebModel web_model_by_dt(const Reconstruction& made, bool simplified, const std::vector<std::string>& warnings);
+WebModel web_model_by_db(const DbReconstruction& made, CaseTable cases);
+
+}  // namespace odontoscope::app
