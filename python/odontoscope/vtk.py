@@ -227,7 +227,7 @@ class _Options:
 
     def __init_subclass__(cls, **words: Any):
         super().__init_subclass__(**words)
-        for option in cls._options:
+        for option in cls.__dict__.get("_options", {}):   # not again in a subclass, which may have setters of its own
             name = "".join(part.capitalize() for part in option.split("_"))
 
             def put(self, value, option=option):

@@ -167,6 +167,17 @@ class Views(unittest.TestCase):
         self.assertGreater(volumes.min(), 0)
         self.assertAlmostEqual(volumes.sum(), solid.volume, places=9)
 
+    def test_neighbours_share_the_face_and_know_each_other(self):
+        solid = self.model["tooth"]
+        neighbours, tetrahedra = solid.neighbours, solid.tetrahedra
+        self.assertEqual((neighbours.shape, neighbours.dtype.name), (tetrahedra.shape, "int64"))
+        for number, (behind, corners) in enumerate(zip(neighbours, tetrahedra)):
+            for corner, other in enumerate(behind):
+                if other >= 0:
+                    self.assertEqual(len(set(tetrahedra[other]) & (set(corners) - {corners[corner]})), 3)
+                    self.assertIn(number, neighbours[other])
+        self.assertEqual(int((neighbours < 0).sum()), len(solid.triangles), "what nothing lies behind is the surface")
+
     def test_of_contours_are_the_points_given(self):
         stack = odontoscope.Contours([(0, circle()), (1, circle(radius=2))])
         np.testing.assert_array_equal(stack[1][0][1], circle(radius=2))

@@ -10,9 +10,9 @@ import odontoscope
 from odontoscope import vtk
 from shapes import box, circle, root
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkObject, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges, vtkMassProperties, vtkStripper
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkObject, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkCutter, vtkFeatureEdges, vtkMassProperties, vtkStripper
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
@@ -176,6 +176,55 @@ class Filters(unittest.TestCase):
         made.SetInputConnection(cut.GetOutputPort())   # single segments
         self.assertEqual(self.failed(made).cause, "open-contour")
         self.assertEqual(made.GetOutput().GetNumberOfCells(), 0)
+
+    def test_images_become_contours_where_they_lie(self):
+        image = vtkImageData()
+        image.SetExtent(3, 19, -2, 14, 5, 21)   # not from 0
+        image.SetSpacing(0.5, 0.25, 1)
+        image.SetOrigin(10, 20, 30)
+        image.AllocateScalars(VTK_FLOAT, 1)
+        for k in range(17):
+            for j in range(17):
+                for i in range(17):
+                    image.SetScalarComponentFromFloat(i + 3, j - 2, k + 5, 0, 6 - ((i - 8)**2 + (j - 8)**2 + (k - 8)**2)**0.5)
+        outline = vtk.ImageToContours()
+        outline.SetInputDataObject(image)
+        outline.SetIso("0=ball")
+        made = vtk.ContoursToSurface()
+        made.SetInputConnection(outline.GetOutputPort())
+        made.Update()
+        self.assertIsNone(outline.GetError())
+        self.assertEqual(faulty_edges(made.GetOutputPort()), 0)
+        solid = made.GetModel()["ball"]
+        for got, wanted in zip(solid.points.mean(axis=0), (10 + 0.5 * 11, 20 + 0.25 * 6, 30 + 13)):
+            self.assertAlmostEqual(got, wanted, delta=0.1)
+        contour = vtkContourFilter()
+        contour.SetInputData(image)
+        contour.SetValue(0, 0)
+        contour.Update()
+        for ours, theirs in zip(made.GetOutput().GetBounds(), contour.GetOutput().GetBounds()):
+            self.assertAlmostEqual(ours, theirs, delta=0.6)   # ours ends flat in its first and last slice
+        self.assertAlmostEqual(volume(made.GetOutputPort()), 4 / 3 * 3.14159 * 216 * 0.125, delta=8)
+        empty = vtk.ImageToContours()
+        empty.SetInputDataObject(vtkImageData())
+        empty.SetIso("0")
+        self.assertIn("no scalars", str(self.failed(empty)))
+
+    def test_made_up_teeth_are_a_source(self):
+        tooth = vtk.SampleContours()
+        tooth.SetKind("incisor"), tooth.SetSliceSpacing(0.35)
+        tooth.Update()
+        self.assertEqual(vtk.from_polydata(tooth.GetOutput()), odontoscope.sample("incisor", slice_spacing=0.35))
+
+    def test_interfaces_of_a_partition_are_shared_by_two_labels(self):
+        rows = [(z, circle(radius=r), name) for z in (0, 1, 2) for r, name in ((2, "dentine"), (1, "pulp"))]
+        model = odontoscope.reconstruct(rows, partition=True)
+        data = vtk.to_interfaces(model)
+        inside, outside = (vtk_to_numpy(data.GetCellData().GetArray(name)) for name in ("inside", "outside"))
+        self.assertEqual(data.GetNumberOfCells(), len(model.complex.interfaces))
+        self.assertTrue(((inside == 2) ^ (outside == 2)).sum() > 0 and (inside > 0).all() and (inside != outside).all())
+        with self.assertRaises(odontoscope.UsageError):
+            vtk.to_interfaces(odontoscope.reconstruct(box()))
 
     def test_name_structures_by_cells(self):
         data = polydata([[(x, y, z) for x, y in circle(radius=radius)] for z in (0, 1) for radius in (2, 1)])
