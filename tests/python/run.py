@@ -6,7 +6,7 @@ import shutil
 import sys
 import unittest
 
-MODULES = {"vtk": ["vtkmodules.util.vtkAlgorithm"], "notebook": ["nbclient", "ipykernel"]}
+MODULES = {"vtk": ["vtkmodules.util.vtkAlgorithm"], "slicer": ["vtkmodules.util.vtkAlgorithm"], "notebook": ["nbclient", "ipykernel"]}
 PROGRAMS = {"paraview": ["pvbatch", "xvfb-run"]}
 PACKAGES = {"vtkmodules": "python3-vtk9", "pvbatch": "paraview and python3-paraview", "xvfb-run": "xvfb"}
 

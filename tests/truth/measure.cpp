@@ -82,6 +82,15 @@ std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
   return points;
 }
 
+/// `on_truth`: points spread over the true surface.
+void add_distances(MethodResult& result, const SurfaceMesh& surface, const SurfaceMesh& truth, const std::vector<Point3>& on_truth) {
+  const auto there = distance_to_surface(spread_over(surface), truth);
+  const auto back = distance_to_surface(on_truth, surface);
+  if (!there || !back) return;
+  result.mean = std::max(there->mean, back->mean);
+  result.largest = std::max(there->largest, back->largest);
+}
+
 class Measuring {
  public:
   Measuring(const ContourStack& stack, const Truth& truth, const MeasureOptions& options)
@@ -153,12 +162,7 @@ class Measuring {
     MethodResult& result = of(method)[s];
     result.topology = topology_of(report);
     result.triangles = surface.triangles.size();
-    if (!options_.shape) return;
-    const auto there = distance_to_surface(spread_over(surface), surfaces_[s]);
-    const auto back = distance_to_surface(on_surfaces_[s], surface);
-    if (!there || !back) return;
-    result.mean = std::max(there->mean, back->mean);
-    result.largest = std::max(there->largest, back->largest);
+    if (options_.shape) add_distances(result, surface, surfaces_[s], on_surfaces_[s]);
   }
 
   void interpolate(std::size_t s) {
@@ -199,6 +203,15 @@ const std::vector<std::string>& method_names() {
 }
 
 const char* method_name(Between way) { return way == Between::delaunay ? "DT plain" : "DT blended"; }
+
+MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth, std::size_t structure) {
+  MethodResult result;
+  if (report.closed_oriented_manifold()) result.topology = topology_of(report);
+  result.triangles = surface.triangles.size();
+  const SurfaceMesh own = truth.surfaces().at(structure);
+  add_distances(result, surface, own, spread_over(own));
+  return result;
+}
 
 Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared) {
   Measuring measuring(stack, truth, options);

@@ -57,6 +57,9 @@ struct Results {
   std::vector<bool> visible;  // whether the slices can tell of it at all, see visible.h
 };
 
+/// Anybody's surface of `structure` (its number): topology if it is closed, distances in any case.
+MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth, std::size_t structure);
+
 /// `shared`: the same tooth's contours as a partition wants them, structures filled or sharing their walls; none: no partition is made.
 Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared = nullptr);
 

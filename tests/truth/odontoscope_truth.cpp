@@ -5,18 +5,22 @@
 //   odontoscope_truth family --seeds 1..200 --labels --smooth 0.05
 //   odontoscope_truth incisor FOLDER --tables
 //   odontoscope_truth tooth --seed 7 --spacing 0.5 -o tooth.json    to look at one
+//   odontoscope_truth mesh dentine=other.ply pulp=other2.ply --seed 7   somebody else's surfaces of it: JSON
 
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "recon/core/error.h"
 #include "recon/input/stack_json.h"
+#include "recon/mesh/read_mesh.h"
 #include "tooth_cuts.h"
 #include "truth_tables.h"
 #include "truths.h"
@@ -30,6 +34,7 @@ struct Asked {
   std::vector<double> spacings;
   bool every_spacing = false, labels = false, failing = false, tables = false, partition = false;
   std::optional<double> smooth;
+  std::vector<std::string> meshes;   // "dentine=FILE"
   std::string folder = std::string(ODONTOSCOPE_DATA) + "/incisor_meshes", output;
   MeasureOptions measure;
   unsigned threads = 0;
@@ -143,6 +148,32 @@ void write_tooth(const Asked& asked) {
   fmt::print("{}\n", tooth.tooth().in_words);
 }
 
+nlohmann::json told(const Topology& topology) { return {topology.pieces, topology.handles, topology.bubbles}; }
+
+/// One line of JSON a mesh.
+void hold_meshes(const Asked& asked) {
+  const TurnedTooth tooth(random_tooth(asked.seed));
+  const auto topology = counted_topology(tooth, usual_steps());
+  if (!topology) throw UsageError("the tooth is too fine for its topology to be counted", "Choose another seed");
+  const Truth truth = tooth_truth(tooth, *topology);
+  for (const std::string& one : asked.meshes) {
+    const std::size_t sign = one.find('=');
+    const auto known = std::find(truth.names.begin(), truth.names.end(), one.substr(0, sign));
+    if (sign == one.npos || known == truth.names.end()) throw UsageError(one + " names no structure of the tooth", "Write dentine=FILE");
+    const auto s = static_cast<std::size_t>(known - truth.names.begin());
+    const SurfaceMesh surface = read_mesh(one.substr(sign + 1)).front().surface;
+    const SurfaceReport report = inspect(surface);
+    const MethodResult held = measure_surface(surface, report, truth, s);
+    nlohmann::json line{{"structure", *known}, {"closed", report.closed_oriented_manifold()}, {"boundary_edges", report.boundary_edges}, {"nonmanifold_edges", report.nonmanifold_edges},
+                        {"misoriented_edges", report.misoriented_edges}, {"degenerate_triangles", report.degenerate_triangles}, {"true", told(truth.topology[s])}, {"triangles", held.triangles},
+                        {"found", nullptr}, {"mean", nullptr}, {"largest", nullptr}};
+    if (held.topology) line["found"] = told(*held.topology);
+    if (held.mean) line["mean"] = *held.mean;
+    if (held.largest) line["largest"] = *held.largest;
+    fmt::print("{}\n", line.dump());
+  }
+}
+
 void add_cutting(CLI::App& command, Asked& asked) {
   command.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");
   CLI::Option* labels =
@@ -189,11 +220,18 @@ int run(int argc, char** argv) {
   tooth.add_option("--seed", asked.seed, "Which");
   tooth.add_flag("--filled", asked.partition, "Structures overlap those within them, for a partition");
   tooth.add_option("-o", asked.output, "A .json file")->required();
+  CLI::App& mesh = *app.add_subcommand("mesh", "Holds surfaces that others made of a tooth against it");
+  mesh.add_option("MESHES", asked.meshes, "structure=FILE, as read by `odontoscope check`")->required();
+  mesh.add_option("--seed", asked.seed, "Which tooth");
   for (CLI::App* command : {&family, &tooth}) add_cutting(*command, asked);
   for (CLI::App* command : {&family, &incisor}) add_measuring(*command, asked);
   CLI11_PARSE(app, argc, argv);
   settle(asked);
   const auto start = std::chrono::steady_clock::now();
+  if (mesh.parsed()) {
+    hold_meshes(asked);
+    return 0;
+  }
   if (tooth.parsed()) {
     write_tooth(asked);
   } else if (family.parsed()) {

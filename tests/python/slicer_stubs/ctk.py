@@ -1,0 +1,3 @@
+from slicer import Widget
+
+ctkCollapsibleButton = ctkPathLineEdit = Widget

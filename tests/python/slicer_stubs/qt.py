@@ -1,0 +1,3 @@
+from slicer import Widget
+
+QFormLayout = QLabel = QLineEdit = QPushButton = Widget
