@@ -44,9 +44,9 @@ struct RenderArguments {
   RadiographWords radiograph;
   VolumeLookWords look;
   std::string output, save_scene;
-  std::string size;   // empty: as usual
+  std::string size;   // empty: as the scene says, or usual
   std::string backend = "auto";
-  int samples = 4;
+  std::optional<int> samples;
   int turntable = 0;
   TourWords tour;
   int frames = 0;   // of a tour; 0: as usual
@@ -65,9 +65,13 @@ bool to_film(const RenderArguments& options) {
 
 bool to_folder(const RenderArguments& options) { return on_tour(options) && options.contact_sheet.empty() && !to_film(options); }
 
+PictureFormat format_of(const RenderArguments& options) {
+  return picture_format(options.size, options.samples, options.scene.scene_file, options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240});
+}
+
 PixelSize size_of(const RenderArguments& options) {
-  if (!options.size.empty()) return size_from(options.size);
-  return options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240};
+  const PictureFormat format = format_of(options);
+  return {format.width, format.height};
 }
 
 int frames_of(const RenderArguments& options) { return options.frames > 0 ? options.frames : usual_frames; }
@@ -105,9 +109,7 @@ Camera turned(const Camera& camera, double degrees) {
 }
 
 PictureOptions picture_options(const RenderArguments& options) {
-  PictureOptions picture{.size = size_of(options), .render = {.side = 1}};
-  while (picture.render.side * picture.render.side < options.samples) ++picture.render.side;
-  return picture;
+  return {.size = size_of(options), .render = {.side = side_of(format_of(options))}};
 }
 
 /// The folder must be there: files are written whole or not at all, folders are not made.
@@ -320,7 +322,10 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   if (scene.wall_depth) mark_wall_depths(shown.model, shown.surfaces, session.progress());
   Painter painter(options, *context, renderer, shown, scene, session);
   std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
-  if (!options.save_scene.empty()) files.push_back({options.save_scene, to_json(scene)});
+  if (!options.save_scene.empty()) {
+    scene.picture = format_of(options);
+    files.push_back({options.save_scene, to_json(scene)});
+  }
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
@@ -334,11 +339,10 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
   parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")->required()->type_name("FILE.png");
-  parser.add_option("--size", options.size, "Width and height in pixels (default: 1200x900; on a contact sheet 320x240)")->type_name("WxH");
-  parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16")
+  parser.add_option("--size", options.size, "Width and height in pixels (default: the scene's or 1200x900; sheet 320x240)")->type_name("WxH");
+  parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16 (default: the scene's, or 4)")
       ->type_name("N")
-      ->check(CLI::IsMember({1, 4, 9, 16}).description(""))
-      ->capture_default_str();
+      ->check(CLI::IsMember({1, 4, 9, 16}).description(""));
   parser.add_option("--backend", options.backend, "auto, window, egl or osmesa; the last two need no display")->type_name("NAME")->capture_default_str();
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")

@@ -273,6 +273,24 @@ void refuse_unknown_structures(const SceneWords& words, const ContourStack& stac
   for (const std::string& text : words.colour) check(name_and_value(text, "--colour").first, "--colour");
 }
 
+PictureFormat picture_format(const std::string& size, std::optional<int> samples, const std::string& scene_file, PixelSize usual) {
+  PictureFormat format{.width = usual.width, .height = usual.height};
+  if (!scene_file.empty()) format = read_scene(scene_file, Scene{}).picture.value_or(format);
+  if (!size.empty()) {
+    const PixelSize told = size_from(size);
+    format.width = told.width;
+    format.height = told.height;
+  }
+  if (samples) format.samples = *samples;
+  return format;
+}
+
+int side_of(const PictureFormat& format) {
+  int side = 1;
+  while (side * side < format.samples) ++side;
+  return side;
+}
+
 PixelSize size_from(const std::string& text) {
   PixelSize size;
   const char* const end = text.data() + text.size();

@@ -38,6 +38,12 @@ void refuse_unknown_structures(const SceneWords& words, const ContourStack& stac
 /// UsageError, too, for overlays that the input cannot have, and for a cap of CT values without `values` (null: the input is no volume).
 Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, const ValueGrid* values, PixelSize size);
 
+/// What is told ("1200x900", samples), else what the scene file (may be empty) keeps, else `usual`. Throws as size_from and read_scene do.
+PictureFormat picture_format(const std::string& size, std::optional<int> samples, const std::string& scene_file, PixelSize usual);
+
+/// Samples a pixel along one axis.
+int side_of(const PictureFormat& format);
+
 /// "1200x900"; UsageError unless both are from 1 to `most_picture_side`.
 PixelSize size_from(const std::string& text);
 

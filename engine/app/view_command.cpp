@@ -13,6 +13,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
+#include "engine/app/view_script.h"
 #include "engine/app/shown_input.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
@@ -39,6 +40,7 @@ struct ViewArguments {
   SceneWords scene;
   std::string size;
   std::string screenshot;
+  std::optional<std::string> script;
   bool headset = false;
   int headset_samples = 1;
   double headset_resolution = 1;
@@ -130,13 +132,18 @@ ViewerOptions viewer_options(const ViewArguments& options, const Settings& setti
 
 LoadRequest first_request(const ViewArguments& options) { return {.file = options.input, .volume = {}, .from_command_line = true}; }
 
-/// What the window would show, drawn without one.
-ExitCode take_screenshot(const ViewArguments& options, Session& session) {
+/// What the window would show, drawn without one, after what a script does in it.
+ExitCode take_screenshots(const ViewArguments& options, Session& session) {
   Settings settings;
   settings.hints = false;   // nobody is there to follow them
   if (!options.size.empty()) settings.window = size_from(options.size);
-  known_ending(options.screenshot, {".png"});
-  refuse_unwritable({.inputs = options.input.empty() ? std::vector<std::string>{} : std::vector{options.input}, .outputs = {options.screenshot}});
+  std::vector<ScriptStep> steps;
+  if (options.script) steps = script_steps(*options.script);
+  else known_ending(options.screenshot, {".png"});
+  PlannedFiles files{.inputs = {}, .outputs = files_of(steps)};
+  if (!options.input.empty()) files.inputs.push_back(options.input);
+  if (!options.screenshot.empty()) files.outputs.push_back(options.screenshot);
+  refuse_unwritable(files);
   const std::unique_ptr<GlContext> context = make_context();
   const Framebuffer pixels(context->gl(), {settings.window, {GL_RGBA8}});
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
@@ -153,8 +160,14 @@ ExitCode take_screenshot(const ViewArguments& options, Session& session) {
     if (viewer.loading()) std::this_thread::sleep_for(pause);
   }
   if (viewer.failure()) std::rethrow_exception(viewer.failure());
-  write_all({{options.screenshot, png_bytes(read_pixels(context->gl(), pixels.id(), settings.window))}}, session.interrupts);
-  session.console.say(fmt::format("Wrote {}", options.screenshot));
+  std::vector<FileContent> saved;
+  if (!steps.empty()) saved = run_script(steps, viewer, context->gl(), settings.window, session.progress());
+  if (!options.screenshot.empty()) {
+    viewer.draw({settings.window, 1, 0}, {pixels.id(), 0, 0, settings.window});
+    saved.push_back({options.screenshot, png_bytes(read_pixels(context->gl(), pixels.id(), settings.window))});
+  }
+  write_all(saved, session.interrupts);
+  for (const FileContent& file : saved) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return ExitCode::done;
 }
 
@@ -204,9 +217,10 @@ ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
   if (!options.size.empty()) size_from(options.size);
-  const ReadSettings read = options.screenshot.empty() ? read_settings(remembered) : ReadSettings{};
+  const bool by_hand = options.screenshot.empty() && !options.script;
+  const ReadSettings read = by_hand ? read_settings(remembered) : ReadSettings{};
   if (!read.complaint.empty()) session.console.complain(read.complaint);
-  if (!options.screenshot.empty()) return take_screenshot(options, session);
+  if (!by_hand) return take_screenshots(options, session);
   return show_window(options, read, remembered, session);
 }
 
@@ -218,7 +232,8 @@ Command view_command(CLI::App& root) {
   parser->add_option("INPUT", options->input, "Contour stack, mesh or volume; none: the sample molar")->type_name("");
   parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
   parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
-  parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot");
+  parser->add_option("--script", options->script, "Keys, clicks, waits and shots, without hands or display; @FILE holds them")->type_name("STEPS");
+  parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot")->excludes("--script");
   parser->add_option("--vr-samples", options->headset_samples, "In the headset, samples a pixel: 1, or 4 for calm edges where the graphics card has time for four times the work")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4}).description(""))
@@ -238,6 +253,7 @@ Command view_command(CLI::App& root) {
       "  odontoscope view\n"
       "  odontoscope view molar.json --section buccal\n"
       "  odontoscope view tooth.nrrd --iso 120 --min-area 4\n"
+      "  odontoscope view --script \"s wait:1 shot:cut.png picture:tooth.png scene:tooth.json\"\n"
       "  odontoscope view --vr molar.json      in the headset; see docs/headset.md\n"
       "\n"
       "Press ? in the window for mouse and keys; docs/viewer.md has more. Files can be dropped on the window.\n"

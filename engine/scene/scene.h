@@ -85,6 +85,12 @@ struct OverlayChoice {
   friend bool operator==(const OverlayChoice&, const OverlayChoice&) = default;
 };
 
+/// How large a picture of a scene is, in pixels, and how many samples each of them has: 1, 4, 9 or 16.
+struct PictureFormat {
+  int width = 1200, height = 900, samples = 4;
+  friend bool operator==(const PictureFormat&, const PictureFormat&) = default;
+};
+
 struct Scene {
   Camera camera;
   std::vector<Look> looks;
@@ -100,6 +106,8 @@ struct Scene {
   /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one every five of them
   /// (ModelPart::depths_mm).
   bool wall_depth = false;
+  /// Of the picture that the scene was kept with; none: whoever draws it says.
+  std::optional<PictureFormat> picture;
 
   Look* look_of(std::string_view structure);
   const Look* look_of(std::string_view structure) const;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
@@ -23,6 +24,7 @@ constexpr std::size_t most_scene_bytes = 1u << 20;
 constexpr float most_emphasis = 4;
 constexpr double most_slab = 1e9;
 constexpr double most_iso = 1e30;
+constexpr int most_side = 16'384;   // most_picture_side in engine/picture/image.h
 constexpr double least_reach_mm = 1e-9, most_reach_mm = 1e9;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -274,6 +276,22 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
   }
 }
 
+void read_picture(const Reader& scene, const std::string& file, std::optional<PictureFormat>& picture) {
+  const Parsed* json = scene.member("picture");
+  if (!json) return;
+  const Reader reader(*json, "picture", file);
+  PictureFormat format;
+  for (const auto& [key, value, most] : {std::tuple{"width", &format.width, most_side}, {"height", &format.height, most_side}, {"samples", &format.samples, 16}}) {
+    double number = *value;
+    reader.read(key, number);
+    if (number < 1 || number > most || number != std::floor(number)) reader.refuse("bad-value", key, fmt::format("is no whole number from 1 to {}", most));
+    *value = static_cast<int>(number);
+  }
+  const double side = std::sqrt(format.samples);
+  if (side != std::floor(side)) reader.refuse("bad-value", "samples", "is none of 1, 4, 9 and 16");
+  picture = format;
+}
+
 void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& overlays) {
   const Parsed* json = scene.member("overlays");
   if (!json) return;
@@ -360,6 +378,7 @@ std::string to_json(const Scene& scene) {
                                {"reach", short_number(scene.occlusion.reach)}};
   if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
   if (scene.wall_depth) json["wall_depth"] = true;
+  if (scene.picture) json["picture"] = {{"width", scene.picture->width}, {"height", scene.picture->height}, {"samples", scene.picture->samples}};
   return json.dump(2) + "\n";
 }
 
@@ -386,6 +405,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   reader.read("wall_depth", scene.wall_depth);
   read_overlays(reader, file, scene.overlays);
   read_surroundings(reader, file, scene);
+  read_picture(reader, file, scene.picture);
   return scene;
 }
 

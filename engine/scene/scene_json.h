@@ -13,7 +13,8 @@
 //    "overlays":{"contours":true,"edges":false,"slab":12,"shrink":0.8},
 //    "background":{"kind":"gradient","top":"#c2cfdb","bottom":"#f7fafb"},
 //    "ambient_occlusion":{"on":true,"strength":1,"reach":0.12},
-//    "headlight":{"reach_mm":1.5}}
+//    "headlight":{"reach_mm":1.5},
+//    "picture":{"width":1280,"height":960,"samples":9}}
 //
 // The camera may have "near_mm" as well: an eye between walls (see camera.h).
 //

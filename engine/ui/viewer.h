@@ -14,6 +14,7 @@
 #include "engine/lab/db_worker.h"
 #include "engine/navigate/section_handle.h"
 #include "engine/navigate/transition.h"
+#include "engine/picture/image.h"
 #include "engine/render/renderer.h"
 #include "engine/ui/first_hints.h"
 #include "engine/ui/interface.h"
@@ -70,6 +71,11 @@ class Viewer {
   /// Structures' names beside the tooth: from outside, and not beside DB's surface.
   /// Not while they would answer a question, and not over a lesson's own pins.
   bool names_shown() const { return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on && !lesson_.asked(state_.notes) && !pins_shown(); }
+
+  /// What F12 saves, as it is now: the model by the settings for pictures, without the interface. Precondition: a model is shown. Throws GraphicsError.
+  Image picture();
+  /// Its scene, with size and samples: `render --scene` draws the same picture.
+  Scene scene_of_picture() const;
 
   const LessonMode& lesson() const { return lesson_; }
   const FirstHints& hints() const { return hints_; }

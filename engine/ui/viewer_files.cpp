@@ -39,17 +39,27 @@ std::filesystem::path Viewer::new_file(const std::string& stem, const std::strin
   throw FileError(folder.string(), fmt::format("it holds {} files of that name", most), "Clear up a little.");
 }
 
-void Viewer::take_picture() {
+Scene Viewer::scene_of_picture() const {
   const PictureSettings& settings = state_.settings.picture;
-  PictureOptions options{.size = {settings.width, settings.height}, .render = {.side = settings.side}};
-  if (settings.as_seen) options.size.height = std::max(1, static_cast<int>(std::lround(settings.width / panes_.front().area.aspect())));
   Scene scene = state_.scene;
   if (settings.transparent) scene.background.kind = Background::Kind::transparent;
+  scene.picture = {settings.width, settings.height, settings.side * settings.side};
+  if (settings.as_seen) scene.picture->height = std::max(1, static_cast<int>(std::lround(settings.width / panes_.front().area.aspect())));
+  return scene;
+}
+
+Image Viewer::picture() {
+  const Scene scene = scene_of_picture();
+  const PictureOptions options{.size = {scene.picture->width, scene.picture->height}, .render = {.side = state_.settings.picture.side}};
+  refuse_undrawable(*gl_, options.size, options.render);
+  return picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(), volume());
+}
+
+void Viewer::take_picture() {
   try {
     const std::filesystem::path file = new_file(state_.shown->title, ".png");
-    refuse_undrawable(*gl_, options.size, options.render);
     AtomicFile place(file);   // trouble with the folder is told before the work
-    Image image = picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(), volume());
+    Image image = picture();
     writing_.push_back(std::async(std::launch::async, [image = std::move(image), place = std::move(place)]() mutable {
       place.write(png_bytes(image));
       place.commit();
@@ -63,7 +73,7 @@ void Viewer::take_picture() {
 void Viewer::save_scene() {
   try {
     const std::filesystem::path file = new_file(state_.shown->title + "-scene", ".json");
-    Scene scene = state_.scene;
+    Scene scene = scene_of_picture();
     if (transition_) scene.camera = transition_->goal();
     AtomicFile written(file);
     written.write(to_json(scene));

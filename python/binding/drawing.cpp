@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +34,8 @@ namespace {
 
 struct DrawWords {
   app::SceneWords scene;
-  PictureOptions picture;
+  PictureFormat format;
+  PictureOptions picture;   // by it
   Backend backend = Backend::automatic;
   std::string save_scene;   // empty: nowhere
 };
@@ -67,10 +69,8 @@ app::SceneWords scene_words(const py::dict& given) {
 DrawWords draw_words(const py::dict& given) {
   DrawWords words;
   words.scene = scene_words(given);
-  words.picture.size = app::size_from(given["size"].cast<std::string>());
-  const int samples = given["samples"].cast<int>();
-  words.picture.render.side = 1;
-  while (words.picture.render.side * words.picture.render.side < samples) ++words.picture.render.side;
+  words.format = app::picture_format(given["size"].cast<std::string>(), given["samples"].cast<std::optional<int>>(), words.scene.scene_file, words.picture.size);
+  words.picture = {.size = {words.format.width, words.format.height}, .render = {.side = app::side_of(words.format)}};
   words.backend = backend_named(given["backend"].cast<std::string>());
   if (words.backend == Backend::window)
     throw UsageError("backend=\"window\" opens a window, and the package has none", "Say auto, egl or osmesa");
@@ -109,7 +109,7 @@ Image drawn(const Model& given, const DrawWords& words, const Progress& progress
   odontoscope::Model model = odontoscope::make_model(surfaces);
   OverlaySource source = overlays_of(given, !words.scene.overlays.empty() || !words.scene.scene_file.empty());
   source.faulty_edges = faulty_edges(surfaces, model);
-  const Scene scene = app::scene_from(words.scene, model, source, nullptr, words.picture.size);
+  Scene scene = app::scene_from(words.scene, model, source, nullptr, words.picture.size);
   if (!words.scene.cap.empty() && !scene.section)
     throw UsageError("--cap " + words.scene.cap + ": nothing is cut open", "Say with --section where to cut.");
   if (scene.wall_depth) app::mark_wall_depths(model, surfaces, progress);
@@ -121,6 +121,7 @@ Image drawn(const Model& given, const DrawWords& words, const Progress& progress
   const GpuModel gpu_model = upload(context->gl(), model);
   const GpuOverlay overlay = upload(context->gl(), make_overlay(source, scene.overlays, model));
   Image image = picture_of(context->gl(), renderer, gpu_model, model, scene, words.picture, &overlay);
+  scene.picture = words.format;
   if (!words.save_scene.empty()) write_files(std::vector<FileContent>{{words.save_scene, to_json(scene)}});
   return image;
 }

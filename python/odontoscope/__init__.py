@@ -505,8 +505,8 @@ class Model:
         """In the formats that the files' endings name, all or none: .glb .gltf .stl .ply .obj .wrl .x3d .vtp; tetrahedra .vtu .msh .inp."""
         self._core.write([_options.path(file) for file in files], progress)
 
-    def render(self, *, view: str = "", size: Union[str, tuple[int, int]] = "1200x900", samples: int = 4, scene: Optional[File] = None,
-               camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
+    def render(self, *, view: str = "", size: Union[str, tuple[int, int], None] = None, samples: Optional[int] = None,
+               scene: Optional[File] = None, camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
                opacity: Look = None, colour: Look = None, section: str = "", cap: str = "", cull: str = "", wire: bool = False,
                wall_depth: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
                background: str = "", backend: str = "auto", save_scene: Optional[File] = None, progress: Optional[Progress] = None) -> np.ndarray:
@@ -517,7 +517,7 @@ class Model:
 
         Args:
             view: "three-quarter", "buccal", "lingual", "mesial", "distal", "occlusal", "apical".
-            size: width and height, pixels. samples: a pixel, 1, 4, 9 or 16.
+            size: width and height, pixels: the scene's, or 1200x900. samples: a pixel, 1, 4, 9 or 16: the scene's, or 4.
             scene, camera: a scene file that the viewer or ``save_scene`` wrote: all of it, or its camera alone.
             parallel, zoom: parallel projection; so many times nearer, 0.01 to 100.
             hide: structures to leave out.

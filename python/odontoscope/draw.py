@@ -65,16 +65,16 @@ def _within(given: Any, option: str, least: float, most: float) -> float:
     return value
 
 
-def words(*, view: str = "", size: Any = "1200x900", samples: int = 4, scene: Any = None, camera: Any = None, parallel: bool = False,
+def words(*, view: str = "", size: Any = None, samples: int | None = None, scene: Any = None, camera: Any = None, parallel: bool = False,
           zoom: float = 1, hide: Any = None, opacity: Any = None, colour: Any = None, section: str = "", cap: str = "", cull: str = "",
           wire: bool = False, wall_depth: bool = False, overlay: Any = None, occlusion: float | None = None, background: str = "",
           backend: str = "auto", save_scene: Any = None) -> dict[str, Any]:
     """As the module wants them. UsageError for what makes no sense whatever the model."""
     if view and camera is not None:
         raise refuse(UsageError, "view and camera both say where to look from", "Choose one")
-    if samples not in _SAMPLES:
+    if samples is not None and samples not in _SAMPLES:
         raise refuse(UsageError, f"samples={samples!r} is none of {', '.join(map(str, _SAMPLES))}", "Say how many samples a pixel has along both axes")
-    return {"view": str(view), "size": _size(size), "samples": samples, "scene": "" if scene is None else _options.path(scene),
+    return {"view": str(view), "size": "" if size is None else _size(size), "samples": samples, "scene": "" if scene is None else _options.path(scene),
             "camera": "" if camera is None else _options.path(camera), "parallel": bool(parallel), "zoom": _within(zoom, "zoom", 0.01, 100),
             "hide": _options.names(hide), "opacity": _pairs(opacity, "opacity"), "colour": _pairs(colour, "colour"), "section": str(section),
             "cap": str(cap), "cull": str(cull), "wire": bool(wire), "wall_depth": bool(wall_depth), "overlay": _options.names(overlay),

@@ -26,16 +26,17 @@ class Pictures(unittest.TestCase):
         self.addCleanup(kept.cleanup)
         self.folder = pathlib.Path(kept.name)
 
-    def by_the_program(self, *words, size="160x120"):
+    def by_the_program(self, *words):
         self.tooth.save(self.folder / "tooth.json")
         file = self.folder / "picture.png"
-        subprocess.run([PROGRAM, "--quiet", "render", self.folder / "tooth.json", "-o", file, "--size", size, "--backend", "egl", *words], check=True)
+        size = [] if "--scene" in words else ["--size", "160x120"]
+        subprocess.run([PROGRAM, "--quiet", "render", self.folder / "tooth.json", "-o", file, "--backend", "egl", *size, *words], check=True)
         return file.read_bytes()
 
     def test_are_those_of_the_program(self):
         (self.folder / "views").mkdir()
         scene = self.folder / "views" / "scene.json"
-        self.model.render(size=SMALL, view="lingual", opacity={"enamel": 0.5}, save_scene=scene)
+        self.model.render(size=(200, 100), samples=9, view="lingual", opacity={"enamel": 0.5}, save_scene=scene)
         for given, words in [({}, []),
                              ({"view": "buccal", "section": "buccal", "cap": "plain"}, ["--view", "buccal", "--section", "buccal", "--cap", "plain"]),
                              ({"hide": "enamel", "opacity": {"dentine": 0.3}, "colour": "pulp=#00ff00", "samples": 1},
@@ -44,8 +45,8 @@ class Pictures(unittest.TestCase):
                               ["--overlay", "contours", "--overlay", "tetrahedra=3", "--wire", "--parallel", "--zoom", "2"]),
                              ({"wall_depth": True, "hide": ["enamel", "dentine"], "background": "white", "occlusion": 0, "cull": "off"},
                               ["--wall-depth", "--hide", "enamel", "--hide", "dentine", "--background", "white", "--occlusion", "0", "--cull", "off"]),
-                             ({"scene": scene}, ["--scene", scene])]:
-            made = self.model.render(size=SMALL, backend="egl", **given)
+                             ({"scene": scene, "size": None}, ["--scene", scene])]:   # of the scene's size
+            made = self.model.render(**{"size": SMALL, "backend": "egl", **given})
             self.assertTrue(odontoscope.png(made) == self.by_the_program(*words), f"{given} draws something else than {words}")
 
     def test_show_a_tooth(self):
