@@ -42,7 +42,7 @@ struct ReconstructArguments {
   std::optional<int> triangles;
   bool strict = false;
   std::vector<std::string> outputs;
-  bool tours = false, compress = false, see_through = false, as_given = false;
+  bool tours = false, compress = false, see_through = false, variants = false, hotspots = false, as_given = false;
   std::string report;
 };
 
@@ -106,7 +106,9 @@ void refuse_senseless(const ReconstructArguments& options) {
   }
   const char* of_gltf_alone = options.tours ? "--tours: only .glb and .gltf hold cameras that move"
                               : options.compress ? "--compress: only .glb and .gltf are written compressed"
-                              : options.see_through ? "--see-through: only .glb and .gltf have materials that are seen through" : nullptr;
+                              : options.see_through ? "--see-through: only .glb and .gltf have materials that are seen through"
+                              : options.variants ? "--variants: only .glb and .gltf have variants of materials"
+                              : options.hotspots ? "--hotspots: only .glb and .gltf have places with names" : nullptr;
   if (of_gltf_alone && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(of_gltf_alone, "Write one of these too: -o model.glb");
   if (options.as_given) refuse_senseless_as_given(options);
@@ -139,8 +141,10 @@ template <class MadeModel>
 Made files_of(const MadeModel& model, const ReconstructArguments& options, Session& session) {
   Made made;
   if (options.tours) made.paths = tour_cameras(model, session);
+  GlbOptions glb{.paths = made.paths, .compressed = options.compress, .see_through = options.see_through, .variants = options.variants};
+  if (options.hotspots) glb.hotspots = hotspots_of(model, session);
   for (const std::string& output : options.outputs) {
-    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, {.paths = made.paths, .compressed = options.compress, .see_through = options.see_through}));
+    if (!is_structures_file(output)) made.files.push_back(model_file(model, output, glb));
   }
   return made;
 }
@@ -255,6 +259,8 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
       ->type_name("FILE");
   parser.add_flag("--tours", options.tours, "Into .glb and .gltf: a moving camera for each canal, to be played");
   parser.add_flag("--see-through", options.see_through, "In .glb and .gltf enamel and dentine show the pulp");
+  parser.add_flag("--variants", options.variants, "Into .glb and .gltf: natural, see-through and plaster, to choose from");
+  parser.add_flag("--hotspots", options.hotspots, "Into .glb and .gltf: places with names, orifices and tips of canals");
   parser.add_flag("--compress", options.compress, "Smaller .glb and .gltf, without loss, for readers that know meshopt");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},

@@ -34,4 +34,17 @@ std::vector<CameraPath> tour_cameras(const WrittenModel& model, Session& session
   return paths;
 }
 
+std::vector<GlbHotspot> hotspots_of(const WrittenModel& model, Session& session) {
+  const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
+  if (cavities.empty()) throw UsageError("--hotspots: there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
+  const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress());
+  std::vector<GlbHotspot> hotspots;
+  if (lines.has_chamber) hotspots.push_back({"pulp chamber", lines.chamber});
+  for (const CentreLine& canal : lines.canals) {
+    if (canal.orifice > 0) hotspots.push_back({canal.name + ", orifice", canal.points[canal.orifice].at});
+    hotspots.push_back({canal.name + ", tip", canal.end});
+  }
+  return hotspots;
+}
+
 }  // namespace odontoscope::app

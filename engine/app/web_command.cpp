@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,6 +21,7 @@ namespace {
 struct WebArguments {
   WebWords words;
   std::string output, title, lesson;
+  std::optional<int> budget;   // thousands of bytes
 };
 
 constexpr std::size_t longest_title = 200;
@@ -61,6 +63,42 @@ void refuse_without_page() {
                    "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
 }
 
+struct Made {
+  WebPage page;
+  std::string html;
+};
+
+Made made_once(const WebArguments& options, const std::optional<TourNotes>& lesson, Session& session) {
+  Made made{web_page_of(options.words, session), {}};
+  made.page.title = title_of(options, lesson);
+  if (lesson) made.page.lesson = to_json(*lesson);
+  session.progress().check();
+  session.progress().tell("page", 0.8);
+  made.html = web_page(made.page, embedded_page().html);
+  session.progress().check();
+  return made;
+}
+
+/// As large as --budget allows: simplified until it fits, unless --triangles says how far.
+Made made_to_fit(WebArguments options, const std::optional<TourNotes>& lesson, Session& session) {
+  constexpr int tries = 4;
+  constexpr double spare = 0.95;   // bytes a triangle vary
+  const std::size_t most = options.budget ? 1000 * static_cast<std::size_t>(*options.budget) : std::string::npos, shell = embedded_page().html.size();
+  if (most <= shell)
+    throw UsageError(fmt::format("--budget {}: the page has {} KB before there is a model in it", *options.budget, grouped(shell / 1000)), fmt::format("Allow {} or more", grouped(shell / 1000 + 200)));
+  Made made = made_once(options, lesson, session);
+  const bool may_simplify = !options.words.triangles && made.page.models.front().name == "DT";
+  for (int left = tries; made.html.size() > most && may_simplify && left > 0; --left) {
+    const double share = spare * static_cast<double>(most - shell) / static_cast<double>(made.html.size() - shell);
+    options.words.triangles = std::max(1, static_cast<int>(share * static_cast<double>(made.page.models.front().triangles)));
+    made = made_once(options, lesson, session);
+  }
+  if (made.html.size() > most)
+    throw UsageError(fmt::format("--budget {}: the page has {} KB", *options.budget, grouped(made.html.size() / 1000)),
+                     may_simplify ? "Its surfaces cannot be simplified any further: allow more, or leave out --db" : "Allow more, or give contours and fewer --triangles");
+  return made;
+}
+
 ExitCode make_page(WebArguments options, Session& session) {
   known_ending(options.output, {".html"});
   if (options.title.size() > longest_title)
@@ -74,13 +112,7 @@ ExitCode make_page(WebArguments options, Session& session) {
   if (!options.words.dt.links.empty()) files.inputs.push_back(options.words.dt.links);
   refuse_unwritable(files);
 
-  WebPage page = web_page_of(options.words, session);
-  page.title = title_of(options, lesson);
-  if (lesson) page.lesson = to_json(*lesson);
-  session.progress().check();
-  session.progress().tell("page", 0.8);
-  const std::string html = web_page(page, embedded_page().html);
-  session.progress().check();
+  const auto [page, html] = made_to_fit(options, lesson, session);
   write_all({{options.output, html}}, session.interrupts);
   for (const WebModel& model : page.models) session.console.say(fmt::format("{}: {}. {}", model.name, counted(model.triangles, "triangle"), model.certificate.headline));
   session.console.say(fmt::format("Wrote {} ({} KB, of which the page itself {}). Open it in a browser; it needs no network.", options.output,
@@ -97,6 +129,10 @@ Command web_command(CLI::App& root) {
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
   parser->add_option("--lesson", options->lesson, "A lesson to open with: a file, or a title of those built in")->type_name("FILE");
   parser->add_option("--title", options->title, "What the page is called (default: the lesson's or the file's name)")->type_name("TEXT");
+  constexpr int most_budget = 1'000'000;
+  parser->add_option("--budget", options->budget, "At most so many thousand bytes: DT's surfaces are simplified to fit")
+      ->type_name("KB")
+      ->check(whole_number_from_one_to(most_budget));
   parser->add_flag("--db", options->words.with_db, "The DB method's model too, and a switch between both");
   constexpr int most_triangles = 100'000'000;
   parser->add_option("--triangles", options->words.triangles, "Simplify DT's surfaces to at most N triangles in all")

@@ -24,6 +24,14 @@ namespace {
 
 constexpr double metres_per_millimetre = 1e-3;
 
+constexpr const char* variants_extension = "KHR_materials_variants";
+struct Variant {
+  const char* name;
+  bool see_through, plaster;
+};
+constexpr std::array<Variant, 3> variant_list{{{"natural", false, false}, {"see-through", true, false}, {"plaster", false, true}}};
+constexpr Paint plaster{"plaster", {0.80, 0.79, 0.76}, 0.9};
+
 tinygltf::Value gltf_value(const Json& json) {
   if (json.is_object()) {
     tinygltf::Value::Object object;
@@ -105,9 +113,26 @@ class Builder {
 
   void add_solid(const WrittenSurface& solid, const std::vector<FloatPoint>& points, const GlbOptions& options) {
     see_through_ = options.see_through;
+    variants_ = options.variants;
     const std::vector<ShellGroup> groups = shell_groups(solid);
     const ShadedVertices shaded = smooth_normals(solid.surface, options.crease_angle_deg);
     for (const ShellGroup& group : groups) add_group(group, points, shaded);
+  }
+
+  void add_hotspot(const GlbHotspot& hotspot) {
+    tinygltf::Node node;
+    node.name = hotspot.name;
+    node.translation = {metres_per_millimetre * hotspot.at.x, metres_per_millimetre * hotspot.at.y, metres_per_millimetre * hotspot.at.z};
+    node.extras = gltf_value({{"hotspot", true}});
+    model_.nodes.front().children.push_back(static_cast<int>(model_.nodes.size()));
+    model_.nodes.push_back(std::move(node));
+  }
+
+  void name_variants() {
+    Json names = Json::array();
+    for (const Variant& variant : variant_list) names.push_back({{"name", variant.name}});
+    model_.extensions[variants_extension] = gltf_value({{"variants", names}});
+    model_.extensionsUsed.emplace_back(variants_extension);
   }
 
   void add_path(const CameraPath& path) {
@@ -175,7 +200,9 @@ class Builder {
     primitive.attributes["POSITION"] = add_vectors(positions);
     primitive.attributes["NORMAL"] = add_vectors(normals);
     primitive.indices = add_indices(indices);
-    primitive.material = material(paint_for(group.structure, group.kind));
+    const Paint& paint = paint_for(group.structure, group.kind);
+    primitive.material = material(paint, see_through_);
+    if (variants_) primitive.extensions[variants_extension] = gltf_value({{"mappings", mappings_of(paint)}});
     bound(model_.accessors[static_cast<std::size_t>(primitive.attributes["POSITION"])], positions);
 
     tinygltf::Mesh mesh;
@@ -258,15 +285,25 @@ class Builder {
     return static_cast<int>(model_.accessors.size()) - 1;
   }
 
-  int material(const Paint& paint) {
-    const auto known = std::find_if(model_.materials.begin(), model_.materials.end(),
-                                    [&](const tinygltf::Material& m) { return m.name == paint.name; });
+  /// Which material a surface of this paint has in which variant.
+  Json mappings_of(const Paint& paint) {
+    Json mappings = Json::array();
+    for (std::size_t i = 0; i < variant_list.size(); ++i)
+      mappings.push_back({{"material", material(variant_list[i].plaster ? plaster : paint, variant_list[i].see_through)}, {"variants", Json::array({i})}});
+    return mappings;
+  }
+
+  int material(const Paint& paint, bool see_through) {
+    const bool clear = see_through && paint.see_through < 1;
+    // Of both kinds only where there are variants; without, a name says it all.
+    const std::string called = std::string(paint.name) + (clear && variants_ ? ", clear" : "");
+    const auto known = std::find_if(model_.materials.begin(), model_.materials.end(), [&](const tinygltf::Material& m) { return m.name == called; });
     if (known != model_.materials.end()) return static_cast<int>(known - model_.materials.begin());
     tinygltf::Material fresh;
-    fresh.name = paint.name;
+    fresh.name = called;
     fresh.doubleSided = false;
-    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], see_through_ ? paint.see_through : 1};
-    if (see_through_ && paint.see_through < 1) fresh.alphaMode = "BLEND";
+    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], clear ? paint.see_through : 1};
+    if (clear) fresh.alphaMode = "BLEND";
     fresh.pbrMetallicRoughness.metallicFactor = 0;
     fresh.pbrMetallicRoughness.roughnessFactor = paint.roughness;
     model_.materials.push_back(std::move(fresh));
@@ -274,7 +311,7 @@ class Builder {
   }
 
   tinygltf::Model model_;
-  bool see_through_ = false;
+  bool see_through_ = false, variants_ = false;
 };
 
 std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool binary) {
@@ -282,6 +319,8 @@ std::string bytes_of(const WrittenModel& model, const GlbOptions& options, bool 
   const std::vector<std::vector<FloatPoint>> points = distinct_floats(model, metres_per_millimetre);
   for (std::size_t s = 0; s < model.solids.size(); ++s) builder.add_solid(model.solids[s], points[s], options);
   for (const CameraPath& path : options.paths) builder.add_path(path);
+  for (const GlbHotspot& hotspot : options.hotspots) builder.add_hotspot(hotspot);
+  if (options.variants && !model.solids.empty()) builder.name_variants();
   if (!options.compressed) return builder.bytes(binary);
   const std::string plain = builder.bytes(true);
   return binary ? compressed_glb(plain) : compressed_gltf(plain);

@@ -7,7 +7,7 @@
 // volume_mm3}. Triangles keep their winding, so that a cavity's wall faces into the cavity; materials are single-sided.
 // Vertices are doubled where the surface has a crease, since a vertex has one normal; points that are distinct in the
 // reconstruction stay distinct in single precision, so that joining vertices of equal position gives the surface back.
-// asset.extras is the certificate. No extension is used unless the file is to be compressed, see compress_glb.h.
+// asset.extras is the certificate. No extension is used unless the file is to be compressed (see compress_glb.h) or to have variants.
 //
 // A camera path becomes a node with a perspective camera, and an animation of its place and turn (LINEAR), all of its name. Which of several
 // animations is played, and whether through its camera, is the viewer's choice.
@@ -15,10 +15,17 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/geometry.h"
 #include "recon/output/camera_path.h"
 #include "recon/output/written_model.h"
 
 namespace odontoscope {
+
+/// A place with a name, for viewers that put a label there: a node without a mesh under the root, of this name, with extras {hotspot: true}.
+struct GlbHotspot {
+  std::string name;
+  Point3 at;   // mm
+};
 
 struct GlbOptions {
   /// Two triangles that meet at a sharper angle than this (degrees between their normals) are shaded apart.
@@ -29,6 +36,10 @@ struct GlbOptions {
   bool compressed = false;
   /// Enamel, dentine and a tooth as a whole are blended (alphaMode BLEND), so that the pulp, or a cavity's far wall, is seen through them.
   bool see_through = false;
+  /// Looks to choose from, by the extension KHR_materials_variants: "natural", "see-through", and "plaster", which is white all over. Readers that do not know it
+  /// show what the materials are without it.
+  bool variants = false;
+  std::vector<GlbHotspot> hotspots = {};
 };
 
 /// The same reconstruction gives the same bytes: times and thread counts are left out. UsageError if the model is too

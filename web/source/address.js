@@ -5,16 +5,16 @@ const known = ['step', 'quiz', 'seed', 'handout'];
 const asWords = params => [...params].map(([key, value]) => value === '' ? encodeURIComponent(key) : `${encodeURIComponent(key)}=${encodeURIComponent(value)}`).join('&');
 const whole = text => /^\d{1,9}$/.test(text ?? '') ? Number(text) : null;
 
-/// {step, quiz, seed, handout, parent}: null where it does not speak of it. `quiz`: 'lesson', 'model', or '' for whichever there is.
+/// {step, quiz, seed, handout, parent}: null where it does not speak of it. `words`: all of it, for who knows others (showing.js). `quiz`: 'lesson', 'model', or '' for whichever there is.
 export function asked(hash = location.hash) {
   const params = new URLSearchParams(hash.replace(/^#/, ''));
-  return {step: whole(params.get('step')), quiz: params.get('quiz'), seed: whole(params.get('seed')), handout: params.has('handout'), parent: params.get('parent')};
+  return {step: whole(params.get('step')), quiz: params.get('quiz'), seed: whole(params.get('seed')), handout: params.has('handout'), parent: params.get('parent'), words: params};
 }
 
-/// Puts it into the address, without a step in the browser's history.
-export function tell(change) {
+/// Puts it into the address in place of what it says of `keys`, without a step in the browser's history.
+export function tell(change, keys = known) {
   const params = new URLSearchParams(location.hash.replace(/^#/, ''));
-  for (const key of [...params.keys()]) if (known.includes(key) || document.getElementById(key)) params.delete(key);
+  for (const key of [...params.keys()]) if (keys.includes(key) || document.getElementById(key)) params.delete(key);
   for (const [key, value] of Object.entries(change)) if (value !== null && value !== undefined) params.append(key, value);
   const words = asWords(params);
   if (`#${words}` === location.hash) return;

@@ -28,11 +28,16 @@ export function report(event, detail) {
   if (origin) parent.postMessage(told, origin);
 }
 
-/// {source: 'odontoscope', ask: 'go', step: 3} from the page that embeds this one.
-export function listen(go) {
+/// {source: 'odontoscope', ask, ...} from the page that embeds this one, and from no other.
+export function listenFor(ask, answer) {
   addEventListener('message', event => {
     const {data} = event;
     if (event.source !== parent || parent === window || event.origin !== parentOrigin()) return;
-    if (data?.source === 'odontoscope' && data.ask === 'go' && Number.isInteger(data.step)) go(data.step);
+    if (data?.source === 'odontoscope' && data.ask === ask) answer(data);
   });
+}
+
+/// {ask: 'go', step: 3}
+export function listen(go) {
+  listenFor('go', ({step}) => { if (Number.isInteger(step)) go(step); });
 }

@@ -6,6 +6,7 @@ import {watchForHeadset} from './headset.js';
 import {InsideBar} from './inside_bar.js';
 import {listenToKeys, makeHelp} from './keys.js';
 import {makePanel} from './panel.js';
+import {Showing} from './showing.js';
 import {Teaching} from './teaching.js';
 import {Viewer} from './viewer.js';
 
@@ -76,6 +77,7 @@ async function start() {
     viewer.frame(Math.min(longestStep, Math.max(0, (now - before) / 1000)));
     before = now;
   });
+  new Showing(viewer);
   teaching.begin();
   return viewer;
 }
