@@ -339,7 +339,7 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
   parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")->required()->type_name("FILE.png");
-  parser.add_option("--size", options.size, "Width and height in pixels (default: the scene's or 1200x900; sheet 320x240)")->type_name("WxH");
+  parser.add_option("--size", options.size, "Width and height, pixels (default: the scene's, 1200x900; sheet 320x240)")->type_name("WxH");
   parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16 (default: the scene's, or 4)")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 9, 16}).description(""));

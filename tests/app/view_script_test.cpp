@@ -11,7 +11,7 @@ class Scripts : public ProgramTest {
   Ending played(const std::string& script, const std::vector<std::string>& more = {}) {
     std::vector<std::string> words{"view", "tooth.json", "--size", "480x360", "--script", script};
     words.insert(words.end(), more.begin(), more.end());
-    if (!exists("tooth.json")) odontoscope({"sample", "incisor", "--slice-spacing", "0.35", "--point-spacing", "0.6", "-o", "tooth.json"});
+    if (!exists("tooth.json")) std::filesystem::copy_file(ODONTOSCOPE_SMALL_TOOTH, folder / "tooth.json");
     return odontoscope(words);
   }
   Image picture(const std::string& name) { return read_png((folder / name).string()); }
