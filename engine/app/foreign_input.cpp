@@ -91,7 +91,7 @@ std::string head_of(const std::string& file) {
     throw InputError("unknown-format", std::move(place), "this is one section of a Reconstruct series", "Give the .ser beside it");
   }
   throw InputError("unknown-format", std::move(place), "this is no volume, mesh or contour file that is known here",
-                   "contours --help lists the formats");
+                   "The formats are listed by contours --help");
 }
 
 void refuse_planes(const std::string& file, const ForeignWords& words) {

@@ -9,7 +9,10 @@ std::string sentence(std::string_view place, std::string_view wrong, std::string
   std::string text;
   if (!place.empty()) text += fmt::format("{}: ", place);
   text += wrong;
-  if (!remedy.empty()) text += fmt::format(". {}", remedy);
+  if (!remedy.empty()) {   // a sentence of its own: what parts the two is that it begins with a capital
+    const bool small = remedy.front() >= 'a' && remedy.front() <= 'z';
+    text += fmt::format(". {}{}", static_cast<char>(small ? remedy.front() - 'a' + 'A' : remedy.front()), remedy.substr(1));
+  }
   if (!text.empty() && text.back() != '.' && text.back() != '?') text += '.';
   return text;
 }

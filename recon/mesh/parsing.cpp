@@ -27,7 +27,15 @@ Place at_line(const std::string& file, std::size_t line) {
   return place;
 }
 
+/// Of a file that its reader can say no better of.
+static std::string_view usual_remedy(std::string_view cause) {
+  if (cause == "truncated") return "Get a whole copy of the file";
+  if (cause == "too-large") return "Simplify or cut it first, with the program that made it";
+  return "Export it again with the program that made it";
+}
+
 void refuse(std::string_view cause, const Place& place, std::string_view wrong, std::string_view remedy) {
+  if (remedy.empty()) remedy = usual_remedy(cause);
   throw InputError(cause, place, wrong, remedy);
 }
 

@@ -141,7 +141,7 @@ TEST_F(Followed, VoxelsThatAreWritten) {
 TEST_F(Followed, WhatIsNoTallerThanWideIsCroppedToTheTooth) {
   given("barred.nrrd", blob(true));
   const Words crop{"--crop", "0,6.9,0,6,0,18"};
-  follow({"contours", "barred.nrrd", "--iso", "100", "--upright", "-o", "a.json"}, "crop the volume to the tooth (--crop)",
+  follow({"contours", "barred.nrrd", "--iso", "100", "--upright", "-o", "a.json"}, "Crop the volume to the tooth (--crop)",
          {"contours", "barred.nrrd", "--iso", "100", "--upright", crop[0], crop[1], "-o", "a.json"});
   succeeds({"contours", "v.nrrd", "--iso", "100", "--upright", crop[0], crop[1], "-o", "b.json"});
   expect_same("a.json", "b.json");

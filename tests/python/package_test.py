@@ -297,6 +297,29 @@ class LongWork(unittest.TestCase):
         np.testing.assert_array_equal(models[0]["tooth"].points, models[1]["tooth"].points)
 
 
+class Remedies(InFolder):
+    def test_say_what_to_do_whatever_was_wrong(self):
+        """One fault of each kind, from readers of every kind: wrong and remedy are told apart, and together are the message."""
+        def put(name, content):
+            (self.folder / name).write_bytes(content.encode() if isinstance(content, str) else content)
+            return self.folder / name
+
+        nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 4 4 4\nencoding: raw\n\n"
+        faults = [lambda: odontoscope.read_volume(put("short.nrrd", nrrd)), lambda: odontoscope.read_volume(put("odd.nrrd", nrrd.replace("dimension: 3", "dimension: x"))),
+                  lambda: odontoscope.read_volume(self.folder / "none.nrrd"), lambda: odontoscope.read_volume(put("empty.mha", "")), lambda: odontoscope.read_volume(put("text.nii", "text")),
+                  lambda: odontoscope.contours(put("a.json", "{")), lambda: odontoscope.contours(put("a.csl", "CSLC\n1")), lambda: odontoscope.contours(self.folder / "none.json"),
+                  lambda: odontoscope.read_mesh(put("a.stl", "solid x\n")), lambda: odontoscope.read_mesh(put("a.glb", b"glTF\2\0\0\0")), lambda: odontoscope.check(put("a.ply", "ply\n")),
+                  lambda: odontoscope.reconstruct(odontoscope.Volume(ball()), iso=1e9), lambda: odontoscope.reconstruct(odontoscope.Volume(ball()), label=7), lambda: odontoscope.sample("tusk"),
+                  lambda: odontoscope.reconstruct(box(), correspondence="near"), lambda: odontoscope.Contours([(0, SQUARE), (0, SQUARE)])]
+        for fault in faults:
+            with self.assertRaises(odontoscope.Error) as caught:
+                fault()
+            error = caught.exception
+            self.assertTrue(error.wrong and error.remedy, f"{error}: nothing says what to do")
+            self.assertTrue(error.remedy[0].isupper(), str(error))
+            self.assertIn(f"{error.wrong}. {error.remedy}", str(error))
+
+
 class Stubs(unittest.TestCase):
     def test_name_what_is_there(self):
         for module in ("_core", "_draw"):
