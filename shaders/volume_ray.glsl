@@ -1,5 +1,5 @@
 // The ray of a pixel through a grid of values: where it runs within the grid and the section, and how it steps along.
-// Lengths in metres; a place in the grid is counted in values, the first one's at (0, 0, 0).
+// Lengths in the world's unit, which is the metre on the desktop and the millimetre on the page; a place in the grid is counted in values, the first one's at (0, 0, 0).
 uniform mat4 eye_to_world;
 uniform mat4 eye_to_clip;
 uniform mat4 clip_to_eye;
@@ -16,7 +16,7 @@ uniform float brick_side;   // values
 
 struct Ray {
   vec3 eye_origin, eye_direction;
-  vec3 origin, direction;   // of places in the grid, for each metre
+  vec3 origin, direction;   // of places in the grid, for each unit of length
   float begin, end;
 };
 
@@ -62,7 +62,7 @@ vec3 place_at(Ray ray, float way) { return ray.origin + way * ray.direction; }
 
 float value_at(vec3 place) { return textureLod(values, (place + 0.5) / size, 0.0).r; }
 
-/// The number of the first step that reaches out of the empty bricks around `place`, which lies in step `number`; `number` itself if they are not empty.
+/// The number of the first step that reaches out of the empty bricks around `place`, which lies in step `number` or where it begins; `number` itself if they are not empty.
 int step_beyond_emptiness(Ray ray, vec3 place, int number) {
   ivec3 brick = clamp(ivec3(max(place, vec3(0.0)) / brick_side), ivec3(0), textureSize(bricks, 0) - 1);
   int far = int(255.0 * texelFetch(bricks, brick, 0).r + 0.5);
@@ -74,15 +74,13 @@ int step_beyond_emptiness(Ray ray, vec3 place, int number) {
     float side = ray.direction[axis] > 0.0 ? high[axis] : low[axis] <= 0.0 ? -1.0 : low[axis];
     way = min(way, (side - ray.origin[axis]) / ray.direction[axis]);
   }
-  return max(number + 1, int(floor(min((way - ray.begin) / stride, 1e8))));
+  return max(number, int(floor(min((way - ray.begin) / stride, 1e8))));
 }
 
-/// In eye space, from the higher values to the lower; of no length where all are equal.
+/// In eye space, from the higher values to the lower; of no length where all are equal. From the four corners of a tetrahedron, which is as good as six neighbours.
 vec3 falling(vec3 place) {
-  vec3 slope;
-  for (int axis = 0; axis < 3; ++axis) {
-    vec3 aside = vec3(axis == 0, axis == 1, axis == 2);
-    slope[axis] = (value_at(place - aside) - value_at(place + aside)) / spacing[axis];
-  }
-  return transpose(mat3(eye_to_world)) * slope;
+  const float aside = 0.6;   // values: as smooth as differences of neighbours
+  float a = value_at(place + aside * vec3(1.0, 1.0, 1.0)), b = value_at(place + aside * vec3(1.0, -1.0, -1.0));
+  float c = value_at(place + aside * vec3(-1.0, 1.0, -1.0)), d = value_at(place + aside * vec3(-1.0, -1.0, 1.0));
+  return transpose(mat3(eye_to_world)) * (vec3(c + d - a - b, b + d - a - c, b + c - a - d) / (2.0 * aside * spacing));
 }

@@ -3,15 +3,16 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "engine/app/whole_structures.h"
-#include "engine/scene/scene.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
 #include "recon/cavity/tooth_axis.h"
 #include "recon/core/error.h"
 #include "recon/output/write_glb.h"
+#include "recon/radiograph/tissue.h"
 
 namespace odontoscope::app {
 namespace {
@@ -53,6 +54,12 @@ WebCertificate in_web_words(const Certificate& certificate) {
   return web;
 }
 
+std::optional<double> attenuation_of(const std::string& structure) {
+  constexpr double kv = 70;
+  const auto tissue = tissue_called(structure);
+  return tissue ? std::optional(linear_attenuation(*tissue, effective_energy_kev(kv))) : std::nullopt;
+}
+
 WebTour along(const CentreLine& line) {
   WebTour tour{line.name, {}, line.length_to_wall()};
   for (const CentrePoint& point : line.points) tour.points.push_back(point.at);
@@ -69,17 +76,20 @@ WebModel web_model(const WrittenModel& written, const Certificate& certificate) 
   return model;
 }
 
-std::vector<WebLook> looks_of(const WrittenModel& written) {
+Scene usual_scene_of(const WrittenModel& written) {
   std::vector<NamedSurface> surfaces;
   for (const WrittenSurface& one : written.solids) {
     const std::size_t before = surfaces.size();
     add_shells(one.structure, one.surface, one.report, surfaces);
     if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
   }
-  const odontoscope::Model model = odontoscope::make_model(surfaces);
+  return usual_scene(odontoscope::make_model(surfaces), 1);
+}
+
+std::vector<WebLook> looks_of(const Scene& scene) {
   std::vector<WebLook> looks;
-  for (const Look& look : usual_scene(model, 1).looks)
-    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1)});
+  for (const Look& look : scene.looks)
+    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1), attenuation_of(look.structure)});
   return looks;
 }
 

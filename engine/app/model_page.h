@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/app/certificate.h"
+#include "engine/scene/scene.h"
 #include "engine/web/page.h"
 #include "recon/core/progress.h"
 #include "recon/distance/db_reconstruction.h"
@@ -15,8 +16,10 @@ namespace odontoscope::app {
 /// GLB and certificate; its name and words are left to the caller.
 WebModel web_model(const WrittenModel& written, const Certificate& certificate);
 
-/// The desktop's first look at the same surfaces.
-std::vector<WebLook> looks_of(const WrittenModel& written);
+/// The desktop's first look at the same surfaces, and that look in the page's words.
+Scene usual_scene_of(const WrittenModel& written);
+std::vector<WebLook> looks_of(const Scene& scene);
+inline std::vector<WebLook> looks_of(const WrittenModel& written) { return looks_of(usual_scene_of(written)); }
 
 /// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall is not sound enough for any.
 void add_ways(const WrittenModel& written, WebPage& page, const Progress& progress);

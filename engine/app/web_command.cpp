@@ -142,6 +142,8 @@ Command web_command(CLI::App& root) {
   add_partition_options(*parser, options->words.dt.partition);
   add_volume_options(*parser, options->words.volume);
   add_db_options(*parser, options->words.db);
+  add_volume_look_options(*parser, options->words.look);
+  add_grey_option(*parser, options->words.grey);
   parser->footer(
       "Examples:\n"
       "  odontoscope web -o molar.html\n"
@@ -149,6 +151,7 @@ Command web_command(CLI::App& root) {
       "  odontoscope web --lesson \"Find your way\" -o quiz.html\n"
       "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
+      "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 --show both -o ct.html\n"
       "\n"
       "The page opens from disk and asks the network for nothing: send it by mail, put it on a stick or a\n"
       "web server. Turn the tooth with mouse, fingers or keys, cut it open, fly through it; with a headset,\n"

@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "engine/app/certificate.h"
 #include "engine/app/foreign_input.h"
 #include "engine/app/model.h"
 #include "engine/app/model_page.h"
+#include "engine/app/shown_values.h"
 #include "engine/app/sniff.h"
+#include "engine/app/web_volume.h"
+#include "engine/scene/scene.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/append.h"
@@ -28,10 +32,30 @@ struct Inspected {
   SurfaceReport report;
 };
 
-WebModel model_by_dt(const ContourStack& stack, const WebWords& words, WebPage& page, Session& session) {
+/// What a page carries of the volume that its model was made from.
+struct Greys {
+  std::shared_ptr<const ValueGrid> values;
+  GreyAnchors anchors;
+  std::vector<double> isos;
+};
+
+void add_volume(const Greys& greys, const WebWords& words, Scene& scene, WebPage& page, Session& session) {
+  Shown shown;
+  shown.values = greys.values;
+  shown.greys = greys.anchors;
+  constexpr double kv = 70;
+  show_volume({words.look, words.grey, kv, {}, false}, shown, scene, session);
+  page.volume = web_volume(*greys.values, greys_from(words.grey).value_or(greys.anchors), scene.volume);
+  page.volume->isos = greys.isos;
+  tell_web_volume(*page.volume, *greys.values, session);
+}
+
+WebModel model_by_dt(const ContourStack& stack, const std::optional<Greys>& greys, const WebWords& words, WebPage& page, Session& session) {
   Model made{reconstructed(stack, words.dt, session), {}, {}};
   add_ways(made.reconstruction, page, session.progress());
-  page.looks = looks_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
+  Scene scene = usual_scene_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
+  if (greys) add_volume(*greys, words, scene, page, session);
+  page.looks = looks_of(scene);
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
   session.progress().tell("page", 0.2);
@@ -84,12 +108,26 @@ WebPage page_of_meshes(const std::vector<NamedMesh>& meshes, const std::string& 
 
 std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words, Session& session) {
   if (words.input.empty() || words.volume.any_level()) return {};
+  if (words.with_volume()) throw UsageError("--show volume and --show both are about the grey values of a volume", "Name the volume that the model was made from, with --iso.");
   const std::string bytes = read_file(words.input, limits::file_bytes, session.progress().stop);
   return meshes_in(kind_of(bytes, words.input), bytes, words.input);
 }
 
+/// The contours of a volume, and what lies around them.
+ContourStack stack_with_greys(const WebWords& words, std::optional<Greys>& greys, Session& session) {
+  Volume volume;
+  std::optional<ReportVolume> facts;
+  ContourStack stack = contours_told(words.input, understood(words.volume), session, &volume, &facts);
+  greys.emplace();
+  greys->anchors = grey_anchors(volume);
+  greys->values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
+  for (const auto& [structure, iso] : facts->isos) greys->isos.push_back(iso);
+  return stack;
+}
+
 /// Of ours, of another program's contour file, or of a volume.
-ContourStack stack_of(const WebWords& words, Session& session) {
+ContourStack stack_of(const WebWords& words, std::optional<Greys>& greys, Session& session) {
+  if (words.with_volume()) return stack_with_greys(words, greys, session);
   if (words.input.empty()) return sample_tooth(ToothKind::molar);
   if (words.volume.any_level() || !needs_conversion(words.input, {})) return contours_of_input(words.input, words.volume, session);
   ContourStack stack = converted_told(words.input, {}, session);
@@ -100,23 +138,38 @@ ContourStack stack_of(const WebWords& words, Session& session) {
 
 void refuse_senseless(const WebWords& words) {
   if (words.db.any() && !words.with_db) throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --db");
-  refuse_volume_without_level(words.input, words.volume);
+  refuse_senseless(words.look);
+  greys_from(words.grey);
+  if (!words.with_volume() && !(words.look.cast + words.look.transfer + words.grey).empty())
+    throw UsageError("--cast, --transfer and --grey are about a volume's grey values", "Put them into the page: --show volume, or --show both.");
+  if (words.with_volume() && words.input.empty()) throw UsageError("only a volume has grey values to show", "Name one, with --show volume, or with --iso and --show both.");
+  if (words.alone()) {
+    if (words.look.show == "both") throw UsageError("--show both: nothing says where in the volume the surface lies", "Give --iso T (or --iso auto) for an image, or --show volume.");
+    if (words.with_db || words.triangles) throw UsageError("--db and --triangles are about surfaces, and nothing says where in the volume they lie", "Give --iso T, or leave them out.");
+  } else refuse_volume_without_level(words.input, words.volume);
   if (words.input.empty() && words.volume.any_level()) throw UsageError("--iso and --label want a volume", "Name it before the options");
   understood(words.db, 1);
   refuse_senseless(words.dt);
   if (words.volume.any_level()) understood(words.volume);
 }
 
+bool WebWords::alone() const { return with_volume() && !volume.any_level() && named_like_a_volume(input); }
+
 WebPage web_page_of(const WebWords& words, Session& session) {
+  if (words.alone()) {
+    refuse_for_mesh(words.dt, words.input);
+    return page_of_voxels(words.input, words.volume, words.look, words.grey, session);
+  }
   if (const auto meshes = meshes_of(words, session)) {
     refuse_for_mesh(words.dt, words.input);
     if (words.with_db || words.triangles)
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);
   }
-  const ContourStack stack = stack_of(words, session);
+  std::optional<Greys> greys;
+  const ContourStack stack = stack_of(words, greys, session);
   WebPage page;
-  page.models.push_back(model_by_dt(stack, words, page, session));
+  page.models.push_back(model_by_dt(stack, greys, words, page, session));
   if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
   return page;
 }

@@ -8,6 +8,7 @@
 #include "engine/app/command.h"
 #include "engine/app/db_options.h"
 #include "engine/app/dt_options.h"
+#include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
 #include "engine/web/page.h"
 
@@ -20,6 +21,11 @@ struct WebWords {
   DtWords dt;
   DbWords db;
   std::optional<int> triangles;    // at most, of DT's surfaces
+  VolumeLookWords look;            // of grey values
+  std::string grey;                // of --grey
+
+  bool with_volume() const { return !look.show.empty() && look.show != "surfaces"; }
+  bool alone() const;              // grey values, and nothing says where a surface lies
 };
 
 /// UsageError for words that make no sense together.

@@ -32,7 +32,8 @@ bool shows(const VolumeLook& look, float lowest, float highest) {
 }  // namespace
 
 GpuVolume::GpuVolume(const Gl& gl, const ValueGrid& grid, const FieldTexture& field)
-    : gl_(&gl), field_(field), bricks_(brick_grid(grid)), range_(grid.range), brick_texture_(make_texture(gl)), transfer_texture_(make_texture(gl)) {}
+    : gl_(&gl), field_(field), bricks_(brick_grid(grid)), range_(grid.range), brick_texture_(make_texture(gl)), transfer_texture_(make_texture(gl)),
+      sums_texture_(make_texture(gl)) {}
 
 float GpuVolume::stride() const {
   const float finest = 0.5f * std::min({field_.step.x, field_.step.y, field_.step.z});
@@ -59,16 +60,23 @@ void GpuVolume::prepare(const VolumeLook& look) {
 void GpuVolume::lay_out_transfer(const VolumeLook& look) {
   constexpr float metres_to_mm = 1000;   // extinction for each metre
   std::vector<glm::vec4> entries;
-  entries.reserve(transfer_entries);
+  std::vector<float> sums;
+  double sum = 0, before = 0;
+  const double step = (range_.high - range_.low) / (transfer_entries - 1);
   for (std::size_t i = 0; i < transfer_entries; ++i) {
-    const double value = range_.low + (range_.high - range_.low) * static_cast<double>(i) / (transfer_entries - 1);
-    glm::vec4 entry = transferred(look.transfer, value);
+    glm::vec4 entry = transferred(look.transfer, range_.low + step * static_cast<double>(i));
     entry.a *= metres_to_mm;
+    if (i > 0) sum += 0.5 * step * (before + static_cast<double>(entry.a));
+    before = static_cast<double>(entry.a);
     entries.push_back(entry);
+    sums.push_back(static_cast<float>(sum));
   }
   gl_->BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
   gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, transfer_entries, 1, 0, GL_RGBA, GL_FLOAT, entries.data());
-  set_sampling(*gl_, GL_TEXTURE_2D, GL_LINEAR);
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
+  gl_->BindTexture(GL_TEXTURE_2D, sums_texture_.id());
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, transfer_entries, 1, 0, GL_RED, GL_FLOAT, sums.data());
+  set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
   gl_->BindTexture(GL_TEXTURE_2D, 0);
 }
 

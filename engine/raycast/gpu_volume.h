@@ -30,6 +30,8 @@ class GpuVolume {
   const FieldTexture& field() const { return field_; }
   GLuint bricks() const { return brick_texture_.id(); }
   GLuint transfer() const { return transfer_texture_.id(); }
+  /// The transfer function's extinction, summed over the values.
+  GLuint sums() const { return sums_texture_.id(); }
   const ValueWindow& range() const { return range_; }
   /// Its corners, half a step beyond the outermost values: metres.
   glm::vec3 low() const { return field_.first - 0.5f * field_.step; }
@@ -52,7 +54,7 @@ class GpuVolume {
   BrickGrid bricks_;
   ValueWindow range_;
   float coarseness_ = 1;
-  GlObject brick_texture_, transfer_texture_;
+  GlObject brick_texture_, transfer_texture_, sums_texture_;
   std::optional<VolumeLook> prepared_;
 };
 

@@ -8,7 +8,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr int values_unit = 0, bricks_unit = 1, transfer_unit = 2, from_unit = 3, to_unit = 4, opaque_unit = 5;
+constexpr int values_unit = 0, bricks_unit = 1, transfer_unit = 2, from_unit = 3, to_unit = 4, opaque_unit = 5, sums_unit = 6;
 constexpr float metres_to_mm = 1000;
 
 ProgramFiles files_of(VolumeLook::Cast cast) {
@@ -78,6 +78,7 @@ void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, con
   const Program& cast = program(VolumeLook::Cast::shaded);
   set_view(cast, view, volume);
   cast.set("transfer", transfer_unit);
+  cast.set("sums", sums_unit);
   cast.set("transfer_range", glm::vec2(volume.range().low, volume.range().high));
   cast.set("lit", look.lit ? 1 : 0);
   cast.set("clear_slope", volume.clear_slope());
@@ -86,6 +87,7 @@ void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, con
   cast.set("depth_opaque", opaque_unit);
   cast.set("from_the_eye", depths.from == 0 ? 1 : 0);
   bind(*gl_, transfer_unit, GL_TEXTURE_2D, volume.transfer());
+  bind(*gl_, sums_unit, GL_TEXTURE_2D, volume.sums());
   bind(*gl_, from_unit, GL_TEXTURE_2D, depths.from != 0 ? depths.from : depths.opaque);
   bind(*gl_, to_unit, GL_TEXTURE_2D, depths.to != 0 ? depths.to : depths.opaque);
   bind(*gl_, opaque_unit, GL_TEXTURE_2D, depths.opaque);

@@ -2,8 +2,10 @@
 // Casts rays through a volume: between two depths of every pixel, so that surfaces, caps and lines before, in and behind it are where they are.
 //
 // A ray runs through the volume's box, half a step of its grid beyond its outermost values, and through what a section leaves; it takes steps of
-// GpuVolume::stride from where it enters, each cut off at what the depths say, and samples each in its middle. A sample takes a part 1 - exp(-extinction * length) of what
-// is left to see (Max, "Optical models for direct volume rendering", IEEE TVCG 1(2), 1995). Bricks with nothing to show are passed over, which changes no sample.
+// GpuVolume::stride from where it enters, each cut off at what the depths say. From one end of a step to the other values are taken to run straight, and the transfer function is
+// integrated over them (Engel, Kraus and Ertl, "High-quality pre-integrated volume rendering", 2001), with the colour that their middle has. A step takes a part
+// 1 - exp(-extinction * length) of what is left to see (Max, "Optical models for direct volume rendering", IEEE TVCG 1(2), 1995). Projections sample each step in
+// its middle. Bricks with nothing to show are passed over, which changes nothing.
 // The eye may be inside.
 
 #include <map>

@@ -32,6 +32,28 @@ Json json_of(const WebTour& tour) {
   return {{"name", tour.name}, {"length_mm", tour.length_mm}, {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()}, {"points_mm", points}};
 }
 
+/// Neighbours are much alike: their differences, modulo 256, take a fifth less room than they themselves.
+std::string packed(const WebVolume& volume) {
+  std::string differences;
+  differences.reserve(volume.bytes.size());
+  unsigned char before = 0;
+  for (const char byte : volume.bytes) {
+    const auto value = static_cast<unsigned char>(byte);
+    differences.push_back(static_cast<char>(static_cast<unsigned char>(value - before)));
+    before = value;
+  }
+  return base64(gzip(differences));
+}
+
+Json json_of(const WebVolume& volume) {
+  const auto triple = [](const Point3& p) { return Json::array({p.x, p.y, p.z}); };
+  Json transfers = Json::object();
+  for (const auto& [name, points] : volume.transfers) transfers[name] = Json::parse(points);
+  return {{"element", "volume"}, {"size", volume.size}, {"first_mm", triple(volume.first_mm)}, {"step_mm", triple(volume.step_mm)}, {"low", volume.low}, {"high", volume.high},
+          {"air", volume.air}, {"dentine", volume.dentine}, {"dentine_attenuation", volume.dentine_attenuation}, {"isos", volume.isos}, {"bars", volume.bars},
+          {"look", Json::parse(volume.look)}, {"transfers", transfers}, {"alone", volume.alone}};
+}
+
 Json description_of(const WebPage& page) {
   Json models = Json::array(), looks = Json::array(), tours = Json::array();
   for (std::size_t i = 0; i < page.models.size(); ++i) {
@@ -39,12 +61,16 @@ Json description_of(const WebPage& page) {
     models.push_back({{"name", model.name}, {"words", model.words}, {"element", element_id(i)}, {"triangles", model.triangles},
                       {"certificate", json_of(model.certificate)}});
   }
-  for (const WebLook& look : page.looks)
+  for (const WebLook& look : page.looks) {
     looks.push_back({{"structure", look.structure}, {"colour", look.colour}, {"opacity", look.opacity}, {"as_body", look.as_body}, {"depth", look.depth}});
+    if (look.attenuation) looks.back()["attenuation"] = *look.attenuation;
+  }
   for (const WebTour& tour : page.tours) tours.push_back(json_of(tour));
   Json horns = Json::array();
   for (const WebTour& horn : page.horns) horns.push_back(json_of(horn));
-  return {{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}, {"horns", horns}};
+  Json description{{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}, {"horns", horns}};
+  if (page.volume) description["volume"] = json_of(*page.volume);
+  return description;
 }
 
 /// JSON that no parser of HTML takes for anything but text, whatever its strings hold. Text that is no UTF-8 is replaced.
@@ -63,10 +89,13 @@ std::string data_elements(const WebPage& page) {
   if (!page.lesson.empty()) html += fmt::format("<script type=\"application/json\" id=\"tour\">{}</script>\n", text_in_script(Json::parse(page.lesson)));
   for (std::size_t i = 0; i < page.models.size(); ++i)
     html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
+  if (page.volume) html += fmt::format("<script type=\"application/gzip\" id=\"volume\">{}</script>\n", packed(*page.volume));
   return html;
 }
 
 }  // namespace
+
+std::size_t packed_size(const WebVolume& volume) { return packed(volume).size(); }
 
 std::string web_page(const WebPage& page, std::string_view shell) {
   const std::size_t title = shell.find(title_place), data = shell.find(data_place);

@@ -5,10 +5,12 @@
 // write_glb makes them, compressed with gzip, and what is said of them as JSON. No text of the input becomes markup or code: it is
 // escaped here, put into the page as text alone by the page's script, and a content security policy allows no script but that one.
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "recon/core/geometry.h"
@@ -43,6 +45,22 @@ struct WebLook {
   float opacity = 1;
   bool as_body = false;   // see Look in engine/scene
   int depth = 0;          // what lies deeper is drawn first where it is seen through others
+  std::optional<double> attenuation = {};   // of X-rays, 1/mm; none: no tissue is known by this name
+};
+
+/// Grey values of the volume that the model came from. Value (i, j, k) belongs to the place first_mm + (i, j, k) * step_mm.
+struct WebVolume {
+  std::array<std::size_t, 3> size{};
+  Point3 first_mm, step_mm{1, 1, 1};
+  double low = 0, high = 255;      // what the bytes 0 and 255 stand for; those between follow in proportion
+  std::string bytes;               // x runs fastest, then y, then z
+  double air = 0, dentine = 1;     // what values mean
+  double dentine_attenuation = 0;  // of X-rays, 1/mm
+  std::vector<double> isos;        // at which surfaces were taken
+  std::vector<double> bars;        // of a histogram from `low` to `high`, 0 to 1
+  std::string look;                // JSON, as a scene file has it under "volume"
+  std::vector<std::pair<std::string, std::string>> transfers;   // ready-made ones: a name, and JSON as the look's "transfer"
+  bool alone = false;              // the model is but a box around it, and is never shown
 };
 
 /// A way through a canal, from the chamber to its end. Millimetres, in the model's coordinates.
@@ -59,6 +77,7 @@ struct WebPage {
   std::vector<WebLook> looks;
   std::vector<WebTour> tours;
   std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
+  std::optional<WebVolume> volume = {};
   std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
 };
 
@@ -71,5 +90,8 @@ EmbeddedPage embedded_page();
 
 /// The same input gives the same bytes. Precondition: `shell` is not empty. InternalError if it has not the places that are filled.
 std::string web_page(const WebPage& page, std::string_view shell);
+
+/// How many bytes of the page hold the volume's values.
+std::size_t packed_size(const WebVolume& volume);
 
 }  // namespace odontoscope

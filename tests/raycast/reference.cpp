@@ -80,13 +80,16 @@ Seen over(const Seen& before, const Seen& behind) {
   return {before.light + (1 - before.covered) * behind.light, before.covered + (1 - before.covered) * behind.covered};
 }
 
-Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to) {
+Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to, double steps) {
+  constexpr int parts = 64;
   Seen seen;
   if (whole.empty()) return seen;
-  for_each_step(stride_of(grid), whole, std::max(from, whole.from), std::min(to, whole.to), [&](double way, double length) {
-    const glm::dvec4 material(transferred(look.transfer, value_at(grid, ray.at(way))));
-    const double covers = 1 - std::exp(-material.a * length);
-    seen = over(seen, {covers * glm::dvec3(material), covers});
+  for_each_step(stride_of(grid) / steps, whole, std::max(from, whole.from), std::min(to, whole.to), [&](double way, double length) {
+    const double before = value_at(grid, ray.at(way - 0.5 * length)), after = value_at(grid, ray.at(way + 0.5 * length));
+    double extinction = 0;
+    for (int part = 0; part < parts; ++part) extinction += transferred(look.transfer, before + (after - before) * (part + 0.5) / parts).a / parts;
+    const double covers = 1 - std::exp(-extinction * length);
+    seen = over(seen, {covers * glm::dvec3(transferred(look.transfer, 0.5 * (before + after))), covers});
   });
   return seen;
 }

@@ -40,8 +40,8 @@ struct Seen {
 };
 Seen over(const Seen& before, const Seen& behind);
 
-/// Unlit emission and absorption between two places of a ray.
-Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to);
+/// Unlit emission and absorption between two places of a ray, by steps within which values run straight; `steps` to each of stride_of.
+Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to, double steps = 1);
 
 /// Of the values' places in the window along all of the ray.
 double largest(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole);

@@ -21,6 +21,14 @@ async function unpacked(element) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
+/// The values of the page's volume, in bytes: x runs fastest, then y, then z.
+export async function volumeValues({element, size}) {
+  const values = new Uint8Array(await unpacked(document.getElementById(element)));
+  if (values.length !== size[0] * size[1] * size[2]) throw new Error('the volume has lost some of its values');
+  for (let i = 1; i < values.length; ++i) values[i] += values[i - 1];   // each was written as its difference from the one before
+  return values;
+}
+
 /// The parts of one model: {structure, kind, key, geometry}, in the model's own millimetres with z along the tooth. `key` is the look's name.
 export async function partsOf(model) {
   const gltf = await new GLTFLoader().parseAsync(await unpacked(document.getElementById(model.element)), '');

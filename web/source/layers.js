@@ -1,7 +1,7 @@
 // All layers of what is seen through, in their order at every pixel (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA
 // 2001), and how dark it is in hollows, with the desktop's own shaders. Where that costs too much: of each structure only what is nearest.
 import {
-  ConstantAlphaFactor, DepthTexture, FloatType, HalfFloatType, Matrix4, NearestFilter, OneFactor, OneMinusConstantAlphaFactor, OneMinusDstAlphaFactor, RGFormat, Vector2,
+  Box3, ConstantAlphaFactor, DepthTexture, FloatType, HalfFloatType, Matrix4, NearestFilter, OneFactor, OneMinusConstantAlphaFactor, OneMinusDstAlphaFactor, RGFormat, Vector2,
   Vector3, WebGLRenderTarget,
 } from 'three';
 import composeShader from '../../shaders/compose.frag';
@@ -9,7 +9,7 @@ import occlusionShader from '../../shaders/occlusion.frag';
 import {Sheet} from './sheet.js';
 import {noPeel} from './surface.js';
 
-const mostLayers = 16, firstLayers = 8;
+const mostLayers = 16, firstLayers = 8, quickLayers = 2;
 const shadedLayers = 4;     // of the translucent ones; what lies behind these shows too little for it
 const sameSurface = 0.25;   // of the occlusion's reach, within which neighbours lie on one surface
 const strength = 1;
@@ -85,10 +85,11 @@ export class Layers {
   }
 
   /// The light of the scene, premultiplied, as a texture: the mean of this `sample` and those before it; 1 is the first.
-  draw(scene, camera, model, {layers, shade, reach, bounds, complete = false, sample}) {
-    const {renderer, shared, opaque, peeled} = this;
-    this.fit(renderer.getDrawingBufferSize(new Vector2()));
-    this.keepTo(camera, bounds);
+  /// `caster` of rays (Volume or Shadow), or null; `scale`: a part of the screen's pixels along each side.
+  draw(scene, camera, model, {layers, shade, reach, bounds, caster = null, scale = 1, complete = false, sample}) {
+    const {renderer, shared, opaque, peeled} = this, screen = renderer.getDrawingBufferSize(new Vector2());
+    this.fit(screen.multiplyScalar(scale).ceil());
+    this.keepTo(camera, caster ? new Box3(caster.low, caster.high).union(bounds.box) : bounds.box);
     this.shading = shade ? {camera, reach} : null;
     if (sample === 2) [this.sum, this.mean] = [this.mean, this.sum];   // the first one was the mean by itself
     this.sum.scissorTest = this.mean.scissorTest = false;
@@ -96,7 +97,8 @@ export class Layers {
     renderer.setRenderTarget(this.sum);
     renderer.clear(true, false, false);
     this.sum.scissorTest = true;
-    if (!layers) {
+    if (caster) this.castAmong(scene, camera, model, {caster, layers, complete});
+    else if (!layers) {
       this.surfaces(scene, camera, model, 'all', peeled[0]);
       this.addLayer(peeled[0]);
     } else {
@@ -111,7 +113,26 @@ export class Layers {
     return this.mean.texture;
   }
 
-  peel(scene, camera, model, count) {
+  /// Rays through a volume, and surfaces where they are in it; of clear ones only the nearest two while that must be quick.
+  castAmong(scene, camera, model, {caster, layers, complete}) {
+    const {renderer, shared, opaque} = this, view = {camera, section: shared.section.value, lamp: shared.lamp.value, pixels: new Vector2(opaque.width, opaque.height)};
+    if (caster.projects) return caster.drawProjection(view, this.sum);
+    if (caster.showsSurfaces) this.surfaces(scene, camera, model, 'opaque', opaque);
+    else {
+      renderer.setRenderTarget(opaque);
+      renderer.clear(true, true, false);
+    }
+    const raw = caster.look.cast === 'surface';
+    if (raw) caster.drawSurface(view, opaque);
+    const between = (from, to) => { if (!raw) caster.drawBetween(view, {from, to, opaque: opaque.depthTexture}, this.sum); };
+    let last = null;
+    if (caster.showsSurfaces && model.anyClear) last = this.peel(scene, camera, model, complete ? mostLayers : layers ? this.counter.limit : quickLayers, between);
+    between(last, null);
+    if (raw || (caster.showsSurfaces && model.anyOpaque)) this.addLayer(opaque);
+  }
+
+  /// `between(from, to)` is called before each layer is added. Returns the last one's depths.
+  peel(scene, camera, model, count, between = () => {}) {
     const {shared, opaque, peeled, counter} = this;
     counter.begin();
     for (let i = 0; i < count; ++i) {
@@ -119,10 +140,12 @@ export class Layers {
       shared.opaque_depth.value = opaque.depthTexture;
       shared.layer_before.value = i > 0 ? peeled[(i - 1) % 2].depthTexture : null;
       counter.around(() => this.surfaces(scene, camera, model, 'clear', peeled[i % 2]));
+      between(i > 0 ? peeled[(i - 1) % 2].depthTexture : null, peeled[i % 2].depthTexture);
       this.addLayer(peeled[i % 2], i < shadedLayers);
     }
     counter.end();
     shared.opaque_depth.value = shared.layer_before.value = null;   // no target may be read while it is drawn to
+    return peeled[(count - 1) % 2].depthTexture;
   }
 
   surfaces(scene, camera, model, pass, target) {
@@ -152,7 +175,7 @@ export class Layers {
   }
 
   /// Nothing is drawn but where the model can be.
-  keepTo(camera, {box}) {
+  keepTo(camera, box) {
     const {low, high} = this.box, {width, height} = this.opaque, p = new Vector3();
     low.set(width, height);
     high.set(0, 0);

@@ -3,6 +3,7 @@ import {views} from './camera.js';
 import {depthStep} from './depth.js';
 import {choice, element, slider} from './dom.js';
 import {sides} from './section.js';
+import {greysSection} from './volume_panel.js';
 
 const grouped = count => count.toLocaleString('en-GB');
 
@@ -133,8 +134,10 @@ function viewSection(viewer, help) {
 /// `learn`: {lesson: its title or null, open, quiz}.
 export function makePanel(viewer, {help, extra, learn}) {
   document.getElementById('title').textContent = viewer.description.title;
-  document.getElementById('controls').append(...[certificateSection(viewer), extra, methodSection(viewer), insideSection(viewer), learnSection(learn), structuresSection(viewer), cutSection(viewer),
-    facesSection(viewer), viewSection(viewer, help)].filter(Boolean));
+  const alone = viewer.volume?.told.alone ?? false;   // nothing but grey values: there is no surface to speak of
+  const about = alone ? [certificateSection(viewer), extra, greysSection(viewer), cutSection(viewer)]
+    : [certificateSection(viewer), extra, methodSection(viewer), greysSection(viewer), insideSection(viewer), learnSection(learn), structuresSection(viewer), cutSection(viewer), facesSection(viewer)];
+  document.getElementById('controls').append(...[...about, viewSection(viewer, help)].filter(Boolean));
   const panel = document.getElementById('panel'), fold = document.getElementById('fold');
   const folded = on => {
     panel.classList.toggle('folded', on);

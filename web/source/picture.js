@@ -11,12 +11,13 @@ uniform sampler2D light;
 uniform vec3 top, bottom;
 uniform bool smoothed;   // edges of a single sample a pixel
 uniform bool empty;
+uniform bool dark;       // of a film, nothing lies behind
 in vec2 at;
 layout(location = 0) out vec4 out_colour;
 
 vec3 seen(vec2 place) {
   vec4 drawn = texture(light, place);
-  return drawn.rgb + (1.0 - drawn.a) * mix(bottom, top, at.y);
+  return dark ? drawn.rgb : drawn.rgb + (1.0 - drawn.a) * mix(bottom, top, at.y);
 }
 
 float brightness(vec3 colour) { return sqrt(dot(min(colour, 1.0), vec3(0.2, 0.7, 0.1))); }
@@ -54,9 +55,10 @@ export class Picture {
     this.renderer = renderer;
     this.shared = shared;
     this.layers = Layers.possible(renderer) ? new Layers(renderer, shared) : null;
-    this.resolve = new Sheet(resolveShader, {light: null, top: new Color(), bottom: new Color(), smoothed: false, empty: false});
+    this.resolve = new Sheet(resolveShader, {light: null, top: new Color(), bottom: new Color(), smoothed: false, empty: false, dark: false});
     this.plain = new Color();
     this.samples = 0;
+    this.mostCast = 8;      // of one through which rays are cast
     this.mostSamples = 8;   // of a picture that stays still; 0: it is left as it was drawn in motion
   }
 
@@ -66,7 +68,7 @@ export class Picture {
     this.plain.setStyle(top, SRGBColorSpace);
   }
 
-  /// `way`: {layers, shade, reach, bounds, complete}.
+  /// `way`: {layers, shade, reach, bounds, caster, scale, complete}.
   draw(scene, camera, model, way) {
     if (this.renderer.xr.isPresenting || !this.layers) return this.drawPlainly(scene, camera, model);
     this.samples = 0;
@@ -77,9 +79,9 @@ export class Picture {
   finished(way) {
     if (!this.layers || this.mostSamples === 0) return true;
     if (this.layers.hadTooFew()) this.samples = 0;
-    return this.sameWay(way) && this.samples >= this.mostSamples;
+    return this.sameWay(way) && this.samples >= (way.caster ? Math.min(this.mostSamples, this.mostCast) : this.mostSamples);
   }
-  sameWay(way) { return way.layers === this.way?.layers && way.shade === this.way?.shade; }
+  sameWay(way) { return way.layers === this.way?.layers && way.shade === this.way?.shade && way.scale === this.way?.scale; }
 
   /// One sample more of what was drawn before; all anew if that was drawn in another way.
   refine(scene, camera, model, way) {
@@ -95,7 +97,7 @@ export class Picture {
     this.samples += 1;
     const light = this.layers.draw(scene, camera, model, {...way, sample: this.samples});
     if (this.samples > 1) camera.clearViewOffset();
-    this.resolve.set({light, smoothed: this.samples === 1, empty: false}).draw(this.renderer, null);
+    this.resolve.set({light, smoothed: this.samples === 1, empty: false, dark: way.caster?.projects ?? false}).draw(this.renderer, null);
   }
 
   /// Surfaces toned one by one, of translucent structures only what is nearest: for a headset, and where light cannot be added up.

@@ -43,3 +43,22 @@ export class Quality {
   /// May a still picture be made finer, so long after the last movement?
   mayRefine(rested) { return !this.reduced || rested > restBeforeRefining; }
 }
+
+const scales = [1, 0.7, 0.5, 0.35, 0.25];   // of the picture's sides, while rays are cast and things move
+const muchTooSlow = 0.09;
+
+/// How many pixels rays are cast through while things move, learnt from the time that frames take.
+export class Pace {
+  constructor({software = false} = {}) {
+    this.level = software ? 2 : 0;
+    this.quick = 0;
+  }
+  get scale() { return scales[this.level]; }
+  note(seconds) {
+    this.quick = seconds < quick ? this.quick + 1 : 0;
+    if (seconds > slow) this.level = Math.min(this.level + (seconds > muchTooSlow ? 2 : 1), scales.length - 1);
+    if (this.quick < quickFrames || this.level === 0) return;
+    this.level -= 1;
+    this.quick = 0;
+  }
+}

@@ -12,6 +12,7 @@ export class Staging {
     this.viewer = viewer;
     this.usual = new Map([...viewer.looks].map(([key, look]) => [key, {...look}]));
     this.usualShade = viewer.shade;
+    this.usualVolume = viewer.volume ? structuredClone(viewer.volume.look) : null;
   }
 
   /// `note`: of a tour file; `view` in place of a camera: the name of a view.
@@ -47,7 +48,17 @@ export class Staging {
     viewer.section.put(section && normal.length() > 0 ? {point: triple(section.point) ? section.point : [0, 0, 0], normal: normal.normalize()} : null);
     viewer.faces = ['cull', 'show', 'tint'].includes(scene.back_faces) ? scene.back_faces : 'cull';
     viewer.shade = typeof scene.ambient_occlusion?.on === 'boolean' ? scene.ambient_occlusion.on : this.usualShade;
+    this.dressVolume(scene.volume);
     viewer.dress();
+  }
+
+  /// A film that a page without grey values is asked for is that of its model.
+  dressVolume(said) {
+    const {viewer} = this, film = said?.cast === 'radiograph' && said.shows !== 'surfaces';
+    if (viewer.shadow) viewer.shadow.on = film;
+    if (!viewer.volume) return;
+    Object.assign(viewer.volume.look, structuredClone(this.usualVolume), said ?? {});
+    if (!(viewer.volume.look.transfer.length > 0)) viewer.volume.look.transfer = this.usualVolume.transfer;
   }
 
   lookFrom({camera, view, inside, tour}) {

@@ -2,7 +2,7 @@
 import {BufferAttribute, Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
-import {boundsOf, partsOf, trianglesOf, voidsOf} from './data.js';
+import {boundsOf, partsOf, trianglesOf, voidsOf, volumeValues} from './data.js';
 import {wallDepths} from './depth.js';
 import {Headset} from './headset.js';
 import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
@@ -12,12 +12,16 @@ import {Cues} from './cues.js';
 import {Pointing} from './pointing.js';
 import {Pins} from './pins.js';
 import {Picture, setLightFrame} from './picture.js';
-import {Quality} from './quality.js';
+import {Pace, Quality} from './quality.js';
 import {Section, sides} from './section.js';
+import {Shadow} from './shadow.js';
 import {sharedUniforms} from './surface.js';
+import {Volume} from './volume.js';
 
 const mostPixels = 2.2e6, sampledPoints = 1500;
 const shadeReach = 0.12;   // of the model's radius: about the width of a fissure, as on the desktop
+const aroundVolume = 0.15;   // how clear structures become around a volume, as on the desktop
+const coarseSteps = 2, restBeforeCasting = 0.15;   // seconds
 const facing = 0.35;   // of a section's normal towards the eye, below which the picture turns to show the cut
 
 function pointsOf(parts) {
@@ -38,10 +42,10 @@ export class Viewer extends EventTarget {
   static async of(description, canvas) {
     const models = [];
     for (const model of description.models) models.push({...model, parts: await partsOf(model)});
-    return new Viewer(description, models, canvas);
+    return new Viewer(description, models, canvas, description.volume ? await volumeValues(description.volume) : null);
   }
 
-  constructor(description, models, canvas) {
+  constructor(description, models, canvas, values = null) {
     super();
     this.description = description;
     this.canvas = canvas;
@@ -49,7 +53,10 @@ export class Viewer extends EventTarget {
     this.renderer.sortObjects = true;
     this.shared = sharedUniforms();
     this.picture = new Picture(this.renderer, this.shared);
-    this.quality = new Quality({saving: navigator.connection?.saveData || navigator.deviceMemory <= 2, software: drawsInSoftware(this.renderer.getContext())});
+    const software = drawsInSoftware(this.renderer.getContext());
+    this.quality = new Quality({saving: navigator.connection?.saveData || navigator.deviceMemory <= 2, software});
+    this.pace = new Pace({software});
+    if (software) this.picture.mostCast = 1;
     this.shade = true;   // in hollows
     this.scene = new Scene();
     this.world = new Group();   // the model's millimetres; only a headset moves and scales it
@@ -64,6 +71,8 @@ export class Viewer extends EventTarget {
       this.world.add(shown.group);
       return shown;
     });
+    this.volume = values && this.picture.layers ? new Volume(this.renderer, description.volume, values) : null;
+    this.shadow = values ? null : Shadow.of(this.renderer, {models, looks: this.looks, certificate: description.models[0].certificate}, this.bounds);
     this.chosen = 0;
     this.faces = 'cull';
     this.wallDepth = true;   // canals' walls tell how deep one is
@@ -147,6 +156,20 @@ export class Viewer extends EventTarget {
     this.dress();
     if (change.on || change.side || change.reversed !== undefined) this.faceTheCut();
   }
+  /// Of the page's volume: {shows, cast, transfer, window, ...} as a scene file has it under "volume".
+  setVolume(change) {
+    const {look} = this.volume, begins = change.shows === 'both' && look.shows !== 'both';
+    Object.assign(look, change);
+    if (begins) for (const structure of this.looks.values()) if (!structure.as_body) structure.opacity = Math.min(structure.opacity, aroundVolume);
+    this.dress();
+  }
+  setFilm(on) { this.shadow.on = on; this.dress(); }
+  /// Looks from where the tube of an X-ray machine stands, swung from buccal by degrees; positive: to the right of whoever looks.
+  swingTube(degrees) {
+    if (this.inside) this.leave();
+    const angle = degrees * Math.PI / 180;
+    this.orbit.goTo({towards: [-Math.sin(angle), Math.cos(angle), 0], up: [0, 0, 1]}, true);
+  }
   /// A cut that is turned away is not seen: look at it from a little aside.
   faceTheCut() {
     const plane = this.section.plane();
@@ -225,35 +248,42 @@ export class Viewer extends EventTarget {
       this.dispatchEvent(new Event('travel'));
     }
     if (this.dirty) {
-      if (this.movedLast && this.quality.note(seconds)) this.dispatchEvent(new Event('change'));
+      if (this.movedLast && this.caster) this.pace.note(seconds);
+      else if (this.movedLast && this.quality.note(seconds)) this.dispatchEvent(new Event('change'));
       this.dirty = false;
       this.rested = 0;
       this.movedLast = true;
-      this.draw({way: this.quality.moving});
+      this.draw({way: this.quality.moving, moving: true});
       return;
     }
     this.movedLast = false;
     this.rested += seconds;
-    if (this.headset.present || !this.quality.mayRefine(this.rested)) return;
+    if (this.headset.present || !(this.caster ? this.rested > restBeforeCasting : this.quality.mayRefine(this.rested))) return;
     const way = this.wayOf(this.quality.still);
     if (this.picture.finished(way)) return;
     this.picture.refine(this.scene, this.camera, this.current, way);
   }
 
-  wayOf({layers, shade}) { return {layers, shade: shade && this.shade, reach: shadeReach * this.bounds.radius, bounds: this.bounds}; }
+  /// What casts rays, if anything does.
+  get caster() { return this.volume?.showsVolume ? this.volume : this.shadow?.on ? this.shadow : null; }
+  wayOf({layers, shade}, moving = false) {
+    const {caster} = this;
+    if (this.volume) this.volume.coarseness = moving ? coarseSteps : 1;
+    return {layers, shade: shade && this.shade, reach: shadeReach * this.bounds.radius, bounds: this.bounds, caster, scale: caster && moving ? this.pace.scale : 1};
+  }
   get current() { return this.shown[this.chosen]; }
 
   /// Draws what is to be seen now. `complete`: every layer, however many; else as many as there lately were.
-  draw({way = this.quality.still, complete = false} = {}) {
+  draw({way = this.quality.still, moving = false, complete = false} = {}) {
     setLightFrame(this.shared, this.headset.present ? this.renderer.xr.getCamera() : null);
     const sight = this.inside ? this.journey.lengths.sight * this.world.scale.x : 0;
     this.shared.lamp.value.set(0.1 * sight, 0.16 * sight, 0, sight);   // in the hand beside the eye, as on the desktop
-    this.picture.draw(this.scene, this.camera, this.current, {...this.wayOf(way), complete});
+    this.picture.draw(this.scene, this.camera, this.current, {...this.wayOf(way, moving), complete});
     this.frames += 1;
     this.dispatchEvent(new Event('drawn'));
     if (this.headset.present) return;
     const plane = this.section.plane();
     this.pins.place(this.camera);
-    this.labels.place(this.camera, {avoid: this.pins.boxes, hidden: this.inside, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
+    this.labels.place(this.camera, {avoid: this.pins.boxes, hidden: this.inside || this.caster?.showsSurfaces === false, plane, width: this.canvas.clientWidth, height: this.canvas.clientHeight});
   }
 }

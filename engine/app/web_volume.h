@@ -1,0 +1,27 @@
+#pragma once
+// The grey values that a web page carries.
+
+#include <string>
+#include <vector>
+
+#include "engine/app/volume_look_words.h"
+#include "engine/app/volume_options.h"
+#include "engine/scene/value_grid.h"
+#include "engine/web/page.h"
+
+namespace odontoscope::app {
+
+/// What a page keeps of a volume: 16 million values, which a phone can hold.
+inline constexpr ValueGridLimits page_values{.most_values = 16u << 20, .longest_side = 512};
+
+/// In eight bits: whole numbers that lie within 256 as they are, others from half a dentine's contrast below air to three and a half above it; what lies beyond becomes the
+/// nearest of these. `look` shows the volume.
+WebVolume web_volume(const ValueGrid& grid, const GreyAnchors& greys, const VolumeLook& look);
+
+/// Its size, and what was left out.
+void tell_web_volume(const WebVolume& volume, const ValueGrid& grid, Session& session);
+
+/// A page of nothing but a volume's grey values; what stands for a model is the box of what is dense.
+WebPage page_of_voxels(const std::string& file, const VolumeWords& volume, const VolumeLookWords& look, const std::string& grey, Session& session);
+
+}  // namespace odontoscope::app
