@@ -21,3 +21,10 @@ find_package(ZLIB REQUIRED)
 # libzip's own package file asks for its command line tools, too.
 find_path(ODONTOSCOPE_ZIP_INCLUDE zip.h REQUIRED)
 find_library(ODONTOSCOPE_ZIP zip REQUIRED)
+# Without it all else is built, and --elements says what is missing.
+find_path(ODONTOSCOPE_TETGEN_INCLUDE tetgen.h)
+find_library(ODONTOSCOPE_TETGEN_LIBRARY tet)
+set(ODONTOSCOPE_TETGEN OFF)
+if(ODONTOSCOPE_TETGEN_INCLUDE AND ODONTOSCOPE_TETGEN_LIBRARY)
+  set(ODONTOSCOPE_TETGEN ON)
+endif()

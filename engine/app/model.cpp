@@ -51,12 +51,26 @@ void tell_simplification(const StructureSimplification& done, Console& console) 
                           measured(done.distance.mean()), measured(done.distance.largest())));
 }
 
+void tell_elements(const ModelElements& elements, Console& console) {
+  for (const elements::MaterialElements& one : elements.materials) {
+    console.say(fmt::format("{}: {} of about {} mm, angles {:.1f} to {:.1f} degrees; off the exact surface by {} mm on average and {} mm at most, volume {:+.2f} %",
+                            one.structure, counted(one.shape.tetrahedra, "element"), measured(elements.size), one.shape.smallest_dihedral_deg.min,
+                            one.shape.largest_dihedral_deg.max, measured(one.distance.mean()), measured(one.distance.largest()),
+                            100 * (one.shape.volume / one.exact_volume - 1)));
+  }
+  if (elements.size < elements.asked) console.say(fmt::format("Elements of {} mm would have changed the topology or came to no end, so they are smaller.", measured(elements.asked)));
+}
+
 }  // namespace
 
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress) {
   ModelSimplification done = simplify_surfaces(model.reconstruction, triangles, progress);
   model.simplifications = std::move(done.structures);
   model.aim = done.aim;
+}
+
+void mesh_model(Model& model, std::optional<double> size, const Progress& progress) {
+  model.elements = mesh_elements(model.reconstruction, size, progress);
 }
 
 void move_model(Model& model, const RigidMotion& motion) {
@@ -105,6 +119,7 @@ void tell_model(const Model& model, double seconds, Console& console) {
   for (const StructureSimplification& done : model.simplifications) {
     if (done.triangles < done.triangles_before) tell_simplification(done, console);
   }
+  if (model.elements) tell_elements(*model.elements, console);
   console.say(fmt::format("In all {} and {}, in {} s on {}.", counted(triangles_in(made), "triangle"),
                           counted(made.counts.kept, "tetrahedron", "tetrahedra"), measured(seconds),
                           counted(static_cast<std::size_t>(made.threads), "thread")));
@@ -116,7 +131,7 @@ void tell_model(const Model& model, double seconds, Console& console) {
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
-                          model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+                          model.elements ? "full model, before it was meshed anew, is" : model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
   console.say(headline(made) + ".");
 }
 

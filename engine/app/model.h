@@ -11,6 +11,7 @@
 #include "recon/core/rigid_motion.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
+#include "recon/output/element_model.h"
 #include "recon/output/report_json.h"
 
 namespace odontoscope::app {
@@ -20,10 +21,14 @@ struct Model {
   /// One for each solid whose surface in `reconstruction` is a simplified one; the tetrahedra stay as they were.
   std::vector<StructureSimplification> simplifications;
   std::optional<SimplificationAim> aim;
+  std::optional<ModelElements> elements;   // its surfaces and tetrahedra are these
 };
 
 /// As simplify_surfaces (recon/output/simplify_model.h) does.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
+
+/// As mesh_elements (recon/output/element_model.h) does.
+void mesh_model(Model& model, std::optional<double> size, const Progress& progress);
 
 /// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over or makes it flat, or
 /// spoils a surface.

@@ -2,11 +2,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "engine/app/command.h"
@@ -19,8 +21,10 @@
 #include "engine/app/structure_files.h"
 #include "engine/app/tour_cameras.h"
 #include "engine/app/volume_options.h"
+#include "recon/core/limits.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/delaunay/verdict.h"
+#include "recon/elements/limits.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
@@ -40,6 +44,7 @@ struct ReconstructArguments {
   DtWords dt;
   std::vector<std::string> together;   // "A,B"
   std::optional<int> triangles;
+  std::optional<std::string> elements;   // size in mm, or "quality"
   bool strict = false;
   std::vector<std::string> outputs;
   bool tours = false, compress = false, see_through = false, variants = false, hotspots = false, as_given = false;
@@ -51,7 +56,7 @@ void refuse_other_methods_options(const ReconstructArguments& options) {
     if (!options.db.any()) return;
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
-  if (options.triangles || options.strict) throw UsageError("--triangles and --strict are about the DT method", "Use --decimate with --method db");
+  if (options.triangles || options.strict || options.elements) throw UsageError("--triangles, --elements and --strict are about the DT method", "Use --decimate with --method db");
   if (!options.dt.any()) return;
   throw UsageError(
       "--correspondence, --between, --links, --link and --unlink are about the DT method; DB connects whatever "
@@ -92,6 +97,22 @@ void refuse_with_partition(const ReconstructArguments& options) {
   if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
 }
 
+/// Nothing for "quality".
+std::optional<double> element_size(const std::string& text) {
+  if (text == "quality") return std::nullopt;
+  double size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (error == std::errc() && end == text.data() + text.size() && size >= elements::limits::least_size && size <= limits::largest_coordinate) return size;
+  throw UsageError(fmt::format("--elements {}: that is neither a size in mm, from {} on, nor quality", text, elements::limits::least_size),
+                   "Say how long edges of elements may be, as --elements 0.5");
+}
+
+void refuse_senseless_elements(const ReconstructArguments& options) {
+  if (!options.elements) return;
+  element_size(*options.elements);
+  if (options.triangles) throw UsageError("--elements and --triangles both make the surfaces anew", "Use one of the two");
+}
+
 void refuse_senseless(const ReconstructArguments& options) {
   refuse_other_methods_options(options);
   refuse_with_partition(options);
@@ -112,6 +133,7 @@ void refuse_senseless(const ReconstructArguments& options) {
   if (of_gltf_alone && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(of_gltf_alone, "Write one of these too: -o model.glb");
   if (options.as_given) refuse_senseless_as_given(options);
+  refuse_senseless_elements(options);
   if (options.words.reshape.any()) refuse_reshaped(options.outputs);
   if (!options.report.empty()) known_ending(options.report, {".json"});
   for (const std::string& list : options.together) names_in(list, "--together");
@@ -173,8 +195,9 @@ struct Input {
 Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
   DtWords dt = options.dt;
   if (!options.together.empty()) dt.partition.independent = true;
-  const auto model = std::make_shared<Model>(Model{reconstructed(stack, dt, session), {}, {}});
+  const auto model = std::make_shared<Model>(Model{reconstructed(stack, dt, session), {}, {}, {}});
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
+  if (options.elements) mesh_model(*model, element_size(*options.elements), session.progress());
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
   if (options.as_given && input.volume && input.volume->upright) {
     move_model(*model, input.volume->upright->inverse());
@@ -183,7 +206,7 @@ Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArgumen
   Made made = files_of(model->reconstruction, options, session);
   made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
   if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim})});
+    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim, .elements = model->elements})});
   }
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
@@ -272,6 +295,8 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
+  parser.add_option("--elements", options.elements, "Mesh anew for simulation: edges of about MM, or quality: a size that fits")
+      ->type_name("MM");
   parser.add_flag("--strict", options.strict,
                   "Write nothing if the verdict is amber or --triangles is missed");
   add_dt_options(parser, options.dt);
@@ -298,6 +323,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
       "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
       "  odontoscope reconstruct whole.json --partition -o bonded.msh -o bonded.glb\n"
+      "  odontoscope reconstruct whole.json --partition --elements 0.5 -o bonded.inp --report bonded.json\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
       "  odontoscope reconstruct molar.json --voxels 0.1,0.1,0.1 -o molar.seg.nrrd\n"
       "  odontoscope reconstruct molar.json --method db --grid 128 --cases classic -o db.glb\n"
@@ -309,6 +335,8 @@ Command reconstruct_command(CLI::App& root) {
       "centres in the solid.\n"
       "--triangles keeps pieces, handles and cavities; where that needs more than N, what was reached is\n"
       "written, a warning says why, and the exit code is 1.\n"
+      "--elements makes tetrahedra of good angles, which the exact ones are not; slices are then no longer cut\n"
+      "exactly at their contours, and the report says by how much.\n"
       "The report lists every connection that was made, in the form that --links reads.\n"
       "The verdict is green, or amber: certified, but warnings name places where the data leave a choice, with\n"
       "the option that decides it. See docs/reconstruction.md.\n"

@@ -51,7 +51,7 @@ void add_volume(const Greys& greys, const WebWords& words, Scene& scene, WebPage
 }
 
 WebModel model_by_dt(const ContourStack& stack, const std::optional<Greys>& greys, const WebWords& words, WebPage& page, Session& session) {
-  Model made{reconstructed(stack, words.dt, session), {}, {}};
+  Model made{reconstructed(stack, words.dt, session), {}, {}, {}};
   add_ways(made.reconstruction, page, session.progress());
   Scene scene = usual_scene_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
   if (greys) add_volume(*greys, words, scene, page, session);

@@ -4,36 +4,10 @@
 #include <cmath>
 
 #include "recon/mesh/half_edges.h"
+#include "recon/mesh/nearest_on_triangle.h"
 
 namespace odontoscope {
 namespace {
-
-/// Barycentric coordinates of the nearest point of a triangle: s towards b, t towards c. Which feature it lies on: 0 to 2 a corner, 3 to 5 the edge
-/// from corner k - 3, 6 the inside. After C. Ericson, "Real-Time Collision Detection", 5.1.5.
-struct OnTriangle {
-  double s = 0, t = 0;
-  int feature = 0;
-};
-inline OnTriangle nearest_on(const Direction& ab, const Direction& ac, const Direction& ap) {
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return {0, 0, 0};
-  const double bb = dot(ab, ab), bc = dot(ab, ac), cc = dot(ac, ac);
-  const double d3 = d1 - bb, d4 = d2 - bc;
-  if (d3 >= 0 && d4 <= d3) return {1, 0, 1};
-  const double d5 = d1 - bc, d6 = d2 - cc;
-  if (d6 >= 0 && d5 <= d6) return {0, 1, 2};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {d1 / (d1 - d3), 0, 3};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {0, d2 / (d2 - d6), 5};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {1 - w, w, 4};
-  }
-  const double whole = 1 / (va + vb + vc);
-  return {vb * whole, vc * whole, 6};
-}
 
 Direction unit(const Direction& v) {
   const double l = length(v);
@@ -84,7 +58,7 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough, double mo
     for (std::uint32_t i = first; i < end; ++i) {
       const Face& here = faces_[i];
       const Direction ap = from - here.a;
-      const OnTriangle on = nearest_on(here.ab, here.ac, ap);
+      const OnTriangle on = nearest_on_triangle(here.ab, here.ac, ap);
       const double x = ap.x - on.s * here.ab.x - on.t * here.ac.x, y = ap.y - on.s * here.ab.y - on.t * here.ac.y,
                    z = ap.z - on.s * here.ab.z - on.t * here.ac.z;
       const double square = x * x + y * y + z * z;

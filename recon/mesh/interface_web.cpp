@@ -1,6 +1,7 @@
 #include "recon/mesh/interface_web.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace odontoscope {
@@ -81,6 +82,44 @@ std::vector<std::uint32_t> InterfaceWeb::collapse(PointIndex a, PointIndex b, co
   faces_of_[b].clear();
   points_[a] = place;
   return vanished;
+}
+
+std::vector<std::uint32_t> InterfaceWeb::faces_between(PointIndex a, PointIndex b) const {
+  std::vector<std::uint32_t> both;
+  std::set_intersection(faces_of_[a].begin(), faces_of_[a].end(), faces_of_[b].begin(), faces_of_[b].end(), std::back_inserter(both));
+  return both;
+}
+
+PointIndex InterfaceWeb::split(PointIndex a, PointIndex b, const Point3& place) {
+  const auto middle = static_cast<PointIndex>(points_.size());
+  points_.push_back(place);
+  faces_of_.emplace_back();
+  for (const std::uint32_t f : faces_between(a, b)) {
+    const auto made = static_cast<std::uint32_t>(faces_.size());
+    InterfaceTriangle half = faces_[f];
+    std::replace(half.triangle.begin(), half.triangle.end(), a, middle);
+    std::replace(faces_[f].triangle.begin(), faces_[f].triangle.end(), b, middle);
+    std::erase(faces_of_[b], f);
+    for (const PointIndex v : half.triangle) faces_of_[v].push_back(made);
+    faces_of_[middle].push_back(f);
+    faces_.push_back(half);
+  }
+  std::sort(faces_of_[middle].begin(), faces_of_[middle].end());
+  return middle;
+}
+
+void InterfaceWeb::flip(PointIndex a, PointIndex b) {
+  const std::vector<std::uint32_t> pair = faces_between(a, b);
+  Triangle &s = faces_[pair[0]].triangle, &t = faces_[pair[1]].triangle;
+  const auto opposite = [&](const Triangle& face) { return *std::find_if(face.begin(), face.end(), [&](PointIndex v) { return v != a && v != b; }); };
+  const PointIndex c = opposite(s), d = opposite(t);
+  std::replace(s.begin(), s.end(), b, d);
+  std::replace(t.begin(), t.end(), a, c);
+  const auto insert = [&](PointIndex v, std::uint32_t face) { faces_of_[v].insert(std::lower_bound(faces_of_[v].begin(), faces_of_[v].end(), face), face); };
+  std::erase(faces_of_[b], pair[0]);
+  std::erase(faces_of_[a], pair[1]);
+  insert(d, pair[0]);
+  insert(c, pair[1]);
 }
 
 }  // namespace odontoscope

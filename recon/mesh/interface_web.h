@@ -46,6 +46,17 @@ class InterfaceWeb {
   /// The edge becomes the vertex `a`, at `place`. Returns the faces that vanish.
   std::vector<std::uint32_t> collapse(PointIndex a, PointIndex b, const Point3& place);
 
+  /// A new vertex at `place` in the middle of an edge: each triangle of it keeps the half with `a`; the halves with `b` are new faces, in the order of
+  /// the old ones. Returns the vertex.
+  PointIndex split(PointIndex a, PointIndex b, const Point3& place);
+
+  /// The other diagonal of the two triangles of a surface edge. Precondition: they have one pair of labels, and are turned alike.
+  void flip(PointIndex a, PointIndex b);
+
+  void move(PointIndex v, const Point3& place) { points_[v] = place; }
+  /// The triangles of an edge, ascending.
+  std::vector<std::uint32_t> faces_between(PointIndex a, PointIndex b) const;
+
  private:
   std::vector<Point3> points_;
   std::vector<InterfaceTriangle> faces_;

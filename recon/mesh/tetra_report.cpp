@@ -48,13 +48,14 @@ double bounded(double ratio) { return ratio < limits::largest_aspect_ratio ? rat
 
 /// Measurements of all elements, and sums that are added chunk by chunk so that threads do not matter.
 struct Measurements {
-  std::vector<double> smallest, largest, radius_edge;
+  std::vector<double> smallest, largest, radius, radius_edge;
   std::vector<double> volume_of_chunk;
   std::vector<std::size_t> non_positive_of_chunk;
 
   explicit Measurements(std::size_t elements, std::size_t chunks)
       : smallest(elements),
         largest(elements),
+        radius(elements),
         radius_edge(elements),
         volume_of_chunk(chunks),
         non_positive_of_chunk(chunks) {}
@@ -66,13 +67,17 @@ double measure(const TetraMesh& mesh, std::size_t element, Measurements& into) {
   const Point3 &a = mesh.points[ia], &b = mesh.points[ib], &c = mesh.points[ic], &d = mesh.points[id];
   const Direction ab = b - a, ac = c - a, ad = d - a, bc = c - b, bd = d - b, cd = d - c;
   const Direction acd = cross(ac, ad), adb = cross(ad, ab), abc = cross(ab, ac);
-  const Angles angles = dihedral_angles({cross(bc, bd), -1.0 * acd, -1.0 * adb, -1.0 * abc});
+  const Direction bcd = cross(bc, bd);
+  const Angles angles = dihedral_angles({bcd, -1.0 * acd, -1.0 * adb, -1.0 * abc});
   into.smallest[element] = angles.smallest;
   into.largest[element] = angles.largest;
 
   const double six_volumes = dot(ab, acd);
   const Direction centre = dot(ab, ab) * acd + dot(ac, ac) * adb + dot(ad, ad) * abc;  // from a, times 2 * six_volumes
   const double shortest = std::min({dot(ab, ab), dot(ac, ac), dot(ad, ad), dot(bc, bc), dot(bd, bd), dot(cd, cd)});
+  // Inscribed: three volumes over the area of all faces, that is six volumes over twice that area.
+  const double areas = length(bcd) + length(acd) + length(adb) + length(abc), around = length(centre);
+  into.radius[element] = areas > 0 && around > 0 ? 3 * std::abs(six_volumes) / areas * (2 * std::abs(six_volumes) / around) : 0;
   into.radius_edge[element] = bounded(length(centre) / (2 * std::abs(six_volumes) * std::sqrt(shortest)));
   return six_volumes;
 }
@@ -105,6 +110,7 @@ TetraReport inspect(const TetraMesh& mesh) {
   for (const std::size_t count : measured.non_positive_of_chunk) report.non_positive += count;
   report.smallest_dihedral_deg = spread_of(measured.smallest, 0, limits::dihedral_histogram_high);
   report.largest_dihedral_deg = spread_of(measured.largest, 0, limits::dihedral_histogram_high);
+  report.radius_ratio = spread_of(measured.radius, 0, 1);
   report.radius_edge_ratio = spread_of(measured.radius_edge, 0, limits::radius_edge_histogram_high);
   return report;
 }

@@ -55,6 +55,7 @@ Json structures_json(const Reconstruction& reconstruction, const std::vector<Tet
                             {"volume", report.volume},
                             {"smallest_dihedral_deg", json_of(report.smallest_dihedral_deg)},
                             {"largest_dihedral_deg", json_of(report.largest_dihedral_deg)},
+                            {"radius_ratio", json_of(report.radius_ratio)},
                             {"radius_edge_ratio", json_of(report.radius_edge_ratio)}}}});
   }
   return structures;
@@ -163,6 +164,19 @@ Json simplification_json(const std::vector<StructureSimplification>& simplificat
                     {"kept_vertices", one.kept_vertices}});
   }
   return list;
+}
+
+Json json_of(const ModelElements& elements) {
+  Json materials = Json::array();
+  for (const elements::MaterialElements& one : elements.materials) {
+    materials.push_back({{"structure", one.structure},
+                         {"count", one.shape.tetrahedra},
+                         {"volume", one.shape.volume},
+                         {"exact_volume", one.exact_volume},
+                         {"elements_to_exact", json_of(one.distance.there)},
+                         {"exact_to_elements", json_of(one.distance.back)}});
+  }
+  return {{"size", elements.size}, {"asked", elements.asked}, {"structures", std::move(materials)}};
 }
 
 Json json_of(const SimplificationAim& aim) {
@@ -290,6 +304,7 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
   report["cut_links"] = reconstruction.counts.cut_links;
   if (options.aim) report["simplification_aim"] = json_of(*options.aim);
   if (!options.simplifications.empty()) report["simplification"] = simplification_json(options.simplifications);
+  if (options.elements) report["elements"] = json_of(*options.elements);
   report["seconds"] = seconds_json(reconstruction.seconds);
   report["threads"] = reconstruction.threads;
   report["certified"] = reconstruction.certified && manifold;

@@ -11,6 +11,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/mesh/simplify_surface.h"
+#include "recon/output/element_model.h"
 
 namespace odontoscope {
 
@@ -49,11 +50,12 @@ struct ReportOptions {
   std::vector<StructureSimplification> simplifications;
   std::optional<ReportVolume> volume = {};
   std::optional<SimplificationAim> aim;
+  std::optional<ModelElements> elements = {};
 };
 
 /// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra,
 /// surface, structures, resampling, links, void_links, topology, changes, attention, cut_links, simplification_aim and
-/// simplification (only if there was one), seconds, threads, certified, verdict (see recon/delaunay/verdict.h).
+/// simplification (only if there was one), elements (only if it was meshed anew), seconds, threads, certified, verdict (see recon/delaunay/verdict.h).
 /// `certified` is true if the reconstruction is and every surface in it, as it now is, is a closed oriented manifold.
 /// Lengths in mm, volumes in mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and
 /// `threads` differ between two runs on the same input.

@@ -2,11 +2,8 @@
 // Compressed DICOM frames decoded in a child process, so that nothing in a file can end this program: the decoders behind GDCM assert, abort and
 // overrun on some damaged data, and what else they do wrong is not known. Inner part of read_volume.h.
 //
-// The child is a fork without a new program, so that every program which links this library has it (tests and viewers too) and no second
-// executable must be found. Of a process with threads a fork keeps the calling one alone; glibc makes malloc and stdio usable in the child, which
-// uses nothing else of this process: it decodes into memory that both share, tells each finished frame by a byte in a pipe, and leaves by _exit. No
-// lock of ours, no TBB and no destructor runs there. It may take limits::decoding_seconds of processor time and as many again by the clock for each
-// frame that it finishes, limits::decoding_bytes of memory beyond what it began with, and ends with its parent. POSIX, Linux.
+// The child (work_apart.h) may take limits::decoding_seconds of processor time for each frame, limits::decoding_seconds_by_clock from one that it finishes to the
+// next, and limits::decoding_bytes of memory beyond what it began with.
 
 #include <cstddef>
 #include <string>

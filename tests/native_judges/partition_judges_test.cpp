@@ -6,7 +6,9 @@
 #include <set>
 #include <sstream>
 
+#include "recon/elements/fill.h"
 #include "recon/output/complex_groups.h"
+#include "recon/output/element_model.h"
 #include "recon/output/write_inp.h"
 #include "recon/partition/reconstruct_partition.h"
 #include "recon/sample/sample_tooth.h"
@@ -128,6 +130,7 @@ std::string bonded_job(const Reconstruction& model) {
 struct Bitten {
   Point3 reaction;
   double depth = 0;    // mm, of the node that is pressed down farthest
+  double work = 0;     // N mm, of the bite: twice the strain energy
 };
 
 class Bite : public PartitionJudge {
@@ -149,6 +152,8 @@ class Bite : public PartitionJudge {
     std::size_t node = 0, count = 0;
     for (Point3 u; count < load.size() && lines >> node >> u.x >> u.y >> u.z; ++count) {
       found.depth = std::max(found.depth, -u.z);
+      const auto pressed = load.find(static_cast<PointIndex>(node - 1));
+      if (pressed != load.end()) found.work += pressed->second * u.z;
     }
     EXPECT_EQ(count, load.size());
     return found;
@@ -181,6 +186,24 @@ TEST_P(Bite, IsHeldByBondedTissues) {
   EXPECT_NEAR(found.reaction.z, bite, 1e-4 * bite);
   EXPECT_GT(found.depth, 1e-4);
   EXPECT_LT(found.depth, 0.05);
+}
+
+/// Elements of good angles: the bite's work hardly depends on their size.
+TEST_P(Bite, ConvergesAsElementsBecomeFiner) {
+  need("ccx");
+  if (IsSkipped()) return;
+  if (!elements::can_fill()) GTEST_SKIP() << "built without TetGen (libtet1.5-dev)";
+  std::vector<double> works;
+  for (const double size : {3.0, 1.5}) {
+    Reconstruction model = bonded_tooth();
+    mesh_elements(model, size);
+    expect_bonded(*model.complex);
+    const Bitten found = bitten(model);
+    EXPECT_NEAR(found.reaction.z, bite, 1e-4 * bite);
+    works.push_back(found.work);
+  }
+  EXPECT_GT(works[1], 0);
+  EXPECT_NEAR(works[0], works[1], 0.01 * works[1]);
 }
 
 std::string incisor(const ::testing::TestParamInfo<Tooth>&) { return "SampleIncisor"; }
