@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/shown_input.h"
-#include "engine/ui/loading.h"
+#include "engine/ui/certificate.h"
 
 namespace odontoscope::app {
 
