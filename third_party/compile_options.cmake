@@ -18,7 +18,10 @@ function(odontoscope_room name)
   cmake_parse_arguments(ROOM "LIGHT;APART" "" "SOURCES;ROOMS;PACKAGES;PRIVATE_PACKAGES" ${ARGN})
   add_library(odontoscope_${name} STATIC ${ROOM_SOURCES})
   add_library(odontoscope::${name} ALIAS odontoscope_${name})
-  set_target_properties(odontoscope_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(odontoscope_${name} PROPERTIES EXPORT_NAME ${name})
+  if(NOT EMSCRIPTEN)   # of which shared modules are linked: Python's
+    set_target_properties(odontoscope_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   target_compile_features(odontoscope_${name} PUBLIC cxx_std_20)
   target_include_directories(odontoscope_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/odontoscope>)

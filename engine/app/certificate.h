@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/app/proven.h"
-#include "engine/ui/loading.h"
+#include "engine/ui/certificate.h"
 
 namespace odontoscope::app {
 

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "engine/app/console.h"
 #include "engine/app/interrupt.h"
@@ -32,6 +33,11 @@ struct Command {
   /// Throws what recon/core/error.h lists.
   std::function<ExitCode(Session&)> run;
 };
+
+/// The subcommands that this program has, added to its parser, and what its help says last. In commands.cpp; the program for browsers
+/// (web/wasm/program) has fewer.
+std::vector<Command> add_commands(CLI::App& root);
+const char* first_steps();
 
 Command sample_command(CLI::App& root);
 Command contours_command(CLI::App& root);

@@ -28,23 +28,6 @@ constexpr const char* purpose =
     "Odontoscope turns stacks of planar contours of a tooth, or a CT volume, into solid models\n"
     "whose surface is proven to be a closed, oriented manifold.\n";
 
-constexpr const char* first_steps =
-    "First steps:\n"
-    "  odontoscope sample molar -o molar.json                contours of a generated tooth\n"
-    "  odontoscope reconstruct molar.json -o molar.glb       contours to a solid model\n"
-    "  odontoscope view molar.glb                            look at it, turn it, cut it open\n"
-    "  odontoscope render molar.glb -o molar.png             a picture of it\n"
-    "  odontoscope web molar.json -o molar.html              a page to look at it in any browser\n"
-    "  odontoscope anatomy molar.json                        its canals in numbers\n"
-    "  odontoscope check molar.glb                           is it closed and oriented?\n"
-    "  odontoscope reconstruct scan.nrrd --iso 120 -o t.stl  straight from a CT volume\n"
-    "\n"
-    "Every subcommand explains itself: odontoscope reconstruct --help\n"
-    "\n"
-    "Exit codes: 0 done, 1 checked and found wanting, 2 wrong command line, 3 bad input,\n"
-    "            4 cannot read or write, 5 cannot draw on this machine, 70 a bug of ours,\n"
-    "            130 stopped by Ctrl-C. Unless it is 0 or 1, no output file was touched.\n";
-
 struct GlobalOptions {
   bool quiet = false;
   int threads = 0;
@@ -57,17 +40,6 @@ void add_global_options(CLI::App& root, GlobalOptions& options) {
   root.add_option("--threads", options.threads, "Threads to use; the result does not depend on it (default: all)")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_threads));
-}
-
-std::vector<Command> add_commands(CLI::App& root) {
-  std::vector<Command> commands;
-  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, render_command, view_command, web_command,
-                          compare_command, canal_command, anatomy_command, figures_command, corpus_command, batch_command, compare_images_command}) {
-    commands.push_back(make(root));
-    // --quiet and --threads may stand behind the subcommand too.
-    commands.back().parser->fallthrough();
-  }
-  return commands;
 }
 
 const CLI::App* chosen_subcommand(const CLI::App& root) {
@@ -200,12 +172,13 @@ bool tells_of_memory(const std::exception& error) {
 
 int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** argv) {
   CLI::App root(purpose, "odontoscope");
-  root.footer(first_steps);
+  root.footer(first_steps());
   root.require_subcommand(1);
   root.get_formatter()->column_width(36);
   GlobalOptions options;
   add_global_options(root, options);
   const std::vector<Command> commands = add_commands(root);
+  for (const Command& command : commands) command.parser->fallthrough();   // --quiet and --threads may stand behind the subcommand too
   if (const auto over = parse(root, console, argc, argv)) return *over;
   if (options.quiet) console.be_quiet();
   Session session{console, interrupts, options.threads, {}};

@@ -13,6 +13,7 @@
 #include "engine/app/words.h"
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/notes.h"
+#include "engine/web/studio.h"
 #include "recon/core/grouped.h"
 
 namespace odontoscope::app {
@@ -22,6 +23,7 @@ struct WebArguments {
   WebWords words;
   std::string output, title, lesson;
   std::optional<int> budget;   // thousands of bytes
+  bool studio = false;
 };
 
 constexpr std::size_t longest_title = 200;
@@ -99,8 +101,23 @@ Made made_to_fit(WebArguments options, const std::optional<TourNotes>& lesson, S
   return made;
 }
 
+/// The same page for everybody: what it makes models of is given to it in the browser.
+ExitCode make_studio(const WebArguments& options, Session& session) {
+  const WebWords& words = options.words;
+  if (!words.input.empty() || !options.title.empty() || !options.lesson.empty() || words.with_db || options.budget || words.triangles || words.with_volume() || words.dt.any() || words.db.any() || words.volume.any_level())
+    throw UsageError("--studio: this page takes its input in the browser", "Leave INPUT and the other options out");
+  const std::string_view page = studio_page();
+  if (page.empty())
+    throw UsageError("this odontoscope was built without the studio", "Run web/wasm/build (it needs Debian's emscripten), and build again; docs/studio.md tells more");
+  refuse_unwritable({.inputs = {}, .outputs = {options.output}});
+  write_all({{options.output, std::string(page)}}, session.interrupts);
+  session.console.say(fmt::format("Wrote {} ({} KB). Open it in a browser, and drop contours, a volume or a mesh on it; it needs no network.", options.output, grouped(page.size() / 1000)));
+  return ExitCode::done;
+}
+
 ExitCode make_page(WebArguments options, Session& session) {
   known_ending(options.output, {".html"});
+  if (options.studio) return make_studio(options, session);
   if (options.title.size() > longest_title)
     throw UsageError(fmt::format("--title has {} bytes", options.title.size()), fmt::format("Make it {} or less", longest_title));
   const std::optional<TourNotes> lesson = lesson_of(options);
@@ -133,6 +150,7 @@ Command web_command(CLI::App& root) {
   parser->add_option("--budget", options->budget, "At most so many thousand bytes: DT's surfaces are simplified to fit")
       ->type_name("KB")
       ->check(whole_number_from_one_to(most_budget));
+  parser->add_flag("--studio", options->studio, "A page that makes models itself, of what is dropped on it in the browser");
   parser->add_flag("--db", options->words.with_db, "The DB method's model too, and a switch between both");
   constexpr int most_triangles = 100'000'000;
   parser->add_option("--triangles", options->words.triangles, "Simplify DT's surfaces to at most N triangles in all")
@@ -152,6 +170,7 @@ Command web_command(CLI::App& root) {
       "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 --show both -o ct.html\n"
+      "  odontoscope web --studio -o studio.html\n"
       "\n"
       "The page opens from disk and asks the network for nothing: send it by mail, put it on a stick or a\n"
       "web server. Turn the tooth with mouse, fingers or keys, cut it open, fly through it; with a headset,\n"

@@ -21,6 +21,7 @@
 #include "engine/scene/scene.h"
 #include "engine/scene/value_grid.h"
 #include "engine/scene/volume_preview.h"
+#include "engine/ui/certificate.h"
 #include "recon/core/progress.h"
 
 namespace odontoscope {
@@ -38,28 +39,6 @@ struct LoadRequest {
   bool from_command_line = false;
   std::optional<std::size_t> lesson = {};   // of built_in_lessons(): instead of a file
 };
-
-/// Is the surface what it should be? In words for a person.
-struct Certificate {
-  /// Proven with its solid, which is as its contours imply; proven, but some places want a look; closed, oriented and
-  /// manifold; not even that.
-  enum class Verdict { certified, look_here, sound, wanting };
-  enum class Mark { good, look, bad };
-  struct Finding {
-    Mark mark = Mark::good;
-    std::string words;
-    std::optional<glm::dvec3> at = {};  // mm: where to look
-  };
-  Verdict verdict = Verdict::wanting;
-  std::string headline;
-  std::vector<Finding> findings;
-};
-
-/// The sign that goes with a verdict.
-inline Certificate::Mark mark_of(Certificate::Verdict verdict) {
-  if (verdict == Certificate::Verdict::wanting) return Certificate::Mark::bad;
-  return verdict == Certificate::Verdict::look_here ? Certificate::Mark::look : Certificate::Mark::good;
-}
 
 /// What is known of a volume's grey values besides the grid of them.
 struct GreyValues {

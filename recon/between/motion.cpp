@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::between {
 namespace {
@@ -86,7 +87,7 @@ Motion full_motion(const std::array<Moments, slices_used>& moments, const BlendU
   for (std::size_t n = 0; n < slices_used; ++n) {
     if (unit.presence[n] != Presence::shape) continue;
     motion.origin[n] = moments[n].centroid;
-    if (scales) motion.log_scale[n] = std::log(moments[n].spread / moments[at_lower].spread);
+    if (scales) motion.log_scale[n] = portable::log(moments[n].spread / moments[at_lower].spread);
   }
   return motion;
 }
@@ -110,7 +111,7 @@ Point2 Motion::origin_at(const SliceWeights& weights) const {
 double Motion::scale_at(const SliceWeights& weights) const {
   double sum = 0;
   for (std::size_t n = 0; n < slices_used; ++n) sum += weights[n] * log_scale[n];
-  return std::exp(sum);
+  return portable::exp(sum);
 }
 
 Motion motion_of(const BlendUnit& unit, double step) {
@@ -148,7 +149,7 @@ Motion motion_of(const BlendUnit& unit, double step) {
 Outline in_frame(const Outline& shape, const Motion& motion, std::size_t slice) {
   if (!motion.moves) return shape;
   const Point2 origin = motion.origin[slice];
-  const double factor = std::exp(-motion.log_scale[slice]);
+  const double factor = portable::exp(-motion.log_scale[slice]);
   Outline result = shape;
   for (std::vector<Point2>& ring : result) {
     for (Point2& p : ring) p = {(p.x - origin.x) * factor, (p.y - origin.y) * factor};

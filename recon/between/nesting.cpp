@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::between {
 namespace {
@@ -79,7 +80,7 @@ double unlikeness(const ContourFacts& a, const ContourFacts& b) {
   if (!(ratio > 1 / limits::partner_area_ratio && ratio < limits::partner_area_ratio)) return never;
   const double size = std::sqrt((std::abs(a.area) + std::abs(b.area)) / 2);
   const double apart = std::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) / size;
-  return apart < limits::partner_distance ? apart + std::abs(std::log(ratio)) / 2 : never;
+  return apart < limits::partner_distance ? apart + std::abs(portable::log(ratio)) / 2 : never;
 }
 
 std::vector<std::size_t> best_of(const std::vector<ContourFacts>& a, const std::vector<ContourFacts>& b) {

@@ -3,6 +3,7 @@
 
 #include "recon/between/composed.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::between {
 namespace {
@@ -66,7 +67,7 @@ Outline mostly_within(const Lattice& lattice, const Outline& contours, const std
   return boundary;
 }
 
-double tip_power(double radius) { return std::pow(radius, limits::blend_tip); }
+double tip_power(double radius) { return portable::pow(radius, limits::blend_tip); }
 
 double inradius(const std::vector<double>& distances) {
   double deepest = 0;
@@ -156,7 +157,7 @@ std::vector<double> UnitField::blended(double share) const {
   std::vector<double> values(lattice_.size());
   if (end_) {
     const double way = (end_->beside == at_lower ? share : 1 - share) / end_->share;
-    const double radius = way < 1 ? end_->radius * std::pow(1 - way, 1 / limits::blend_tip) : end_->radius * (1 - way);
+    const double radius = way < 1 ? end_->radius * portable::pow(1 - way, 1 / limits::blend_tip) : end_->radius * (1 - way);
     for (std::size_t p = 0; p < values.size(); ++p)
       values[p] = distances_[end_->beside][p] + end_->radius - radius;
     return values;

@@ -41,10 +41,12 @@ inline constexpr double flat_polygon = 1e-4;
 inline constexpr std::size_t gltf_json_bytes = 64u << 20;
 /// Characters in a line of a text header.
 inline constexpr std::size_t text_line = 10'000;
+/// Where sizes have 32 bits (WebAssembly) less fits into memory, and sums of sizes must not overflow.
+inline constexpr bool small_sizes = sizeof(std::size_t) <= 4;
 /// Bytes of a text or mesh file that is read whole.
-inline constexpr std::size_t file_bytes = 4ull << 30;
+inline constexpr std::size_t file_bytes = static_cast<std::size_t>(small_sizes ? 1ull << 30 : 4ull << 30);
 /// Voxels of a volume: 2 GiB of 16 bit.
-inline constexpr std::size_t voxels = 1ull << 30;
+inline constexpr std::size_t voxels = small_sizes ? 1ull << 28 : 1ull << 30;
 
 }  // namespace odontoscope::limits
 

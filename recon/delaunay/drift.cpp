@@ -1,3 +1,4 @@
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/drift.h"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ class DriftSearch {
     std::vector<OneSide> up(found_.size()), down(found_.size());
     for (std::size_t i = found_.size(); i-- > 0;) up[i] = upwards(found_[i], up);
     for (std::size_t i = 0; i < found_.size(); ++i) down[i] = downwards(found_[i], down);
-    const double starts = std::log(static_cast<double>(std::max<std::size_t>(found_.size(), 1)));
+    const double starts = portable::log(static_cast<double>(std::max<std::size_t>(found_.size(), 1)));
     for (std::size_t i = 0; i < found_.size(); ++i) {
       Evidence best;
       const auto consider = [&best](double begun, const Evidence& a, const Evidence& b) {
@@ -129,7 +130,7 @@ class DriftSearch {
     if (miss > limits::track_bend * reach) return impossible;
     const double share = std::max(miss / reach, limits::track_precision);
     const std::size_t rivals = std::max({above_[k][b].size(), below_[k][b].size(), std::size_t{1}});
-    return std::log(std::min(1.0, static_cast<double>(rivals) * share * share));
+    return portable::log(std::min(1.0, static_cast<double>(rivals) * share * share));
   }
 
   OneSide upwards(const DriftCandidate& link, const std::vector<OneSide>& up) const {

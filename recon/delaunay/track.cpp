@@ -4,6 +4,7 @@
 #include <map>
 #include <tuple>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/ring_holds.h"
 #include "recon/core/union_find.h"
 #include "recon/delaunay/bits.h"
@@ -11,8 +12,8 @@
 namespace odontoscope::delaunay {
 namespace {
 
-const double believed = std::log(limits::track_chance), clear_of_chance = std::log(limits::track_chance_clear),
-             worth_asking = std::log(limits::track_chance_doubtful);
+const double believed = portable::log(limits::track_chance), clear_of_chance = portable::log(limits::track_chance_clear),
+             worth_asking = portable::log(limits::track_chance_doubtful);
 
 /// A free end with a shape beyond it: `share` of area speaks for the link.
 struct Proposal {

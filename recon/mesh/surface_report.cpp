@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 #include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/half_edges.h"
@@ -177,7 +178,7 @@ void measure_triangle(const SurfaceMesh& mesh, std::size_t t, ShellSums& sums, S
   // Sides below 1e-154 leave no product: then it counts as 0.
   const double ratio = twice_area / (sides[1] * sides[2]);
   const double sine = ratio > 0 ? std::min(ratio, 1.0) : 0;
-  angles.push_back(std::asin(sine) * 180 / std::numbers::pi);
+  angles.push_back(portable::asin(sine) * 180 / std::numbers::pi);
   const double semiperimeter = (sides[0] + sides[1] + sides[2]) / 2;
   const double aspect = sides[0] * sides[1] * sides[2] * semiperimeter / (2 * twice_area * twice_area);
   aspects.push_back(aspect < limits::largest_aspect_ratio ? aspect : limits::largest_aspect_ratio);

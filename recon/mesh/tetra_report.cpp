@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/spread.h"
 #include "recon/mesh/vector.h"
@@ -21,7 +22,7 @@ struct Angles {
 /// From the outward normals of two faces: they enclose 180 degrees less the angle between the normals. Exact to the
 /// last digits for flat angles too, where a cosine is not.
 double dihedral(const Direction& n, const Direction& m) {
-  return std::atan2(length(cross(n, m)), -dot(n, m)) * 180 / std::numbers::pi;
+  return portable::atan2(length(cross(n, m)), -dot(n, m)) * 180 / std::numbers::pi;
 }
 
 Angles dihedral_angles(const Direction (&normals)[4]) {

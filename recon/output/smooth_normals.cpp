@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 #include "recon/mesh/half_edges.h"
 
@@ -30,7 +31,7 @@ double angle_at(const SurfaceMesh& surface, HalfEdge corner) {
   const Point3& p = surface.points[start(surface, corner)];
   const Direction u = surface.points[start(surface, next(corner))] - p;
   const Direction v = surface.points[start(surface, previous(corner))] - p;
-  return std::atan2(length(cross(u, v)), dot(u, v));
+  return portable::atan2(length(cross(u, v)), dot(u, v));
 }
 
 /// Corners of a vertex that can be reached from each other without crossing a crease have one root, the first of them.

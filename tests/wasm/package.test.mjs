@@ -1,0 +1,45 @@
+// The npm package as somebody else meets it: packed, installed into an empty folder, imported by name; its types; its errors.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {dist, folder, odontoscope} from './support.mjs';
+
+const {OdontoscopeError, load, reconstruct, run, sample, words} = odontoscope;
+
+test('it is packed, installed without the network, and imported by its name', () => {
+  const at = join(folder, 'user');
+  mkdirSync(at);
+  writeFileSync(join(at, 'package.json'), '{"name": "user", "private": true, "type": "module"}');
+  const npm = (...line) => execFileSync('npm', line, {cwd: at, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe']});
+  const [{filename, files}] = JSON.parse(npm('pack', '--json', join(dist, 'npm')));
+  assert.deepEqual(files.map(file => file.path).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.mjs', 'odontoscope.mjs', 'odontoscope.wasm', 'package.json', 'page.html']);
+  npm('install', '--offline', '--no-audit', '--no-fund', `./${filename}`);
+  writeFileSync(join(at, 'use.mjs'), `import {sample} from 'odontoscope';\nconst {files} = await sample('incisor', {output: 'tooth.json'});\nconsole.log(JSON.parse(new TextDecoder().decode(files['tooth.json'])).format);\n`);
+  assert.equal(execFileSync(process.execPath, ['use.mjs'], {cwd: at, encoding: 'utf8'}).trim(), 'odontoscope.contours');
+});
+
+test('options are those of the program', () => {
+  assert.deepEqual(words('reconstruct', {input: 'a.nrrd', output: ['a.glb', 'b.stl'], minArea: 4, strict: true, partition: false, together: ['a,b', 'c,d'], voxels: [0.1, 0.1, 0.2]}),
+    ['reconstruct', 'a.nrrd', '-o', 'a.glb', '-o', 'b.stl', '--min-area', '4', '--strict', '--together', 'a,b', '--together', 'c,d', '--voxels', '0.1,0.1,0.2']);
+});
+
+test('progress is told, and refusals are errors with cause and exit code', async () => {
+  const {files} = await sample('incisor', {output: 'tooth.json'}), stages = [];
+  const made = await reconstruct({files, input: 'tooth.json', output: 'tooth.glb', onProgress: (stage, fraction) => stages.push([stage, fraction])});
+  assert.equal(Buffer.from(made.files['tooth.glb'].subarray(0, 4)).toString(), 'glTF');
+  assert.ok(stages.length > 5 && stages.every(([stage, fraction]) => typeof stage === 'string' && fraction >= 0 && fraction <= 1));
+  await assert.rejects(reconstruct({files: {'bad.json': '{'}, input: 'bad.json', output: 'x.glb'}),
+    error => error instanceof OdontoscopeError && error.exitCode === 3 && typeof error.causeId === 'string' && error.message.includes('bad.json'));
+  await assert.rejects(reconstruct({files, input: 'tooth.json', output: 'x.glb', nonsense: 1}), {exitCode: 2});
+  await assert.rejects(run(['check', 'x'], {files: {'../x': ''}}), OdontoscopeError);
+});
+
+test('runs share nothing, and one that ends badly harms no other', async () => {
+  const engine = await load();
+  assert.equal((await engine.run(['check', 'none.json'])).exitCode, 4);
+  assert.equal((await engine.run(['check', 'deep.json'], {files: {'deep.json': '['.repeat(300_000)}})).exitCode, 3);
+  assert.equal((await engine.run(['sample', 'incisor', '-o', 'none.json'])).exitCode, 0);
+  assert.equal((await engine.run(['check', 'none.json'])).exitCode, 4);
+});

@@ -1,0 +1,109 @@
+// The studio's page in a browser: what is dropped on it becomes a model, what is bad is refused, and the page lives on.
+import assert from 'node:assert/strict';
+import {existsSync, readFileSync, statSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+import {browser, firefox, needPackages} from '../judges/support.mjs';
+import {dist, folder, native, root} from './support.mjs';
+
+needPackages();
+const driven = await (process.env.ODONTOSCOPE_STUDIO_IN === 'firefox' ? firefox() : browser());
+after(() => driven.close());
+const file = join(dist, 'studio.html'), watched = [];
+const context = await driven.newContext({viewport: {width: 1280, height: 800}, acceptDownloads: true, colorScheme: 'dark'}), page = await context.newPage();
+page.setDefaultTimeout(120_000);
+page.on('pageerror', error => watched.push(`error ${error.message}`));
+page.on('console', message => { if (!message.text().includes('GPU stall due to ReadPixels')) watched.push(`console ${message.type()}: ${message.text()}`); });
+page.on('request', request => { if (!/^(blob|data|file):/.test(request.url())) watched.push(`request ${request.url()}`); });
+await page.goto(pathToFileURL(file).href);
+
+const put = (name, bytes) => { writeFileSync(join(folder, name), bytes); return join(folder, name); };
+const molar = native(['sample', 'molar', '-o', 'molar.json'], {}).files['molar.json'];
+const idle = () => page.waitForFunction(() => document.getElementById('working').hidden);
+const viewerFrame = async () => (await page.$('#viewer')).contentFrame();
+
+test('it opens from disk, is at most 4 MB, and asks the network for nothing', async () => {
+  assert.ok(statSync(file).size <= 4_000_000, `${statSync(file).size}`);
+  assert.equal(await page.title(), 'Odontoscope studio');
+  assert.deepEqual(watched, []);
+});
+
+test('contours become the certified model in the viewer', async () => {
+  await page.setInputFiles('#file', put('molar.json', molar));
+  await page.waitForSelector('#result:not([hidden])');
+  assert.equal(await page.getAttribute('#verdict', 'class'), 'certified');
+  const frame = await viewerFrame();
+  await frame.waitForFunction(() => globalThis.odontoscope);
+  assert.equal(await frame.evaluate(async () => { const viewer = await odontoscope; viewer.picture.mostSamples = 0; return viewer.tours?.length ?? 0; }) >= 0, true);
+  assert.match(await frame.textContent('.verdict'), /ertified/);
+  assert.equal(await frame.textContent('h1'), 'molar');
+  assert.deepEqual(watched, []);
+  if (process.env.ODONTOSCOPE_STUDIO_SHOT) {
+    await page.waitForTimeout(1500);
+    await page.screenshot({path: process.env.ODONTOSCOPE_STUDIO_SHOT});
+  }
+});
+
+test('what is saved is what the program writes', async () => {
+  for (const ending of ['.stl', '.msh']) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#saves button:text-is("${ending}")`)]);
+    const there = native(['reconstruct', 'molar.json', '-o', `molar${ending}`], {'molar.json': molar}).files[`molar${ending}`];
+    assert.equal(Buffer.compare(readFileSync(await download.path()), there), 0, ending);
+  }
+  await idle();
+});
+
+test('a run can be cancelled, and the next one goes well', async () => {
+  await page.click('#make');
+  await page.waitForSelector('#cancel:not([hidden])');
+  await page.click('#cancel');
+  await page.waitForSelector('#failure:not([hidden])');
+  assert.match(await page.textContent('#failure'), /^Cancelled/);
+  await page.click('.sample[value=incisor]');
+  await page.waitForFunction(() => document.getElementById('given').textContent === 'incisor.json');
+  await idle();
+  assert.equal(await page.getAttribute('#verdict', 'class'), 'certified');
+});
+
+test('hostile files end in errors with a remedy, and the page lives', async () => {
+  const bad = {
+    'crossing.json': readFileSync(join(root, 'tests/corpus/bad', 'contours-cross.squares.json')),
+    'noise.json': Buffer.from(Array.from({length: 4096}, (_, i) => (i * 7919 + 13) % 256)),
+    'deep.json': Buffer.from('['.repeat(200_000)),
+    'huge.nrrd': Buffer.from('NRRD0004\ntype: short\ndimension: 3\nsizes: 2000000 2000000 2000000\nencoding: raw\nendian: little\n\n'),
+    '-o.json': Buffer.from('{}'),
+    'empty.stl': Buffer.alloc(0),
+  };
+  for (const [name, bytes] of Object.entries(bad)) {
+    await page.fill('input[name=iso]', name.endsWith('.nrrd') ? '1' : '');
+    await page.setInputFiles('#file', put(name, bytes));
+    await page.waitForSelector('#failure:not([hidden])');
+    await idle();
+    const words = await page.textContent('#failure');
+    assert.ok(words.length > 20 && !/bug|unreachable|RuntimeError/.test(words), `${name}: ${words}`);
+  }
+  await page.fill('input[name=iso]', '');
+  await page.click('.sample[value=molar]');
+  await page.waitForFunction(() => document.getElementById('given').textContent === 'molar.json' && document.getElementById('failure').hidden);
+  await idle();
+  assert.equal(await page.getAttribute('#verdict', 'class'), 'certified');
+});
+
+test('a mesh is shown with what is wrong with it, and DB stands beside DT', async () => {
+  const made = native(['reconstruct', 'molar.json', '--method', 'db', '--grid', '24', '--cases', 'classic-unoriented', '-o', 'db.stl'], {'molar.json': molar}).files['db.stl'];
+  await page.setInputFiles('#file', put('db.stl', made));
+  await page.waitForFunction(() => document.getElementById('given').textContent === 'db.stl');
+  await idle();
+  assert.equal(await page.getAttribute('#verdict', 'class'), 'wanting');
+  await page.check('input[name=db]');
+  await page.click('#options summary');
+  await page.fill('input[name=more]', '--grid 24');
+  await page.setInputFiles('#file', put('both.json', molar));
+  await page.waitForFunction(() => document.getElementById('given').textContent === 'both.json');
+  await idle();
+  const frame = await viewerFrame();
+  await frame.waitForFunction(() => globalThis.odontoscope);
+  assert.equal(await frame.evaluate(() => JSON.parse(document.getElementById('description').textContent).models.length), 2);
+  assert.deepEqual(watched, []);
+});

@@ -1,0 +1,66 @@
+// Puts the studio's page and the npm package together.
+//   node bundle.mjs WORK ENGINE DIST
+// WORK holds node_modules and page.html (as web/build_page.cmake leaves them), ENGINE odontoscope.mjs and odontoscope.wasm; DIST takes studio.html
+// and npm/.
+import {createHash} from 'node:crypto';
+import {cpSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {dirname, join} from 'node:path';
+import {fileURLToPath} from 'node:url';
+import {gzipSync} from 'node:zlib';
+
+const here = dirname(fileURLToPath(import.meta.url));
+const [work, engine, dist, version] = process.argv.slice(2);
+const {build, transform} = createRequire(join(work, 'package.json'))('esbuild');
+const mostBytes = 4_000_000;   // of the studio's page
+
+const shell = readFileSync(join(work, 'page.html'), 'utf8');
+const packed = bytes => gzipSync(bytes, {level: 9}).toString('base64');
+const hash = text => `'sha256-${createHash('sha256').update(text, 'utf8').digest('base64')}'`;
+
+function makePackage() {
+  const to = join(dist, 'npm');
+  rmSync(to, {recursive: true, force: true});
+  mkdirSync(to, {recursive: true});
+  for (const file of ['index.mjs', 'index.d.ts', 'README.md']) cpSync(join(here, 'npm', file), join(to, file));
+  for (const file of ['odontoscope.mjs', 'odontoscope.wasm']) cpSync(join(engine, file), join(to, file));
+  cpSync(join(here, '../../LICENSE'), join(to, 'LICENSE'));
+  writeFileSync(join(to, 'page.html'), shell);
+  const description = JSON.parse(readFileSync(join(here, 'npm/package.json'), 'utf8'));
+  writeFileSync(join(to, 'package.json'), `${JSON.stringify({...description, version}, null, 2)}\n`);
+}
+
+async function bundled(entry) {
+  const made = await build({
+    stdin: {contents: `import ${JSON.stringify(`./studio/${entry}`)};`, resolveDir: here},
+    bundle: true, minify: true, write: false, format: 'iife', target: 'es2022', charset: 'ascii', legalComments: 'none', logLevel: 'error',
+    external: ['node:*'], define: {'import.meta.url': '"about:blank"'},
+    plugins: [{name: 'engine', setup: one => one.onResolve({filter: /\/odontoscope\.mjs$/}, () => ({path: join(engine, 'odontoscope.mjs')}))}],
+  });
+  const text = made.outputFiles[0].text.trim();
+  if (/<\/script|<!--/.test(text)) throw new Error(`${entry} would end its element`);
+  return text;
+}
+
+async function makeStudio() {
+  const script = await bundled('main.js'), worker = await bundled('worker.js');
+  const style = (await transform(readFileSync(join(here, 'studio/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
+  // The frame that shows a model inherits this policy beside its own: so its script and style are named here, too.
+  const [, shellPolicy] = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(shell);
+  const ofShell = name => new RegExp(`${name} ('sha256-[^']+')`).exec(shellPolicy)[1];
+  const policy = [
+    "default-src 'none'", `script-src ${hash(script)} ${ofShell('script-src')} 'wasm-unsafe-eval'`, `style-src ${hash(style)} ${ofShell('style-src')}`, 'worker-src blob:',
+    'frame-src blob:', 'img-src data: blob:', "base-uri 'none'", "form-action 'none'",
+  ].join('; ');
+  const notices = '<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). Its engine contains GMP (LGPL-3.0-or-later), CGAL (GPL-3.0-or-later and LGPL-3.0-or-later), meshoptimizer, pugixml, fmt,\n' +
+    'nlohmann json, CLI11 and tinygltf (MIT, CLI11 BSD-3-Clause), libzip (BSD-3-Clause), zlib (zlib), Boost (BSL-1.0); the viewer in it three.js (MIT), whose licence is in each page.\n-->';
+  const places = {policy, style, notices, worker, script, wasm: packed(readFileSync(join(engine, 'odontoscope.wasm'))), shell: packed(shell)};
+  const page = readFileSync(join(here, 'studio/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => places[name]);
+  if (Buffer.byteLength(page) > mostBytes) throw new Error(`the studio's page has ${Buffer.byteLength(page)} bytes, more than ${mostBytes}`);
+  writeFileSync(join(dist, 'studio.html'), page);
+  console.log(`${join(dist, 'studio.html')}: ${Buffer.byteLength(page)} bytes; odontoscope.wasm: ${readFileSync(join(engine, 'odontoscope.wasm')).length}`);
+}
+
+mkdirSync(dist, {recursive: true});
+makePackage();
+await makeStudio();

@@ -1,0 +1,151 @@
+// The program odontoscope as a library: its subcommands on files in memory, with the options that its --help lists.
+import makeModule from './odontoscope.mjs';
+
+const folder = '/work', pageFile = '/odontoscope/page.html';
+
+/// What the program refused or could not do. `message` names file, place, what is wrong and what to do, as on a terminal.
+export class OdontoscopeError extends Error {
+  constructor(message, {exitCode, said = [], complained = []}) {
+    super(message);
+    this.name = 'OdontoscopeError';
+    this.exitCode = exitCode;
+    this.causeId = /\[([a-z0-9-]+)\]/.exec(message)?.[1] ?? null;
+    this.said = said;
+    this.complained = complained;
+  }
+}
+
+const isNode = typeof process !== 'undefined' && Boolean(process.versions?.node) && typeof importScripts === 'undefined';
+
+/// A file that lies beside this one.
+async function beside(name) {
+  const url = new URL(name, import.meta.url);
+  if (isNode && url.protocol === 'file:') return (await import('node:fs/promises')).readFile(url);
+  const answer = await fetch(url);
+  if (!answer.ok) throw new OdontoscopeError(`${url}: cannot be read: the server said ${answer.status}. Serve the whole folder of the package.`, {exitCode: 4});
+  return answer.arrayBuffer();
+}
+
+function checkedName(name) {
+  const parts = String(name).split('/');
+  if (parts.some(part => part === '' || part === '.' || part === '..') || name.includes('\0'))
+    throw new OdontoscopeError(`${JSON.stringify(name)} is no name of a file here. Give one without "..", not beginning with "/".`, {exitCode: 2});
+  return parts;
+}
+
+const bytesOf = content => typeof content === 'string' ? new TextEncoder().encode(content) : content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+
+function putFiles(FS, files) {
+  for (const [name, content] of Object.entries(files)) {
+    const parts = checkedName(name);
+    let at = folder;
+    for (const part of parts.slice(0, -1)) {
+      at += `/${part}`;
+      if (!FS.analyzePath(at).exists) FS.mkdir(at);
+    }
+    FS.writeFile(`${at}/${parts.at(-1)}`, bytesOf(content));
+  }
+}
+
+/// What lies in the folder that was not put there, or not as it lies there now.
+function madeFiles(FS, given, at = folder, found = {}) {
+  for (const name of FS.readdir(at)) {
+    if (name === '.' || name === '..') continue;
+    const path = `${at}/${name}`, known = path.slice(folder.length + 1);
+    if (FS.isDir(FS.stat(path).mode)) madeFiles(FS, given, path, found);
+    else if (!(known in given)) found[known] = FS.readFile(path).slice();
+  }
+  return found;
+}
+
+/// `input` and other plain names become words of a command line: gridSize: 3 is --grid-size 3, true a bare option, an array the option several times.
+export function words(command, {input, output, ...options} = {}) {
+  const line = [command];
+  for (const one of [input ?? []].flat()) line.push(String(one));
+  for (const one of [output ?? []].flat()) line.push('-o', String(one));
+  for (const [key, value] of Object.entries(options)) {
+    const option = `--${key.replace(/[A-Z]/g, letter => `-${letter.toLowerCase()}`)}`;
+    for (const one of Array.isArray(value) && value.length > 0 && typeof value[0] !== 'number' ? value : [value]) {
+      if (one === true) line.push(option);
+      else if (one !== false && one !== null && one !== undefined) line.push(option, Array.isArray(one) ? one.join(',') : String(one));
+    }
+  }
+  return line;
+}
+
+/// The compiled engine. Each call is a run of its own: nothing is kept from one to the next, and an error in one is none in another.
+export class Engine {
+  #module;
+  #page;
+  constructor(module, page) {
+    this.#module = module;
+    this.#page = page;
+  }
+
+  /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
+  async run(line, {files = {}, onProgress} = {}) {
+    const said = [], complained = [];
+    const instance = await makeModule({
+      noInitialRun: true,
+      thisProgram: 'odontoscope',
+      print: text => said.push(text),
+      printErr: text => complained.push(text),
+      onProgress,
+      instantiateWasm: (imports, receive) => {
+        WebAssembly.instantiate(this.#module, imports).then(made => receive(made, this.#module));
+        return {};
+      },
+    });
+    const {FS} = instance;
+    FS.mkdir(folder);
+    FS.mkdir('/odontoscope');
+    putFiles(FS, files);
+    if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
+    FS.chdir(folder);
+    let exitCode;
+    try {
+      exitCode = instance.callMain([...line].map(String));
+    } catch (error) {   // the machine's own end: its stack or memory is exhausted, or a bug
+      exitCode = 70;
+      complained.push(error instanceof RangeError
+        ? 'odontoscope: this input goes deeper than a browser lets a program go. The program on a machine of its own can do it.'
+        : `odontoscope: the engine stopped: ${error.message ?? error}. If memory is short, make the input smaller: fewer slices, --simplify, --crop.`);
+    }
+    return {exitCode, said, complained, files: exitCode <= 1 ? madeFiles(FS, files) : {}};
+  }
+
+  /// The same with an object of options; throws OdontoscopeError unless it went well. `wanting` is true where the program ended with 1.
+  async command(name, {files, onProgress, ...options} = {}) {
+    const result = await this.run(words(name, options), {files, onProgress});
+    if (result.exitCode <= 1) return {...result, wanting: result.exitCode === 1};
+    const message = result.complained.join('\n').replace(/^odontoscope: /gm, '') || `odontoscope ended with ${result.exitCode}`;
+    throw new OdontoscopeError(message, result);
+  }
+
+  sample(kind, options) { return this.command('sample', {input: kind, ...options}); }
+  contours(options) { return this.command('contours', options); }
+  reconstruct(options) { return this.command('reconstruct', options); }
+  check(options) { return this.command('check', options); }
+  canal(options) { return this.command('canal', options); }
+  anatomy(options) { return this.command('anatomy', options); }
+  web(options) { return this.command('web', options); }
+}
+
+/// Compiles the engine. Without arguments it reads odontoscope.wasm and, once a page is asked for, page.html from beside this file.
+export async function load({wasm, page} = {}) {
+  const given = await (wasm ?? beside('odontoscope.wasm'));
+  const module = given instanceof WebAssembly.Module ? given : await WebAssembly.compile(given);
+  let held = page;
+  return new Engine(module, async () => held ??= await beside('page.html'));
+}
+
+let shared = null;
+const engine = () => shared ??= load();
+export const run = async (line, options) => (await engine()).run(line, options);
+export const sample = async (kind, options) => (await engine()).sample(kind, options);
+export const contours = async options => (await engine()).contours(options);
+export const reconstruct = async options => (await engine()).reconstruct(options);
+export const check = async options => (await engine()).check(options);
+export const canal = async options => (await engine()).canal(options);
+export const anatomy = async options => (await engine()).anatomy(options);
+export const web = async options => (await engine()).web(options);

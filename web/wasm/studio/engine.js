@@ -1,0 +1,58 @@
+// The worker from the page's side.
+
+async function unpacked(id) {
+  const held = document.getElementById(id), bytes = Uint8Array.from(atob(held.textContent.trim()), letter => letter.charCodeAt(0));
+  held.remove();
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+export class Cancelled extends Error {}
+
+export class Engine {
+  #worker = null;
+  #parts = null;
+  #waiting = null;
+
+  async #ready() {
+    if (this.#worker) return;
+    this.#parts ??= Promise.all([unpacked('wasm'), unpacked('shell'), URL.createObjectURL(new Blob([document.getElementById('worker').textContent], {type: 'text/javascript'}))]);
+    const [wasm, page, url] = await this.#parts;
+    const worker = new Worker(url);
+    await new Promise((resolve, reject) => {
+      worker.onmessage = ({data}) => data.ready ? resolve() : reject(new Error(data.result.complained.join(' ')));
+      worker.onerror = event => reject(new Error(event.message || 'the worker does not start'));
+      worker.postMessage({wasm, page: new Uint8Array(page)});
+    });
+    this.#worker = worker;
+  }
+
+  /// One run; onProgress(stage, fraction). Throws Cancelled.
+  async run(words, files, onProgress) {
+    await this.#ready();
+    return new Promise((resolve, reject) => {
+      const over = settle => value => {
+        this.#waiting = null;
+        settle(value);
+      };
+      this.#waiting = over(reject);
+      this.#worker.onmessage = ({data}) => data.result ? over(resolve)(data.result) : onProgress(data.stage, data.fraction);
+      this.#worker.onerror = event => {
+        this.#end();
+        over(resolve)({exitCode: 70, said: [], complained: [`the engine ended: ${event.message}`], files: {}});
+      };
+      this.#worker.postMessage({words, files});
+    });
+  }
+
+  #end() {
+    this.#worker?.terminate();
+    this.#worker = null;
+  }
+
+  cancel() {
+    const waiting = this.#waiting;
+    if (!waiting) return;
+    this.#end();
+    waiting(new Cancelled());
+  }
+}

@@ -1,0 +1,19 @@
+// The engine away from the page's thread: one run at a time. Ending the worker is how a run is cancelled.
+import {load} from '../npm/index.mjs';
+
+let engine = null;
+
+addEventListener('message', async ({data}) => {
+  try {
+    if (data.wasm) {
+      engine = await load(data);
+      postMessage({ready: true});
+      return;
+    }
+    const onProgress = (stage, fraction) => postMessage({stage, fraction});
+    const result = await engine.run(data.words, {files: data.files, onProgress});
+    postMessage({result}, Object.values(result.files).map(bytes => bytes.buffer));
+  } catch (error) {
+    postMessage({result: {exitCode: 70, said: [], complained: [error.message], files: {}}});
+  }
+});
