@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/app/proven.h"
+#include "engine/scene/model.h"
 #include "engine/ui/certificate.h"
 
 namespace odontoscope::app {

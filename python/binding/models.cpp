@@ -120,6 +120,15 @@ Model made_as_partition(const Contours& contours, const PartitionWords& words, s
   });
 }
 
+/// A model of elements for simulation instead; the given one stays as it is.
+Model meshed(const Model& model, std::optional<double> size, const py::object& listener) {
+  return watched(listener, [&](const Progress& progress) {
+    auto made = std::make_shared<DtModel>(*model.dt);
+    made->elements = mesh_elements(made->reconstruction, size, progress);
+    return Model{std::move(made), nullptr, model.contours};
+  });
+}
+
 std::optional<Complex> complex_of(const Model& model) {
   if (!model.dt || !model.dt->reconstruction.complex) return std::nullopt;
   return Complex{model.dt};
@@ -158,7 +167,7 @@ std::string report_of(const Model& model) {
   if (model.db) return report_json(model.db->reconstruction, model.db->options);
   return report_json(
       model.dt->reconstruction,
-      {.simplifications = model.dt->simplification.structures, .volume = {}, .aim = model.dt->simplification.aim});
+      {.simplifications = model.dt->simplification.structures, .volume = {}, .aim = model.dt->simplification.aim, .elements = model.dt->elements});
 }
 
 std::string links_of(const Model& model) {
@@ -331,6 +340,7 @@ void add_models(py::module_& module) {
                                 int threads, std::optional<std::size_t> triangles, const py::object& listener) {
     return made_as_partition(contours, {priority, gap, threads}, triangles, listener);
   });
+  module.def("meshed", &meshed);
   module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) {
     return made_by_db(contours, db_words(words), listener);
   });

@@ -12,6 +12,7 @@
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/contour_stack.h"
+#include "recon/output/element_model.h"
 #include "recon/output/simplify_model.h"
 #include "recon/volume/volume.h"
 
@@ -29,6 +30,7 @@ struct Contours {
 struct DtModel {
   Reconstruction reconstruction;
   ModelSimplification simplification;
+  std::optional<ModelElements> elements = {};
 };
 
 /// What DB made.

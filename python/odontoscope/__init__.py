@@ -569,7 +569,7 @@ class Model:
 
 def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tracked", between: str = "blended", links: Any = None,
                 link: Union[str, Iterable[str]] = (), unlink: Union[str, Iterable[str]] = (), together: Union[str, Iterable[str]] = (),
-                partition: Optional[bool] = None, priority: Union[str, Iterable[str], None] = None, gap: Optional[float] = None, triangles: Optional[int] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
+                partition: Optional[bool] = None, priority: Union[str, Iterable[str], None] = None, gap: Optional[float] = None, triangles: Optional[int] = None, elements: Union[float, str, None] = None, grid: Any = 128, cases: str = "classic", field: str = "hybrid", split: Iterable[float] = (),
                 decimate: Union[int, str, None] = None, threads: int = 0, progress: Optional[Progress] = None, **reading: Any) -> Model:
     """Contours or a volume to a solid, certified model.
 
@@ -587,6 +587,7 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
             structures is closed.
         triangles: simplify the surfaces to at most so many in all; topology is kept, and ``report["simplification_aim"]`` says whether
             that was reached.
+        elements: mesh anew for simulation, with edges of about so many mm, or "quality": a size that fits (docs/elements.md).
         grid, cases, field, split, decimate: about "db", as in the program.
         threads: 0 for as many as the machine has.
 
@@ -606,24 +607,31 @@ def reconstruct(source: Source, *, method: str = "dt", correspondence: str = "tr
     stack = contours(source, progress=progress, **reading)
     for names in _options.names(together):
         stack = stack.together(*names.split(","))
+    if elements is not None and triangles is not None:
+        raise _refuse(UsageError, "elements and triangles both make the surfaces anew", "Use one of the two")
+    size = None if elements in (None, "quality") else _options.element_size(elements)
     if method == "db":
-        if triangles is not None or dt["links"] or partition or priority is not None or gap is not None:
-            raise _refuse(UsageError, "triangles, partition, priority, gap, links, link and unlink are about the DT method", "Use decimate and split with method=\"db\"")
+        if triangles is not None or elements is not None or dt["links"] or partition or priority is not None or gap is not None:
+            raise _refuse(UsageError, "triangles, elements, partition, priority, gap, links, link and unlink are about the DT method", "Use decimate and split with method=\"db\"")
         return Model(_core.by_db(stack._core, db, progress), stack.source)
     target = None if triangles is None else _options.whole(triangles, "triangles", 1)
+
+    def made(model: Any) -> Model:
+        return Model(model if elements is None else _core.meshed(model, size, progress), stack.source)
+
     if partition:
         if dt["links"] or dt["correspondence"] != "tracked" or dt["between"] != "blended" or _options.names(together):
             raise _refuse(UsageError, "together, correspondence, between, links, link and unlink do not work with partition", "Leave them out, or leave out partition")
         order = [name for names in _options.names(priority) for name in names.split(",")]
-        return Model(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], target, progress), stack.source)
+        return made(_core.as_partition(stack._core, order, _options.least_zero(gap, "gap"), dt["threads"], target, progress))
     if priority is not None or gap is not None:
         raise _refuse(UsageError, "priority and gap are about partition", "Give partition=True, or leave them out")
     if partition is None and not (dt["links"] or dt["correspondence"] != "tracked" or _options.names(together)):
         model, no_partition = _core.of_structures(stack._core, dt, target, progress)
         if no_partition:
             warnings.warn(f"no partition came of it, so each structure was made by itself, and neighbours may gape or overlap. {no_partition}", stacklevel=2)
-        return Model(model, stack.source)
-    return Model(_core.by_dt(stack._core, dt, target, progress), stack.source)
+        return made(model)
+    return made(_core.by_dt(stack._core, dt, target, progress))
 
 
 def compare(source: Source, *, correspondence: str = "tracked", between: str = "blended", links: Any = None, link: Union[str, Iterable[str]] = (),

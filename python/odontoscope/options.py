@@ -53,6 +53,14 @@ def least_zero(given: Any, option: str) -> float:
     return value
 
 
+def element_size(given: Any) -> float:
+    least = 0.01
+    value = _number(given, "elements")
+    if value < least:
+        raise refuse(UsageError, f"elements={given!r} is less than {least}", "Say how long edges may be, as elements=0.5, or \"quality\"")
+    return value
+
+
 def whole(given: Any, option: str, least: int) -> int:
     if isinstance(given, bool) or not hasattr(given, "__index__") or given.__index__() < least:
         raise refuse(UsageError, f"{option}={given!r} is no whole number of at least {least}", f"For example {option}={max(least, 8)}")

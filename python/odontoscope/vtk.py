@@ -264,7 +264,7 @@ class _Options:
             return 0
 
 
-_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "partition": None, "priority": None, "gap": None, "threads": 0}
+_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "partition": None, "priority": None, "gap": None, "elements": None, "threads": 0}
 _db = {"grid": 128, "cases": "classic", "field": "hybrid", "split": (), "decimate": None}
 
 

@@ -73,6 +73,23 @@ class SameAsTheProgram(InFolder):
         self.assertLessEqual(len(simple["tooth"].triangles), 200)
         self.assertEqual(simple.report["simplification_aim"]["aim"], 200)
 
+    def test_elements(self):
+        odontoscope.Contours(root()).save(self.folder / "root.json")
+        try:
+            meshed = odontoscope.reconstruct(self.folder / "root.json", elements=1.0)
+        except odontoscope.UsageError as error:
+            self.skipTest(str(error))   # built without TetGen
+        meshed.save(self.folder / "a.vtu")
+        self.program("reconstruct", "root.json", "--elements", "1.0", "-o", "b.vtu")
+        self.assertEqual((self.folder / "a.vtu").read_bytes(), (self.folder / "b.vtu").read_bytes())
+        self.assertEqual(meshed.report["elements"]["asked"], 1.0)
+        self.assertEqual(meshed.report["elements"]["structures"][0]["count"], len(meshed["tooth"].tetrahedra))
+        for wrong in (0, -1, "small", float("nan")):
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.reconstruct(self.folder / "root.json", elements=wrong)
+        with self.assertRaises(odontoscope.UsageError):
+            odontoscope.reconstruct(self.folder / "root.json", elements=1.0, triangles=100)
+
     def test_volumes(self):
         values = np.ascontiguousarray(ball() * 10, dtype="<f4")
         header = "NRRD0004\ntype: float\ndimension: 3\nsizes: 15 15 15\nencoding: raw\nendian: little\nspace: left-posterior-superior\n" \

@@ -76,6 +76,7 @@ _DT = {
     "links": _text("A file of links that win over the correspondence", lambda text: text or None, advanced=True, file=True),
     "link": _text("Links to make, NAME:N:B-U, with spaces between", _texts, advanced=True),
     "unlink": _text("Links to leave out, NAME:N:B-U, with spaces between", _texts, advanced=True),
+    "elements": _text("Mesh anew for simulation: edges of about so many mm, or quality", lambda text: None if not text else text if text == "quality" else float(text)),
     "threads": _Property("Int", 0, "Processors to use; 0: all", int, advanced=True),
     "repair": _tick("Mend contours that break the rules.", advanced=True),
 }
