@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/app/volume_look_words.h"
 #include "engine/app/whole_structures.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
@@ -55,9 +56,8 @@ WebCertificate in_web_words(const Certificate& certificate) {
 }
 
 std::optional<double> attenuation_of(const std::string& structure) {
-  constexpr double kv = 70;
   const auto tissue = tissue_called(structure);
-  return tissue ? std::optional(linear_attenuation(*tissue, effective_energy_kev(kv))) : std::nullopt;
+  return tissue ? std::optional(linear_attenuation(*tissue, effective_energy_kev(usual_kv))) : std::nullopt;
 }
 
 WebTour along(const CentreLine& line) {

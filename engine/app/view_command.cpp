@@ -71,9 +71,6 @@ std::string title_of(const std::string& file) {
   return path.stem().string();
 }
 
-/// Of a tube; what the panel's film is seen by.
-constexpr double usual_kv = 70;
-
 GreyValues grey_values(const Shown& shown) {
   const ValueGrid& grid = *shown.values;
   GreyValues greys{shown.greys->air, shown.greys->dentine, linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)), shown.isos, grid.range.low, grid.range.high, {}};

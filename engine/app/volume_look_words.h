@@ -12,6 +12,9 @@
 
 namespace odontoscope::app {
 
+/// Of the tube, where nobody says otherwise: what tissues swallow in the looks of a viewer or a page.
+inline constexpr double usual_kv = 70;
+
 /// As typed; not yet understood.
 struct VolumeLookWords {
   std::string show, cast, transfer;

@@ -43,8 +43,7 @@ void add_volume(const Greys& greys, const WebWords& words, Scene& scene, WebPage
   Shown shown;
   shown.values = greys.values;
   shown.greys = greys.anchors;
-  constexpr double kv = 70;
-  show_volume({words.look, words.grey, kv, {}, false}, shown, scene, session);
+  show_volume({words.look, words.grey, usual_kv, {}, false}, shown, scene, session);
   page.volume = web_volume(*greys.values, greys_from(words.grey).value_or(greys.anchors), scene.volume);
   page.volume->isos = greys.isos;
   tell_web_volume(*page.volume, *greys.values, session);

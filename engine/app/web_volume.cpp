@@ -19,7 +19,6 @@ namespace {
 
 constexpr double levels = 255;
 constexpr std::size_t bar_count = 64;
-constexpr double usual_kv = 70;
 
 ValueWindow window_in_bytes(const ValueGrid& grid, const GreyAnchors& greys) {
   const bool whole = std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == std::round(value); });
