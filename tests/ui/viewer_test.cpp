@@ -219,12 +219,13 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   EXPECT_EQ(saved.height, 200);
   EXPECT_EQ(saved.pixel(0, 0)[3], 0);   // transparent
   const Scene scene = read_scene((scratch.path() / "Toy-tooth-scene-001.json").string(), Scene{});
-  EXPECT_EQ(scene, viewer().state().scene);
-  Scene transparent = scene;
-  transparent.background.kind = Background::Kind::transparent;
+  EXPECT_EQ(scene, viewer().scene_of_picture());
+  ASSERT_TRUE(scene.picture);
+  EXPECT_EQ(*scene.picture, (PictureFormat{300, 200, 4}));
+  EXPECT_EQ(scene.background.kind, Background::Kind::transparent);
   Renderer renderer(gl(), ShaderLibrary{});
   const Model& model = viewer().state().shown->model;
-  EXPECT_EQ(picture_of(gl(), renderer, upload(gl(), model), model, transparent, {{300, 200}, {2}}), saved);
+  EXPECT_EQ(picture_of(gl(), renderer, upload(gl(), model), model, scene, {{300, 200}, {2}}), saved);
 }
 
 TEST_F(Looking, AFolderThatCannotBeWrittenIsSaid) {
