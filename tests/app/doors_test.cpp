@@ -80,10 +80,12 @@ TEST_F(Doors, WithoutMemoryEndWithWords) {
   int without = 0;
   constexpr int least = 30, most = 1000, step = 6;
   for (int megabytes = least; megabytes < most; megabytes += step) {
-    const Ending ending = shell("ulimit -v " + std::to_string(megabytes * 1024) + "; " + program + " reconstruct molar.json --threads 1 -o a.glb");
+    const std::string within = "ulimit -v " + std::to_string(megabytes * 1024) + "; " + program;
+    const Ending ending = shell(within + " reconstruct molar.json --threads 1 -o a.glb");
     if (ending.exit_code == 0) break;
     EXPECT_FALSE(exists("a.glb"));
-    if (ending.exit_code == 127) continue;   // not enough for the loader to bring the program up
+    // Not enough for the loader to bring the program up, or for what libraries do on their own before it begins (GDCM fills a dictionary).
+    if (shell(within + " --version").exit_code != 0) continue;
     ++without;
     EXPECT_EQ(ending.exit_code, 4) << megabytes << " MB: " << ending.err;
     EXPECT_TRUE(ending.complains("memory")) << ending.err;

@@ -225,7 +225,7 @@ TEST_F(Followed, PicturesThatWantSomethingElse) {
   follow(render({"v.nrrd", "--show", "volume", "--resample", "0.5"}), "Say with --iso where it lies", render({"v.nrrd", "--show", "volume", "--resample", "0.5", "--iso", "100"}));
   follow(render({"v.json", "--cap", "ct", "--section", "+x"}), "Give the volume that the model was made from, with --iso", render({"v.nrrd", "--iso", "100", "--cap", "ct", "--section", "+x"}));
   follow(render({"d.glb", "--overlay", "contours"}), "Give the contour stack, or the volume, that it was made from", render({"drilled.json", "--overlay", "contours"}));
-  follow(render({"drilled.json", "--overlay", "tetrahedra=99"}), "the slabs are counted from 0 to 12", render({"drilled.json", "--overlay", "tetrahedra=12"}));
+  follow(render({"drilled.json", "--overlay", "tetrahedra=99"}), "The slabs are counted from 0 to 12", render({"drilled.json", "--overlay", "tetrahedra=12"}));
   follow(render({"d.glb", "--contact-sheet", "2x2"}), "Say which line: --tour canal-1", {"render", "d.glb", "--tour", "canal-1", "--contact-sheet", "2x2", "-o", "sheet.png", "--size", "64x64"});
   follow({"render", "d.glb", "--radiograph", "--focus", "0.5", "-o", "a.png"}, "Move it away with --focus MM", {"render", "d.glb", "--radiograph", "--focus", "200", "-o", "a.png"});
   follow({"render", "d.glb", "--radiograph", "--zoom", "2", "-o", "a.png"}, "Leave the others out", {"render", "d.glb", "--radiograph", "-o", "a.png"});
