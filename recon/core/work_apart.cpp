@@ -17,21 +17,12 @@
 #include <new>
 
 #include "recon/core/error.h"
+#include "recon/core/sanitized.h"
 
 namespace odontoscope {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool memory_is_bounded = false;  // sanitizers reserve the address space
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool memory_is_bounded = false;
-#else
-constexpr bool memory_is_bounded = true;
-#endif
-#else
-constexpr bool memory_is_bounded = true;
-#endif
+constexpr bool memory_is_bounded = !address_sanitized && !thread_sanitized;
 
 struct Pipe {
   int ends[2] = {-1, -1};

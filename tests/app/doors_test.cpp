@@ -9,24 +9,13 @@
 #include <csignal>
 #include <cstdlib>
 
+#include "recon/core/sanitized.h"
 #include "tests/app/program.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
 namespace fs = std::filesystem;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool sanitized = true;
-#else
-constexpr bool sanitized = false;
-#endif
-#else
-constexpr bool sanitized = false;
-#endif
 
 class Doors : public ProgramTest {
  protected:
@@ -75,7 +64,7 @@ TEST_F(Doors, LimitOnFileSizeIsAFileErrorAndLeavesWhatWas) {
 }
 
 TEST_F(Doors, WithoutMemoryEndWithWords) {
-  if (sanitized) GTEST_SKIP() << "the address sanitizer reserves terabytes";
+  if (address_sanitized) GTEST_SKIP() << "the address sanitizer reserves terabytes";
   ASSERT_EQ(odontoscope({"sample", "molar", "-o", "molar.json"}).exit_code, 0);
   int without = 0;
   constexpr int least = 30, most = 1000, step = 6;

@@ -10,21 +10,10 @@
 #include <stdexcept>
 
 #include "recon/core/error.h"
+#include "recon/core/sanitized.h"
 
 namespace odontoscope::hostile {
 namespace {
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool memory_is_bounded = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr bool memory_is_bounded = false;
-#else
-constexpr bool memory_is_bounded = true;
-#endif
-#else
-constexpr bool memory_is_bounded = true;
-#endif
 
 std::size_t bytes_held() {
   std::size_t pages = 0;
@@ -35,7 +24,7 @@ std::size_t bytes_held() {
 void bind_to(const Bounds& bounds) {
   const rlimit time{bounds.seconds, bounds.seconds};
   ::setrlimit(RLIMIT_CPU, &time);
-  if (!memory_is_bounded) return;
+  if (address_sanitized) return;
   const rlim_t most = bytes_held() + (bounds.megabytes << 20);
   const rlimit memory{most, most};
   ::setrlimit(RLIMIT_AS, &memory);
