@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/mesh/corners.h"
 #include "recon/mesh/half_edges.h"
 #include "recon/mesh/nearest_on_triangle.h"
 
@@ -22,17 +23,14 @@ WallTree::WallTree(const SurfaceMesh& wall) : triangles_(wall.triangles) {
   vertex_normals_.resize(wall.points.size());
   std::vector<BoxTree<std::array<double, 3>>::Bounds> bounds(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const std::array corners = {wall.points[wall.triangles[t][0]], wall.points[wall.triangles[t][1]], wall.points[wall.triangles[t][2]]};
+    const Corners corners = {wall.points[wall.triangles[t][0]], wall.points[wall.triangles[t][1]], wall.points[wall.triangles[t][2]]};
     normals[t] = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
     for (std::size_t k = 0; k < 3; ++k) {
       const Direction u = unit(corners[(k + 1) % 3] - corners[k]), v = unit(corners[(k + 2) % 3] - corners[k]);
       Direction& sum = vertex_normals_[wall.triangles[t][k]];
       sum = sum + std::acos(std::clamp(dot(u, v), -1.0, 1.0)) * normals[t];
     }
-    const auto [low_x, high_x] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
-    const auto [low_y, high_y] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    const auto [low_z, high_z] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-    bounds[t] = {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
+    bounds[t] = box_round(corners);
   }
   const EdgeMates edges = edge_mates(wall);
   edge_normals_.resize(3 * count);

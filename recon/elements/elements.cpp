@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 
@@ -14,6 +13,7 @@
 #include "recon/elements/limits.h"
 #include "recon/elements/remesh_interfaces.h"
 #include "recon/mesh/complex_parts.h"
+#include "recon/mesh/extent.h"
 #include "recon/mesh/surface_report.h"
 #include "recon/mesh/vector.h"
 #include "recon/partition/interfaces.h"
@@ -101,16 +101,6 @@ std::vector<MaterialElements> measured(const LabelledComplex& made, const Labell
 /// Of a regular tetrahedron with such edges, and a bit.
 double largest_volume(double size) { return limits::volume_margin * size * size * size / (6 * std::sqrt(2.0)); }
 
-double diagonal(const std::vector<Point3>& points) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  Point3 low{far, far, far}, high{-far, -far, -far};
-  for (const Point3& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return points.empty() ? 0 : length(high - low);
-}
-
 }  // namespace
 
 Elements make_elements(const LabelledComplex& exact, double size, const Progress& progress) {
@@ -134,11 +124,11 @@ Elements make_elements(const LabelledComplex& exact, double size, const Progress
 }
 
 double suggested_size(const LabelledComplex& exact) {
-  const double whole = diagonal(bounds_of(exact).mesh.points);
+  const double whole = diagonal_of(bounds_of(exact).mesh.points);
   double smallest = whole;
   for (Label l = 1; l <= exact.structures.size(); ++l) {
     const SurfaceMesh surface = surface_of(exact, l);
-    if (!surface.points.empty()) smallest = std::min(smallest, diagonal(surface.points));
+    if (!surface.points.empty()) smallest = std::min(smallest, diagonal_of(surface.points));
   }
   return std::clamp(smallest / limits::sizes_in_smallest, whole / limits::most_sizes, whole / limits::fewest_sizes);
 }

@@ -11,7 +11,7 @@
 #include "recon/elements/end_heights.h"
 #include "recon/elements/limits.h"
 #include "recon/mesh/exact_predicates.h"
-#include "recon/mesh/triangle_quality.h"
+#include "recon/mesh/corners.h"
 
 namespace odontoscope::elements {
 namespace {
@@ -164,8 +164,7 @@ class Improver {
       }
       const Direction before = normal_of(was), now = normal_of(is);
       if (!(dot(before, now) > limits::turned_cosine * length(before) * length(now))) return false;
-      const Point3 middle{(is[0].x + is[1].x + is[2].x) / 3, (is[0].y + is[1].y + is[2].y) / 3, (is[0].z + is[1].z + is[2].z) / 3};
-      return exact_.on_faces({face.inner, face.outer}, middle).distance <= limits::astray * edge;
+      return exact_.on_faces({face.inner, face.outer}, middle_of(is)).distance <= limits::astray * edge;
     });
   }
 

@@ -16,9 +16,8 @@ JunctionKind junction_kind(const InterfaceWeb& web, PointIndex a, PointIndex b) 
 }
 
 InterfaceShape::InterfaceShape(const InterfaceWeb& web) {
-  using Corners = std::vector<std::array<Point3, 3>>;
-  std::map<LabelPair, Corners> faces;
-  std::map<JunctionKind, Corners> lines;
+  std::map<LabelPair, std::vector<Corners>> faces;
+  std::map<JunctionKind, std::vector<Corners>> lines;
   const auto& points = web.points();
   for (std::uint32_t f = 0; f < web.faces().size(); ++f) {
     if (!web.alive(f)) continue;
@@ -36,14 +35,9 @@ InterfaceShape::InterfaceShape(const InterfaceWeb& web) {
 InterfaceShape::Nearest InterfaceShape::on_faces(const LabelPair& labels, const Point3& from) const { return faces_.at(labels).nearest(from); }
 InterfaceShape::Nearest InterfaceShape::on_lines(const JunctionKind& kind, const Point3& from) const { return lines_.at(kind).nearest(from); }
 
-InterfaceShape::Places::Places(const std::vector<std::array<Point3, 3>>& corners) {
+InterfaceShape::Places::Places(const std::vector<Corners>& corners) {
   std::vector<BoxTree<std::array<double, 3>>::Bounds> bounds;
-  for (const auto& [a, b, c] : corners) {
-    const auto [low_x, high_x] = std::minmax({a.x, b.x, c.x});
-    const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
-    const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
-    bounds.push_back({{low_x, low_y, low_z}, {high_x, high_y, high_z}});
-  }
+  for (const Corners& t : corners) bounds.push_back(box_round(t));
   tree_ = BoxTree<std::array<double, 3>>(bounds);
   for (const std::uint32_t t : tree_.order()) faces_.push_back({corners[t][0], corners[t][1] - corners[t][0], corners[t][2] - corners[t][0]});
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "recon/mesh/box_tree.h"
+#include "recon/mesh/corners.h"
 #include "recon/mesh/interface_web.h"
 #include "recon/mesh/vector.h"
 
@@ -39,7 +40,7 @@ class InterfaceShape {
   /// Triangles, or edges as triangles of two corners.
   class Places {
    public:
-    explicit Places(const std::vector<std::array<Point3, 3>>& corners);
+    explicit Places(const std::vector<Corners>& corners);
     Nearest nearest(const Point3& from) const;
 
    private:

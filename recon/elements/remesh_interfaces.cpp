@@ -12,7 +12,7 @@
 #include "recon/elements/interface_shape.h"
 #include "recon/elements/limits.h"
 #include "recon/elements/size_field.h"
-#include "recon/mesh/triangle_quality.h"
+#include "recon/mesh/corners.h"
 
 namespace odontoscope::elements {
 namespace {
@@ -111,7 +111,7 @@ class Remesher {
   }
 
   double off_the_surface(const Corners& face, const LabelPair& sides) const {
-    const Point3 middle{(face[0].x + face[1].x + face[2].x) / 3, (face[0].y + face[1].y + face[2].y) / 3, (face[0].z + face[1].z + face[2].z) / 3};
+    const Point3 middle = middle_of(face);
     double most = shape_.on_faces(sides, middle).distance;
     for (int i = 0; i < 3; ++i) most = std::max(most, shape_.on_faces(sides, middle_of(face[i], face[(i + 1) % 3])).distance);
     return most;
@@ -303,7 +303,7 @@ class Remesher {
       const Direction normal = normal_of(face);
       const double area = length(normal);
       if (!(area > 0)) continue;
-      const Point3 middle{(face[0].x + face[1].x + face[2].x) / 3, (face[0].y + face[1].y + face[2].y) / 3, (face[0].z + face[1].z + face[2].z) / 3};
+      const Point3 middle = middle_of(face);
       off += dot(shape_.on_faces(labels(f), middle).at - middle, normal);
       whole += area;
       normals = normals + normal;

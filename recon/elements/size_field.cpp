@@ -9,7 +9,7 @@
 
 #include "recon/elements/limits.h"
 #include "recon/mesh/box_tree.h"
-#include "recon/mesh/vector.h"
+#include "recon/mesh/corners.h"
 
 namespace odontoscope::elements {
 namespace {
@@ -22,31 +22,23 @@ class Walls {
  public:
   explicit Walls(const InterfaceWeb& web) : web_(web) {
     std::vector<Tree::Bounds> bounds;
-    for (std::uint32_t f = 0; f < web.faces().size(); ++f) {
-      const auto [a, b, c] = corners(f);
-      const auto [low_x, high_x] = std::minmax({a.x, b.x, c.x});
-      const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
-      const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
-      bounds.push_back({{low_x, low_y, low_z}, {high_x, high_y, high_z}});
-    }
+    for (std::uint32_t f = 0; f < web.faces().size(); ++f) bounds.push_back(box_round(corners(f)));
     tree_ = Tree(bounds);
   }
 
-  std::array<Point3, 3> corners(std::uint32_t f) const {
+  Corners corners(std::uint32_t f) const {
     const Triangle& t = web_.faces()[f].triangle;
     return {web_.points()[t[0]], web_.points()[t[1]], web_.points()[t[2]]};
   }
   Direction normal(std::uint32_t f) const {
-    const auto [a, b, c] = corners(f);
-    const Direction n = cross(b - a, c - a);
+    const Direction n = normal_of(corners(f));
     const double l = length(n);
     return l > 0 ? (1 / l) * n : Direction{};
   }
 
   /// From the middle of a face along a unit vector to the first wall that faces it, no farther than `most`.
   double thickness(std::uint32_t from, const Direction& along, double most) const {
-    const auto [a, b, c] = corners(from);
-    const Point3 start{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3};
+    const Point3 start = middle_of(corners(from));
     double nearest = most;
     const Vector origin{start.x, start.y, start.z}, way{along.x, along.y, along.z};
     tree_.along(way, [&](const Vector& low, const Vector& high) { return crosses(low, high, origin, way, nearest); },

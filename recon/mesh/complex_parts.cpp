@@ -1,5 +1,6 @@
 #include "recon/mesh/complex_parts.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace odontoscope {
@@ -52,6 +53,11 @@ void drop_unused(LabelledComplex& complex) {
   for (InterfaceTriangle& face : complex.interfaces) renumber(face.triangle, number);
   for (Tetrahedron& tet : mesh.tetrahedra) renumber(tet, number);
   mesh.points = used_points(mesh.points, number);
+}
+
+Label label_of(const LabelledComplex& complex, const std::string& structure) {
+  const auto named = std::find(complex.structures.begin(), complex.structures.end(), structure);
+  return static_cast<Label>(named - complex.structures.begin() + 1);
 }
 
 SurfaceMesh surface_of(const LabelledComplex& complex, Label label) {

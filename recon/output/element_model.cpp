@@ -34,10 +34,7 @@ class Meshing {
   void run() {
     if (complex_) {
       complex_ = meshed(*complex_);
-      for (Solid& solid : solids_) {
-        const auto named = std::find(complex_->structures.begin(), complex_->structures.end(), solid.structure);
-        replace(solid, *complex_, static_cast<Label>(named - complex_->structures.begin() + 1));
-      }
+      for (Solid& solid : solids_) replace(solid, *complex_, label_of(*complex_, solid.structure));
     } else {
       for (Solid& solid : solids_) replace(solid, meshed(complex_of(solid)), 1);
     }

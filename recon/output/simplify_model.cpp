@@ -4,24 +4,15 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 #include "recon/core/error.h"
 #include "recon/mesh/complex_parts.h"
+#include "recon/mesh/extent.h"
 #include "recon/mesh/simplify_interfaces.h"
 
 namespace odontoscope {
 namespace {
-
-double diagonal_of(const SurfaceMesh& surface) {
-  Point3 low = surface.points.front(), high = low;
-  for (const Point3& p : surface.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
-}
 
 StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
   if (!simple.report.closed_oriented_manifold()) {
@@ -34,7 +25,7 @@ StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
                                .distance = simple.distance,
                                .self_intersections = simple.self_intersections,
                                .kept_vertices = simple.kept_vertices,
-                               .diagonal = diagonal_of(solid.surface)};
+                               .diagonal = diagonal_of(solid.surface.points)};
   solid.surface = std::move(simple.surface);
   solid.report = std::move(simple.report);
   return told;
@@ -45,9 +36,8 @@ SimplifiedSurfaces simplified(const Reconstruction& reconstruction, const Labell
   const SimplifiedInterfaces simple = simplify_interfaces(complex, triangles, progress);
   SimplifiedSurfaces all{{}, simple.triangles, simple.reached, simple.obstacles, simple.restarts};
   for (const Solid& solid : reconstruction.solids) {
-    const auto named = std::find(complex.structures.begin(), complex.structures.end(), solid.structure);
     SimplifiedSurface one;
-    one.surface = surface_of(simple.complex, static_cast<Label>(named - complex.structures.begin() + 1));
+    one.surface = surface_of(simple.complex, label_of(complex, solid.structure));
     one.report = inspect(one.surface);
     if (const auto distance = surface_distance(one.surface, solid.surface, {}, progress)) one.distance = *distance;
     all.surfaces.push_back(std::move(one));
