@@ -76,15 +76,17 @@ WebModel web_model(const WrittenModel& written, const Certificate& certificate) 
   return model;
 }
 
-Scene usual_scene_of(const WrittenModel& written) {
+std::vector<NamedSurface> surfaces_of(const WrittenModel& written) {
   std::vector<NamedSurface> surfaces;
   for (const WrittenSurface& one : written.solids) {
     const std::size_t before = surfaces.size();
     add_shells(one.structure, one.surface, one.report, surfaces);
     if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
   }
-  return usual_scene(odontoscope::make_model(surfaces), 1);
+  return surfaces;
 }
+
+Scene usual_scene_of(const WrittenModel& written) { return usual_scene(odontoscope::make_model(surfaces_of(written)), 1); }
 
 std::vector<WebLook> looks_of(const Scene& scene) {
   std::vector<WebLook> looks;

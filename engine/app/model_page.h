@@ -16,6 +16,9 @@ namespace odontoscope::app {
 /// GLB and certificate; its name and words are left to the caller.
 WebModel web_model(const WrittenModel& written, const Certificate& certificate);
 
+/// Its shells; of a surface that is open all over the whole of it: a picture shows what there is.
+std::vector<NamedSurface> surfaces_of(const WrittenModel& written);
+
 /// The desktop's first look at the same surfaces, and that look in the page's words.
 Scene usual_scene_of(const WrittenModel& written);
 std::vector<WebLook> looks_of(const Scene& scene);

@@ -162,9 +162,11 @@ struct Made {
 template <class MadeModel>
 Made files_of(const MadeModel& model, const ReconstructArguments& options, Session& session) {
   Made made;
-  if (options.tours) made.paths = tour_cameras(model, session);
+  std::optional<CentreLines> lines;
+  if (options.tours || options.hotspots) lines = lines_inside(model, options.tours ? "--tours" : "--hotspots", session);
+  if (options.tours) made.paths = tour_cameras(model, *lines);
   GlbOptions glb{.paths = made.paths, .compressed = options.compress, .see_through = options.see_through, .variants = options.variants};
-  if (options.hotspots) glb.hotspots = hotspots_of(model, session);
+  if (options.hotspots) glb.hotspots = hotspots_of(*lines);
   for (const std::string& output : options.outputs) {
     if (!is_structures_file(output)) made.files.push_back(model_file(model, output, glb));
   }

@@ -72,18 +72,12 @@ Found found_in_volume(const std::string& file, const VolumeWords& words, const D
 
 Found found_in_voxels(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session) {
   refuse_for_mesh(dt, file);
-  const VolumeRequest request = understood(words);
-  if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
-  Volume volume = read_volume(file, request.read, session.progress());
-  tell_volume(file, volume, session.console);
-  crop_told(volume, request.reshape, session.console);
-  refuse_labels_as_greys(volume, file);
+  VoxelsAlone voxels = voxels_alone(file, words, {}, session);
   Found found;
-  found.greys = grey_anchors(volume);
+  found.greys = voxels.greys;
   found.only_voxels = true;
-  const Box dense = bounds_of_dense(volume, *found.greys);
-  found.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume)));
-  found.surfaces.push_back({"volume", box_surface(dense)});
+  found.values = std::move(voxels.values);
+  found.surfaces.push_back({"volume", box_surface(voxels.dense)});
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "engine/app/tell_volume.h"
 #include "recon/core/error.h"
 #include "recon/volume/thresholds.h"
 
@@ -50,8 +51,16 @@ SurfaceMesh box_surface(const Box& box) {
   return mesh;
 }
 
-void refuse_labels_as_greys(const Volume& volume, const std::string& file) {
+VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits, Session& session) {
+  const VolumeRequest request = understood(words);
+  if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
+  Volume volume = read_volume(file, request.read, session.progress());
+  tell_volume(file, volume, session.console);
+  crop_told(volume, request.reshape, session.console);
   if (looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", file), "Say with --label N what is solid");
+  const GreyAnchors greys = grey_anchors(volume);
+  const Box dense = bounds_of_dense(volume, greys);
+  return {greys, dense, std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume), limits))};
 }
 
 }  // namespace odontoscope::app

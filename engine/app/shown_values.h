@@ -1,7 +1,12 @@
 #pragma once
 // Which part of a volume is shown beside a model of it, or instead of one.
 
+#include <memory>
+#include <string>
+
+#include "engine/app/volume_options.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/value_grid.h"
 #include "recon/input/contour_stack.h"
 #include "recon/mesh/meshes.h"
 #include "recon/radiograph/grey_anchors.h"
@@ -21,7 +26,14 @@ Box with_margin(const Box& bounds, const Volume& volume);
 /// Closed and facing outwards.
 SurfaceMesh box_surface(const Box& box);
 
-/// UsageError where nothing but voxels is wanted of a label map, whose values are no grey.
-void refuse_labels_as_greys(const Volume& volume, const std::string& file);
+/// A volume of which nothing but its voxels is wanted.
+struct VoxelsAlone {
+  GreyAnchors greys;
+  Box dense;     // see bounds_of_dense
+  std::shared_ptr<const ValueGrid> values;   // of that, and a margin
+};
+
+/// Reads, crops and tells it. UsageError for words that need a surface, and for a label map, whose values are no grey.
+VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits, Session& session);
 
 }  // namespace odontoscope::app

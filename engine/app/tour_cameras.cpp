@@ -4,7 +4,6 @@
 
 #include "engine/app/whole_structures.h"
 #include "engine/navigate/camera_path.h"
-#include "recon/cavity/centre_lines.h"
 #include "recon/cavity/tooth_axis.h"
 
 namespace odontoscope::app {
@@ -24,20 +23,20 @@ double diagonal(const WrittenModel& model) {
 
 }  // namespace
 
-std::vector<CameraPath> tour_cameras(const WrittenModel& model, Session& session) {
+CentreLines lines_inside(const WrittenModel& model, std::string_view option, Session& session) {
   const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
-  if (cavities.empty()) throw UsageError("--tours: there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
+  if (cavities.empty()) throw UsageError(std::string(option) + ": there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
+  return centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress());
+}
+
+std::vector<CameraPath> tour_cameras(const WrittenModel& model, const CentreLines& lines) {
   std::vector<CameraPath> paths;
-  for (const CentreLine& canal : centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress()).canals)
-    paths.push_back(camera_path(Tour(canal), canal.name, diagonal(model)));
+  for (const CentreLine& canal : lines.canals) paths.push_back(camera_path(Tour(canal), canal.name, diagonal(model)));
   if (paths.empty()) throw UsageError("--tours: the void has no canal", "Leave it out.");
   return paths;
 }
 
-std::vector<GlbHotspot> hotspots_of(const WrittenModel& model, Session& session) {
-  const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
-  if (cavities.empty()) throw UsageError("--hotspots: there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
-  const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress());
+std::vector<GlbHotspot> hotspots_of(const CentreLines& lines) {
   std::vector<GlbHotspot> hotspots;
   if (lines.has_chamber) hotspots.push_back({"pulp chamber", lines.chamber});
   for (const CentreLine& canal : lines.canals) {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/app/shown_values.h"
-#include "engine/app/tell_volume.h"
 #include "engine/scene/scene_json.h"
 #include "recon/core/grouped.h"
 #include "recon/output/write_glb.h"
@@ -80,26 +79,19 @@ void tell_web_volume(const WebVolume& volume, const ValueGrid& grid, Session& se
 }
 
 WebPage page_of_voxels(const std::string& file, const VolumeWords& words, const VolumeLookWords& look, const std::string& grey, Session& session) {
-  const VolumeRequest request = understood(words);
-  if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
-  Volume volume = read_volume(file, request.read, session.progress());
-  tell_volume(file, volume, session.console);
-  crop_told(volume, request.reshape, session.console);
-  refuse_labels_as_greys(volume, file);
+  const VoxelsAlone voxels = voxels_alone(file, words, page_values, session);
   Shown shown;
-  shown.greys = grey_anchors(volume);
+  shown.greys = voxels.greys;
   shown.only_voxels = true;
-  const Box dense = bounds_of_dense(volume, *shown.greys);
-  const auto grid = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume), page_values));
-  shown.values = grid;
+  shown.values = voxels.values;
   Scene scene;
   show_volume({look, grey, usual_kv, {}, false}, shown, scene, session);
   WebPage page;
-  page.volume = web_volume(*grid, greys_from(grey).value_or(*shown.greys), scene.volume);
+  page.volume = web_volume(*voxels.values, greys_from(grey).value_or(voxels.greys), scene.volume);
   page.volume->alone = true;
-  tell_web_volume(*page.volume, *grid, session);
+  tell_web_volume(*page.volume, *voxels.values, session);
   WrittenModel box;
-  const SurfaceMesh surface = box_surface(dense);
+  const SurfaceMesh surface = box_surface(voxels.dense);
   const SurfaceReport report = inspect(surface);
   box.solids.push_back({"volume", surface, report});
   WebModel model;

@@ -21,7 +21,6 @@
 #include "engine/picture/png.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene_json.h"
-#include "engine/scene/shells.h"
 #include "engine/view/offscreen.h"
 #include "python/binding/arrays.h"
 #include "python/binding/errors.h"
@@ -83,17 +82,6 @@ WrittenModel written(const Model& model) {
   return model.dt ? WrittenModel(model.dt->reconstruction) : WrittenModel(model.db->reconstruction);
 }
 
-/// Of a surface that is open all over the whole of it: a picture shows what there is.
-std::vector<NamedSurface> surfaces_of(const WrittenModel& model) {
-  std::vector<NamedSurface> surfaces;
-  for (const WrittenSurface& one : model.solids) {
-    const std::size_t before = surfaces.size();
-    add_shells(one.structure, one.surface, one.report, surfaces);
-    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;
-  }
-  return surfaces;
-}
-
 /// Contours and tetrahedra are copied only if they are to be seen.
 OverlaySource overlays_of(const Model& model, bool wanted) {
   OverlaySource source;
@@ -105,7 +93,7 @@ OverlaySource overlays_of(const Model& model, bool wanted) {
 }
 
 Image drawn(const Model& given, const DrawWords& words, const Progress& progress) {
-  const std::vector<NamedSurface> surfaces = surfaces_of(written(given));
+  const std::vector<NamedSurface> surfaces = app::surfaces_of(written(given));
   odontoscope::Model model = odontoscope::make_model(surfaces);
   OverlaySource source = overlays_of(given, !words.scene.overlays.empty() || !words.scene.scene_file.empty());
   source.faulty_edges = faulty_edges(surfaces, model);
