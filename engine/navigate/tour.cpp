@@ -10,6 +10,7 @@
 
 #include "engine/navigate/flight.h"
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 namespace {
@@ -56,7 +57,7 @@ void smooth(std::vector<Value>& values, std::size_t times) {
   }
 }
 
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) { return portable::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
 
 /// The line as samples evenly along it, with what the eye sees there.
 struct Way {
@@ -118,7 +119,7 @@ Way way_along(const CentreLine& line, bool back) {
   std::nth_element(widths.begin(), widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2), widths.end());
   const double least = least_width * widths[widths.size() / 2];
   std::vector<double> logs;
-  for (const CentrePoint& p : points) logs.push_back(std::log(std::max(p.radius, least)));
+  for (const CentrePoint& p : points) logs.push_back(portable::log(std::max(p.radius, least)));
   constexpr std::size_t over_two_radii = 16;
   smooth(logs, over_two_radii);
   Way way;
@@ -128,7 +129,7 @@ Way way_along(const CentreLine& line, bool back) {
     const std::size_t piece = std::min(k / samples_a_piece, points.size() - 2);
     way.at.push_back(spline<glm::dvec3>(points.size(), place, [&](std::size_t i) { return glm::dvec3(points[i].at.x, points[i].at.y, points[i].at.z); }));
     way.along.push_back(spline<double>(points.size(), place, [&](std::size_t i) { return points[i].along; }));
-    way.width.push_back(std::exp(spline<double>(points.size(), place, [&](std::size_t i) { return logs[i]; })));
+    way.width.push_back(portable::exp(spline<double>(points.size(), place, [&](std::size_t i) { return logs[i]; })));
     way.clearance.push_back(std::min(points[piece].radius, points[piece + 1].radius));
   }
   for (std::size_t k = 0; k <= samples; ++k) way.sight.push_back(glm::normalize(place_ahead(way, k, look_ahead * way.width[k]) - way.at[k]));
@@ -148,10 +149,10 @@ std::vector<double> speeds(const Way& way, double radii_per_second) {
       if (turn * speed > of_bound * glm::radians(Tour::largest_turn_deg_s) * piece)
         speed = of_bound * glm::radians(Tour::largest_turn_deg_s) * piece / turn;
     }
-    logs.push_back(std::log(speed));
+    logs.push_back(portable::log(speed));
   }
   smooth(logs, 4 * samples_a_piece * samples_a_piece);
-  for (double& speed : logs) speed = std::exp(speed);
+  for (double& speed : logs) speed = portable::exp(speed);
   return logs;
 }
 
@@ -209,7 +210,7 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
       jerk = std::max(jerk, glm::length(third) / (step_ * step_ * step_) / frames_[i].width);
     }
     constexpr double margin = 0.95;
-    const double factor = std::max(turn / (margin * glm::radians(largest_turn_deg_s)), std::cbrt(jerk / (margin * largest_jerk)));
+    const double factor = std::max(turn / (margin * glm::radians(largest_turn_deg_s)), portable::cbrt(jerk / (margin * largest_jerk)));
     if (factor <= 1) break;
     slower *= 1.02 * factor;
   }

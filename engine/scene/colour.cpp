@@ -10,13 +10,14 @@
 
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
 namespace {
 
 float linear(float encoded) {
-  return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+  return encoded <= 0.04045f ? encoded / 12.92f : static_cast<float>(portable::pow((encoded + 0.055f) / 1.055f, 2.4));
 }
 
 struct Tissue {

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 
 namespace {
@@ -23,7 +25,7 @@ double corner_angle(const SurfaceMesh& mesh, const Triangle& triangle, int corne
   const glm::dvec3 apex = position(mesh, triangle[corner]);
   const glm::dvec3 u = unit_or_zero(position(mesh, triangle[(corner + 1) % 3]) - apex);
   const glm::dvec3 v = unit_or_zero(position(mesh, triangle[(corner + 2) % 3]) - apex);
-  return std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
+  return portable::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
 }
 
 /// The corners around each vertex: those of vertex v are list[first[v]] to list[first[v + 1]].
@@ -48,7 +50,7 @@ CornersAround corners_around(const SurfaceMesh& mesh) {
 }  // namespace
 
 std::vector<glm::vec3> corner_normals(const SurfaceMesh& mesh, double crease_deg) {
-  const double least_cosine = std::cos(glm::radians(crease_deg));
+  const double least_cosine = portable::cos(glm::radians(crease_deg));
   std::vector<glm::dvec3> face(mesh.triangles.size());
   std::vector<double> angle(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

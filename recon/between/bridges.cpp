@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/ring_holds.h"
 
 namespace odontoscope::between {
@@ -24,7 +25,7 @@ Point2 nearest_on(const std::vector<Point2>& ring, Point2 p) {
     const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
     const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
     const Point2 at{a.x + t * dx, a.y + t * dy};
-    const double distance = std::hypot(at.x - p.x, at.y - p.y);
+    const double distance = portable::hypot(at.x - p.x, at.y - p.y);
     if (distance < least) {
       least = distance;
       best = at;
@@ -101,7 +102,7 @@ class Carrier {
     for (std::size_t c = 0; c < slices_.facts[slice].size(); ++c) {
       if (slices_.facts[slice][c].parent != ContourFacts::none) continue;
       const Point2 at = nearest_on(ring(slice, c), p);
-      const double distance = std::hypot(at.x - p.x, at.y - p.y);
+      const double distance = portable::hypot(at.x - p.x, at.y - p.y);
       if (distance >= least) continue;
       least = distance;
       best = at;
@@ -125,7 +126,7 @@ class Carrier {
 
   std::optional<Point2> way(std::size_t slice, std::size_t contour, std::size_t other_slice, std::size_t other) const {
     const Point2 from = slices_.facts[slice][contour].centroid, border = nearest(other_slice, other, from);
-    const double dx = border.x - from.x, dy = border.y - from.y, distance = std::hypot(dx, dy);
+    const double dx = border.x - from.x, dy = border.y - from.y, distance = portable::hypot(dx, dy);
     const double radius = std::sqrt(area(slice, contour) / std::numbers::pi);
     if (!(distance > 0)) return std::nullopt;
     for (const double depth : depths) {

@@ -247,7 +247,7 @@ std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<d
       if (certainty > 0) result.push_back({p, onwards ? share : 1 - share, length, certainty});
     }
   }
-  std::sort(result.begin(), result.end(), [](const StripPoint& a, const StripPoint& b) { return a.at < b.at; });
+  std::stable_sort(result.begin(), result.end(), [](const StripPoint& a, const StripPoint& b) { return a.at < b.at; });
   return result;
 }
 

@@ -51,7 +51,7 @@ ContourFacts facts_of(const std::vector<Point2>& ring) {
     twice += cross;
     x += cross * (p.x + q.x);
     y += cross * (p.y + q.y);
-    facts.perimeter += std::hypot(q.x - p.x, q.y - p.y);
+    facts.perimeter += portable::hypot(q.x - p.x, q.y - p.y);
   }
   facts.area = twice / 2;
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
@@ -79,7 +79,7 @@ double unlikeness(const ContourFacts& a, const ContourFacts& b) {
   const double ratio = a.area / b.area;
   if (!(ratio > 1 / limits::partner_area_ratio && ratio < limits::partner_area_ratio)) return never;
   const double size = std::sqrt((std::abs(a.area) + std::abs(b.area)) / 2);
-  const double apart = std::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) / size;
+  const double apart = portable::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) / size;
   return apart < limits::partner_distance ? apart + std::abs(portable::log(ratio)) / 2 : never;
 }
 

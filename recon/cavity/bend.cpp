@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "recon/cavity/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/mesh/vector.h"
 
 namespace odontoscope::cavity {
@@ -72,7 +73,7 @@ Circle circle_through(const std::vector<double>& x, const std::vector<double>& y
   circle.radius = std::sqrt(cx * cx + cy * cy + z);
   if (!std::isfinite(circle.radius)) return {};
   double squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) squares += std::pow(std::hypot(x[i] - mx - cx, y[i] - my - cy) - circle.radius, 2) / count;
+  for (std::size_t i = 0; i < x.size(); ++i) squares += portable::square(portable::hypot(x[i] - mx - cx, y[i] - my - cy) - circle.radius) / count;
   circle.off = std::sqrt(squares);
   return circle;
 }
@@ -85,12 +86,12 @@ Circle circle_of(const std::vector<Point3>& line, std::size_t first, std::size_t
     const Direction off = line[i] - frame.origin;
     x.push_back(dot(off, frame.along));
     y.push_back(dot(off, frame.side));
-    up += std::pow(dot(off, frame.up), 2) / static_cast<double>(last - first + 1);
-    aside += std::pow(y.back(), 2) / static_cast<double>(last - first + 1);
+    up += portable::square(dot(off, frame.up)) / static_cast<double>(last - first + 1);
+    aside += portable::square(y.back()) / static_cast<double>(last - first + 1);
   }
   Circle circle = circle_through(x, y);
   if (!std::isfinite(circle.radius)) circle.off = std::sqrt(aside);   // all in one line
-  circle.off = std::hypot(circle.off, std::sqrt(up));
+  circle.off = portable::hypot(circle.off, std::sqrt(up));
   const double half = 0.5 * length(line[last] - line[first]);
   if (std::isfinite(circle.radius)) {
     const double rest = std::sqrt(std::max(circle.radius * circle.radius - half * half, 0.0));

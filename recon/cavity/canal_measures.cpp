@@ -9,6 +9,7 @@
 #include "recon/cavity/bend.h"
 #include "recon/cavity/degrees.h"
 #include "recon/cavity/section_middles.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -115,7 +116,7 @@ double schneider_of(const CentreLine& line, std::size_t orifice_point, double sl
     const Direction off = p->at - orifice.at;
     if (length(cross(axis, off)) <= 0.5 * p->radius + slack) continue;
     const Direction apical = line.end - p->at;
-    return degrees_per_radian * std::atan2(length(cross(axis, apical)), dot(axis, apical));
+    return degrees_per_radian * portable::atan2(length(cross(axis, apical)), dot(axis, apical));
   }
   return 0;
 }

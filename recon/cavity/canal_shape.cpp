@@ -7,6 +7,7 @@
 #include "recon/cavity/limits.h"
 #include "recon/cavity/plane_loops.h"
 #include "recon/cavity/tooth_axis.h"
+#include "recon/core/portable_math.h"
 #include "recon/mesh/half_edges.h"
 
 namespace odontoscope {
@@ -107,7 +108,7 @@ std::vector<double> surface_growth(const SurfaceMesh& wall, const Owners& owners
     const Direction &n = normals[h / 3], &m = normals[mate / 3];
     const Direction along = b - a;
     // Seen along the edge, from one normal to the other: the void's body bulges out where its walls turn towards each other.
-    const double angle = std::atan2(dot(cross(n, m), along) / std::max(length(along), std::numeric_limits<double>::min()), dot(n, m));
+    const double angle = portable::atan2(dot(cross(n, m), along) / std::max(length(along), std::numeric_limits<double>::min()), dot(n, m));
     const Owners::Owner owner = owners.of({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2});
     if (owner.canal < canals) growth[owner.canal] += length(along) * -angle;
   }

@@ -8,6 +8,7 @@
 #include "recon/cavity/limits.h"
 #include "recon/cavity/plane_loops.h"
 #include "recon/cavity/roots.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -21,7 +22,7 @@ double depth_in(const Loop& loop, const Point2& p) {
     const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
     const double t = square > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, std::hypot(p.x - a.x - t * x, p.y - a.y - t * y));
+    nearest = std::min(nearest, portable::hypot(p.x - a.x - t * x, p.y - a.y - t * y));
   }
   return is_inside(loop, p) ? nearest : -nearest;
 }
@@ -55,7 +56,7 @@ double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
 
 /// How far the loop reaches from one place straight towards the other.
 double reach_towards(const Loop& loop, const Point2& from, const Point2& to) {
-  const double x = to.x - from.x, y = to.y - from.y, far = std::hypot(x, y);
+  const double x = to.x - from.x, y = to.y - from.y, far = portable::hypot(x, y);
   double most = 0;
   for (const Point2& p : loop) {
     const double ahead = ((p.x - from.x) * x + (p.y - from.y) * y) / far, aside = std::abs((p.x - from.x) * y - (p.y - from.y) * x) / far;
@@ -90,7 +91,7 @@ std::optional<Passing> passing(const CentreLine& line, double z) {
 }
 
 Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b, std::size_t canals_in_loop) {
-  if (std::hypot(a.at.x - b.at.x, a.at.y - b.at.y) < a.ball + b.ball) return {};   // one canal, or as good as one
+  if (portable::hypot(a.at.x - b.at.x, a.at.y - b.at.y) < a.ball + b.ball) return {};   // one canal, or as good as one
   const std::size_t one = loop_round(loops, a.at), other = loop_round(loops, b.at);
   if (one == loops.size() || other == loops.size()) return {};
   if (one == other) {
@@ -109,7 +110,7 @@ bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const C
   if (!one || !other) return false;
   const std::size_t loop = loop_round(loops, one->at);
   if (loop == loops.size() || loop != loop_round(loops, other->at)) return false;
-  if (std::hypot(one->at.x - other->at.x, one->at.y - other->at.y) < one->ball + other->ball) return true;
+  if (portable::hypot(one->at.x - other->at.x, one->at.y - other->at.y) < one->ball + other->ball) return true;
   return corridor_width(loops[loop], one->at, other->at) >= limits::isthmus_wide * 2 * std::min(one->ball, other->ball);
 }
 

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "recon/cavity/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -97,7 +98,7 @@ std::vector<Sample> samples_of(const SurfaceMesh& wall) {
     for (std::size_t k = 0; k < 3; ++k) {
       Sample& sample = samples[t[k]];
       const Direction u = corners[(k + 1) % 3] - corners[k], v = corners[(k + 2) % 3] - corners[k];
-      const double angle = std::atan2(size, dot(u, v));
+      const double angle = portable::atan2(size, dot(u, v));
       sample.normal = sample.normal + angle * unit;
       sample.spacing = std::max({sample.spacing, std::min(length(u), longest), std::min(length(v), longest)});
     }

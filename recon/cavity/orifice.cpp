@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "recon/cavity/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -32,7 +33,7 @@ double section_area(const CentreLine& line, std::size_t i, double most, const Wa
   double squares = 0;
   for (int k = 0; k < rays; ++k) {
     const double angle = 2 * std::numbers::pi * k / rays;
-    const double far = free_way(p.at, std::cos(angle) * u + std::sin(angle) * v, close * p.radius, most, tree);
+    const double far = free_way(p.at, portable::cos(angle) * u + portable::sin(angle) * v, close * p.radius, most, tree);
     squares += far * far;
   }
   return std::numbers::pi * squares / rays;
@@ -49,14 +50,14 @@ std::size_t orifice_of(const CentreLine& line, double chamber_radius, const Wall
   std::vector<std::size_t> below;
   for (std::size_t i = 0, j = 0; i < areas.size(); ++i) {
     while (j + 1 < areas.size() && line.points[j].along < line.points[i].along + line.points[i].radius) ++j;
-    drops.push_back(std::log(areas[i] / areas[j]));
+    drops.push_back(portable::log(areas[i] / areas[j]));
     below.push_back(j);
   }
   // Where the line bends within the chamber, sections change, too: the last great drop counts, and there the greatest step.
   const double best = drops.empty() ? 0 : *std::max_element(drops.begin(), drops.end());
   std::size_t upper = 0, lower = 0;
   for (std::size_t i = 0; i < drops.size(); ++i) {
-    if (drops[i] < std::log(limits::orifice_drop) || drops[i] < limits::orifice_great * best) continue;
+    if (drops[i] < portable::log(limits::orifice_drop) || drops[i] < limits::orifice_great * best) continue;
     upper = i;
     lower = below[i];
   }

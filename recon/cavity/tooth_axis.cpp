@@ -7,6 +7,7 @@
 
 #include "recon/cavity/degrees.h"
 #include "recon/cavity/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/core/symmetric_matrix.h"
 #include "recon/mesh/surface_report.h"
 
@@ -57,11 +58,11 @@ ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
     for (std::size_t j = 0; j < 3; ++j) spread[i][j] = moments.second[i][j] / moments.volume - moments.first[i] * moments.first[j] / (moments.volume * moments.volume);
   const Matrix3 vectors = eigenvectors(spread);
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a][a] > spread[b][b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a][a] > spread[b][b]; });
   const std::size_t most = order[0];
   Direction along{vectors[0][most], vectors[1][most], vectors[2][most]};
   if (along.z < 0) along = -1.0 * along;
-  const double tilt = degrees_per_radian * std::atan2(std::hypot(along.x, along.y), along.z);
+  const double tilt = degrees_per_radian * portable::atan2(portable::hypot(along.x, along.y), along.z);
   const bool is_long = spread[most][most] >= limits::axis_ratio * limits::axis_ratio * spread[order[1]][order[1]];
   if (!is_long || tilt < limits::axis_tilt_deg) return {};
   return {along, tilt, true};

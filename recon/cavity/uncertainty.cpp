@@ -10,6 +10,7 @@
 #include "recon/cavity/canal_measures.h"
 #include "recon/cavity/degrees.h"
 #include "recon/cavity/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -77,7 +78,7 @@ Slope slope_at(const CentreLine& line, std::size_t i, double reach) {
   const double way = b.along - a.along;
   if (!(way > 0)) return {};
   const Direction chord = b.at - a.at;
-  const double across = std::hypot(chord.x, chord.y), whole = length(chord);
+  const double across = portable::hypot(chord.x, chord.y), whole = length(chord);
   return {2 * std::abs(b.ball - a.ball) / way, whole > 0 ? across * across / (whole * whole) : 0};
 }
 
@@ -103,7 +104,7 @@ double off_schneider(const MeasuredCanal& canal, const CentreLine& line, double 
   while (line.orifice > 0 && down + 5 < line.points.size() && line.points[down].along - at < along) ++down;
   for (const std::size_t orifice : {up, line.orifice, down})
     for (const double slack : {-aside, 0.0, aside}) most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
-  return most + degrees_per_radian * std::atan2(2 * aside, canal.length / 3);
+  return most + degrees_per_radian * portable::atan2(2 * aside, canal.length / 3);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recon/core/portable_math.h"
 #include "recon/mesh/corners.h"
 #include "recon/mesh/half_edges.h"
 #include "recon/mesh/nearest_on_triangle.h"
@@ -28,7 +29,7 @@ WallTree::WallTree(const SurfaceMesh& wall) : triangles_(wall.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Direction u = unit(corners[(k + 1) % 3] - corners[k]), v = unit(corners[(k + 2) % 3] - corners[k]);
       Direction& sum = vertex_normals_[wall.triangles[t][k]];
-      sum = sum + std::acos(std::clamp(dot(u, v), -1.0, 1.0)) * normals[t];
+      sum = sum + portable::acos(std::clamp(dot(u, v), -1.0, 1.0)) * normals[t];
     }
     bounds[t] = box_round(corners);
   }

@@ -7,6 +7,7 @@
 
 #include "recon/compare/contour_fit.h"
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/validate.h"
@@ -22,7 +23,7 @@ std::vector<Point2> ring(double width, Point2 centre, int points) {
   std::vector<Point2> result;
   for (int i = 0; i < points; ++i) {
     const double angle = 2 * std::numbers::pi * i / points;
-    result.push_back({centre.x + width / 2 * std::cos(angle), centre.y + width / 2 * std::sin(angle)});
+    result.push_back({centre.x + width / 2 * portable::cos(angle), centre.y + width / 2 * portable::sin(angle)});
   }
   return result;
 }
@@ -32,7 +33,7 @@ Point2 canal_centre(double share, double canal) {
   constexpr double turns = 0.5;
   const double radius = std::min(0.7, 2.8 * canal);
   const double angle = 2 * std::numbers::pi * turns * share;
-  return {0.37 + radius * std::cos(angle), -0.23 + radius * std::sin(angle)};
+  return {0.37 + radius * portable::cos(angle), -0.23 + radius * portable::sin(angle)};
 }
 
 CanalResult judged(const SurfaceMesh& surface, const SurfaceReport& report, const ContourStack& stack) {

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <queue>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 namespace {
 
@@ -19,7 +21,7 @@ using Segments = std::vector<Kernel::Segment_3>;
 using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
-double length(const Point2& a, const Point2& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+double length(const Point2& a, const Point2& b) { return portable::hypot(b.x - a.x, b.y - a.y); }
 
 template <class Visit>
 void for_each_edge(const Slice& slice, const std::string& structure, Visit visit) {
@@ -125,7 +127,7 @@ double distance_to(const std::vector<Point2>& ring, const Point2& p) {
     const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
     const double dx = b.x - a.x, dy = b.y - a.y;
     const double along = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    least = std::min(least, std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy));
+    least = std::min(least, portable::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy));
   }
   return least;
 }

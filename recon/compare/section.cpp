@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 namespace {
 
@@ -35,7 +37,7 @@ bool is_inside(const std::vector<SectionSegment>& segments, const Point2& place)
   int odd = 0;
   for (int d = 0; d < directions; ++d) {
     const double angle = 0.1 + 2 * std::numbers::pi * d / directions;  // not along the grid
-    const double cx = std::cos(angle), cy = std::sin(angle);
+    const double cx = portable::cos(angle), cy = portable::sin(angle);
     bool inside = false;
     for (const SectionSegment& s : segments) {
       // In axes turned so that the ray runs along the first.

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/symmetric_matrix.h"
 
 namespace odontoscope {
@@ -26,7 +27,7 @@ RigidMotion RigidMotion::inverse() const {
 
 double RigidMotion::degrees() const {
   const double trace = rotation[0][0] + rotation[1][1] + rotation[2][2];
-  return std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
+  return portable::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
 std::array<std::array<double, 4>, 4> RigidMotion::matrix() const {

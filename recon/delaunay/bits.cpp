@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 #include "recon/delaunay/ring.h"
 
@@ -16,7 +17,7 @@ namespace {
 double distance_to_edge(Point2 p, Point2 a, Point2 b) {
   const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
   const double share = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
+  return portable::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
 }
 
 double distance_of_points(const std::vector<Point2>& points, const std::vector<Point2>& ring) {
@@ -168,7 +169,7 @@ class BitSearch {
       const double found = gap(shape, other);
       if (found > 0 && ends_by_itself_(k, i, up)) continue;
       if (found > (like ? bit_gap : bit_gap_unlike) * std::min(width(shape), width(other))) continue;
-      const double aside = std::hypot(shape.centroid.x - other.centroid.x, shape.centroid.y - other.centroid.y);
+      const double aside = portable::hypot(shape.centroid.x - other.centroid.x, shape.centroid.y - other.centroid.y);
       found_.push_back({ends_by_itself_(k, i, up), found, aside, link, up});
     }
   }

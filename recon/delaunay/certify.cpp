@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/face_table.h"
 #include "recon/delaunay/predicates.h"
 
@@ -123,7 +124,7 @@ void certify_contours(const ConformedSlice& conformed, const Slice& given) {
       const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
       for (; at + 1 < end && !(p + 1 < contour.size() && points[at + 1] == b); ++at) {
         const Point2 s = points[at + 1];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        const double length = portable::hypot(b.x - a.x, b.y - a.y);
         const double off = std::abs((b.x - a.x) * (s.y - a.y) - (b.y - a.y) * (s.x - a.x)) / length;
         if (!(off <= rounding)) broken("a point was added beside its contour");
       }

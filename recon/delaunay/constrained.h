@@ -25,10 +25,6 @@ using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::
 using Vertex = Cdt::Vertex_handle;
 using Face = Cdt::Face_handle;
 
-/// Along a space-filling curve, which is fast to insert. It starts from the order of coordinates, so that the triangulation of points on
-/// one circle does not depend on how they are numbered.
-std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points);
-
 /// Points in this order, numbered as in `points`.
 std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order);
 

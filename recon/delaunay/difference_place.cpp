@@ -8,6 +8,7 @@
 #include <queue>
 #include <unordered_map>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 
 namespace odontoscope::delaunay {
@@ -23,7 +24,7 @@ double six_volumes(const Point3& a, const Point3& b, const Point3& c, const Poin
   return determinant(difference(b, a), difference(c, a), difference(d, a));
 }
 
-double length(const Point3& a, const Point3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+double length(const Point3& a, const Point3& b) { return portable::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 
 Point3 middle(const std::vector<Point3>& points) {
   Point3 sum;

@@ -10,7 +10,7 @@ namespace {
 constexpr double impossible = std::numeric_limits<double>::infinity();
 
 double distance(const TrackedShape& a, const TrackedShape& b) {
-  return std::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y);
+  return portable::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y);
 }
 
 /// A part of a line: what it is worth, and what its triple next to the link is.
@@ -87,7 +87,7 @@ class DriftSearch {
     std::vector<std::uint32_t> found;
     for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
       if (above ? graph_.free_above(k, i) : graph_.free_below(k, i)) found.push_back(i);
-    std::sort(found.begin(), found.end(), [&](std::uint32_t i, std::uint32_t j) {
+    std::stable_sort(found.begin(), found.end(), [&](std::uint32_t i, std::uint32_t j) {
       return graph_.shape(k, i).centroid.x < graph_.shape(k, j).centroid.x;
     });
     return found;
@@ -125,7 +125,7 @@ class DriftSearch {
     const double x = (r.centroid.x - q.centroid.x) / g - (q.centroid.x - p.centroid.x) / h;
     const double y = (r.centroid.y - q.centroid.y) / g - (q.centroid.y - p.centroid.y) / h;
     const double size = (r.radius - q.radius) / g - (q.radius - p.radius) / h;
-    const double miss = std::hypot(x, y, size) * (h + g) / 2;
+    const double miss = portable::hypot(x, y, size) * (h + g) / 2;
     const double reach = (ShapeGraph::reach(p, q, h) + ShapeGraph::reach(q, r, g)) / 2;
     if (miss > limits::track_bend * reach) return impossible;
     const double share = std::max(miss / reach, limits::track_precision);

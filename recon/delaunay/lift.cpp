@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/overhang.h"
 #include "recon/delaunay/predicates.h"
 
@@ -149,7 +150,7 @@ class Lift {
   /// Tries base + t (target - base) for falling t; `fit` judges the point, which is points_.back().
   template <class Fit>
   bool try_towards(const Point3& base, const Point3& target, double scale, Fit fit) {
-    const double sideways = std::hypot(target.x - base.x, target.y - base.y);
+    const double sideways = portable::hypot(target.x - base.x, target.y - base.y);
     double step = limits::lift_height / height_share(target.z, base.z);
     if (sideways > 0) step = std::min(step, limits::lift_sideways * scale / sideways);
     for (int halving = 0; halving < limits::lift_halvings; ++halving, step /= 2) {
@@ -160,7 +161,7 @@ class Lift {
       };
       // The last step that fits may all but touch a face; a good deal nearer there is room around the point.
       if (!fits_at(step) || !fits_at(step * limits::lift_margin)) continue;
-      largest_sideways_ = std::max(largest_sideways_, std::hypot(p.x - base.x, p.y - base.y) / scale);
+      largest_sideways_ = std::max(largest_sideways_, portable::hypot(p.x - base.x, p.y - base.y) / scale);
       return true;
     }
     return false;
@@ -182,7 +183,7 @@ class Lift {
     std::vector<std::pair<double, Point3>> targets;
     for (const std::uint32_t p : star) {
       const Point3 c = centroid(pieces_[p].v);
-      targets.emplace_back(std::hypot(c.x - base.x, c.y - base.y) / height_share(c.z, base.z), c);
+      targets.emplace_back(portable::hypot(c.x - base.x, c.y - base.y) / height_share(c.z, base.z), c);
     }
     std::stable_sort(targets.begin(), targets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     return std::any_of(targets.begin(), targets.end(),
@@ -215,7 +216,7 @@ class Lift {
     const Point3 a = points_[edge[0]], b = points_[edge[1]];
     const std::vector<std::uint32_t> star = star_of(edge);
     const Point3 middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2, a.z};
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = portable::hypot(b.x - a.x, b.y - a.y);
     if (!place(middle, length, star, [&] { return fits(edge, star) && within_hull(edge, star); })) return false;
     split(edge, star);
     return true;
@@ -225,8 +226,8 @@ class Lift {
     const Point3 a = points_[face[0]], b = points_[face[1]], c = points_[face[2]];
     const std::vector<std::uint32_t> star = star_of(face);
     const Point3 middle{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, a.z};
-    const double length = std::max({std::hypot(b.x - a.x, b.y - a.y), std::hypot(c.x - b.x, c.y - b.y),
-                                    std::hypot(a.x - c.x, a.y - c.y)});
+    const double length = std::max({portable::hypot(b.x - a.x, b.y - a.y), portable::hypot(c.x - b.x, c.y - b.y),
+                                    portable::hypot(a.x - c.x, a.y - c.y)});
     if (!place(middle, length, star, [&] { return fits(face, star); })) return false;
     split(face, star);
     return true;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -41,7 +42,7 @@ std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const
     const int first = tet.lower_count == 1 ? 1 : 0;   // the in-plane triangle's first corner
     const Point2 e = vector(first, first + 1), f = tet.lower_count == 2 ? vector(2, 3) : vector(first, first + 2);
     const double area = std::abs(e.x * f.y - e.y * f.x);
-    costs.push_back({area < limits::flat_share * std::hypot(e.x, e.y) * std::hypot(f.x, f.y) ? 1u : 0u, 1, area});
+    costs.push_back({area < limits::flat_share * portable::hypot(e.x, e.y) * portable::hypot(f.x, f.y) ? 1u : 0u, 1, area});
   }
   return costs;
 }

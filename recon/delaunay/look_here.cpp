@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/strands.h"
 #include "recon/delaunay/verdict.h"
@@ -233,7 +234,7 @@ class Look {
     const double near = one.z_upper - one.z_lower;
     return std::any_of(found_.begin(), found_.end(), [&](const Attention& other) {
       return other.structure == one.structure && other.slice == one.slice && other.kind != AttentionKind::topology &&
-             std::hypot(other.place.x - one.place.x, other.place.y - one.place.y) <= near;
+             portable::hypot(other.place.x - one.place.x, other.place.y - one.place.y) <= near;
     });
   }
 

@@ -10,6 +10,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/difference_place.h"
 #include "recon/delaunay/face_table.h"
 #include "recon/delaunay/topology.h"
@@ -25,7 +26,7 @@ Point2 bisectors_meet(Point2 a, Point2 b, Point2 c, Point2 d) {
   return {(p * vy - q * uy) / area, (q * ux - p * vx) / area};
 }
 
-double distance(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(Point2 a, Point2 b) { return portable::hypot(a.x - b.x, a.y - b.y); }
 
 using Edge = std::array<std::uint32_t, 2>;
 

@@ -1,15 +1,12 @@
 #include "recon/delaunay/refine.h"
 
-#include <CGAL/Spatial_sort_traits_adapter_2.h>
-#include <CGAL/property_map.h>
-#include <CGAL/spatial_sort.h>
-
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
+#include "recon/delaunay/spatial_order.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -105,7 +102,7 @@ class Conformer {
         if (!(start.t < split_at.t && split_at.t < end.t && end.u < split_at.u && split_at.u < start.u) ||
             !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v], rings.points[previous[v]],
                      rings.points[next[v]]))
-          split_at = split_spot(start, end, std::hypot(b.x - a.x, b.y - a.y), sharp(given, given_next, start.from),
+          split_at = split_spot(start, end, portable::hypot(b.x - a.x, b.y - a.y), sharp(given, given_next, start.from),
                                 sharp(given, given_next, given_next[start.from]));
         add(between(a, b, split_at), split_at);
       }
@@ -134,7 +131,7 @@ class Conformer {
   /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone
   /// (for Delaunay edges a rounding beside that place does no harm).
   bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) const {
-    const auto distance = [](Point2 p, Point2 q) { return std::hypot(p.x - q.x, p.y - q.y); };
+    const auto distance = [](Point2 p, Point2 q) { return portable::hypot(p.x - q.x, p.y - q.y); };
     const double gap = distance(foot, v);
     if (gap * limits::narrow_gap > distance(a, b) || distance(a, foot) < gap || distance(foot, b) < gap) return false;
     if (fineness_ == Fineness::delaunay) return true;
@@ -150,7 +147,7 @@ class Conformer {
     const bool at_start = sharp_start && start.t == 0, at_end = sharp_end && end.u == 0;
     if (at_start == at_end) return {start.from, (start.t + end.t) / 2, (start.u + end.u) / 2};
     const double piece = at_start ? end.t : start.u;
-    const double share = std::exp2(std::round(std::log2(piece * length / 2))) / length;
+    const double share = portable::nearest_power_of_two(piece * length / 2) / length;
     return at_start ? Spot{start.from, share, 1 - share} : Spot{start.from, 1 - share, share};
   }
 
@@ -180,19 +177,6 @@ class Conformer {
 };
 
 }  // namespace
-
-std::vector<std::uint32_t> spatial_order(const std::vector<Point2>& points) {
-  std::vector<Kernel::Point_2> sites;
-  sites.reserve(points.size());
-  for (const Point2 p : points) sites.emplace_back(p.x, p.y);
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::sort(order.begin(), order.end(), [&sites](std::size_t a, std::size_t b) { return sites[a] < sites[b]; });
-  using Map = CGAL::Pointer_property_map<Kernel::Point_2>::type;
-  CGAL::spatial_sort(order.begin(), order.end(),
-                     CGAL::Spatial_sort_traits_adapter_2<Kernel, Map>(CGAL::make_property_map(sites)));
-  return {order.begin(), order.end()};
-}
 
 Vertex encroacher(const Cdt& cdt, Face face, int i) {
   const auto& a = face->vertex(Cdt::ccw(i))->point();

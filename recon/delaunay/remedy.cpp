@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/tracked_shape.h"
 
 namespace odontoscope::delaunay {
@@ -11,7 +12,7 @@ namespace {
 
 /// Between the two discs that have the shapes' areas; negative if they overlap.
 double gap(const TrackedShape& a, const TrackedShape& b) {
-  return std::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) - a.radius - b.radius;
+  return portable::hypot(a.centroid.x - b.centroid.x, a.centroid.y - b.centroid.y) - a.radius - b.radius;
 }
 
 std::vector<std::uint32_t> nearest_first(const TrackedShape& shape, const ShapeSlice& others) {

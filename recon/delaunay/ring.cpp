@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope::delaunay {
 namespace {
 
@@ -17,7 +19,7 @@ bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
 double distance_to_segment(Point2 p, Point2 a, Point2 b) {
   const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
   const double t = square > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0) : 0;
-  return std::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
+  return portable::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
 }
 
 }  // namespace

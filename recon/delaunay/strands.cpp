@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::delaunay {
 namespace {
@@ -107,7 +108,7 @@ void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, st
       if (forbidden) continue;
       const double gap = gap_between(*below.ring, *above.ring);
       if (gap > reach) continue;
-      found.push_back({a, b, gap, std::hypot(below.centre.x - above.centre.x, below.centre.y - above.centre.y)});
+      found.push_back({a, b, gap, portable::hypot(below.centre.x - above.centre.x, below.centre.y - above.centre.y)});
     }
   }
 }

@@ -186,7 +186,7 @@ class Tracker {
     const std::optional<Point2> by = drift(k, i, up);
     const TrackedShape& shape = graph_.shape(k, i);
     const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
-    if (!by || std::hypot(by->x, by->y) > ShapeGraph::reach(shape, shape, graph_.height(slab))) return;
+    if (!by || portable::hypot(by->x, by->y) > ShapeGraph::reach(shape, shape, graph_.height(slab))) return;
     const double area = net_area(shape);
     for (std::uint32_t j = 0; j < graph_.slices()[beyond].shapes.size(); ++j) {
       const std::uint32_t lower = up ? i : j, upper = up ? j : i;

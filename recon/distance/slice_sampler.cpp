@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recon/core/portable_math.h"
 #include "recon/distance/limits.h"
 
 namespace odontoscope::distance {
@@ -137,7 +138,7 @@ class DistanceSampler {
       segments_.push_back({a, dx, dy, length2 > 0 && std::isfinite(1 / length2) ? 1 / length2 : 0});
     });
     slack_ = limits::distance_slack *
-             std::hypot(grid.dx * static_cast<double>(grid.columns), grid.dy * static_cast<double>(grid.rows));
+             portable::hypot(grid.dx * static_cast<double>(grid.columns), grid.dy * static_cast<double>(grid.rows));
   }
 
   void run() {
@@ -162,7 +163,7 @@ class DistanceSampler {
   std::vector<std::uint32_t> can_be_nearest(const Block& block, const std::vector<std::uint32_t>& candidates) const {
     const double x = (grid_.x(block.left) + grid_.x(block.right - 1)) / 2;
     const double y = (grid_.y(block.low) + grid_.y(block.high - 1)) / 2;
-    const double radius = std::hypot(grid_.x(block.right - 1) - x, grid_.y(block.high - 1) - y);
+    const double radius = portable::hypot(grid_.x(block.right - 1) - x, grid_.y(block.high - 1) - y);
     std::vector<double> squared(candidates.size());
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 #include "recon/exchange/limits.h"
 #include "recon/exchange/region_border.h"
@@ -13,7 +14,7 @@
 namespace odontoscope {
 namespace {
 
-double distance(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double distance(const Point2& a, const Point2& b) { return portable::hypot(a.x - b.x, a.y - b.y); }
 
 double size_of(const std::vector<Point2>& contour) {
   Point2 low = contour.front(), high = low;
@@ -128,7 +129,7 @@ class Channels {
     const Point2 &a = contour_[e], &b = contour_[after], &p = contour_[corner];
     const double ux = b.x - a.x, uy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, squared = ux * ux + uy * uy;
     const double t = std::clamp((px * ux + py * uy) / squared, 0.0, 1.0);
-    const double gap = std::hypot(px - t * ux, py - t * uy);
+    const double gap = portable::hypot(px - t * ux, py - t * uy);
     if (!(gap <= width_) || gap == 0) return;
     const double aside = ux * py - uy * px;  // positive on the left
     if (inside_is_left_ ? aside > 0 : aside < 0) return;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/exchange/plane_trace.h"
 #include "recon/exchange/region_border.h"
 #include "recon/input/planar_sweep.h"
@@ -18,7 +19,7 @@
 namespace odontoscope {
 namespace {
 
-double gap_between(const Point2& a, const Point2& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double gap_between(const Point2& a, const Point2& b) { return portable::hypot(a.x - b.x, a.y - b.y); }
 
 double twice_shoelace(const std::vector<Point2>& polygon) {
   double sum = 0;

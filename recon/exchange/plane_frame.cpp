@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -9,7 +11,7 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 Vector scaled(const Vector& a, double by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+double length(const Vector& a) { return portable::hypot(a[0], a[1], a[2]); }
 
 Frame frame_of(const Vector& unit_normal) {
   constexpr Vector x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};

@@ -11,6 +11,8 @@
 #include <map>
 #include <utility>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 namespace {
 
@@ -152,7 +154,7 @@ double area_of(const std::vector<Point2>& polygon) {
 /// Between the border that arrives at `v` and the one that leaves, through the material.
 double angle_at(const Point2& before, const Point2& v, const Point2& after) {
   constexpr double turn = 6.283185307179586;
-  const double angle = std::atan2(before.y - v.y, before.x - v.x) - std::atan2(after.y - v.y, after.x - v.x);
+  const double angle = portable::atan2(before.y - v.y, before.x - v.x) - portable::atan2(after.y - v.y, after.x - v.x);
   return angle <= 0 ? angle + turn : angle;
 }
 

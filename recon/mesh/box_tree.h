@@ -150,7 +150,10 @@ class BoxTree {
       spread[axis] = most - least;
     }
     nodes_[part.node] = {all.low, all.high, part.first, part.count};
-    if (part.count <= most_in_leaf) return 0;
+    if (part.count <= most_in_leaf) {
+      std::sort(begin, end);   // which of two equally near is met first does not depend on how nth_element went about it
+      return 0;
+    }
     const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;
     std::nth_element(begin, begin + part.count / 2, end, [&](std::uint32_t a, std::uint32_t b) {
       const Scalar u = twice_middle(a, axis), v = twice_middle(b, axis);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "recon/core/geometry.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 namespace {
@@ -198,7 +199,7 @@ void measure(const std::vector<Point3>& corners, const std::array<double, 3>& no
     }
   }
   for (std::size_t k = 0; k < 3; ++k) cut.size = std::max(cut.size, high[k] - low[k]);
-  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  const double length = portable::hypot(normal[0], normal[1], normal[2]);
   if (!(length > 0)) return;
   for (const Point3& corner : corners) {
     const auto p = numbers(corner);

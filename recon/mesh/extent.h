@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -17,7 +18,7 @@ inline double diagonal_of(const std::vector<Point3>& points) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  return std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  return portable::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
 }
 
 }  // namespace odontoscope

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 #include "recon/output/json_values.h"
 
 namespace odontoscope {
@@ -56,7 +57,7 @@ const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
 }
 
 double screen_value(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * portable::pow(linear, 1 / 2.4) - 0.055;
 }
 
 }  // namespace odontoscope

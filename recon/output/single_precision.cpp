@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 namespace {
 
@@ -60,7 +62,7 @@ std::vector<FloatPoint> ring_around(const FloatPoint& place, int ring, const Poi
     }
   }
   const auto off = [&](const FloatPoint& p) {
-    return std::hypot(p[0] - point.x * scale, p[1] - point.y * scale, p[2] - point.z * scale);
+    return portable::hypot(p[0] - point.x * scale, p[1] - point.y * scale, p[2] - point.z * scale);
   };
   std::stable_sort(neighbours.begin(), neighbours.end(),
                    [&](const FloatPoint& a, const FloatPoint& b) { return off(a) < off(b); });

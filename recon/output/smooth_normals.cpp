@@ -38,7 +38,7 @@ double angle_at(const SurfaceMesh& surface, HalfEdge corner) {
 std::vector<HalfEdge> joined_corners(const SurfaceMesh& surface, const std::vector<Direction>& normals,
                                      double crease_angle_deg) {
   const EdgeMates edges = edge_mates(surface);
-  const double least_cosine = std::cos(crease_angle_deg * std::numbers::pi / 180);
+  const double least_cosine = portable::cos(crease_angle_deg * std::numbers::pi / 180);
   UnionFind corners(edges.mate.size());
   for (HalfEdge h = 0; h < edges.mate.size(); ++h) {
     const HalfEdge m = edges.mate[h];

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 #include "recon/output/little_endian.h"
 #include "recon/output/single_precision.h"
 
@@ -19,7 +20,7 @@ FloatPoint normal(const FloatPoint& a, const FloatPoint& b, const FloatPoint& c)
     v[i] = double{c[i]} - a[i];
   }
   const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  const double length = std::hypot(n[0], n[1], n[2]);
+  const double length = portable::hypot(n[0], n[1], n[2]);
   if (!(length > 0)) return {0, 0, 0};
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "recon/core/portable_math.h"
 #include "recon/output/shell_groups.h"
 #include "recon/output/text_values.h"
 
@@ -39,7 +40,7 @@ View view_of(const WrittenModel& model) {
     }
   }
   if (!(low[0] <= high[0])) return {};
-  const double size = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const double size = portable::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
   constexpr double distance = 1.5, eye_share = 1.0 / 200;  // of the size: the usual field of view of 45 degrees holds it
   return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 + distance * size,
           (low[2] + high[2]) / 2, eye_share * size};

@@ -8,8 +8,10 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/constrained.h"
 #include "recon/delaunay/predicates.h"
+#include "recon/delaunay/spatial_order.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/planar_pieces.h"
 
@@ -291,7 +293,7 @@ class Overlayer {
 
   double angle(std::uint32_t at, std::uint32_t from, std::uint32_t to) const {
     const Point2 p = points_[at], a = points_[from], b = points_[to];
-    const double turned = std::atan2(b.y - p.y, b.x - p.x) - std::atan2(a.y - p.y, a.x - p.x);
+    const double turned = portable::atan2(b.y - p.y, b.x - p.x) - portable::atan2(a.y - p.y, a.x - p.x);
     return turned < 0 ? turned + 2 * std::numbers::pi : turned;
   }
 
@@ -352,7 +354,7 @@ class Overlayer {
     const std::uint32_t ends[] = {rays[chosen].to, rays[(chosen + 1) % count].to};
     const double reach = limits::corner_share * room(at);
     const Point2 cuts[] = {on_piece(at, ends[0], reach), on_piece(at, ends[1], reach)};
-    const bool needle = std::hypot(cuts[0].x - cuts[1].x, cuts[0].y - cuts[1].y) <= limits::needle_share * reach;
+    const bool needle = portable::hypot(cuts[0].x - cuts[1].x, cuts[0].y - cuts[1].y) <= limits::needle_share * reach;
     if (needle || is_point(cuts[0]) || is_point(cuts[1])) {
       cuts_.push_back({at, ends[0], 0, taker, true});
       return;
@@ -366,7 +368,7 @@ class Overlayer {
 
   Point2 on_piece(std::uint32_t at, std::uint32_t to, double reach) const {
     const Point2 from = points_[at], end = points_[to];
-    const double share = reach / std::hypot(end.x - from.x, end.y - from.y);
+    const double share = reach / portable::hypot(end.x - from.x, end.y - from.y);
     return {from.x + share * (end.x - from.x), from.y + share * (end.y - from.y)};
   }
 
@@ -387,7 +389,7 @@ class Overlayer {
   double room(std::uint32_t at) const {
     double least = std::numeric_limits<double>::max();
     const Point2 p = points_[at];
-    const auto distance = [&](Point2 q) { return std::hypot(q.x - p.x, q.y - p.y); };
+    const auto distance = [&](Point2 q) { return portable::hypot(q.x - p.x, q.y - p.y); };
     for (const ContourPiece& piece : pieces_) {
       const Point2 a = points_[piece.a], b = points_[piece.b];
       if (piece.a != at) least = std::min(least, distance(a));

@@ -10,7 +10,9 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/delaunay/constrained.h"
+#include "recon/delaunay/spatial_order.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/overlay.h"
 
@@ -130,7 +132,7 @@ class Conformer {
     const Point2 a = given_.points[border.a], b = given_.points[border.b];
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y, length = std::sqrt(square);
     double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square;
-    const double gap = std::hypot(v.x - (a.x + t * x), v.y - (a.y + t * y));
+    const double gap = portable::hypot(v.x - (a.x + t * x), v.y - (a.y + t * y));
     const bool narrow = gap * odontoscope::limits::narrow_gap < (piece.t1 - piece.t0) * length && (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
     double u = 1 - t;
     if (!narrow) {
@@ -138,7 +140,7 @@ class Conformer {
       t = (piece.t0 + piece.t1) / 2;
       u = (piece.u0 + piece.u1) / 2;
       if (at_start != at_end) {
-        const double share = std::exp2(std::round(std::log2((at_start ? piece.t1 : piece.u0) * length / 2))) / length;
+        const double share = portable::nearest_power_of_two((at_start ? piece.t1 : piece.u0) * length / 2) / length;
         t = at_start ? share : 1 - share;
         u = at_start ? 1 - share : share;
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "recon/core/portable_math.h"
 #include "recon/radiograph/vector.h"
 
 namespace odontoscope {
@@ -28,7 +29,7 @@ FilmRay ray_to(const FilmView& view, int column, int row) {
 std::vector<std::uint8_t> greys(const FilmMap& attenuation, const Exposure& exposure) {
   std::vector<std::uint8_t> shown;
   shown.reserve(attenuation.values.size());
-  const double black = std::log(exposure.times);
+  const double black = portable::log(exposure.times);
   for (const double value : attenuation.values) {
     const double part = std::clamp((value - black) / exposure.latitude, 0.0, 1.0);
     shown.push_back(static_cast<std::uint8_t>(std::lround(255 * (exposure.inverted ? 1 - part : part))));

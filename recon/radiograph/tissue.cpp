@@ -7,6 +7,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -74,8 +75,8 @@ double mass_attenuation(Element element, double energy_kev) {
   std::size_t above = 1;
   while (above + 1 < table_kev.size() && table_kev[above] < energy_kev) ++above;
   const auto& row = table[static_cast<std::size_t>(element)];
-  const double part = std::log(energy_kev / table_kev[above - 1]) / std::log(table_kev[above] / table_kev[above - 1]);
-  return row[above - 1] * std::pow(row[above] / row[above - 1], part);
+  const double part = portable::log(energy_kev / table_kev[above - 1]) / portable::log(table_kev[above] / table_kev[above - 1]);
+  return row[above - 1] * portable::pow(row[above] / row[above - 1], part);
 }
 
 double linear_attenuation(const Tissue& tissue, double energy_kev) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "recon/core/geometry.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::sample {
 
@@ -31,10 +32,10 @@ inline double superellipse(double u, double v, double a, double b, double n) {
   const double outside = std::max(std::abs(u) - a, std::abs(v) - b);
   if (outside > far) return outside;
   const double p = std::abs(u) / a, q = std::abs(v) / b;
-  const double pn = n == 2 ? p * p : std::pow(p, n), qn = n == 2 ? q * q : std::pow(q, n), sum = pn + qn;
+  const double pn = n == 2 ? p * p : portable::pow(p, n), qn = n == 2 ? q * q : portable::pow(q, n), sum = pn + qn;
   if (sum <= 0) return -std::min(a, b);
-  const double radius = n == 2 ? std::sqrt(sum) : std::pow(sum, 1 / n);
-  const double gradient = radius / sum * std::hypot(p > 0 ? pn / p / a : 0.0, q > 0 ? qn / q / b : 0.0);
+  const double radius = n == 2 ? std::sqrt(sum) : portable::pow(sum, 1 / n);
+  const double gradient = radius / sum * portable::hypot(p > 0 ? pn / p / a : 0.0, q > 0 ? qn / q / b : 0.0);
   return (radius - 1) / gradient;
 }
 
@@ -43,7 +44,7 @@ inline double segment_distance(const Point3& p, const Point3& a, const Point3& b
   const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
   const double t = ((p.x - a.x) * dx + (p.y - a.y) * dy + (p.z - a.z) * dz) / (dx * dx + dy * dy + dz * dz);
   along = std::clamp(t, 0.0, 1.0);
-  return std::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy, p.z - a.z - along * dz);
+  return portable::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy, p.z - a.z - along * dz);
 }
 
 /// Factor by which the section of a rounded end has shrunk `above` mm above its tip: from 0 to 1 over `length`.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "recon/core/portable_math.h"
 #include "recon/sample/implicit.h"
 
 namespace odontoscope::sample {
@@ -22,19 +23,19 @@ CuspHeight cusp_height(const Cusp& cusp, Point2 at) {
   const double inward_of_ridge = s.x * iy - s.y * ix;  // of the triangular ridge's far end
   const double inward = (s.x * dy - s.y * dx) * (inward_of_ridge > 0 ? 1 : -1);
   constexpr double crest_rounding = 0.2;  // mm across the cusp ridges
-  const double across = std::hypot(inward, crest_rounding) - crest_rounding;
+  const double across = portable::hypot(inward, crest_rounding) - crest_rounding;
   double fall_across = cusp.slope_out * across;
   double along = s.x * dx + s.y * dy;
   if (inward > 0) {
     // The triangular ridge may run aslant of the cusp ridges: measure along it, and sideways from it.
     const double share = inward / std::abs(inward_of_ridge);
-    fall_across = cusp.slope_in * across * std::hypot(ix, iy) / std::abs(inward_of_ridge);
+    fall_across = cusp.slope_in * across * portable::hypot(ix, iy) / std::abs(inward_of_ridge);
     along -= share * (s.x * ix + s.y * iy);
   }
   // An exponent between 1 (sharp edges) and 2 (a cone) rounds the four ridges.
   constexpr double n = 1.5;
-  const double fall = std::pow(std::pow(fall_across, n) + std::pow(cusp.slope_along * std::abs(along), n), 1 / n);
-  return {cusp.tip.z - (std::hypot(fall, cusp.rounding) - cusp.rounding), inward, std::abs(along)};
+  const double fall = portable::pow(portable::pow(fall_across, n) + portable::pow(cusp.slope_along * std::abs(along), n), 1 / n);
+  return {cusp.tip.z - (portable::hypot(fall, cusp.rounding) - cusp.rounding), inward, std::abs(along)};
 }
 
 /// Depth, 0 to 1, of the shallow grooves that part the triangular ridge from the slopes beside it.
@@ -42,12 +43,12 @@ double supplemental_groove(const CuspHeight& cusp) {
   constexpr double begin = 0.3, full = 1.0, place = 0.35, spread = 0.45,
                    width = 0.3;  // mm; spread: mm/mm of widening fossawards
   const double away = (cusp.along - place - spread * cusp.inward) / width;
-  return smooth_step(begin, full, cusp.inward) * std::exp(-away * away);
+  return smooth_step(begin, full, cusp.inward) * portable::exp(-away * away);
 }
 
 /// Thickness of the enamel on the sides, at a height above the cervical line.
 double side_thickness(const Enamel& enamel, double above) {
-  return above > 0 ? enamel.side * std::pow(above / (above + enamel.side_height), enamel.margin_exponent) : 0.0;
+  return above > 0 ? enamel.side * portable::pow(above / (above + enamel.side_height), enamel.margin_exponent) : 0.0;
 }
 
 double ridge_height(const Ridge& ridge, Point2 at) {
@@ -57,7 +58,7 @@ double ridge_height(const Ridge& ridge, Point2 at) {
     double along = 0;
     const double away = segment_distance({at.x, at.y, 0}, {a.x, a.y, 0}, {b.x, b.y, 0}, along);
     const double crest = a.z + along * (b.z - a.z);
-    best = std::max(best, crest - (std::hypot(ridge.slope * away, ridge.rounding) - ridge.rounding));
+    best = std::max(best, crest - (portable::hypot(ridge.slope * away, ridge.rounding) - ridge.rounding));
   }
   return best;
 }
@@ -139,7 +140,7 @@ double ToothSection::crown(Point2 at) const {
     const double outward = (positive ? 1 : -1) * (across_x ? v / b : u / a);
     const double away = ((across_x ? at.x : at.y) - groove.place) / groove.width;
     // Only near its own side of the crown.
-    distance += groove.depth * std::exp(-away * away) * smooth_step(0.2, 0.7, outward);
+    distance += groove.depth * portable::exp(-away * away) * smooth_step(0.2, 0.7, outward);
   }
   return distance;
 }

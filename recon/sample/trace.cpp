@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::sample {
 namespace {
@@ -77,8 +78,8 @@ Loop rounded(const Loop& loop, double grain) {
 }
 
 double distance_to_line(const Point2& p, const Point2& a, const Point2& b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-  if (length <= 0) return std::hypot(p.x - a.x, p.y - a.y);
+  const double dx = b.x - a.x, dy = b.y - a.y, length = portable::hypot(dx, dy);
+  if (length <= 0) return portable::hypot(p.x - a.x, p.y - a.y);
   return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length;
 }
 
@@ -87,9 +88,9 @@ Loop thinned(const Loop& loop, double spacing, double deviation) {
   std::size_t last = 0;
   double length = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
-    length += std::hypot(loop[i].x - loop[i - 1].x, loop[i].y - loop[i - 1].y);
+    length += portable::hypot(loop[i].x - loop[i - 1].x, loop[i].y - loop[i - 1].y);
     const Point2& ahead = loop[(i + 1) % loop.size()];
-    const double step = std::hypot(ahead.x - loop[i].x, ahead.y - loop[i].y);
+    const double step = portable::hypot(ahead.x - loop[i].x, ahead.y - loop[i].y);
     double off = 0;
     for (std::size_t k = last + 1; k <= i; ++k) off = std::max(off, distance_to_line(loop[k], loop[last], ahead));
     if (length + step <= spacing && off <= deviation) continue;
@@ -110,7 +111,7 @@ struct Segment {
 double point_segment(const Point2& p, const Segment& s) {
   const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, square = dx * dx + dy * dy;
   const double t = square > 0 ? std::clamp(((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x - s.a.x - t * dx, p.y - s.a.y - t * dy);
+  return portable::hypot(p.x - s.a.x - t * dx, p.y - s.a.y - t * dy);
 }
 
 bool cross(const Segment& s, const Segment& t) {
@@ -164,7 +165,7 @@ double length_of(const Loop& loop) {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point2& ahead = loop[(i + 1) % loop.size()];
-    length += std::hypot(ahead.x - loop[i].x, ahead.y - loop[i].y);
+    length += portable::hypot(ahead.x - loop[i].x, ahead.y - loop[i].y);
   }
   return length;
 }

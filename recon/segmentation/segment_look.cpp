@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "recon/core/lower_case.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 namespace {
@@ -27,12 +28,12 @@ constexpr std::array<std::array<std::uint8_t, 3>, 7> others{{{86, 180, 233}, {23
 
 double linear(std::uint8_t channel) {
   const double c = channel / 255.0;
-  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  return c <= 0.04045 ? c / 12.92 : portable::pow((c + 0.055) / 1.055, 2.4);
 }
 
 double lightness(double t) {
   constexpr double delta = 6.0 / 29;
-  return t > delta * delta * delta ? std::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
+  return t > delta * delta * delta ? portable::cbrt(t) : t / (3 * delta * delta) + 4.0 / 29;
 }
 
 std::uint16_t in_16_bits(double part) { return static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * 65535)); }

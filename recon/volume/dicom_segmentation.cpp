@@ -11,6 +11,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/input/character_set.h"
 #include "recon/volume/byte_source.h"
 #include "recon/volume/dicom_stack.h"
@@ -165,7 +166,7 @@ class Reading {
   /// Frames of one plane have their first pixel in one place.
   void check_beside(const DicomFrame& frame, const DicomFrame& first) const {
     double squared = 0;
-    for (std::size_t x = 0; x < 3; ++x) squared += std::pow((*frame.position)[x] - (*first.position)[x], 2);
+    for (std::size_t x = 0; x < 3; ++x) squared += portable::square((*frame.position)[x] - (*first.position)[x]);
     const double allowed = first.spacing ? std::max(limits::slice_unevenness * std::min((*first.spacing)[0], (*first.spacing)[1]), 2 * limits::one_plane) : 2 * limits::one_plane;
     if (std::sqrt(squared) <= allowed) return;
     refuse("sheared-volume", image_, "frames of one slice lie beside each other: it is made of tiles, or of several images");

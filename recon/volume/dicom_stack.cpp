@@ -10,6 +10,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/volume/byte_source.h"
 
 namespace odontoscope {
@@ -259,7 +260,7 @@ class Stacking {
       const double sideways = std::sqrt(dot(off, off));
       if (sideways <= allowed) continue;
       refuse("sheared-volume", fmt::format("{} lies {:.4g} mm beside the first slice, {:.4g} mm above it: slices are pushed by {:.3g} degrees, as a tilted gantry does",
-                                           name_of(result_.planes[k]), sideways, heights[k], std::atan2(sideways, heights[k]) * 180 / std::numbers::pi),
+                                           name_of(result_.planes[k]), sideways, heights[k], portable::atan2(sideways, heights[k]) * 180 / std::numbers::pi),
              "resample the series onto a rectangular grid");
     }
   }

@@ -12,6 +12,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 #include "recon/volume/volume_header.h"
 #include "recon/volume/byte_source.h"
 #include "recon/volume/text_header.h"
@@ -154,7 +155,7 @@ Form qform_of(const std::string& path, const Fields& header, const Vector3& spac
   return form;
 }
 
-double length_of(const Vector3& axis) { return std::hypot(axis[0], axis[1], axis[2]); }
+double length_of(const Vector3& axis) { return portable::hypot(axis[0], axis[1], axis[2]); }
 
 bool is_square(const Form& form) {
   for (std::size_t n = 0; n < 3; ++n) {

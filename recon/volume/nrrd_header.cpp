@@ -12,6 +12,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/lower_case.h"
+#include "recon/core/portable_math.h"
 #include "recon/volume/text_header.h"
 #include "recon/volume/volume_header.h"
 
@@ -267,7 +268,7 @@ class NrrdHeader {
       if (!found[kept[n]]) refuse("not-scalar", fmt::format("its axis {} has no direction in space: it counts numbers of one voxel", kept[n] + 1));
       Vector3 axis = *found[kept[n]];
       for (std::size_t x = 0; x < 3; ++x) axis[x] *= scale[x] * to_lps_[x];
-      const double length = std::hypot(axis[0], axis[1], axis[2]);
+      const double length = portable::hypot(axis[0], axis[1], axis[2]);
       image.spacing[n] = length;
       for (std::size_t x = 0; x < 3; ++x) image.direction[n][x] = length > 0 ? axis[x] / length : 0;
     }

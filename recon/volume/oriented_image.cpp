@@ -9,6 +9,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 namespace {
@@ -60,7 +61,7 @@ AxisMap nearest_axes(const std::array<Vector3, 3>& direction) {
     }
   } while (std::next_permutation(along.begin(), along.end()));
   const double cosine = std::clamp((best_trace - 1) / 2, -1.0, 1.0);
-  const double degrees = std::acos(cosine) * 180 / std::numbers::pi;
+  const double degrees = portable::acos(cosine) * 180 / std::numbers::pi;
   best.tilt_degrees = degrees > limits::tilt_unspoken ? degrees : 0;
   return best;
 }

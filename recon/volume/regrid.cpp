@@ -11,6 +11,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/parallel.h"
+#include "recon/core/portable_math.h"
 #include "recon/volume/pixel_file.h"
 
 namespace odontoscope {
@@ -246,7 +247,7 @@ UprightVolume upright(const Volume& volume, const std::function<bool(float)>& be
     }
   });
   // A turned voxel reaches half its diagonal beyond its centre.
-  const double around = 2 * spacing + std::hypot(volume.spacing[0], volume.spacing[1], volume.spacing[2]) / 2;
+  const double around = 2 * spacing + portable::hypot(volume.spacing[0], volume.spacing[1], volume.spacing[2]) / 2;
   Volume grid = like(volume);
   for (std::size_t n = 0; n < 3; ++n) {
     grid.size[n] = voxels_along(high[n] - low[n] + 2 * around, spacing) + 1;

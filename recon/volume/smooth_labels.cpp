@@ -184,7 +184,7 @@ SmoothLabels::SmoothLabels(const Volume& volume, const std::vector<float>& label
     plate.relax(progress);
     bands_.push_back({label, plate.take_voxels(), plate.take_heights()});
   }
-  std::sort(bands_.begin(), bands_.end(), [](const Band& a, const Band& b) { return a.label < b.label; });
+  std::stable_sort(bands_.begin(), bands_.end(), [](const Band& a, const Band& b) { return a.label < b.label; });
   largest_shift_ = find_largest_shift();
 }
 
