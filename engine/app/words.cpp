@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "recon/input/validate.h"
 #include "recon/core/grouped.h"
@@ -19,7 +20,7 @@ std::string measured(double value) {
   constexpr double whole_numbers_from = 1000, plain_down_to = 1e-3;
   const double size = std::abs(value);
   if (size >= whole_numbers_from && size < 1e15) {
-    return (value < 0 ? "-" : "") + grouped(static_cast<std::size_t>(std::llround(size)));
+    return (value < 0 ? "-" : "") + grouped(static_cast<std::uint64_t>(std::llround(size)));
   }
   if (size == 0 || size >= plain_down_to) return fmt::format("{:.3g}", value);
   return fmt::format("{:.2e}", value);

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 
 namespace {
@@ -18,7 +20,7 @@ constexpr double step_share = 0.5;
 constexpr double skin = 1e-3;
 
 glm::dvec3 about(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
-  return std::cos(angle) * v + std::sin(angle) * glm::cross(axis, v) + (1 - std::cos(angle)) * glm::dot(axis, v) * axis;
+  return portable::cos(angle) * v + portable::sin(angle) * glm::cross(axis, v) + (1 - portable::cos(angle)) * glm::dot(axis, v) * axis;
 }
 
 /// Unit length and at right angles again: rounding must not add up over hours.
@@ -35,7 +37,7 @@ Flight righted(Flight flight, const glm::dvec3& upright, double most) {
   const double across = glm::length(wanted);   // 0: along or against upright, where every roll is as good
   constexpr double least = 1e-3;
   if (across < least) return flight;
-  const double angle = std::atan2(glm::dot(glm::cross(flight.up, wanted), flight.sight), glm::dot(flight.up, wanted));
+  const double angle = portable::atan2(glm::dot(glm::cross(flight.up, wanted), flight.sight), glm::dot(flight.up, wanted));
   flight.up = about(flight.up, flight.sight, std::clamp(angle, -most * across, most * across));
   return flight;
 }
@@ -54,7 +56,7 @@ std::optional<glm::dvec3> pushed_off(glm::dvec3 place, const glm::dvec3& from, d
 }
 
 Flight ticked(Flight flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules, double seconds) {
-  const double share = 1 - std::exp(-seconds / rules.settle_seconds);
+  const double share = 1 - portable::exp(-seconds / rules.settle_seconds);
   const glm::dvec2 aim = glm::radians(rules.turn_deg_per_second) * glm::clamp(wish.turn, -1.0, 1.0);
   const glm::dvec2 angles = seconds * aim + rules.settle_seconds * share * (flight.turning - aim);
   flight.turning += share * (aim - flight.turning);
@@ -157,7 +159,7 @@ Camera camera_of(const Flight& flight, double field_of_view_deg, double ahead_mm
 }
 
 double safe_near_mm(double clearance_mm, double field_of_view_deg, double aspect) {
-  const double slope = std::tan(glm::radians(field_of_view_deg) / 2);
+  const double slope = portable::tan(glm::radians(field_of_view_deg) / 2);
   constexpr double room = 0.95;   // for depths in single precision
   return room * clearance_mm / std::sqrt(1 + slope * slope * (1 + aspect * aspect));
 }

@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/navigate/screen.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -29,7 +30,7 @@ Camera turned(const Camera& camera, double degrees, const glm::dvec3& axis, cons
 
 /// How far the eye stands above the plane at right angles to `axis`; beyond 90 it hangs upside down. Exact at the poles, too.
 double elevation_deg(const CameraAxes& axes, const glm::dvec3& axis) {
-  return glm::degrees(std::atan2(glm::dot(axes.towards_eye, axis), glm::dot(axes.up, axis)));
+  return glm::degrees(portable::atan2(glm::dot(axes.towards_eye, axis), glm::dot(axes.up, axis)));
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ Camera within_reach(const Camera& camera, const Model& model) {
 Camera with_projection(const Camera& camera, Camera::Projection projection) {
   Camera result = camera;
   if (camera.projection == projection) return result;
-  const double slope = std::tan(glm::radians(camera.field_of_view_deg) / 2);
+  const double slope = portable::tan(glm::radians(camera.field_of_view_deg) / 2);
   result.projection = projection;
   const glm::dvec3 offset = camera.position - camera.target;
   if (projection == Camera::Projection::parallel) result.height_mm = 2 * slope * glm::length(offset);

@@ -7,6 +7,7 @@
 
 #include "engine/navigate/tour.h"
 #include "engine/scene/vector.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -95,7 +96,7 @@ void advance(Ride& ride, const FlightRules& rules, double seconds) {
   if (ride.track.points.empty() || !(seconds > 0)) return;
   const double wanted = !ride.playing ? 0 : ride.back ? -rules.haste : rules.haste;
   // The pace nears what is wanted exponentially; so it comes as far in many short frames as in one long one.
-  const double share = 1 - std::exp(-seconds / rules.settle_seconds);
+  const double share = 1 - portable::exp(-seconds / rules.settle_seconds);
   const double by = seconds * wanted + rules.settle_seconds * share * (ride.pace - wanted);
   ride.pace += share * (wanted - ride.pace);
   const double from = ride.track.points.front().seconds, to = ride.track.points.back().seconds;

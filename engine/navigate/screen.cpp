@@ -4,6 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 
 CameraAxes axes_of(const Camera& camera) {
@@ -18,7 +20,7 @@ double depth_of(const Camera& camera, const glm::dvec3& point) {
 
 double half_height_at(const Camera& camera, double depth) {
   if (camera.projection == Camera::Projection::parallel) return 0.5 * camera.height_mm;
-  return depth * std::tan(glm::radians(camera.field_of_view_deg) / 2);
+  return depth * portable::tan(glm::radians(camera.field_of_view_deg) / 2);
 }
 
 SightLine sight_line(const Camera& camera, const glm::dvec2& place) {

@@ -6,6 +6,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "recon/core/portable_math.h"
+
 namespace odontoscope {
 
 namespace {
@@ -53,7 +55,7 @@ std::optional<SectionHandle> section_handle(const Section& section, const Camera
   const glm::dvec3 across = glm::normalize(glm::cross(other, normal)), along = glm::cross(normal, across);
   for (int i = 0; i < outline_points; ++i) {
     const double angle = glm::two_pi<double>() * i / outline_points;
-    const auto place = place_of(camera, section.point_mm + disc_share * length * (std::cos(angle) * across + std::sin(angle) * along));
+    const auto place = place_of(camera, section.point_mm + disc_share * length * (portable::cos(angle) * across + portable::sin(angle) * along));
     if (place) handle.outline.push_back(*place);
   }
   return handle;
@@ -88,15 +90,15 @@ Section dragged(const Section& section, SectionGrip grip, const Camera& camera, 
 
 SectionAngles angles_of(const Section& section, const AnatomicalFrame& frame) {
   const glm::dvec3 normal = glm::normalize(section.normal);
-  const double up = glm::degrees(std::asin(std::clamp(glm::dot(normal, frame.occlusal), -1.0, 1.0)));
+  const double up = glm::degrees(portable::asin(std::clamp(glm::dot(normal, frame.occlusal), -1.0, 1.0)));
   const double buccal = glm::dot(normal, frame.buccal), mesial = glm::dot(normal, frame.mesial);
-  const bool upright = std::hypot(buccal, mesial) < 1e-9;
-  return {upright ? 0 : glm::degrees(std::atan2(mesial, buccal)), up};
+  const bool upright = portable::hypot(buccal, mesial) < 1e-9;
+  return {upright ? 0 : glm::degrees(portable::atan2(mesial, buccal)), up};
 }
 
 glm::dvec3 normal_of(const SectionAngles& angles, const AnatomicalFrame& frame) {
   const double round = glm::radians(angles.round_deg), up = glm::radians(angles.up_deg);
-  return glm::normalize(std::cos(up) * (std::cos(round) * frame.buccal + std::sin(round) * frame.mesial) + std::sin(up) * frame.occlusal);
+  return glm::normalize(portable::cos(up) * (portable::cos(round) * frame.buccal + portable::sin(round) * frame.mesial) + portable::sin(up) * frame.occlusal);
 }
 
 }  // namespace odontoscope

@@ -9,6 +9,7 @@
 #include "engine/navigate/moves.h"
 #include "engine/navigate/screen.h"
 #include "engine/navigate/section_handle.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -22,7 +23,7 @@ glm::dquat turn_of(const Camera& camera) {
 /// Starts and ends without a jerk.
 double gently(double t) { return t * t * (3 - 2 * t); }
 
-double by_factors(double from, double to, double share) { return from * std::pow(to / from, share); }
+double by_factors(double from, double to, double share) { return from * portable::pow(to / from, share); }
 
 }  // namespace
 

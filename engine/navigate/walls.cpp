@@ -8,6 +8,7 @@
 
 #include "engine/scene/nearest_on_triangle.h"
 #include "engine/scene/vector.h"
+#include "recon/core/portable_math.h"
 #include "recon/mesh/exact_predicates.h"
 
 namespace odontoscope {
@@ -59,7 +60,7 @@ double meeting(const std::array<glm::dvec3, 3>& t, const glm::dvec3& from, const
 /// Directions evenly over the sphere.
 glm::dvec3 fibonacci(int i, int count) {
   const double z = 1 - (2 * i + 1.0) / count, round = std::sqrt(std::max(0.0, 1 - z * z)), angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
-  return {round * std::cos(angle), round * std::sin(angle), z};
+  return {round * portable::cos(angle), round * portable::sin(angle), z};
 }
 
 }  // namespace
@@ -166,7 +167,7 @@ std::optional<Roomiest> roomiest_place(const Walls& walls, int places) {
   if (walls.empty()) return std::nullopt;
   const Box& bounds = walls.bounds();
   const glm::dvec3 extent = glm::max(bounds.high - bounds.low, glm::dvec3(1e-9));
-  const double step = std::cbrt(extent.x * extent.y * extent.z / std::max(places, 1));
+  const double step = portable::cbrt(extent.x * extent.y * extent.z / std::max(places, 1));
   const glm::ivec3 count = glm::clamp(glm::ivec3(glm::ceil(extent / step)), 3, 256);
   std::optional<Roomiest> best;
   for (int z = 0; z < count.z; ++z)

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "recon/core/error.h"
+#include "recon/core/portable_math.h"
 
 namespace odontoscope {
 
@@ -96,7 +97,7 @@ Camera fit(const Camera& looking, const Model& model, double aspect) {
     along.add(glm::dot(vertex - camera.target, up));
   });
   camera.target += across.middle() * right + along.middle() * up;
-  const double slope = std::tan(glm::radians(camera.field_of_view_deg) / 2);
+  const double slope = portable::tan(glm::radians(camera.field_of_view_deg) / 2);
   double distance = 0, half_height = 0;
   for_each_vertex(model, [&](const glm::dvec3& vertex) {
     const glm::dvec3 offset = vertex - camera.target;

@@ -14,6 +14,7 @@
 
 #include "recon/cavity/limits.h"
 #include "recon/core/portable_math.h"
+#include "recon/core/spatial_order.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -129,20 +130,32 @@ std::optional<double> radius_of(const std::array<const Sample*, 4>& corners, con
   return radius;
 }
 
+/// Inserted in an order of our own: that of the cells, and so which of a cell's corners its centre is reckoned from, would otherwise be the library's.
+Delaunay triangulated(const std::vector<Point3>& points) {
+  Delaunay delaunay;
+  Delaunay::Cell_handle near;
+  for (const std::uint32_t i : spatial_order(points)) {
+    const auto vertex = delaunay.insert(Kernel::Point_3(points[i].x, points[i].y, points[i].z), near);
+    vertex->info() = i;
+    near = vertex->cell();
+  }
+  return delaunay;
+}
+
 }  // namespace
 
 MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Progress& progress) {
   const std::vector<Sample> samples = samples_of(wall);
-  std::vector<std::pair<Kernel::Point_3, std::uint32_t>> points;
+  std::vector<Point3> points;
   points.reserve(samples.size());
   Point3 low = wall.points.front(), high = low;
-  for (std::uint32_t i = 0; i < samples.size(); ++i) {
-    const Point3& p = samples[i].at;
-    points.emplace_back(Kernel::Point_3(p.x, p.y, p.z), i);
+  for (const Sample& sample : samples) {
+    const Point3& p = sample.at;
+    points.push_back(p);
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  const Delaunay delaunay(points.begin(), points.end());
+  const Delaunay delaunay = triangulated(points);
   progress.check();
   MedialGraph graph;
   std::vector<Delaunay::Cell_handle> cells;

@@ -6,7 +6,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
-#include "recon/delaunay/spatial_order.h"
+#include "recon/core/spatial_order.h"
 
 namespace odontoscope::delaunay {
 namespace {

@@ -11,7 +11,7 @@
 #include "recon/core/portable_math.h"
 #include "recon/delaunay/constrained.h"
 #include "recon/delaunay/predicates.h"
-#include "recon/delaunay/spatial_order.h"
+#include "recon/core/spatial_order.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/planar_pieces.h"
 
@@ -100,7 +100,7 @@ class Overlayer {
     cdt_.clear();
     vertices_.assign(points_.size(), {});
     Overlay::Face_handle hint;
-    for (const std::uint32_t p : delaunay::spatial_order(points_)) {
+    for (const std::uint32_t p : spatial_order(points_)) {
       vertices_[p] = cdt_.insert(Kernel::Point_2(points_[p].x, points_[p].y), hint);
       vertices_[p]->info().value = p;
       hint = vertices_[p]->face();

@@ -12,7 +12,7 @@
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
 #include "recon/delaunay/constrained.h"
-#include "recon/delaunay/spatial_order.h"
+#include "recon/core/spatial_order.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/overlay.h"
 
@@ -88,7 +88,7 @@ class Conformer {
 
   bool triangulate() {
     cdt_.clear();
-    order_ = delaunay::spatial_order(points_);
+    order_ = spatial_order(points_);
     vertices_ = delaunay::insert_points(cdt_, points_, order_);
     for (const std::uint32_t p : order_)
       if (vertices_[p]->info().value != p) return false;   // rounded onto another point

@@ -58,7 +58,7 @@ test('DB, simplified, partitioned and compressed models, anatomy and page are th
 test('a mesh is checked, and cut into contours, in the same words', async () => {
   const {files} = native(['reconstruct', 'tooth.json', '-o', 'tooth.stl'], native(['sample', 'incisor', '-o', 'tooth.json'], {}).files);
   await same(['check', 'tooth.stl'], files);
-  await same(['contours', 'tooth.stl', '--spacing', '0.5', '-o', 'cut.json'], files);
+  await same(['contours', 'tooth.stl', '--spacing-z', '0.5', '-o', 'cut.json'], files);
 });
 
 test('contours of other programs, and a CT volume, become the same models', async t => {

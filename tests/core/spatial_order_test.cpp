@@ -1,5 +1,5 @@
 // The order in which points are inserted into a triangulation.
-#include "recon/delaunay/spatial_order.h"
+#include "recon/core/spatial_order.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-namespace odontoscope::delaunay {
+namespace odontoscope {
 namespace {
 
 std::vector<Point2> strewn(std::size_t count) {
@@ -68,11 +68,25 @@ TEST(SpatialOrder, GoesFromNeighbourToNeighbour) {
   EXPECT_LT(way(spatial_order(points)), 0.03 * way(as_given));
 }
 
+TEST(SpatialOrder, OfSpaceHasEveryPointOnceAndIsTheSameEverywhere) {
+  std::vector<Point3> cube;
+  for (const double x : {0, 1})
+    for (const double y : {0, 1})
+      for (const double z : {0, 1}) cube.push_back({x, y, z});
+  EXPECT_EQ(spatial_order(cube), (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+  std::vector<Point3> points;
+  for (const Point2 p : strewn(700)) points.push_back({p.y, p.x, p.x * p.y});
+  std::vector<std::uint32_t> order = spatial_order(points);
+  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.begin() + 8), (std::vector<std::uint32_t>{13, 289, 456, 249, 317, 339, 458, 540}));
+  std::sort(order.begin(), order.end());
+  for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
+}
+
 TEST(SpatialOrder, BearsPlacesAsFarApartAsDoublesGo) {
   const double most = std::numeric_limits<double>::max();
-  EXPECT_EQ(spatial_order({{-most, -most}, {most, most}, {0, 0}, {0, 0}}).size(), 4U);
-  EXPECT_EQ(spatial_order({{5, 5}, {5, 5}}), (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(spatial_order(std::vector<Point2>{{-most, -most}, {most, most}, {0, 0}, {0, 0}}).size(), 4U);
+  EXPECT_EQ(spatial_order(std::vector<Point2>{{5, 5}, {5, 5}}), (std::vector<std::uint32_t>{0, 1}));
 }
 
 }  // namespace
-}  // namespace odontoscope::delaunay
+}  // namespace odontoscope
