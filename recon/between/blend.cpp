@@ -5,6 +5,7 @@
 
 #include "recon/between/blend_units.h"
 #include "recon/between/composed.h"
+#include "recon/between/kept_links.h"
 #include "recon/between/traced.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
@@ -48,9 +49,10 @@ std::vector<Outline> blend(const Surroundings& surroundings, std::span<const dou
   const double tolerance = options.thinning * slices.larger_side();
   const double largest = std::ldexp(tolerance, limits::blend_thinning_rounds);
   const std::size_t enough = std::max(points_in(*surroundings.lower), points_in(*surroundings.upper));
-  for (const double share : shares) {
-    result.push_back(thinned(traced(composition.at(share), *grid), tolerance, largest, enough));
-  }
+  std::vector<Window> windows;
+  for (const double share : shares) windows.push_back(composition.at(share));
+  if (options.keep_links) keep_links(windows, *grid, slices, surroundings);
+  for (const Window& window : windows) result.push_back(thinned(traced(window, *grid), tolerance, largest, enough));
   return result;
 }
 

@@ -63,6 +63,9 @@ struct BlendOptions {
   bool strips = true;
   /// Grid points for each one along either side; `most_grid_points` grows with it. For walls thinner than a step.
   std::size_t finer = 1;
+  /// Passages and walls a step of the grid wide are put where slices join what links keep apart, or part what they join (kept_links.h). The shares' slices
+  /// then depend on each other.
+  bool keep_links = false;
 };
 
 /// Outlines at z_lower + share * (z_upper - z_lower) for each share, in the same order. Contours are closed, simple and

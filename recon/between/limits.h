@@ -16,4 +16,9 @@ inline constexpr double strip_ahead = 0.8;
 /// Along the middle of a bent strip the way grows by at least this part of each step; across it, by at most this many steps.
 inline constexpr double strip_onwards = 0.3, strip_level = 1;
 
+/// Slices in which classes of linked regions meet are parted so many times at most: a wall of single points may leave gaps.
+inline constexpr int parting_rounds = 4;
+/// A passage that joins what is joined below and above is at most so many steps of the grid long.
+inline constexpr int passage_steps = 12;
+
 }  // namespace odontoscope::between::limits

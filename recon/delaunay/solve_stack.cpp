@@ -170,10 +170,10 @@ class StackSolver {
       return;
     }
     long least = -1;
-    for (const auto& [slices, strips, finer, late] : attempts(k, task)) {
+    for (const auto& [slices, strips, finer, late, kept] : attempts(k, task)) {
       if (late && (least > limits::mendable || !deserves_more(k))) return;
       std::optional<SolvedSlab> solved =
-          slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, {.strips = strips, .finer = finer});
+          slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, {.strips = strips, .finer = finer, .keep_links = kept});
       if (!solved) continue;
       if (slices > 0) solved->links = links_kept(task);
       const Topology wanted = implied(k, *solved);
@@ -204,6 +204,7 @@ class StackSolver {
     bool strips = false;      // this and the next: between::BlendOptions
     std::size_t finer = 1;
     bool late = false;        // for what is nearly as it should be
+    bool kept = false;        // between::BlendOptions::keep_links
   };
 
   /// In the order in which they are tried. A structure that ends would end flat without any slices.
@@ -218,6 +219,8 @@ class StackSolver {
     // Few slabs come so far: thin walls, and wedges that drift. Each of these is the first that gives some of them what they should have.
     for (const Attempt& one : {Attempt{5, true}, Attempt{5}, Attempt{1, true, 3}, Attempt{3, false, 3}, Attempt{15}})
       list.push_back({one.slices, one.strips, one.finer, true});
+    for (const std::size_t slices : {3, 7})
+      for (const bool strips : {true, false}) list.push_back({slices, strips, 1, true, true});
     return list;
   }
 
