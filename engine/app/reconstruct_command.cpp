@@ -309,7 +309,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
-      "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
+      "  odontoscope reconstruct molar.json --link pulp:12:5-5 -o molar.glb\n"
       "  odontoscope reconstruct whole.json --partition -o bonded.msh -o bonded.glb\n"
       "  odontoscope reconstruct whole.json --partition --elements 0.5 -o bonded.inp --report bonded.json\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"
