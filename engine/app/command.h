@@ -13,6 +13,8 @@
 
 namespace odontoscope::app {
 
+struct MadeModel;   // engine/app/model.h
+
 /// What every subcommand is given when it runs.
 struct Session {
   Console& console;
@@ -20,6 +22,8 @@ struct Session {
   int threads = 0;   // 0: as many as the machine has
   /// Work for somebody else than the terminal: who watches and stops it instead.
   std::optional<Progress> watched = {};
+  /// Takes the model that a page shows, from whoever can write it to files later without making it again (web/wasm); empty: nobody does.
+  std::function<void(MadeModel&&)> keep = {};
 
   /// For long work: shows a bar or lines, and stops on Ctrl-C.
   Progress progress() const {

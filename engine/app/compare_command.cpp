@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "engine/app/command.h"
+#include "engine/app/comparison_drawn.h"
 #include "engine/app/db_options.h"
 #include "engine/app/dt_options.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/volume_options.h"
 #include "engine/app/words.h"
-#include "engine/figures/comparison_pictures.h"
-#include "engine/gpu/context.h"
 #include "recon/compare/compare.h"
 #include "recon/output/comparison_json.h"
 #include "recon/output/comparison_page.h"
@@ -64,17 +63,6 @@ void tell(const Comparison& comparison, Console& console) {
   }
 }
 
-/// Pictures, where this machine can draw; else why not.
-std::string draw(Comparison& comparison, Session& session) {
-  try {
-    const auto context = make_context({.backend = Backend::automatic, .window_allowed = true});
-    figures::add_pictures(comparison, context->gl(), session.progress());
-    return {};
-  } catch (const GraphicsError& error) {
-    return error.what();
-  }
-}
-
 ExitCode compare_methods(const CompareArguments& options, Session& session) {
   refuse_senseless_comparison(options);
   if (options.words.any_level()) understood(options.words);
@@ -90,7 +78,7 @@ ExitCode compare_methods(const CompareArguments& options, Session& session) {
   const ContourStack stack = contours_of_input(options.input, options.words, session);
   engines.dt = understood(options.dt, stack, session);
   Comparison comparison = compare(stack, engines, session.progress());
-  const std::string no_pictures = options.report.empty() && options.html.empty() ? std::string() : draw(comparison, session);
+  const std::string no_pictures = options.report.empty() && options.html.empty() ? std::string() : add_comparison_pictures(comparison, session);
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
   if (!options.html.empty()) contents.push_back({options.html, comparison_page(comparison)});

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 #include "engine/app/words.h"
@@ -11,6 +13,7 @@
 #include "recon/core/grouped.h"
 #include "recon/core/limits.h"
 #include "recon/delaunay/verdict.h"
+#include "recon/elements/limits.h"
 #include "recon/mesh/tetra_report.h"
 #include "recon/output/simplify_model.h"
 
@@ -63,10 +66,24 @@ void tell_elements(const ModelElements& elements, Console& console) {
 
 }  // namespace
 
+std::string report_of(const MadeModel& made) {
+  const Model& model = made.model;
+  return report_json(model.reconstruction, {.simplifications = model.simplifications, .volume = made.volume, .aim = model.aim, .elements = model.elements});
+}
+
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress) {
   ModelSimplification done = simplify_surfaces(model.reconstruction, triangles, progress);
   model.simplifications = std::move(done.structures);
   model.aim = done.aim;
+}
+
+std::optional<double> element_size_from(const std::string& text) {
+  if (text == "quality") return std::nullopt;
+  double size = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
+  if (error == std::errc() && end == text.data() + text.size() && size >= elements::limits::least_size && size <= limits::largest_coordinate) return size;
+  throw UsageError(fmt::format("--elements {}: that is neither a size in mm, from {} on, nor quality", text, elements::limits::least_size),
+                   "Say how long edges of elements may be, as --elements 0.5");
 }
 
 void mesh_model(Model& model, std::optional<double> size, const Progress& progress) {

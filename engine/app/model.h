@@ -24,8 +24,20 @@ struct Model {
   std::optional<ModelElements> elements;   // its surfaces and tetrahedra are these
 };
 
+/// A model with what its report tells of where it came from.
+struct MadeModel {
+  Model model;
+  std::optional<ReportVolume> volume;
+};
+
+/// The program's report on it.
+std::string report_of(const MadeModel& made);
+
 /// As simplify_surfaces (recon/output/simplify_model.h) does.
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress);
+
+/// Of --elements, mm; nothing for "quality". UsageError for anything else.
+std::optional<double> element_size_from(const std::string& text);
 
 /// As mesh_elements (recon/output/element_model.h) does.
 void mesh_model(Model& model, std::optional<double> size, const Progress& progress);

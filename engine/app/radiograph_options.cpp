@@ -14,11 +14,8 @@
 #include <numeric>
 
 #include "engine/app/options.h"
-#include "engine/app/shown_input.h"
 #include "engine/app/tell_volume.h"
-#include "engine/app/volume_look_words.h"
 #include "engine/app/words.h"
-#include "engine/picture/png.h"
 #include "recon/radiograph/film.h"
 #include "recon/radiograph/length_inside.h"
 #include "recon/radiograph/sum_through.h"
@@ -170,20 +167,18 @@ Image image_of(const FilmMap& attenuation, const RadiographWords& words) {
 
 /// All films of what `attenuation` says to be swallowed on the way to one.
 template <class Attenuation>
-std::vector<std::string> films(const RadiographWords& words, const RadiographInput& input, const Extent& extent, Session& session, Attenuation attenuation) {
-  std::vector<std::string> pictures;   // packed at once: of many, the pixels would fill the memory
+void take_films(const RadiographWords& words, const RadiographPose& pose, const Extent& extent, Session& session, const TakeFilm& take, Attenuation attenuation) {
   double most = 0;
-  for (int i = 0; i < input.turns; ++i) {
-    session.progress().tell("radiograph", static_cast<double>(i) / input.turns);
-    const FilmView view = with_pixels(words, film_view(words, input.view, 360.0 * i / input.turns, extent), extent, session, i == 0);
+  for (int i = 0; i < pose.turns; ++i) {
+    session.progress().tell("radiograph", static_cast<double>(i) / pose.turns);
+    const FilmView view = with_pixels(words, film_view(words, pose.view, 360.0 * i / pose.turns, extent), extent, session, i == 0);
     const FilmMap map = attenuation(view);
     for (const double value : map.values) most = std::max(most, value);
-    pictures.push_back(png_bytes(image_of(map, words)));
+    take(image_of(map, words));
   }
   session.console.say(fmt::format("  black where nothing is swallowed{}, white from attenuation {:g} on; the most here is {}",
                                   words.exposure ? fmt::format(" (attenuation {} at this exposure)", measured(std::log(*words.exposure))) : "",
                                   Exposure::usual_latitude + std::log(words.exposure.value_or(1)), measured(most)));
-  return pictures;
 }
 
 // --- solids --------------------------------------------------------------------------------------------------------
@@ -207,16 +202,16 @@ void refuse_where_material_is_unknown(const NamedSurface& named, const std::stri
     throw InputError("misoriented-surface", place, fmt::format("\"{}\" is wound the wrong way, or both ways", named.structure), remedy);
 }
 
-std::vector<SolidSurfaces> solids_of(const Shown& shown, const RadiographInput& input) {
+std::vector<SolidSurfaces> solids_of(const Shown& shown, const std::string& file, const std::vector<std::string>& hidden_ones) {
   std::vector<SolidSurfaces> solids;
   for (const NamedSurface& surface : shown.surfaces) {
-    if (!shown.proven) refuse_where_material_is_unknown(surface, input.file);
+    if (!shown.proven) refuse_where_material_is_unknown(surface, file);
     const std::string& name = surface.solid.empty() ? surface.structure : surface.solid;
     auto at = std::find_if(solids.begin(), solids.end(), [&](const SolidSurfaces& solid) { return solid.name == name; });
     if (at == solids.end()) at = solids.insert(solids.end(), {name, {}});
     at->surfaces.push_back(&surface.surface);
   }
-  for (const std::string& hidden : input.hidden) {
+  for (const std::string& hidden : hidden_ones) {
     const auto at = std::find_if(solids.begin(), solids.end(), [&](const SolidSurfaces& solid) { return solid.name == hidden; });
     if (at == solids.end()) throw UsageError(fmt::format("--hide: there is no solid \"{}\" left", hidden), "A radiograph leaves out whole solids, with their cavities.");
     solids.erase(at);
@@ -235,65 +230,21 @@ void choose_attenuation(std::vector<SolidSurfaces>& solids, const RadiographWord
   for (const auto& [name, value] : told) throw UsageError(fmt::format("--attenuation: there is no solid \"{}\"", name));
 }
 
-std::vector<std::string> through_solids(const RadiographWords& words, const RadiographInput& input, Session& session) {
-  const Shown shown = shown_from(input.file, input.volume, input.dt, session);
-  std::vector<SolidSurfaces> solids = solids_of(shown, input);
-  const double energy = effective_energy_kev(words.kv);
-  choose_attenuation(solids, words, energy);
-  Extent extent;
-  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
-  std::vector<std::string> coefficients;
-  for (const SolidSurfaces& solid : solids) {
-    coefficients.push_back(fmt::format("{} {}", solid.name, measured(solid.attenuation)));
-    for (const SurfaceMesh* surface : solid.surfaces)
-      for (const Point3& place : surface->points) {
-        extent.places.push_back(vector(place));
-        low = glm::min(low, extent.places.back());
-        high = glm::max(high, extent.places.back());
-      }
-  }
-  extent.centre = 0.5 * (low + high);
-  session.console.say(fmt::format("Radiograph at {:g} kV, as of {:g} keV: attenuation per mm: {}", words.kv, energy, fmt::join(coefficients, ", ")));
-  return films(words, input, extent, session, [&](const FilmView& view) {
-    FilmMap sum{view.columns, view.rows, std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
-    for (const SolidSurfaces& solid : solids) {
-      const FilmMap inside = length_inside(solid.surfaces, view, session.progress());
-      for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += solid.attenuation * inside.values[i];
-    }
-    return sum;
-  });
-}
-
 // --- voxels --------------------------------------------------------------------------------------------------------
 
-std::vector<std::string> through_voxels(const RadiographWords& words, const RadiographInput& input, Session& session) {
+void refuse_words_about_solids(const RadiographWords& words, const RadiographPose& pose) {
   if (!words.attenuation.empty()) throw UsageError("--attenuation is about solids, and a volume without --iso has none", "Say with --grey AIR,DENTINE what its values mean.");
-  if (!input.hidden.empty()) throw UsageError("--hide: a volume without --iso has no solids");
+  if (!pose.hidden.empty()) throw UsageError("--hide: a volume without --iso has no solids");
+}
+
+void through_file(const RadiographWords& words, const RadiographInput& input, const RadiographPose& pose, Session& session, const TakeFilm& take) {
+  refuse_words_about_solids(words, pose);
   if (input.volume.reshape.upright || input.volume.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
   const VolumeRequest request = understood(input.volume);
   Volume volume = read_volume(input.file, request.read, session.progress());
   tell_volume(input.file, volume, session.console);
   crop_told(volume, request.reshape, session.console);
-  const auto told = greys_from(words.grey);
-  if (!told && looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", input.file), "Say with --label N what is solid, or with --grey AIR,DENTINE that they are grey.");
-  const GreyAnchors values = told ? *told : grey_anchors(volume);
-  const double energy = effective_energy_kev(words.kv), dentine = linear_attenuation(*tissue_called("dentine"), energy);
-  session.console.say(fmt::format("Radiograph at {:g} kV, as of {:g} keV: value {:.6g} is taken as air and {:.6g} as dentine, {} per mm{}", words.kv, energy, values.air, values.dentine,
-                                  measured(dentine), told ? "" : " (the middle of either side of Otsu's threshold; --grey says otherwise)"));
-  Extent extent;
-  glm::dvec3 low(0), high(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto n = static_cast<std::size_t>(axis);
-    low[axis] = vector(volume.origin)[axis] - 0.5 * volume.spacing[n];
-    high[axis] = low[axis] + static_cast<double>(volume.size[n]) * volume.spacing[n];
-  }
-  extent.centre = 0.5 * (low + high);
-  for (unsigned corner = 0; corner < 8; ++corner) extent.places.emplace_back(corner & 1u ? high.x : low.x, corner & 2u ? high.y : low.y, corner & 4u ? high.z : low.z);
-  return films(words, input, extent, session, [&](const FilmView& view) {
-    FilmMap sum = sum_through(volume, values.air, view, session.progress());
-    for (double& value : sum.values) value *= dentine / (values.dentine - values.air);
-    return sum;
-  });
+  radiographs(words, volume, input.file, pose, session, take);
 }
 
 }  // namespace
@@ -327,10 +278,70 @@ void refuse_senseless(const RadiographWords& words) {
   if (words.on) attenuations_from(words.attenuation, effective_energy_kev(words.kv));
 }
 
-std::vector<std::string> radiographs(const RadiographWords& words, const RadiographInput& input, Session& session) {
+void refuse_words_about_pictures(const SceneWords& scene, const VolumeLookWords& look) {
+  const bool looks = !look.show.empty() || !look.cast.empty() || !look.transfer.empty() || !scene.opacity.empty() || !scene.colour.empty() || !scene.section.empty() ||
+                     !scene.cap.empty() || !scene.back_faces.empty() || !scene.background.empty() || !scene.overlays.empty() || scene.occlusion || scene.wire || scene.wall_depth;
+  if (looks || !scene.scene_file.empty() || !scene.camera_file.empty() || scene.parallel || scene.zoom != 1)
+    throw UsageError("a radiograph shows shadows: of the options under Looking and Showing only --view and --hide are about it", "Leave the others out.");
+}
+
+void radiographs(const RadiographWords& words, const Shown& shown, const std::string& file, const RadiographPose& pose, Session& session, const TakeFilm& take) {
+  std::vector<SolidSurfaces> solids = solids_of(shown, file, pose.hidden);
+  const double energy = effective_energy_kev(words.kv);
+  choose_attenuation(solids, words, energy);
+  Extent extent;
+  glm::dvec3 low(std::numeric_limits<double>::max()), high(std::numeric_limits<double>::lowest());
+  std::vector<std::string> coefficients;
+  for (const SolidSurfaces& solid : solids) {
+    coefficients.push_back(fmt::format("{} {}", solid.name, measured(solid.attenuation)));
+    for (const SurfaceMesh* surface : solid.surfaces)
+      for (const Point3& place : surface->points) {
+        extent.places.push_back(vector(place));
+        low = glm::min(low, extent.places.back());
+        high = glm::max(high, extent.places.back());
+      }
+  }
+  extent.centre = 0.5 * (low + high);
+  session.console.say(fmt::format("Radiograph at {:g} kV, as of {:g} keV: attenuation per mm: {}", words.kv, energy, fmt::join(coefficients, ", ")));
+  take_films(words, pose, extent, session, take, [&](const FilmView& view) {
+    FilmMap sum{view.columns, view.rows, std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
+    for (const SolidSurfaces& solid : solids) {
+      const FilmMap inside = length_inside(solid.surfaces, view, session.progress());
+      for (std::size_t i = 0; i < sum.values.size(); ++i) sum.values[i] += solid.attenuation * inside.values[i];
+    }
+    return sum;
+  });
+}
+
+void radiographs(const RadiographWords& words, const Volume& volume, const std::string& file, const RadiographPose& pose, Session& session, const TakeFilm& take) {
+  refuse_words_about_solids(words, pose);
+  const auto told = greys_from(words.grey);
+  if (!told && looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", file), "Say with --label N what is solid, or with --grey AIR,DENTINE that they are grey.");
+  const GreyAnchors values = told ? *told : grey_anchors(volume);
+  const double energy = effective_energy_kev(words.kv), dentine = linear_attenuation(*tissue_called("dentine"), energy);
+  session.console.say(fmt::format("Radiograph at {:g} kV, as of {:g} keV: value {:.6g} is taken as air and {:.6g} as dentine, {} per mm{}", words.kv, energy, values.air, values.dentine,
+                                  measured(dentine), told ? "" : " (the middle of either side of Otsu's threshold; --grey says otherwise)"));
+  Extent extent;
+  glm::dvec3 low(0), high(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto n = static_cast<std::size_t>(axis);
+    low[axis] = vector(volume.origin)[axis] - 0.5 * volume.spacing[n];
+    high[axis] = low[axis] + static_cast<double>(volume.size[n]) * volume.spacing[n];
+  }
+  extent.centre = 0.5 * (low + high);
+  for (unsigned corner = 0; corner < 8; ++corner) extent.places.emplace_back(corner & 1u ? high.x : low.x, corner & 2u ? high.y : low.y, corner & 4u ? high.z : low.z);
+  take_films(words, pose, extent, session, take, [&](const FilmView& view) {
+    FilmMap sum = sum_through(volume, values.air, view, session.progress());
+    for (double& value : sum.values) value *= dentine / (values.dentine - values.air);
+    return sum;
+  });
+}
+
+void radiographs(const RadiographWords& words, const RadiographInput& input, const RadiographPose& pose, Session& session, const TakeFilm& take) {
   const bool voxels = !input.file.empty() && named_like_a_volume(input.file) && !input.volume.any_level();
   if (!voxels && !words.grey.empty()) throw UsageError("--grey is about a radiograph through the voxels of a volume", "Leave it out, or leave out --iso and --label.");
-  return voxels ? through_voxels(words, input, session) : through_solids(words, input, session);
+  if (voxels) return through_file(words, input, pose, session, take);
+  radiographs(words, shown_from(input.file, input.volume, input.dt, session), input.file, pose, session, take);
 }
 
 }  // namespace odontoscope::app

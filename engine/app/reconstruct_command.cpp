@@ -2,13 +2,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "engine/app/command.h"
@@ -24,7 +22,6 @@
 #include "recon/core/limits.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/delaunay/verdict.h"
-#include "recon/elements/limits.h"
 #include "recon/input/validate.h"
 #include "recon/output/model_file.h"
 #include "recon/output/report_json.h"
@@ -97,19 +94,9 @@ void refuse_with_partition(const ReconstructArguments& options) {
   if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
 }
 
-/// Nothing for "quality".
-std::optional<double> element_size(const std::string& text) {
-  if (text == "quality") return std::nullopt;
-  double size = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (error == std::errc() && end == text.data() + text.size() && size >= elements::limits::least_size && size <= limits::largest_coordinate) return size;
-  throw UsageError(fmt::format("--elements {}: that is neither a size in mm, from {} on, nor quality", text, elements::limits::least_size),
-                   "Say how long edges of elements may be, as --elements 0.5");
-}
-
 void refuse_senseless_elements(const ReconstructArguments& options) {
   if (!options.elements) return;
-  element_size(*options.elements);
+  element_size_from(*options.elements);
   if (options.triangles) throw UsageError("--elements and --triangles both make the surfaces anew", "Use one of the two");
 }
 
@@ -197,23 +184,22 @@ struct Input {
 Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
   DtWords dt = options.dt;
   if (!options.together.empty()) dt.partition.independent = true;
-  const auto model = std::make_shared<Model>(Model{reconstructed(stack, dt, session), {}, {}, {}});
+  const auto whole = std::make_shared<MadeModel>(MadeModel{{reconstructed(stack, dt, session), {}, {}, {}}, std::move(input.volume)});
+  Model* const model = &whole->model;
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
-  if (options.elements) mesh_model(*model, element_size(*options.elements), session.progress());
+  if (options.elements) mesh_model(*model, element_size_from(*options.elements), session.progress());
   if (options.triangles) simplify_model(*model, static_cast<std::size_t>(*options.triangles), session.progress());
-  if (options.as_given && input.volume && input.volume->upright) {
-    move_model(*model, input.volume->upright->inverse());
-    input.volume->as_given = true;
+  if (options.as_given && whole->volume && whole->volume->upright) {
+    move_model(*model, whole->volume->upright->inverse());
+    whole->volume->as_given = true;
   }
   Made made = files_of(model->reconstruction, options, session);
   made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
-  if (!options.report.empty()) {
-    made.files.push_back({options.report, report_json(model->reconstruction, {.simplifications = model->simplifications, .volume = input.volume, .aim = model->aim, .elements = model->elements})});
-  }
+  if (!options.report.empty()) made.files.push_back({options.report, report_of(*whole)});
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
   for (const Attention& item : model->reconstruction.attention) made.look_here.push_back(in_words(item));
-  made.tell = [model](double seconds, Console& console) { tell_model(*model, seconds, console); };
+  made.tell = [whole](double seconds, Console& console) { tell_model(whole->model, seconds, console); };
   return made;
 }
 
@@ -323,7 +309,7 @@ Command reconstruct_command(CLI::App& root) {
       "  odontoscope reconstruct tooth.nrrd --iso 120 --min-area 4 -o tooth.glb\n"
       "  odontoscope reconstruct rtss.dcm --structure Heart --repair -o heart.glb\n"
       "  odontoscope reconstruct molar.json --links mine.json -o molar.glb\n"
-      "  odontoscope reconstruct molar.json --link pulp:12:0-1 -o molar.glb\n"
+      "  odontoscope reconstruct molar.json --link pulp:12:5-5 -o molar.glb\n"
       "  odontoscope reconstruct whole.json --partition -o bonded.msh -o bonded.glb\n"
       "  odontoscope reconstruct whole.json --partition --elements 0.5 -o bonded.inp --report bonded.json\n"
       "  odontoscope reconstruct filled.json --together dentine,pulp -o hollow.glb\n"

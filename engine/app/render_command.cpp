@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <future>
-#include <glm/ext/matrix_transform.hpp>
-#include <glm/trigonometric.hpp>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -18,6 +16,7 @@
 #include "engine/app/contact_sheet.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
+#include "engine/app/painter.h"
 #include "engine/app/radiograph_options.h"
 #include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
@@ -99,15 +98,6 @@ PlannedFiles planned_files(const RenderArguments& options) {
   return files;
 }
 
-/// The camera led round the axis of the tooth, through its target.
-Camera turned(const Camera& camera, double degrees) {
-  const glm::dmat4 turn = glm::rotate(glm::dmat4(1), glm::radians(degrees), AnatomicalFrame().occlusal);
-  Camera result = camera;
-  result.position = camera.target + glm::dvec3(turn * glm::dvec4(camera.position - camera.target, 0));
-  result.up = glm::dvec3(turn * glm::dvec4(camera.up, 0));
-  return result;
-}
-
 PictureOptions picture_options(const RenderArguments& options) {
   return {.size = size_of(options), .render = {.side = side_of(format_of(options))}};
 }
@@ -157,48 +147,13 @@ class ModelOnTheWay {
   std::future<Shown> shown_;   // waits for the thread when it goes
 };
 
-/// Draws one scene after the other, all of one model.
-class Painter {
- public:
-  Painter(const RenderArguments& options, GlContext& context, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
-      : picture_(picture_options(options)), gl_(context.gl()), renderer_(renderer), shown_(shown), session_(session), gpu_model_(upload(gl_, shown.model)),
-        overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))), ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
-        values_(ct_ || scene.volume.shows_volume() ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {
-    if (scene.volume.shows_volume()) volume_.emplace(gl_, *shown.values, values_.field());
-  }
-
-  /// The `number`th of `count`.
-  Image draw(const Scene& scene, std::size_t number, std::size_t count) {
-    session_.progress().check();
-    session_.progress().tell("draw", static_cast<double>(number) / static_cast<double>(count));
-    return picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
-  }
-
- private:
-  PictureOptions picture_;
-  const Gl& gl_;
-  Renderer& renderer_;
-  const Shown& shown_;
-  Session& session_;
-  GpuModel gpu_model_;
-  GpuOverlay overlay_;
-  bool ct_;
-  GpuValueGrid values_;
-  std::optional<GpuVolume> volume_;
-};
-
-/// When the `number`th of `count` pictures of a tour is taken: the first at its start, the last at its end.
-double moment(const Film& film, std::size_t number, std::size_t count) {
-  return film.tour.seconds() * static_cast<double>(number) / static_cast<double>(std::max<std::size_t>(count - 1, 1));
-}
-
 std::vector<FileContent> single_pictures(const RenderArguments& options, const Shown& shown, const Scene& scene,
                                          const std::optional<Film>& film, Painter& painter) {
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
     Scene frame = film ? frame_of(scene, shown, *film, moment(*film, i, names.size())) : scene;
-    if (options.turntable > 0) frame.camera = turned(scene.camera, 360.0 * static_cast<double>(i) / static_cast<double>(names.size()));
+    if (options.turntable > 0) frame.camera = turned(scene.camera, i, names.size());
     files.push_back({names[i], png_bytes(painter.draw(frame, i, names.size()))});
   }
   return files;
@@ -218,25 +173,10 @@ FileContent film_file(const RenderArguments& options, const Shown& shown, const 
   return {options.output, maker.finish(session.progress())};
 }
 
-FileContent sheet_file(const RenderArguments& options, const Shown& shown, const Scene& scene, const Film& film,
-                       Painter& painter) {
-  const SheetSize size = sheet_from(options.contact_sheet);
-  const auto count = static_cast<std::size_t>(size.columns) * static_cast<std::size_t>(size.rows);
-  const std::vector<double> moments = telling_moments(film, count);
-  // A short tour's whole seconds would say the same of many.
-  const int decimals = moments.back() - moments.front() < static_cast<double>(2 * count) ? 1 : 0;
-  std::vector<SheetPicture> pictures;
-  for (const double seconds : moments) {
-    const std::size_t i = pictures.size();
-    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds), fmt::format("{:.{}f} s", seconds, decimals)});
-  }
-  return {options.output, png_bytes(contact_sheet(pictures, size))};
-}
-
 std::vector<FileContent> draw(const RenderArguments& options, const Shown& shown, const Scene& scene,
                               const std::optional<Film>& film, Painter& painter, Session& session) {
   if (to_film(options)) return {film_file(options, shown, scene, *film, painter, session)};
-  if (!options.contact_sheet.empty()) return {sheet_file(options, shown, scene, *film, painter)};
+  if (!options.contact_sheet.empty()) return {{options.output, png_bytes(sheet_of(shown, scene, *film, sheet_from(options.contact_sheet), painter))}};
   return single_pictures(options, shown, scene, film, painter);
 }
 
@@ -252,8 +192,7 @@ void tell_tour(const RenderArguments& options, const Film& film, Console& consol
 
 /// Which greys mean what; refuses a cap where nothing is cut.
 void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& scene, Console& console) {
-  if (!options.scene.cap.empty() && !scene.section)
-    throw UsageError(fmt::format("--cap {}: nothing is cut open", options.scene.cap), "Say with --section where to cut.");
+  refuse_cap_without_section(options.scene, scene);
   if (!scene.section || scene.cap.shows != CapLook::Shows::ct) return;
   const ValueGrid& values = *shown.values;
   const ValueWindow window = scene.cap.window.value_or(values.usual);
@@ -263,13 +202,9 @@ void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& s
     console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
 }
 
-/// A film has mm instead of pixels, and no looks.
 void refuse_words_about_pictures(const RenderArguments& options) {
-  const SceneWords& scene = options.scene;
-  const bool looks = !options.look.show.empty() || !options.look.cast.empty() || !options.look.transfer.empty() || !scene.opacity.empty() || !scene.colour.empty() || !scene.section.empty() || !scene.cap.empty() || !scene.back_faces.empty() || !scene.background.empty() ||
-                     !scene.overlays.empty() || scene.occlusion || scene.wire || scene.wall_depth;
-  if (looks || !scene.scene_file.empty() || !scene.camera_file.empty() || scene.parallel || scene.zoom != 1 || !options.save_scene.empty())
-    throw UsageError("a radiograph shows shadows: of the options under Looking and Showing only --view and --hide are about it", "Leave the others out.");
+  refuse_words_about_pictures(options.scene, options.look);
+  if (!options.save_scene.empty()) throw UsageError("--save-scene: a film has no scene", "Leave it out.");
   if (on_tour(options)) throw UsageError("--radiograph and --tour: no film lies in a canal", "Choose one.");
   if (!options.size.empty()) throw UsageError("--size: a film's size is told in mm", "Give --film WxH and --pixel MM.");
 }
@@ -278,11 +213,10 @@ ExitCode render_radiograph(const RenderArguments& options, Session& session) {
   refuse_words_about_pictures(options);
   refuse_unwritable(planned_files(options));
   const NamedView from = options.scene.view.empty() ? NamedView::buccal : view_named(options.scene.view);
-  std::vector<std::string> films =
-      radiographs(options.radiograph, {options.input, options.volume, options.dt, from, options.scene.hide, std::max(options.turntable, 1)}, session);
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
-  for (std::size_t i = 0; i < names.size(); ++i) files.push_back({names[i], std::move(films[i])});
+  radiographs(options.radiograph, {options.input, options.volume, options.dt}, {from, options.scene.hide, std::max(options.turntable, 1)}, session,
+              [&](Image&& film) { files.push_back({names[files.size()], png_bytes(film)}); });
   session.progress().check();
   write_all(files, session.interrupts);
   session.console.say(files.size() == 1 ? fmt::format("Wrote {}", files[0].file.string()) : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
@@ -320,7 +254,7 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
   if (scene.wall_depth) mark_wall_depths(shown.model, shown.surfaces, session.progress());
-  Painter painter(options, *context, renderer, shown, scene, session);
+  Painter painter(picture, context->gl(), renderer, shown, scene, session);
   std::vector<FileContent> files = draw(options, shown, scene, film, painter, session);
   if (!options.save_scene.empty()) {
     scene.picture = format_of(options);

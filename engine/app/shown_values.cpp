@@ -51,6 +51,12 @@ SurfaceMesh box_surface(const Box& box) {
   return mesh;
 }
 
+VoxelsAlone voxels_alone(const Volume& volume, const ValueGridLimits& limits) {
+  const GreyAnchors greys = grey_anchors(volume);
+  const Box dense = bounds_of_dense(volume, greys);
+  return {greys, dense, std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume), limits))};
+}
+
 VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits, Session& session) {
   const VolumeRequest request = understood(words);
   if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
@@ -58,9 +64,7 @@ VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, cons
   tell_volume(file, volume, session.console);
   crop_told(volume, request.reshape, session.console);
   if (looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", file), "Say with --label N what is solid");
-  const GreyAnchors greys = grey_anchors(volume);
-  const Box dense = bounds_of_dense(volume, greys);
-  return {greys, dense, std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume), limits))};
+  return voxels_alone(volume, limits);
 }
 
 }  // namespace odontoscope::app

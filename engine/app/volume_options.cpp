@@ -175,20 +175,20 @@ VolumeRequest understood(const VolumeWords& words) {
   return request;
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
-                           Whence* whence) {
-  Volume read = read_volume(file, request.read, session.progress());
-  tell_volume(file, read, session.console);
-  crop_told(read, request.reshape, session.console);
+VolumeContourOptions levels_told(const Volume& volume, const VolumeRequest& request, Session& session) {
   Thresholds thresholds;
-  if (any_automatic(request)) thresholds = Thresholds(read);
-  VolumeContourOptions options = resolved(request, read, thresholds);
+  if (any_automatic(request)) thresholds = Thresholds(volume);
+  VolumeContourOptions levels = resolved(request, volume, thresholds);
   if (any_automatic(request)) tell_thresholds(thresholds, session.console);
-  if (!options.isos.empty() && looks_like_labels(read)) tell_label_map(read, session.console);
-  const std::optional<RigidMotion> motion = reshape_told(read, request.reshape, options, session);
-  options.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : read.spacing[0] * read.spacing[1]);
-  VolumeContours found = contours_of_volume(read, options, session.progress());
-  tell_levels(found.levels, read, options, session.console);
+  if (!levels.isos.empty() && looks_like_labels(volume)) tell_label_map(volume, session.console);
+  return levels;
+}
+
+ContourStack traced_told(const Volume& volume, VolumeContourOptions levels, const VolumeRequest& request, const std::optional<RigidMotion>& upright, Session& session,
+                         std::optional<ReportVolume>* facts) {
+  levels.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : volume.spacing[0] * volume.spacing[1]);
+  VolumeContours found = contours_of_volume(volume, levels, session.progress());
+  tell_levels(found.levels, volume, levels, session.console);
   if (found.smoothing_shift) {
     session.console.say(fmt::format("  smoothed, which moved points by at most {} mm and no voxel across a border",
                                     measured(*found.smoothing_shift)));
@@ -197,12 +197,23 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
     tell_simplification(simpler->points_before, simpler->points_after, simpler->largest_deviation, session.console);
   }
   if (facts) {
-    *facts = ReportVolume{{}, read.remarks, motion, false};
-    for (const IsoLevel& level : options.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
+    *facts = ReportVolume{{}, volume.remarks, upright, false};
+    for (const IsoLevel& level : levels.isos) (*facts)->isos.emplace_back(level.structure, level.threshold);
   }
+  return std::move(found.stack);
+}
+
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
+                           Whence* whence) {
+  Volume read = read_volume(file, request.read, session.progress());
+  tell_volume(file, read, session.console);
+  crop_told(read, request.reshape, session.console);
+  VolumeContourOptions levels = levels_told(read, request, session);
+  const std::optional<RigidMotion> upright = reshape_told(read, request.reshape, levels, session);
+  ContourStack stack = traced_told(read, std::move(levels), request, upright, session, facts);
   if (whence) *whence = {read.patient, VoxelGrid{read.size, read.spacing, read.origin}};
   if (volume) *volume = std::move(read);
-  return std::move(found.stack);
+  return stack;
 }
 
 void tell_histogram(const std::string& file, const VolumeRequest& request, Session& session) {

@@ -64,6 +64,14 @@ void add_volume_options(CLI::App& parser, VolumeWords& words);
 /// names.
 VolumeRequest understood(const VolumeWords& words);
 
+/// What the levels are in this volume: numbers for what depended on it, and tells the thresholds.
+VolumeContourOptions levels_told(const Volume& volume, const VolumeRequest& request, Session& session);
+
+/// The contours of these levels in a volume that is cropped, resampled and turned as it shall be, and tells of them. `facts`, if not null, is given what a report says of
+/// the volume; `upright` is its turn, if there was one.
+ContourStack traced_told(const Volume& volume, VolumeContourOptions levels, const VolumeRequest& request, const std::optional<RigidMotion>& upright, Session& session,
+                         std::optional<ReportVolume>* facts = nullptr);
+
 /// The volume's contours, and tells what it found, assumed and left out. `volume`, if not null, is given the volume itself, `facts` what a
 /// report says of it, `whence` its grid and the patient that it lies in.
 ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume = nullptr, std::optional<ReportVolume>* facts = nullptr,

@@ -49,11 +49,18 @@ void add_volume(const Greys& greys, const WebWords& words, Scene& scene, WebPage
   tell_web_volume(*page.volume, *greys.values, session);
 }
 
-WebModel model_by_dt(const ContourStack& stack, const std::optional<Greys>& greys, const WebWords& words, WebPage& page, Session& session) {
-  Model made{reconstructed(stack, words.dt, session), {}, {}, {}};
+/// What a page's model is made from.
+struct Contoured {
+  ContourStack stack;
+  std::optional<Greys> greys;          // if the page carries them
+  std::optional<ReportVolume> facts;   // of the volume that it came from
+};
+
+WebModel model_by_dt(const Contoured& from, const WebWords& words, WebPage& page, Session& session) {
+  Model made{reconstructed(from.stack, words.dt, session), {}, {}, {}};
   add_ways(made.reconstruction, page, session.progress());
   Scene scene = usual_scene_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
-  if (greys) add_volume(*greys, words, scene, page, session);
+  if (from.greys) add_volume(*from.greys, words, scene, page, session);
   page.looks = looks_of(scene);
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
@@ -64,7 +71,9 @@ WebModel model_by_dt(const ContourStack& stack, const std::optional<Greys>& grey
     session.console.complain("warning: " + warning + ".");
     warnings.push_back(std::move(warning));
   }
-  return web_model_by_dt(made.reconstruction, !made.simplifications.empty(), warnings);
+  WebModel model = web_model_by_dt(made.reconstruction, !made.simplifications.empty(), warnings);
+  if (session.keep) session.keep({std::move(made), from.facts});
+  return model;
 }
 
 WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& session) {
@@ -113,24 +122,30 @@ std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words, Session& 
 }
 
 /// The contours of a volume, and what lies around them.
-ContourStack stack_with_greys(const WebWords& words, std::optional<Greys>& greys, Session& session) {
+Contoured contoured_with_greys(const WebWords& words, Session& session) {
   Volume volume;
-  std::optional<ReportVolume> facts;
-  ContourStack stack = contours_told(words.input, understood(words.volume), session, &volume, &facts);
-  greys.emplace();
-  greys->anchors = grey_anchors(volume);
-  greys->values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
-  for (const auto& [structure, iso] : facts->isos) greys->isos.push_back(iso);
-  return stack;
+  Contoured from;
+  from.stack = contours_told(words.input, understood(words.volume), session, &volume, &from.facts);
+  Greys& greys = from.greys.emplace();
+  greys.anchors = grey_anchors(volume);
+  greys.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(from.stack), volume), page_values));
+  for (const auto& [structure, iso] : from.facts->isos) greys.isos.push_back(iso);
+  return from;
 }
 
 /// Of ours, of another program's contour file, or of a volume.
-ContourStack stack_of(const WebWords& words, std::optional<Greys>& greys, Session& session) {
-  if (words.with_volume()) return stack_with_greys(words, greys, session);
-  if (words.input.empty()) return sample_tooth(ToothKind::molar);
-  if (words.volume.any_level() || !needs_conversion(words.input, {})) return contours_of_input(words.input, words.volume, session);
-  ContourStack stack = converted_told(words.input, {}, session);
-  return words.volume.simplify ? simplify_told(stack, {*words.volume.simplify}, session) : stack;
+Contoured contoured(const WebWords& words, Session& session) {
+  if (words.with_volume()) return contoured_with_greys(words, session);
+  Contoured from;
+  if (words.input.empty()) {
+    from.stack = sample_tooth(ToothKind::molar);
+  } else if (words.volume.any_level() || !needs_conversion(words.input, {})) {
+    from.stack = contours_of_input(words.input, words.volume, session, &from.facts);
+  } else {
+    from.stack = converted_told(words.input, {}, session);
+    if (words.volume.simplify) from.stack = simplify_told(from.stack, {*words.volume.simplify}, session);
+  }
+  return from;
 }
 
 }  // namespace
@@ -165,11 +180,10 @@ WebPage web_page_of(const WebWords& words, Session& session) {
       throw UsageError(fmt::format("{} is a mesh; --db and --triangles want contours or a volume", words.input), "Leave them out, or give what the mesh was made from");
     return page_of_meshes(*meshes, words.input, session);
   }
-  std::optional<Greys> greys;
-  const ContourStack stack = stack_of(words, greys, session);
+  const Contoured from = contoured(words, session);
   WebPage page;
-  page.models.push_back(model_by_dt(stack, greys, words, page, session));
-  if (words.with_db) page.models.push_back(model_by_db(stack, words.db, session));
+  page.models.push_back(model_by_dt(from, words, page, session));
+  if (words.with_db) page.models.push_back(model_by_db(from.stack, words.db, session));
   return page;
 }
 

@@ -5,10 +5,13 @@
 #include <utility>
 
 #include "engine/app/sniff.h"
+#include "engine/app/volume_options.h"
 #include "python/binding/arrays.h"
 #include "python/binding/parts.h"
+#include "python/binding/session.h"
 #include "python/binding/watched.h"
 #include "recon/contours/simplify_contours.h"
+#include "recon/core/atomic_file.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/cut_surfaces.h"
@@ -110,6 +113,7 @@ Contours read(const std::string& file, const ReadOptions& options, const Progres
     FileContours found = read_contour_file(*contour_kind, bytes, file, options.structures);
     Contours made = checked(std::move(found.stack), options.repair, progress);
     made.remarks = std::move(found.remarks);
+    made.origin = std::make_shared<const Origin>(Origin{{}, {}, {std::move(found.patient), {}}});
     return made;
   }
   if (auto meshes = app::meshes_in(kind, bytes, file)) return cut(std::move(*meshes), file, options, progress);
@@ -120,6 +124,23 @@ Contours read(const std::string& file, const ReadOptions& options, const Progres
   ContourStack stack = parse_stack(bytes, file);
   keep_structures(stack, options.structures);
   return checked(std::move(stack), options.repair, progress);
+}
+
+/// "volume", "mesh", "contours" or "unknown".
+std::string kind_of_file(const std::string& file) {
+  if (app::named_like_a_volume(file)) return "volume";
+  const std::string bytes = read_file(file);
+  if (contour_file_kind(bytes)) return "contours";
+  switch (app::kind_of(bytes, file)) {
+    case app::FileKind::contour_stack:
+      return "contours";
+    case app::FileKind::volume:
+      return "volume";
+    case app::FileKind::unknown:
+      return "unknown";
+    default:
+      return "mesh";
+  }
 }
 
 Contours simplified(const Contours& given, double tolerance, const py::object& listener) {
@@ -146,6 +167,21 @@ py::list slice_of(const Contours& contours, std::size_t number) {
   return list;
 }
 
+/// As the file's ending asks: a contour stack, a structure set, a segmentation, a label map.
+void write_contours(const Contours& contours, const std::string& file, const std::string& voxels, const std::string& voxel_origin) {
+  const app::VoxelWords words{voxels, voxel_origin};
+  app::refuse_senseless(words, {file}, contours.origin && contours.origin->whence.grid);
+  if (!app::is_structures_file(file)) return write_stack(*contours.stack, file);
+  if (contours.origin && contours.origin->reshaped) app::refuse_reshaped({file});
+  QuietSession session;
+  {
+    const py::gil_scoped_release unlocked;
+    const app::Whence whence = contours.origin ? contours.origin->whence : app::Whence{};
+    write_files(std::vector<FileContent>{app::structures_file(*contours.stack, file, words, whence, session.watched_by({}))});
+  }
+  session.warn();
+}
+
 std::vector<double> heights_of(const Contours& contours) {
   std::vector<double> heights;
   for (const Slice& slice : contours.stack->slices) heights.push_back(slice.z);
@@ -159,7 +195,7 @@ Contours sample(const std::string& kind, double slice_spacing, double point_spac
   options.hollow_dentine = !filled_dentine;
   options.filled = filled;
   for (const ToothKind known : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {
-    if (kind == name(known)) return {std::make_shared<const ContourStack>(sample_tooth(known, options)), {}, {}};
+    if (kind == name(known)) return {std::make_shared<const ContourStack>(sample_tooth(known, options)), {}, {}, {}};
   }
   throw UsageError("\"" + kind + "\" is no sample tooth", "Say molar, premolar or incisor");
 }
@@ -175,7 +211,7 @@ void add_contours(py::module_& module) {
       .def_readonly("changes", &Contours::changes)
       .def_readonly("remarks", &Contours::remarks)
       .def("text", [](const Contours& self) { return to_json(*self.stack); })
-      .def("write", [](const Contours& self, const std::string& file) { write_stack(*self.stack, file); });
+      .def("write", &write_contours);
   module.def("stack", [](const py::list& contours, const std::string& source, bool repair, const py::object& listener) {
     ContourStack stack = stack_of(contours, source);
     return watched(listener, [&](const Progress& progress) { return checked(std::move(stack), repair, progress); });
@@ -190,6 +226,10 @@ void add_contours(py::module_& module) {
   module.def("simplify_contours", &simplified);
   module.def("together", &joined);
   module.def("sample", &sample);
+  module.def("kind_of", [](const std::string& file) {
+    const py::gil_scoped_release unlocked;
+    return kind_of_file(file);
+  });
 }
 
 }  // namespace odontoscope::python

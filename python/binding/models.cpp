@@ -1,25 +1,25 @@
 #include <pybind11/stl.h>
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#include "engine/app/model.h"
 #include "engine/app/sniff.h"
 #include "python/binding/arrays.h"
 #include "python/binding/parts.h"
 #include "python/binding/watched.h"
+#include "python/binding/writing.h"
 #include "recon/cavity/anatomy.h"
 #include "recon/compare/compare.h"
-#include "recon/core/atomic_file.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/verdict.h"
 #include "recon/input/links_json.h"
 #include "recon/input/validate.h"
 #include "recon/output/anatomy_text.h"
 #include "recon/output/comparison_json.h"
-#include "recon/output/model_file.h"
+#include "recon/output/comparison_page.h"
 #include "recon/output/report_json.h"
 #include "recon/partition/reconstruct_structures.h"
 
@@ -88,7 +88,7 @@ DbOptions understood(const DbWords& words) {
 Model model_of(const Contours& contours, Reconstruction reconstruction, std::optional<std::size_t> triangles, const Progress& progress) {
   auto made = std::make_shared<DtModel>(DtModel{std::move(reconstruction), {}});
   if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
-  return {std::move(made), nullptr, contours.stack};
+  return {std::move(made), nullptr, contours.stack, contours.origin};
 }
 
 Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles,
@@ -125,8 +125,30 @@ Model meshed(const Model& model, std::optional<double> size, const py::object& l
   return watched(listener, [&](const Progress& progress) {
     auto made = std::make_shared<DtModel>(*model.dt);
     made->elements = mesh_elements(made->reconstruction, size, progress);
-    return Model{std::move(made), nullptr, model.contours};
+    return Model{std::move(made), nullptr, model.contours, model.origin, model.dt};
   });
+}
+
+/// The model where the file of its volume has it, if that was stood upright; the given one stays as it is.
+Model put_back(const Model& model, const py::object& listener) {
+  if (!model.origin || !model.origin->facts || !model.origin->facts->upright) return model;
+  return watched(listener, [&](const Progress&) {
+    app::Model moved{model.dt->reconstruction, {}, {}, {}};
+    app::move_model(moved, model.origin->facts->upright->inverse());
+    auto made = std::make_shared<DtModel>(DtModel{std::move(moved.reconstruction), model.dt->simplification, model.dt->elements});
+    auto origin = std::make_shared<Origin>(*model.origin);
+    origin->facts->as_given = true;
+    return Model{std::move(made), nullptr, model.contours, std::move(origin), model.exact};
+  });
+}
+
+/// What `strict` lets not pass: the places of an amber verdict, and that fewer triangles could not be had.
+std::vector<std::string> wanting_in(const Model& model) {
+  std::vector<std::string> wanting;
+  if (!model.dt) return wanting;
+  for (const Attention& item : model.dt->reconstruction.attention) wanting.push_back(in_words(item));
+  if (model.dt->simplification.aim && !model.dt->simplification.aim->reached()) wanting.push_back(app::missed_aim_in_words(*model.dt->simplification.aim));
+  return wanting;
 }
 
 std::optional<Complex> complex_of(const Model& model) {
@@ -138,16 +160,16 @@ Model made_by_db(const Contours& contours, const DbWords& words, const py::objec
   const DbOptions options = understood(words);
   return watched(listener, [&](const Progress& progress) {
     return Model{nullptr, std::make_shared<DbModel>(
-                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options}), contours.stack};
+                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options}), contours.stack, contours.origin};
   });
 }
 
-std::string compared(const Contours& contours, const DtWords& dt, const DbWords& db, const py::object& listener) {
+std::shared_ptr<Comparison> compared(const Contours& contours, const DtWords& dt, const DbWords& db, const py::object& listener) {
   CompareOptions options;
   options.db = understood(db);
   return watched(listener, [&](const Progress& progress) {
     options.dt = understood(dt, *contours.stack);
-    return comparison_json(compare(*contours.stack, options, progress));
+    return std::make_shared<Comparison>(compare(*contours.stack, options, progress));
   });
 }
 
@@ -167,7 +189,7 @@ std::string report_of(const Model& model) {
   if (model.db) return report_json(model.db->reconstruction, model.db->options);
   return report_json(
       model.dt->reconstruction,
-      {.simplifications = model.dt->simplification.structures, .volume = {}, .aim = model.dt->simplification.aim, .elements = model.dt->elements});
+      {.simplifications = model.dt->simplification.structures, .volume = model.origin ? model.origin->facts : std::nullopt, .aim = model.dt->simplification.aim, .elements = model.dt->elements});
 }
 
 std::string links_of(const Model& model) {
@@ -177,24 +199,15 @@ std::string links_of(const Model& model) {
   return links_to_json(links);
 }
 
-void write(const Model& model, const std::vector<std::string>& files, const py::object& listener) {
-  run_watched(listener, [&](const Progress& progress) {
-    std::vector<FileContent> contents;
-    for (const std::string& file : files)
-      contents.push_back(model.dt ? model_file(model.dt->reconstruction, file)
-                                  : model_file(model.db->reconstruction, file));
-    progress.check();
-    write_files(contents);
-  });
-}
-
-std::string anatomy_of(const Model& model, const std::string& source, const py::object& listener) {
+/// JSON and CSV.
+std::pair<std::string, std::string> anatomy_of(const Model& model, const std::string& source, const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
     std::vector<StructureSurface> sound;  // only what is closed has an inside
     for (const Part& part : parts_of(model))
       if (part.report->closed_oriented_manifold()) sound.push_back({*part.structure, part.surface});
     const std::size_t slices = model.dt ? model.dt->reconstruction.counts.slices : model.db->reconstruction.slices;
-    return anatomy_json(measure_anatomy(sound, progress, slices), source);
+    const Anatomy anatomy = measure_anatomy(sound, progress, slices);
+    return std::pair(anatomy_json(anatomy, source), anatomy_csv(anatomy));
   });
 }
 
@@ -328,8 +341,11 @@ void add_models(py::module_& module) {
       .def("headline", [](const Model& model) { return model.dt ? headline(model.dt->reconstruction) : std::string(); })
       .def("report", &report_of)
       .def("links", &links_of)
+      .def("wanting", &wanting_in)
       .def("write", &write)
       .def("anatomy", &anatomy_of);
+  py::class_<GlbOptions>(module, "GltfExtras").def(py::init<>());
+  py::class_<Comparison, std::shared_ptr<Comparison>>(module, "Comparison").def("json", &comparison_json).def("page", &comparison_page);
   module.def("by_dt",
              [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
                 const py::object& listener) { return made_by_dt(contours, dt_words(words), triangles, listener); });
@@ -341,6 +357,8 @@ void add_models(py::module_& module) {
     return made_as_partition(contours, {priority, gap, threads}, triangles, listener);
   });
   module.def("meshed", &meshed);
+  module.def("put_back", &put_back);
+  module.def("write_texts", &write_texts);
   module.def("by_db", [](const Contours& contours, const py::dict& words, const py::object& listener) {
     return made_by_db(contours, db_words(words), listener);
   });

@@ -4,13 +4,14 @@
 #include <string>
 #include <utility>
 
+#include "engine/app/volume_options.h"
 #include "python/binding/arrays.h"
 #include "python/binding/parts.h"
+#include "python/binding/session.h"
 #include "python/binding/watched.h"
 #include "recon/volume/oriented_image.h"
 #include "recon/volume/read_volume.h"
 #include "recon/volume/thresholds.h"
-#include "recon/volume/volume_contours.h"
 
 namespace odontoscope::python {
 namespace {
@@ -51,22 +52,51 @@ py::array values_of(const VolumeImage& image) {
                              {rows * columns * step, columns * step, step}, volume.values.data(), kept(image.volume)));
 }
 
-using Isos = std::vector<std::pair<double, std::string>>;
-using Labels = std::vector<std::pair<std::int64_t, std::string>>;
+app::VolumeWords volume_words(const py::dict& given) {
+  app::VolumeWords words;
+  words.isos = given["iso"].cast<std::vector<std::string>>();
+  words.labels = given["label"].cast<std::vector<std::string>>();
+  words.label_names = given["label_names"].cast<std::string>();
+  words.min_area = given["min_area"].cast<std::string>();
+  words.smooth = given["smooth"].cast<std::optional<double>>();
+  words.simplify = given["simplify"].cast<std::optional<double>>();
+  words.reshape.crop = given["crop"].cast<std::string>();
+  words.reshape.resample = given["resample"].cast<std::optional<double>>();
+  words.reshape.upright = given["upright"].cast<bool>();
+  return words;
+}
 
-Contours contours_of(const VolumeImage& image, const Isos& isos, const Labels& labels, double min_area,
-                     std::optional<double> smooth, std::optional<double> simplify, const py::object& listener) {
-  VolumeContourOptions options;
-  for (const auto& [threshold, structure] : isos) options.isos.push_back({threshold, structure});
-  for (const auto& [label, structure] : labels) options.labels.push_back({label, structure});
-  options.trace.min_area = min_area;
-  if (smooth) options.smooth = SmoothLabelsOptions{*smooth};
-  if (simplify) options.simplify = SimplifyContoursOptions{*simplify};
-  return watched(listener, [&](const Progress& progress) {
-    return Contours{std::make_shared<const ContourStack>(contours_of_volume(*image.volume, options, progress).stack),
-                    {},
-                    image.volume->remarks};
-  });
+/// The image itself stays as it is.
+Contours traced(const VolumeImage& image, const app::VolumeRequest& request, bool reshaped, app::Session& session) {
+  Origin origin{image.volume, {}, {}, reshaped};
+  VolumeContourOptions levels;
+  std::optional<RigidMotion> upright;
+  if (reshaped) {
+    auto own = std::make_shared<Volume>(*image.volume);
+    app::crop_told(*own, request.reshape, session.console);
+    levels = app::levels_told(*own, request, session);
+    upright = app::reshape_told(*own, request.reshape, levels, session);
+    origin.volume = std::move(own);
+  } else {
+    levels = app::levels_told(*image.volume, request, session);
+  }
+  const Volume& volume = *origin.volume;
+  origin.whence = {volume.patient, VoxelGrid{volume.size, volume.spacing, volume.origin}};
+  Contours made;
+  made.stack = std::make_shared<const ContourStack>(app::traced_told(volume, std::move(levels), request, upright, session, &origin.facts));
+  made.remarks = volume.remarks;
+  made.origin = std::make_shared<const Origin>(std::move(origin));
+  return made;
+}
+
+Contours contours_of(const VolumeImage& image, const py::dict& given, const py::object& listener) {
+  const app::VolumeWords words = volume_words(given);
+  app::refuse_volume_without_level({}, words);
+  const app::VolumeRequest request = app::understood(words);
+  QuietSession session;
+  Contours made = watched(listener, [&](const Progress& progress) { return traced(image, request, words.reshape.any(), session.watched_by(progress)); });
+  session.warn();
+  return made;
 }
 
 std::vector<double> thresholds_of(const VolumeImage& image, std::size_t classes) {

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-__all__ = ["Error", "FileError", "GraphicsError", "InputError", "InternalError", "UsageError"]
+__all__ = ["Error", "FileError", "GraphicsError", "InputError", "InternalError", "UsageError", "WantingError"]
 
 
 class Error(Exception):
@@ -45,6 +45,14 @@ class FileError(Error, OSError):
 
 class UsageError(Error, ValueError):
     """A call that makes no sense: an option that is none, options that contradict each other."""
+
+
+class WantingError(Error, ValueError):
+    """``strict=True``, and the verdict is amber, or ``triangles`` was missed. ``places`` says where to look, one sentence each."""
+
+    @property
+    def places(self) -> list[str]:
+        return list(self.place.get("look_here", ()))
 
 
 class GraphicsError(Error, RuntimeError):

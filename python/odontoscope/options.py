@@ -11,7 +11,7 @@ from typing import Any
 
 from .errors import FileError, UsageError, refuse
 
-__all__ = ["dt_words", "db_words", "levels", "min_area", "names", "path"]
+__all__ = ["db_words", "dt_words", "levels", "names", "numbers", "path", "volume_words"]
 
 _whole = re.compile(r"[+-]?\d+")
 
@@ -67,43 +67,46 @@ def whole(given: Any, option: str, least: int) -> int:
     return given.__index__()
 
 
-def levels(given: Any) -> list[tuple[str, str]]:
-    """iso= and label= as pairs of a value and a structure, "" where nobody names it.
+def levels(given: Any) -> list[str]:
+    """iso= and label= in the program's words.
 
-    A number; "120", "120=dentine" or "auto" as the program has them; a mapping {"dentine": 120}; or several of these.
+    A number; "120", "120=dentine", "auto" or "auto:3/2" as the program has them; a mapping {"dentine": 120}; or several of these.
 
     >>> levels("120=dentine"), levels({"enamel": 195}), levels([120, "auto"])
-    ([('120', 'dentine')], [('195', 'enamel')], [('120', ''), ('auto', '')])
+    (['120=dentine'], ['195=enamel'], ['120', 'auto'])
     """
     if given is None:
         return []
     if isinstance(given, Mapping):
-        return [(str(value), str(name)) for name, value in given.items()]
+        return [f"{value}={name}" for name, value in given.items()]
     if isinstance(given, str):
-        value, _, name = given.partition("=")
-        return [(value, name)]
+        return [given]
     if isinstance(given, Iterable):
-        return [pair for one in given for pair in levels(one)]
-    return [(str(given), "")]
+        return [word for one in given for word in levels(one)]
+    return [str(given)]
 
 
-def min_area(given: Any, spacing: tuple[float, float, float]) -> float:
-    """"4" pixels of a slice, or "0.5mm2", in mm^2.
+def numbers(given: Any, option: str, count: int) -> str:
+    """So many numbers as the program has them, "" for None.
 
-    >>> min_area(4, (0.5, 0.5, 1)), min_area("0.5mm2", (1, 1, 1))
-    (1.0, 0.5)
+    >>> numbers((0.1, 0.1, 0.2), "voxels", 3), numbers("31x41", "film", 2), numbers(None, "tube", 2)
+    ('0.1,0.1,0.2', '31x41', '')
     """
     if given is None:
-        return 0.0
-    text = str(given).strip()
-    bare = re.sub(r"mm(2|\^2|²)$", "", text)
-    try:
-        value = float(bare)
-    except ValueError:
-        value = -1.0
-    if not (math.isfinite(value) and value >= 0):
-        raise refuse(UsageError, f"min_area={given!r} is no area of at least 0", "Give a number of pixels, or an area as in min_area=\"0.5mm2\"")
-    return value if bare != text else value * spacing[0] * spacing[1]
+        return ""
+    if isinstance(given, str):
+        return given
+    values = list(given) if isinstance(given, Iterable) else [given]
+    if len(values) != count:
+        raise refuse(UsageError, f"{option}={given!r} has not {count} numbers", f"Give {count}, in mm or as the program has them")
+    return ",".join(repr(_number(value, option)) for value in values)
+
+
+def volume_words(iso: Any, label: Any, label_names: Any, min_area: Any, smooth: Any, simplify: Any, crop: Any, resample: Any, upright: Any) -> dict[str, Any]:
+    """How a volume becomes contours."""
+    return {"iso": levels(iso), "label": levels(label), "label_names": "" if label_names is None else path(label_names),
+            "min_area": "" if min_area is None else str(min_area).strip(), "smooth": optional_number(smooth, "smooth"), "simplify": optional_number(simplify, "simplify"),
+            "crop": numbers(crop, "crop", 6), "resample": optional_number(resample, "resample"), "upright": bool(upright)}
 
 
 def _link(text: str, connect: bool) -> dict[str, Any]:

@@ -264,7 +264,7 @@ class _Options:
             return 0
 
 
-_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "partition": None, "priority": None, "gap": None, "elements": None, "threads": 0}
+_dt = {"correspondence": "tracked", "between": "blended", "links": None, "link": (), "unlink": (), "together": (), "partition": None, "priority": None, "gap": None, "elements": None, "strict": False, "threads": 0}
 _db = {"grid": 128, "cases": "classic", "field": "hybrid", "split": (), "decimate": None}
 
 
@@ -319,7 +319,7 @@ class ContoursToSurface(_Filter):
 class ImageToContours(_Options, VTKPythonAlgorithmBase):
     """An image (``SetIso``) or a label map (``SetLabel``) to contours: closed polylines, slice by slice."""
 
-    _options = {"iso": None, "label": None, "min_area": None, "smooth": None, "simplify": None}
+    _options = {"iso": None, "label": None, "label_names": None, "min_area": None, "smooth": None, "simplify": None, "crop": None, "resample": None, "upright": False}
 
     def __init__(self):
         VTKPythonAlgorithmBase.__init__(self, nInputPorts=1, nOutputPorts=1, inputType="vtkImageData", outputType="vtkPolyData")
@@ -352,7 +352,7 @@ class SampleContours(_Reader):
 class ContoursReader(_Reader):
     """Contours from whatever ``odontoscope.contours`` reads: its words are properties."""
 
-    _options = {"file_name": "", "iso": None, "label": None, "min_area": None, "smooth": None, "simplify": None, "spacing": None, "series": "", "spacing_z": None, "at": (),
+    _options = {"file_name": "", **ImageToContours._options, "spacing": None, "series": "", "spacing_z": None, "at": (),
                 "structure": None, "repair": False}
 
     def _read(self) -> vtkPolyData:

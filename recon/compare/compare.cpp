@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "recon/compare/peak_memory.h"
+#include "recon/core/arena.h"
 #include "recon/delaunay/verdict.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/append.h"
@@ -184,7 +185,7 @@ Comparison compare(const ContourStack& stack, const CompareOptions& options, con
       options.dt.threads > 0 ? options.dt.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   with_threads.dt.threads = with_threads.db.threads = threads;
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
+  tbb::task_arena arena = arena_of(threads);
   Comparison result = arena.execute([&] { return run(stack, with_threads, progress); });
   result.threads = threads;
   return result;

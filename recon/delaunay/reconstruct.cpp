@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "recon/core/arena.h"
 #include "recon/core/limits.h"
 #include "recon/core/parallel.h"
 #include "recon/delaunay/assemble.h"
@@ -45,7 +46,7 @@ class Stopwatch {
 class Reconstructor {
  public:
   Reconstructor(const OrderedStack& input, const ReconstructOptions& options, int threads, const Progress& progress)
-      : input_(input), options_(options), progress_(progress), arena_(threads), watch_(result_.seconds) {
+      : input_(input), options_(options), progress_(progress), arena_(arena_of(threads)), watch_(result_.seconds) {
     result_.threads = threads;
   }
 

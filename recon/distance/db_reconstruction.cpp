@@ -9,6 +9,7 @@
 #include <thread>
 #include <utility>
 
+#include "recon/core/arena.h"
 #include "recon/distance/limits.h"
 #include "recon/input/validate.h"
 
@@ -111,7 +112,7 @@ DbReconstruction reconstruct_by_distance(const ContourStack& stack, const DbOpti
   const int threads =
       options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  tbb::task_arena arena(threads);
+  tbb::task_arena arena = arena_of(threads);
   DbReconstruction result = arena.execute([&] { return run(stack, options, progress); });
   result.threads = threads;
   return result;

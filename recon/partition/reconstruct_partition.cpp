@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "recon/core/arena.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/parallel.h"
@@ -57,7 +58,7 @@ Materials materials_of(const ContourStack& stack, const PartitionOptions& option
 class PartitionReconstructor {
  public:
   PartitionReconstructor(const OrderedStack& input, Materials materials, Between between, int threads, const Progress& progress)
-      : input_(input), materials_(std::move(materials)), between_(between), progress_(progress), arena_(threads) {
+      : input_(input), materials_(std::move(materials)), between_(between), progress_(progress), arena_(arena_of(threads)) {
     result_.threads = threads;
   }
 

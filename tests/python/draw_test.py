@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 import odontoscope
 from odontoscope import draw
-from shapes import SQUARE, box, root
+from shapes import SQUARE, box, root, volume_file
 
 PROGRAM = os.environ["ODONTOSCOPE_PROGRAM"]
 SMALL = (160, 120)
@@ -48,6 +48,74 @@ class Pictures(unittest.TestCase):
                              ({"scene": scene, "size": None}, ["--scene", scene])]:   # of the scene's size
             made = self.model.render(**{"size": SMALL, "backend": "egl", **given})
             self.assertTrue(odontoscope.png(made) == self.by_the_program(*words), f"{given} draws something else than {words}")
+
+    def pictures_by_the_program(self, *words):
+        """By the names that it gave them."""
+        before = set(self.folder.glob("made*.png"))
+        subprocess.run([PROGRAM, "--quiet", "render", *words], check=True, cwd=self.folder)
+        return [file.read_bytes() for file in sorted(set(self.folder.glob("made*.png")) - before)]
+
+    def test_of_grey_values_are_those_of_the_program(self):
+        image, file = volume_file(self.folder / "scan.nrrd")
+        size = ["--size", "160x120", "--backend", "egl"]
+        for given, words in [({"show": "volume"}, ["--show", "volume"]),
+                             ({"show": "volume", "cast": "maximum", "transfer": "", "view": "buccal"}, ["--show", "volume", "--cast", "maximum", "--view", "buccal"]),
+                             ({"show": "volume", "transfer": "enamel", "grey": (10, 120)}, ["--show", "volume", "--transfer", "enamel", "--grey", "10,120"]),
+                             ({"iso": 100, "show": "both"}, ["--iso", "100", "--show", "both"]),
+                             ({"iso": 100, "section": "buccal", "cap": "ct", "view": "buccal"}, ["--iso", "100", "--section", "buccal", "--cap", "ct", "--view", "buccal"]),
+                             ({"iso": 100, "section": "buccal", "cap": "ct=20,180"}, ["--iso", "100", "--section", "buccal", "--cap", "ct=20,180"])]:
+            theirs, = self.pictures_by_the_program(file.name, "-o", "made.png", *size, *words)
+            (self.folder / "made.png").unlink()
+            for source in (image, file):
+                ours = odontoscope.png(odontoscope.render(source, size=SMALL, backend="egl", **given))
+                self.assertTrue(ours == theirs, f"{given} draws something else than {words}")
+        no_volume = odontoscope.reconstruct(root())
+        for model, words in [(no_volume, {"show": "volume"}), (no_volume, {"section": "buccal", "cap": "ct"}), (image, {}), (image, {"cast": "loud", "show": "volume"}),
+                             (image, {"show": "volume", "threads": 1}), (no_volume, {"grey": (1, 2)})]:
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.render(model, **words)
+
+    def test_of_x_rays_are_those_of_the_program(self):
+        image, file = volume_file(self.folder / "scan.nrrd")
+        self.tooth.save(self.folder / "tooth.json")
+        for source, name, given, words in [(self.model, "tooth.json", {}, []), (image, "scan.nrrd", {}, []), (file, "scan.nrrd", {"grey": (10, 120)}, ["--grey", "10,120"]),
+                                           (self.model, "tooth.json", {"tube": (20, -5), "film": (12, 25), "pixel": 0.1, "kv": 60, "beam": "cone", "focus": 300, "exposure": 2,
+                                                                       "attenuation": {"enamel": 0.4, "pulp": "air"}, "hide": "dentine", "inverted": True, "view": "mesial"},
+                                            ["--tube", "20,-5", "--film", "12x25", "--pixel", "0.1", "--kv", "60", "--beam", "cone", "--focus", "300", "--exposure", "2",
+                                             "--attenuation", "enamel=0.4", "--attenuation", "pulp=air", "--hide", "dentine", "--inverted", "--view", "mesial"])]:
+            theirs, = self.pictures_by_the_program(name, "-o", "made.png", "--radiograph", *words)
+            (self.folder / "made.png").unlink()
+            self.assertTrue(odontoscope.png(odontoscope.render(source, radiograph=True, **given)) == theirs, f"{name} {given}")
+        turned = self.model.render(radiograph=True, turntable=2, pixel=0.2)
+        self.assertEqual(len(turned), 2)
+        self.assertGreater(np.abs(turned[0].astype(int) - turned[1]).max(), 30)
+        for words in [{"kv": 10}, {"kv": 60}, {"beam": "flat"}, {"radiograph": True, "section": "buccal"}, {"radiograph": True, "tube": 3}, {"radiograph": True, "size": SMALL},
+                      {"radiograph": True, "tour": "canal-1"}, {"radiograph": True, "grey": (1, 2)}, {"radiograph": True, "hide": "bone"}, {"radiograph": True, "film": "wide"}]:
+            self.refused(odontoscope.UsageError, **words)
+
+    def test_of_tours_and_turntables_are_those_of_the_program(self):
+        self.tooth.save(self.folder / "tooth.json")
+        size = ["--size", "160x120", "--backend", "egl"]
+        (self.folder / "film").mkdir()
+        subprocess.run([PROGRAM, "--quiet", "render", "tooth.json", "-o", "film", "--tour", "canal-1", "--frames", "3", *size], check=True, cwd=self.folder)
+        theirs = [frame.read_bytes() for frame in sorted((self.folder / "film").iterdir())]
+        ours = self.model.render(tour="canal-1", frames=3, size=SMALL, backend="egl")
+        self.assertTrue([odontoscope.png(frame) for frame in ours] == theirs)
+        theirs, = self.pictures_by_the_program("tooth.json", "-o", "made.png", "--tour", "canal-1", "--reverse", "--contact-sheet", "2x1", *size)
+        self.assertTrue(odontoscope.png(self.model.render(tour="canal-1", reverse=True, contact_sheet=(2, 1), size=SMALL, backend="egl")) == theirs)
+        (self.folder / "made.png").unlink()
+        theirs = self.pictures_by_the_program("tooth.json", "-o", "made.png", "--turntable", "3", *size)
+        self.assertTrue([odontoscope.png(one) for one in self.model.render(turntable=3, size=SMALL, backend="egl")] == theirs)
+        for words in [{"tour": "canal-9"}, {"frames": 3}, {"reverse": True}, {"tour": "canal-1", "turntable": 2}, {"tour": "canal-1", "section": "buccal"}, {"turntable": 0},
+                      {"tour": "canal-1", "void": 5}, {"tour": "canal-1", "contact_sheet": "9"}, {"frames": 4000, "tour": "canal-1"}]:
+            self.refused(odontoscope.UsageError, **words)
+
+    def test_of_mesh_files_are_those_of_the_program(self):
+        self.model.save(self.folder / "tooth.stl")
+        theirs, = self.pictures_by_the_program("tooth.stl", "-o", "made.png", "--size", "160x120", "--backend", "egl", "--cull", "tint")
+        self.assertTrue(odontoscope.png(odontoscope.render(self.folder / "tooth.stl", size=SMALL, backend="egl", cull="tint")) == theirs)
+        with self.assertRaises(odontoscope.UsageError):
+            odontoscope.render(self.folder / "tooth.stl", between="blended")
 
     def test_show_a_tooth(self):
         pixels = self.model.render(size="200x150", background="transparent")

@@ -16,15 +16,15 @@ import unittest
 
 import numpy as np
 import odontoscope
-from odontoscope import _core, draw, options
-from shapes import SQUARE, ball, box, circle, root
+from odontoscope import _core, draw, model, options, reading
+from shapes import SQUARE, ball, box, circle, root, volume_file
 
 PROGRAM = os.environ["ODONTOSCOPE_PROGRAM"]
 SOURCE = pathlib.Path(os.environ["ODONTOSCOPE_SOURCE"])
 
 
 def load_tests(loader, tests, pattern):
-    for module in (odontoscope, draw, options):
+    for module in (odontoscope, draw, model, options, reading):
         tests.addTests(doctest.DocTestSuite(module, optionflags=doctest.ELLIPSIS))
     tests.addTests(doctest.DocFileSuite(str(SOURCE / "docs/python.md"), module_relative=False, optionflags=doctest.ELLIPSIS))
     return tests
@@ -104,6 +104,87 @@ class SameAsTheProgram(InFolder):
         labels = odontoscope.contours(odontoscope.Volume((ball() > 0).astype(np.uint8)), label={"pulp": 1}, smooth=0.2)
         self.assertEqual(labels.structures, ("pulp",))
 
+    def same_stack(self, source, given, *words):
+        self.program("contours", *words, "-o", "theirs.json")
+        odontoscope.contours(source, **given).save(self.folder / "ours.json")
+        self.assertEqual((self.folder / "ours.json").read_bytes(), (self.folder / "theirs.json").read_bytes(), given)
+
+    def test_volumes_on_another_grid(self):
+        image, file = volume_file(self.folder / "scan.nrrd")
+        for given, words in [({"iso": "auto:3/2=core"}, ["--iso", "auto:3/2=core"]), ({"iso": 100, "crop": (1, 6, 2, 6, 4, 8)}, ["--iso", "100", "--crop", "1,6,2,6,4,8"]),
+                             ({"iso": {"a": 100, "b": 150}, "resample": 0.2, "min_area": "0.1mm2"}, ["--iso", "100=a", "--iso", "150=b", "--resample", "0.2", "--min-area", "0.1mm2"])]:
+            for source in (image, file):
+                self.same_stack(source, given, "scan.nrrd", *words)
+        np.testing.assert_array_equal(image.values, odontoscope.read_volume(file).values)   # it stays as it is
+        for wrong in [{"crop": (1, 2)}, {"crop": "1,0,0,1,0,1"}, {"resample": -1}, {"iso": "auto:9/1"}, {"iso": "high"}, {"smooth": 0.1}]:
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.contours(image, **{"iso": 100, **wrong})
+        for wrong in [{"crop": (1, 6, 2, 6, 4, 8)}, {"upright": True}, {"label_names": "names.txt"}]:
+            with self.assertRaises(odontoscope.UsageError):
+                odontoscope.contours(root(), **wrong)
+
+    def test_volumes_stood_upright_and_put_back(self):
+        leaning = np.zeros((40, 30, 30), "<f4")
+        k, j, i = np.mgrid[0:40, 0:30, 0:30]
+        leaning[(np.hypot(i - 8 - 0.35 * k, j - 15) < 5) & (k > 3) & (k < 36)] = 100
+        image = odontoscope.Volume(leaning, spacing=(0.5, 0.5, 0.5))
+        header = "NRRD0004\ntype: float\ndimension: 3\nsizes: 30 30 40\nencoding: raw\nendian: little\nspace: left-posterior-superior\n" \
+                 "space directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\nspace origin: (0,0,0)\n\n"
+        (self.folder / "leaning.nrrd").write_bytes(header.encode() + leaning.tobytes())
+        for given, words in [({}, []), ({"as_given": True}, ["--as-given"])]:
+            self.program("reconstruct", "leaning.nrrd", "--iso", "50", "--upright", "-o", "theirs.ply", "--report", "theirs.json", *words)
+            model = odontoscope.reconstruct(image, iso=50, upright=True, **given)
+            model.save(self.folder / "ours.ply")
+            self.assertEqual((self.folder / "ours.ply").read_bytes(), (self.folder / "theirs.ply").read_bytes())
+            theirs = json.loads((self.folder / "theirs.json").read_text())
+            self.assertEqual({**model.report["volume"], "remarks": []}, {**theirs["volume"], "remarks": []})
+        with self.assertRaises(odontoscope.UsageError):
+            model.save(self.folder / "aslant.inp")
+        with self.assertRaises(odontoscope.UsageError):
+            odontoscope.reconstruct(image, iso=50, as_given=True)
+
+    def test_labels_with_names(self):
+        labels = (ball() > 0).astype("<f4") * 3
+        header = "NRRD0004\ntype: float\ndimension: 3\nsizes: 15 15 15\nencoding: raw\nendian: little\n\n"
+        (self.folder / "labels.nrrd").write_bytes(header.encode() + labels.tobytes())
+        (self.folder / "names.txt").write_text('3 255 0 0 1 1 1 "Pulp"\n')
+        for source in (odontoscope.Volume(labels), self.folder / "labels.nrrd"):
+            self.same_stack(source, {"label": "Pulp", "label_names": self.folder / "names.txt"}, "labels.nrrd", "--label", "Pulp", "--label-names", "names.txt", "--spacing", "1,1,1")
+            with self.assertRaises(odontoscope.InputError) as caught:
+                odontoscope.contours(source, label="Enamel", label_names=self.folder / "names.txt")
+            self.assertEqual(caught.exception.cause, "label-not-found")
+
+    def test_files_with_options(self):
+        odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5).save(self.folder / "tooth.json")
+        model = odontoscope.reconstruct(self.folder / "tooth.json")
+        model.save(self.folder / "a.glb", self.folder / "a.3mf", self.folder / "a.seg.nrrd", tours=True, hotspots=True, variants=True, voxels=(0.3, 0.3, 0.3))
+        self.program("reconstruct", "tooth.json", "-o", "b.glb", "-o", "b.3mf", "-o", "b.seg.nrrd", "--tours", "--hotspots", "--variants", "--voxels", "0.3,0.3,0.3")
+        model.save(self.folder / "a.gltf", see_through=True, compress=True)
+        self.program("reconstruct", "tooth.json", "-o", "b.gltf", "--see-through", "--compress")
+        for ending in ("glb", "3mf", "seg.nrrd", "gltf"):
+            self.assertEqual((self.folder / f"a.{ending}").read_bytes(), (self.folder / f"b.{ending}").read_bytes(), ending)
+        tooth = odontoscope.contours(self.folder / "tooth.json")
+        tooth.save(self.folder / "a.dcm")
+        self.program("contours", "tooth.json", "-o", "b.dcm")
+        self.assertEqual((self.folder / "a.dcm").read_bytes(), (self.folder / "b.dcm").read_bytes())
+        for wrong in [lambda: model.save(self.folder / "x.stl", tours=True), lambda: model.save(self.folder / "x.stl", voxels=(1, 1, 1)), lambda: model.save(self.folder / "x.seg.nrrd"),
+                      lambda: model.save(self.folder / "x.seg.nrrd", voxels=(1, 1)), lambda: odontoscope.reconstruct(box()).save(self.folder / "x.glb", hotspots=True),
+                      lambda: odontoscope.reconstruct(box(), method="db", grid=16).save(self.folder / "x.seg.nrrd", voxels=(1, 1, 1))]:
+            with self.assertRaises(odontoscope.UsageError):
+                wrong()
+        self.assertEqual(list(self.folder.glob("x.*")), [])
+
+    def test_strict(self):
+        ends = [(0, circle(radius=2)), (1, circle(radius=2)), (2, circle(9, 0))]
+        amber = odontoscope.reconstruct(ends)
+        self.assertEqual(amber.verdict, "amber")
+        with self.assertRaises(odontoscope.WantingError) as caught:
+            odontoscope.reconstruct(ends, strict=True)
+        self.assertEqual(len(caught.exception.places), len(amber.report["attention"]))
+        with self.assertRaises(odontoscope.WantingError):
+            odontoscope.reconstruct(root(), triangles=1, strict=True)
+        self.assertEqual(odontoscope.reconstruct(box(), strict=True).verdict, "green")
+
     def test_meshes(self):
         odontoscope.reconstruct(root()).save(self.folder / "root.glb")
         self.program("contours", "root.glb", "--spacing-z", "0.4", "-o", "theirs.json")
@@ -125,6 +206,18 @@ class SameAsTheProgram(InFolder):
         theirs, ours = json.loads((self.folder / "anatomy.json").read_text()), odontoscope.anatomy(self.folder / "root.json")
         theirs.pop("source"), ours.pop("source")
         self.assertEqual(theirs, ours)
+        self.program("anatomy", "root.json", "-o", "theirs.csv")
+        odontoscope.anatomy(self.folder / "root.json", output=[self.folder / "ours.csv", self.folder / "ours.json"])
+        self.assertEqual((self.folder / "ours.csv").read_bytes(), (self.folder / "theirs.csv").read_bytes())
+        self.assertEqual(json.loads((self.folder / "ours.json").read_text())["canals"], ours["canals"])
+        odontoscope.reconstruct(root()).save(self.folder / "root.glb")
+        self.program("anatomy", "root.glb", "-o", "anatomy.json")
+        self.assertEqual({**odontoscope.anatomy(self.folder / "root.glb"), "source": "root.glb"}, json.loads((self.folder / "anatomy.json").read_text()))
+        self.program("compare", "root.json", "--grid", "24", "--report", "theirs.json")
+        seen = odontoscope.compare(self.folder / "root.json", grid=24, html=self.folder / "page.html", report=self.folder / "ours.json")
+        theirs = json.loads((self.folder / "theirs.json").read_text())
+        self.assertEqual([one["seen_through"] for one in seen["methods"]], [one["seen_through"] for one in theirs["methods"]])
+        self.assertIn("data:image/png", (self.folder / "page.html").read_text())
 
 
 class Partition(InFolder):

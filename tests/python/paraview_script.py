@@ -27,7 +27,7 @@ def called(option):
 # Every option of the package is a property, and as it stands means the same.
 tooth = OdontoscopeSampleContours(Kind="incisor", SliceSpacing=0.35, PointSpacing=0.5)   # noqa: F821 (of the plugin)
 surface = OdontoscopeContoursToSurface(Input=tooth)   # noqa: F821
-for option in set(inspect.signature(odontoscope.reconstruct).parameters) - {"source", "progress", "reading"}:
+for option in set(inspect.signature(odontoscope.reconstruct).parameters) - {"source", "progress", "reading", "as_given"}:
     assert hasattr(surface, called(option)), f"the filter has no {called(option)}"
 reader_options = set(inspect.signature(odontoscope.contours).parameters) - {"source", "progress", "widest_gap", "allow_outside"}
 

@@ -1,5 +1,6 @@
 """Contours with known truth, made in code."""
 import numpy as np
+import odontoscope
 
 SQUARE = [(0, 0), (4, 0), (4, 4), (0, 4)]
 
@@ -29,3 +30,14 @@ def ball(size=15):
     middle = size // 2
     k, j, i = np.indices((size, size, size)) - middle
     return (5 - np.sqrt(i * i + j * j + k * k)).astype(np.float32)
+
+
+def volume_file(file):
+    """A ball of dentine around a denser core, in air: the Volume, and the NRRD file of it."""
+    k, j, i = np.mgrid[0:24, 0:20, 0:22]
+    far = np.sqrt((0.3 * (i - 10.5)) ** 2 + (0.3 * (j - 9.5)) ** 2 + (0.25 * (k - 11.5)) ** 2)
+    values = np.where(far < 1.1, 190, np.where(far < 2.3, 110 + 3 * (k % 3), 15)).astype("<f4")
+    header = "NRRD0004\ntype: float\ndimension: 3\nsizes: 22 20 24\nencoding: raw\nendian: little\nspace: left-posterior-superior\n" \
+             "space directions: (0.3,0,0) (0,0.3,0) (0,0,0.25)\nspace origin: (1,2,3)\n\n"
+    file.write_bytes(header.encode() + values.tobytes())
+    return odontoscope.Volume(values, spacing=(0.3, 0.3, 0.25), origin=(1, 2, 3)), file

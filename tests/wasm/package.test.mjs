@@ -4,9 +4,9 @@ import {execFileSync} from 'node:child_process';
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {dist, folder, odontoscope} from './support.mjs';
+import {differing, dist, folder, odontoscope, timeless} from './support.mjs';
 
-const {OdontoscopeError, load, reconstruct, run, sample, words} = odontoscope;
+const {OdontoscopeError, compare, load, reconstruct, run, sample, words} = odontoscope;
 
 test('it is packed, installed without the network, and imported by its name', () => {
   const at = join(folder, 'user');
@@ -42,4 +42,30 @@ test('runs share nothing, and one that ends badly harms no other', async () => {
   assert.equal((await engine.run(['check', 'deep.json'], {files: {'deep.json': '['.repeat(300_000)}})).exitCode, 3);
   assert.equal((await engine.run(['sample', 'incisor', '-o', 'none.json'])).exitCode, 0);
   assert.equal((await engine.run(['check', 'none.json'])).exitCode, 4);
+});
+
+test("a page's model is saved without making it again, and meshed for simulation", async () => {
+  const {files} = await sample('incisor', {output: 'tooth.json'}), engine = await load();
+  const page = await engine.run(['web', 'tooth.json', '-o', 'tooth.html'], {files});
+  assert.equal(page.exitCode, 0, page.complained.join());
+  const made = await engine.reconstruct({files, input: 'tooth.json', output: ['a.ply', 'a.vtu', 'a.inp'], report: 'a.json'}), stages = new Set();
+  const saved = await page.save({output: ['a.ply', 'a.vtu', 'a.inp'], report: 'a.json', onProgress: stage => stages.add(stage)});
+  assert.deepEqual(differing(saved, made).filter(name => name !== 'a.json'), []);
+  assert.equal(timeless(Buffer.from(saved.files['a.json'])), timeless(Buffer.from(made.files['a.json'])));
+  assert.ok(!stages.has('slabs'), [...stages].join());
+  const meshed = await page.save({output: 'b.vtu', elements: 1.5, report: 'b.json'});
+  assert.equal(meshed.exitCode, 0, meshed.complained.join());
+  assert.equal(JSON.parse(Buffer.from(meshed.files['b.json']).toString()).elements.asked, 1.5);
+  const again = await page.save({output: 'a.ply'});
+  assert.deepEqual(Buffer.from(again.files['a.ply']), Buffer.from(made.files['a.ply']));   // it is as it was
+  assert.equal((await page.save({output: 'a.docx'})).exitCode, 2);
+  assert.equal((await engine.run(['check', 'tooth.json'], {files})).save, null);
+  assert.equal((await engine.run(['save', '-o', 'a.ply'], {files})).exitCode, 2);
+});
+
+test('both methods are compared', async () => {
+  const {files} = await sample('incisor', {output: 'tooth.json'});
+  const {said, files: {'c.html': page}} = await compare({files, input: 'tooth.json', grid: 24, html: 'c.html'});
+  assert.match(Buffer.from(page).toString(), /DB decimated/);
+  assert.ok(said.some(line => line.includes('does not draw')));
 });

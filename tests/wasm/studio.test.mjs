@@ -45,13 +45,34 @@ test('contours become the certified model in the viewer', async () => {
   }
 });
 
-test('what is saved is what the program writes', async () => {
+test('what is saved is what the program writes, and the model is not made again for it', async () => {
+  const stages = new Set();
+  await page.exposeFunction('toldStage', stage => stages.add(stage.replace(/:.*/, '')));
+  await page.evaluate(() => new MutationObserver(() => toldStage(document.getElementById('stage').textContent)).observe(document.getElementById('stage'), {childList: true}));
   for (const ending of ['.stl', '.msh']) {
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#saves button:text-is("${ending}")`)]);
     const there = native(['reconstruct', 'molar.json', '-o', `molar${ending}`], {'molar.json': molar}).files[`molar${ending}`];
     assert.equal(Buffer.compare(readFileSync(await download.path()), there), 0, ending);
   }
   await idle();
+  assert.ok(!stages.has('slabs') && !stages.has('certify'), [...stages].join());
+});
+
+test('elements for simulation are meshed of the model that is there, and both methods compared', async () => {
+  await page.fill('#elements', '1.5');
+  const [vtu] = await Promise.all([page.waitForEvent('download'), page.click('#saves h3:text-is("Elements for simulation") + p button:text-is(".vtu")')]);
+  assert.equal(vtu.suggestedFilename(), 'molar-elements.vtu');
+  assert.match(readFileSync(await vtu.path()).subarray(0, 400).toString(), /UnstructuredGrid/);
+  assert.match(await page.textContent('#said'), /elements of about 1.5 mm/);
+  await idle();
+  await page.click('#options summary');
+  await page.fill('input[name=more]', '--grid 24');
+  const [comparison] = await Promise.all([page.waitForEvent('download'), page.click('#saves button:text-is("both methods")')]);
+  assert.match(readFileSync(await comparison.path()).toString(), /<table/);
+  assert.match(await page.textContent('#said'), /DB decimated/);
+  await idle();
+  await page.fill('input[name=more]', '');
+  await page.click('#options summary');
 });
 
 test('a run can be cancelled, and the next one goes well', async () => {

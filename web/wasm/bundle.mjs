@@ -52,7 +52,7 @@ async function makeStudio() {
     "default-src 'none'", `script-src ${hash(script)} ${ofShell('script-src')} 'wasm-unsafe-eval'`, `style-src ${hash(style)} ${ofShell('style-src')}`, 'worker-src blob:',
     'frame-src blob:', 'img-src data: blob:', "base-uri 'none'", "form-action 'none'",
   ].join('; ');
-  const notices = '<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). Its engine contains GMP (LGPL-3.0-or-later), CGAL (GPL-3.0-or-later and LGPL-3.0-or-later), meshoptimizer, pugixml, fmt,\n' +
+  const notices = '<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). Its engine contains GMP (LGPL-3.0-or-later), TetGen (AGPL-3.0-or-later), CGAL (GPL-3.0-or-later and LGPL-3.0-or-later), meshoptimizer, pugixml, fmt,\n' +
     'nlohmann json, CLI11 and tinygltf (MIT, CLI11 BSD-3-Clause), libzip (BSD-3-Clause), zlib (zlib), Boost (BSL-1.0); the viewer in it three.js (MIT), whose licence is in each page.\n-->';
   const places = {policy, style, notices, worker, script, wasm: packed(readFileSync(join(engine, 'odontoscope.wasm'))), shell: packed(shell)};
   const page = readFileSync(join(here, 'studio/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => places[name]);

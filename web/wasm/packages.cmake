@@ -2,7 +2,7 @@
 # in the build folder; what must be compiled is compiled from Debian's source packages, which web/wasm/fetch_sources unpacks into
 # ODONTOSCOPE_WASM_SOURCES. TBB and std::stop_token are the few lines of web/wasm/stand_ins: there is one thread.
 set(ODONTOSCOPE_WASM_SOURCES ${PROJECT_BINARY_DIR}/../sources CACHE PATH "Where web/wasm/fetch_sources unpacked Debian's source packages")
-foreach(package gmp meshoptimizer pugixml libzip zlib)
+foreach(package gmp meshoptimizer pugixml libzip zlib tetgen)
   file(GLOB ${package}_source LIST_DIRECTORIES true ${ODONTOSCOPE_WASM_SOURCES}/${package}-*)
   list(LENGTH ${package}_source found)
   if(NOT found EQUAL 1)
@@ -58,6 +58,12 @@ add_library(ZLIB::ZLIB ALIAS zlib)
 
 include(${CMAKE_CURRENT_LIST_DIR}/libzip.cmake)
 set(ODONTOSCOPE_ZIP libzip)
+
+compiled(tetgen ${tetgen_source} ${tetgen_source}/tetgen.cxx ${tetgen_source}/predicates.cxx)
+target_compile_definitions(tetgen PRIVATE TETLIBRARY)
+set(ODONTOSCOPE_TETGEN ON)
+set(ODONTOSCOPE_TETGEN_INCLUDE ${tetgen_source})
+set(ODONTOSCOPE_TETGEN_LIBRARY tetgen)
 
 set(ODONTOSCOPE_GDCM "")
 set(ODONTOSCOPE_GDCM_INCLUDE "")

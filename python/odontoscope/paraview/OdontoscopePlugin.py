@@ -77,6 +77,7 @@ _DT = {
     "link": _text("Links to make, NAME:N:B-U, with spaces between", _texts, advanced=True),
     "unlink": _text("Links to leave out, NAME:N:B-U, with spaces between", _texts, advanced=True),
     "elements": _text("Mesh anew for simulation: edges of about so many mm, or quality", lambda text: None if not text else text if text == "quality" else float(text)),
+    "strict": _tick("Give nothing where the verdict is amber, or triangles is missed.", advanced=True),
     "threads": _Property("Int", 0, "Processors to use; 0: all", int, advanced=True),
     "repair": _tick("Mend contours that break the rules.", advanced=True),
 }
@@ -94,6 +95,10 @@ _CLEAN = {
     "min_area": _text("Leave out contours that enclose less: pixels, or an area as in 0.5mm2", lambda text: text or None),
     "smooth": _Property("Double", 0, "Smooth the borders of labels, by so many mm", lambda size: size or None, advanced=True),
     "simplify": _Property("Double", 0, "Fewer points: contours may move by so many mm", lambda size: size or None, advanced=True),
+    "label_names": _text("A file of names of labels, as ITK-SNAP writes it", lambda text: text or None, advanced=True, file=True),
+    "crop": _text("Take this box of the volume alone: x from and to, y, z, mm", lambda text: _numbers(text) or None, advanced=True),
+    "resample": _Property("Double", 0, "Voxels of so many mm along all axes; 0: as they are", lambda size: size or None, advanced=True),
+    "upright": _tick("Turn what the levels bound so that its longest axis is z.", advanced=True),
 }
 _LEVELS = {
     "iso": _text("Of an image: the value at the surface, 120=dentine 195=enamel, or auto", lambda text: text.split() or None),

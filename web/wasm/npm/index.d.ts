@@ -17,6 +17,18 @@ export interface Result {
   complained: string[];
   /** What was written; empty unless exitCode is 0 or 1. */
   files: Record<string, Uint8Array>;
+  /** Of `web`, made of contours or a volume: its model in the formats of `reconstruct`, without making it again. It holds the engine's memory. */
+  save: ((options: SaveOptions) => Promise<Omit<Result, 'save'>>) | null;
+}
+
+export interface SaveOptions {
+  /** Names to write; the ending says the format. */
+  output?: string | readonly string[];
+  /** Name of a JSON file to write: certificate, counts, links, times. */
+  report?: string;
+  /** Mesh anew for simulation: edges of about so many mm, or "quality". */
+  elements?: number | 'quality';
+  onProgress?: ProgressListener;
 }
 
 export interface Done extends Result {
@@ -76,6 +88,7 @@ export declare class Engine {
   check(options: CommandOptions): Promise<Done>;
   canal(options: CommandOptions): Promise<Done>;
   anatomy(options: VolumeOptions): Promise<Done>;
+  compare(options: VolumeOptions): Promise<Done>;
   web(options: VolumeOptions): Promise<Done>;
 }
 
@@ -95,4 +108,5 @@ export declare function reconstruct(options: ReconstructOptions): Promise<Done>;
 export declare function check(options: CommandOptions): Promise<Done>;
 export declare function canal(options: CommandOptions): Promise<Done>;
 export declare function anatomy(options: VolumeOptions): Promise<Done>;
+export declare function compare(options: VolumeOptions): Promise<Done>;
 export declare function web(options: VolumeOptions): Promise<Done>;

@@ -47,6 +47,25 @@ function putFiles(FS, files) {
   }
 }
 
+/// One command in an instance, and what it made: taken out of the folder.
+function ran(instance, line, given) {
+  instance.said = [];
+  instance.complained = [];
+  let exitCode;
+  try {
+    exitCode = instance.callMain([...line].map(String));
+  } catch (error) {   // the machine's own end: its stack or memory is exhausted, or a bug
+    exitCode = 70;
+    instance.keptModel = null;
+    instance.complained.push(error instanceof RangeError
+      ? 'odontoscope: this input goes deeper than a browser lets a program go. The program on a machine of its own can do it.'
+      : `odontoscope: the engine stopped: ${error.message ?? error}. If memory is short, make the input smaller: fewer slices, --simplify, --crop.`);
+  }
+  const files = exitCode <= 1 ? madeFiles(instance.FS, given) : {};
+  for (const name of Object.keys(files)) instance.FS.unlink(`${folder}/${name}`);
+  return {exitCode, said: instance.said, complained: instance.complained, files};
+}
+
 /// What lies in the folder that was not put there, or not as it lies there now.
 function madeFiles(FS, given, at = folder, found = {}) {
   for (const name of FS.readdir(at)) {
@@ -73,7 +92,7 @@ export function words(command, {input, output, ...options} = {}) {
   return line;
 }
 
-/// The compiled engine. Each call is a run of its own: nothing is kept from one to the next, and an error in one is none in another.
+/// The compiled engine. Each call is a run of its own: nothing is kept from one to the next but what `save` of a page's result holds, and an error in one is none in another.
 export class Engine {
   #module;
   #page;
@@ -84,34 +103,34 @@ export class Engine {
 
   /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
   async run(line, {files = {}, onProgress} = {}) {
-    const said = [], complained = [];
+    const instance = await this.#instance(onProgress), {FS} = instance;
+    FS.mkdir(folder);
+    FS.mkdir('/odontoscope');
+    putFiles(FS, files);
+    if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
+    FS.chdir(folder);
+    const result = ran(instance, line, files);
+    // A page's model lives on with the instance, for as long as somebody holds the result.
+    result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
+      instance.onProgress = listener;
+      return ran(instance, words('save', options), files);
+    } : null;
+    return result;
+  }
+
+  async #instance(onProgress) {
     const instance = await makeModule({
       noInitialRun: true,
       thisProgram: 'odontoscope',
-      print: text => said.push(text),
-      printErr: text => complained.push(text),
+      print: text => instance.said.push(text),
+      printErr: text => instance.complained.push(text),
       onProgress,
       instantiateWasm: (imports, receive) => {
         WebAssembly.instantiate(this.#module, imports).then(made => receive(made, this.#module));
         return {};
       },
     });
-    const {FS} = instance;
-    FS.mkdir(folder);
-    FS.mkdir('/odontoscope');
-    putFiles(FS, files);
-    if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
-    FS.chdir(folder);
-    let exitCode;
-    try {
-      exitCode = instance.callMain([...line].map(String));
-    } catch (error) {   // the machine's own end: its stack or memory is exhausted, or a bug
-      exitCode = 70;
-      complained.push(error instanceof RangeError
-        ? 'odontoscope: this input goes deeper than a browser lets a program go. The program on a machine of its own can do it.'
-        : `odontoscope: the engine stopped: ${error.message ?? error}. If memory is short, make the input smaller: fewer slices, --simplify, --crop.`);
-    }
-    return {exitCode, said, complained, files: exitCode <= 1 ? madeFiles(FS, files) : {}};
+    return instance;
   }
 
   /// The same with an object of options; throws OdontoscopeError unless it went well. `wanting` is true where the program ended with 1.
@@ -128,6 +147,7 @@ export class Engine {
   check(options) { return this.command('check', options); }
   canal(options) { return this.command('canal', options); }
   anatomy(options) { return this.command('anatomy', options); }
+  compare(options) { return this.command('compare', options); }
   web(options) { return this.command('web', options); }
 }
 
@@ -148,4 +168,5 @@ export const reconstruct = async options => (await engine()).reconstruct(options
 export const check = async options => (await engine()).check(options);
 export const canal = async options => (await engine()).canal(options);
 export const anatomy = async options => (await engine()).anatomy(options);
+export const compare = async options => (await engine()).compare(options);
 export const web = async options => (await engine()).web(options);

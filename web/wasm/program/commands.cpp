@@ -1,5 +1,6 @@
 // In place of engine/app/commands.cpp: the subcommands that neither draw nor start processes.
 #include "engine/app/command.h"
+#include "web/wasm/program/kept_model.h"
 
 namespace odontoscope::app {
 
@@ -15,10 +16,19 @@ const char* first_steps() {
       "Every subcommand explains itself: odontoscope reconstruct --help\n";
 }
 
+/// A page's model can be saved afterwards.
+static Command keeping(const Command& command) {
+  return {command.parser, [run = command.run](Session& session) {
+            session.keep = [](MadeModel&& model) { keep(std::move(model)); };
+            return run(session);
+          }};
+}
+
 std::vector<Command> add_commands(CLI::App& root) {
   std::vector<Command> commands;
-  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, canal_command, anatomy_command, web_command})
+  for (const auto make : {sample_command, contours_command, reconstruct_command, check_command, canal_command, anatomy_command, compare_command, save_command})
     commands.push_back(make(root));
+  commands.push_back(keeping(web_command(root)));
   return commands;
 }
 

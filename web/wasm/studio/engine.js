@@ -12,6 +12,7 @@ export class Engine {
   #worker = null;
   #parts = null;
   #waiting = null;
+  #saved = false;
 
   async #ready() {
     if (this.#worker) return;
@@ -27,7 +28,12 @@ export class Engine {
   }
 
   /// One run; onProgress(stage, fraction). Throws Cancelled.
-  async run(words, files, onProgress) {
+  run(words, files, onProgress) { return this.#asked({words, files}, onProgress); }
+
+  /// The last page's model as files, without making it again: options of `save`. Where the worker was ended meanwhile there is none.
+  save(options, onProgress) { return this.#asked({save: options}, onProgress); }
+
+  async #asked(message, onProgress) {
     await this.#ready();
     return new Promise((resolve, reject) => {
       const over = settle => value => {
@@ -35,18 +41,26 @@ export class Engine {
         settle(value);
       };
       this.#waiting = over(reject);
-      this.#worker.onmessage = ({data}) => data.result ? over(resolve)(data.result) : onProgress(data.stage, data.fraction);
+      this.#worker.onmessage = ({data}) => {
+        if (!data.result) return onProgress(data.stage, data.fraction);
+        this.#saved = Boolean(data.result.canSave);
+        over(resolve)(data.result);
+      };
       this.#worker.onerror = event => {
         this.#end();
         over(resolve)({exitCode: 70, said: [], complained: [`the engine ended: ${event.message}`], files: {}});
       };
-      this.#worker.postMessage({words, files});
+      this.#worker.postMessage(message);
     });
   }
+
+  /// Does the worker still hold the last page's model?
+  get holds() { return this.#saved; }
 
   #end() {
     this.#worker?.terminate();
     this.#worker = null;
+    this.#saved = false;
   }
 
   cancel() {

@@ -45,14 +45,15 @@ function showWork(on) {
 const plain = lines => lines.map(line => line.replace(/^odontoscope: /, '')).filter(line => !/^See odontoscope /.test(line)).join('\n');
 
 /// One run with progress shown, or null: it was cancelled or refused, and that is told.
-async function work(words, files) {
+async function work(words, files, save = null) {
   say(null);
   showWork(true);
+  const listener = (stage, fraction) => {
+    at('bar').value = fraction;
+    at('stage').textContent = `${stage}: ${Math.round(100 * fraction)} %`;
+  };
   try {
-    const result = await engine.run(words, files, (stage, fraction) => {
-      at('bar').value = fraction;
-      at('stage').textContent = `${stage}: ${Math.round(100 * fraction)} %`;
-    });
+    const result = await (save ? engine.save(save, listener) : engine.run(words, files, listener));
     if (result.exitCode <= 1) return result;
     say(plain(result.complained) || `The engine ended with ${result.exitCode}.`);
   } catch (error) {
@@ -108,7 +109,7 @@ async function make() {
   at('verdict').textContent = headline;
   at('verdict').className = verdict;
   at('said').textContent = [...made.said.filter(line => !line.startsWith('Wrote ')), plain(made.complained)].filter(Boolean).join('\n');
-  showSaves(source, options, page, models[0].name === 'Mesh');
+  showSaves(source, options, page, models[0].name === 'Mesh', made.canSave);
   showPage(html);
 }
 
@@ -118,23 +119,37 @@ function save(name, bytes) {
   setTimeout(() => URL.revokeObjectURL(url), 60_000);
 }
 
-function showSaves({files, input, title}, options, page, isMesh) {
+function showSaves({files, input, title}, options, page, isMesh, isSaved) {
   const name = title.replace(/[^\w.-]+/g, '_').replace(/^[-.]+/, '') || 'model';
   const button = (words, run) => element('button', {type: 'button', onclick: run}, words);
-  const made = (command, ending, before = []) => button(ending, async () => {
-    const file = `${name}-made${ending}`;
-    const result = await work([command, input, ...before, '-o', file, ...options], files);
-    if (result) save(`${name}${ending}`, result.files[file]);
+  // A cancelled run takes the worker with it, and the model: then it is made again.
+  const written = (words, again) => engine.holds && isSaved ? work(null, null, words) : work(['reconstruct', input, ...again, ...options], files);
+  const made = (ending, kind = '', more = () => ({})) => button(ending, async () => {
+    const file = `${name}-made${ending}`, extra = more();
+    const result = await written({output: file, ...extra}, ['-o', file, ...Object.entries(extra).flatMap(([option, value]) => [`--${option}`, value])]);
+    if (!result) return;
+    save(`${name}${kind}${ending}`, result.files[file]);
+    if (kind) at('said').textContent = result.said.join('\n');
   });
   const group = (words, buttons) => [element('h3', {}, words), element('p', {class: 'row'}, ...buttons)];
   const report = button('report', async () => {
-    const result = await work(['reconstruct', input, '-o', 'unused.ply', '--report', 'report-made.json', ...options], files);
+    const result = await written({report: 'report-made.json'}, ['-o', 'unused.ply', '--report', 'report-made.json']);
     if (result) save(`${name}-report.json`, result.files['report-made.json']);
   });
+  const comparison = button('both methods', async () => {
+    const result = await work(['compare', input, '--html', 'comparison-made.html', ...options.filter((word, i) => word !== '--triangles' && options[i - 1] !== '--triangles')], files);
+    if (!result) return;
+    at('said').textContent = result.said.filter(line => !line.startsWith('Wrote ')).join('\n');
+    save(`${name}-comparison.html`, result.files['comparison-made.html']);
+  });
+  const size = element('input', {inputMode: 'decimal', placeholder: 'quality', id: 'elements', autocomplete: 'off'});
+  const elements = () => ({elements: size.value.trim() || 'quality'});
   at('saves').replaceChildren(
-    ...(isMesh ? [] : group('Surfaces', surfaces.map(ending => made('reconstruct', ending)))),
-    ...(isMesh ? [] : group('Tetrahedra', solids.map(ending => made('reconstruct', ending)))),
+    ...(isMesh ? [] : group('Surfaces', surfaces.map(ending => made(ending)))),
+    ...(isMesh ? [] : group('Tetrahedra', solids.map(ending => made(ending)))),
+    ...(isMesh ? [] : group('Elements for simulation', [element('label', {}, 'Edges, mm ', size), ...solids.map(ending => made(ending, '-elements', elements))])),
     ...(isMesh ? [] : group('Certificate, counts, links', [report])),
+    ...(isMesh ? [] : group('DT and DB compared', [comparison])),
     ...group('This view, for any browser', [button('page', () => save(`${name}.html`, page))]));
 }
 

@@ -1,7 +1,7 @@
 // The engine away from the page's thread: one run at a time. Ending the worker is how a run is cancelled.
 import {load} from '../npm/index.mjs';
 
-let engine = null;
+let engine = null, save = null;
 
 addEventListener('message', async ({data}) => {
   try {
@@ -11,7 +11,11 @@ addEventListener('message', async ({data}) => {
       return;
     }
     const onProgress = (stage, fraction) => postMessage({stage, fraction});
-    const result = await engine.run(data.words, {files: data.files, onProgress});
+    const page = data.words?.[0] === 'web';
+    if (page) save = null;   // the memory of the model before
+    const {save: saved, ...result} = await (data.save ? save({...data.save, onProgress}) : engine.run(data.words, {files: data.files, onProgress}));
+    if (page) save = saved;
+    result.canSave = save !== null;
     postMessage({result}, Object.values(result.files).map(bytes => bytes.buffer));
   } catch (error) {
     postMessage({result: {exitCode: 70, said: [], complained: [error.message], files: {}}});
