@@ -86,7 +86,9 @@ std::string text_in_script(const Json& json) {
 
 std::string data_elements(const WebPage& page) {
   std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n", text_in_script(description_of(page)));
-  if (!page.lesson.empty()) html += fmt::format("<script type=\"application/json\" id=\"tour\">{}</script>\n", text_in_script(Json::parse(page.lesson)));
+  if (!page.lesson.empty())
+    html += fmt::format("<script type=\"application/json\" id=\"tour\"{}>{}</script>\n", page.lesson_built_in ? " data-built-in" : "", text_in_script(Json::parse(page.lesson)));
+  if (!page.language.empty()) html += fmt::format("<script type=\"application/json\" id=\"language\">{}</script>\n", text_in_script(Json::parse(page.language)));
   for (std::size_t i = 0; i < page.models.size(); ++i)
     html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
   if (page.volume) html += fmt::format("<script type=\"application/gzip\" id=\"volume\">{}</script>\n", packed(*page.volume));

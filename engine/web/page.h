@@ -79,6 +79,8 @@ struct WebPage {
   std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
   std::optional<WebVolume> volume = {};
   std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
+  bool lesson_built_in = false;   // its texts are among those of the languages
+  std::string language = {};      // JSON: a language file (engine/language) of its own, or {"language":"de"} of a known one; empty: the browser's
 };
 
 /// The page without a model. Empty if this program was built without it; `why` then says what was missing.
