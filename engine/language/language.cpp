@@ -18,7 +18,12 @@ namespace {
 
 constexpr std::string_view minus = "\xE2\x88\x92";
 
-/// What fills the places of `pattern` so that it becomes `text`, each as short as can be.
+bool is_number(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.back())) != 0 && text.find_first_not_of("0123456789.,") == text.npos;
+}
+
+/// What fills the places of `pattern` so that it becomes `text`, each as short as can be; a {count} is a number.
 std::optional<std::vector<std::pair<std::string, std::string>>> fillings(std::string_view pattern, std::string_view text) {
   std::vector<std::pair<std::string, std::string>> found;
   std::size_t at = 0, from = 0;
@@ -33,6 +38,7 @@ std::optional<std::vector<std::pair<std::string, std::string>>> fillings(std::st
       const bool last = i == places.size();
       here = literal.empty() && last ? text.size() : last ? (text.ends_with(literal) ? text.size() - literal.size() : text.npos) : text.find(literal, at + 1);
       if (here == text.npos || here <= at) return {};
+      if (places[i - 1].name == "count" && !is_number(text.substr(at, here - at))) return {};
       found.emplace_back(places[i - 1].name, text.substr(at, here - at));
     }
     at = here + literal.size();
@@ -52,11 +58,6 @@ std::string filled(std::string_view text, const Values& values) {
     from = place.end;
   }
   return made += text.substr(from);
-}
-
-bool is_number(std::string_view text) {
-  if (text.starts_with('-')) text.remove_prefix(1);
-  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.back())) != 0 && text.find_first_not_of("0123456789.,") == text.npos;
 }
 
 }  // namespace
@@ -129,7 +130,7 @@ std::string Language::said(const std::string& words) const {
     const std::string clause = words.substr(0, words.size() - 1), said_so = said(clause);
     if (said_so != clause) return said_so + ".";
   }
-  for (const std::string_view between : {". ", "; ", ", ", ": "}) {
+  for (const std::string_view between : {"   ", "  ", " \xE2\x86\x92 ", ". ", "; ", ", ", ": "}) {
     const std::size_t at = words.find(between);
     if (at != words.npos) return said(words.substr(0, at)) + std::string(between) + said(words.substr(at + between.size()));
   }

@@ -40,7 +40,8 @@ struct Language {
 
   /// What data call a thing: of "canal 2" the word is looked up, of "pulp cavity" both.
   std::string named(const std::string& name) const;
-  /// Words that the program put together in English: found again among the texts, and what fills their places likewise. What is not found stays.
+  /// Words that the program put together in English: found again among the texts, and what fills their places likewise; a {count} is a number. What is not
+  /// found stays.
   std::string said(const std::string& words) const;
 
   bool english() const { return texts.empty(); }

@@ -61,6 +61,8 @@ TEST(Language, FindsAgainWhatTheProgramPutTogether) {
   EXPECT_EQ(xish.said("dentine: 3 triangles"), "Dentin: 3 Dreiecke");
   EXPECT_EQ(xish.said("dentine: canal 2 seen"), "Dentin zeigt Kanal 2");
   EXPECT_EQ(xish.said("3 triangles, 4 triangles."), "3 Dreiecke, 4 Dreiecke.");
+  EXPECT_EQ(xish.said("three triangles"), "three triangles") << "a count is a number";
+  EXPECT_EQ(xish.said("pulp   12.5   (1)"), "Pulpa   12,5   (1)");
   EXPECT_EQ(xish.said("nobody knows this"), "nobody knows this");
   EXPECT_EQ(Language{}.said("12,345 triangles"), "12,345 triangles");
 }

@@ -6,6 +6,9 @@
 
 #include "engine/navigate/built_in_lessons.h"
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 namespace odontoscope::test {
 
 std::string content_of(const std::filesystem::path& file) {
@@ -57,6 +60,78 @@ std::set<std::string> texts_of_lessons() {
       for (const std::string& choice : note.question->choices) add(choice);
     }
   }
+  return texts;
+}
+
+std::string with_bare_places(const std::string& text) {
+  static const std::regex place(R"(\{[^{}]*\})");
+  return std::regex_replace(text, place, "{}");
+}
+
+namespace {
+
+/// What stands after a backslash; `at` is its place, and goes to the escape's last character.
+char unescaped(const std::string& cpp, std::size_t& at) {
+  switch (cpp[at]) {
+    case 'n': return '\n';
+    case 't': return '\t';
+    case 'r': return '\r';
+    case 'x': {
+      const char byte = static_cast<char>(std::stoi(cpp.substr(at + 1, 2), nullptr, 16));
+      at += 2;
+      return byte;
+    }
+    default: return cpp[at];
+  }
+}
+
+bool only_space(const std::string& text, std::size_t from, std::size_t to) { return text.find_first_not_of(" \n", from) >= to; }
+
+}  // namespace
+
+std::set<std::string> literals_in(const std::string& cpp) {
+  std::set<std::string> found;
+  std::string literal;
+  std::size_t behind = std::string::npos;   // the literal before, whose neighbour goes on with it
+  for (std::size_t at = 0; at < cpp.size(); ++at) {
+    if (cpp.compare(at, 2, "//") == 0 || cpp.compare(at, 8, "#include") == 0) {
+      at = std::min(cpp.find('\n', at), cpp.size());
+    } else if (cpp[at] == '\'') {
+      at += cpp[at + 1] == '\\' ? 3 : 2;
+    } else if (cpp[at] == '"') {
+      if (behind == std::string::npos || !only_space(cpp, behind, at)) {
+        found.insert(literal);
+        literal.clear();
+      }
+      for (++at; at < cpp.size() && cpp[at] != '"'; ++at) literal += cpp[at] == '\\' ? unescaped(cpp, ++at) : cpp[at];
+      behind = at + 1;
+    }
+  }
+  found.insert(literal);
+  return found;
+}
+
+std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
+  std::set<std::string> none{""};
+  std::istringstream lines(content_of(source / "tests/language/no_texts.txt"));
+  for (std::string line; std::getline(lines, line);) none.insert(line);
+  std::vector<std::filesystem::path> files{source / "engine/lab/artefacts.cpp"};
+  const std::set<std::string> aside{"settings.cpp", "file_list.cpp"};   // names of keys and endings, and what is told on the terminal, too
+  for (const auto& entry : std::filesystem::directory_iterator(source / "engine/ui"))
+    if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string())) files.push_back(entry.path());
+  std::set<std::string> texts;
+  static const std::regex words("[A-Za-z]{2}");
+  for (const std::filesystem::path& file : files)
+    for (const std::string& literal : literals_in(content_of(file)))
+      if (std::regex_search(with_bare_places(literal), words) && !none.contains(literal) && !literal.starts_with("##")) texts.insert(literal);
+  return texts;
+}
+
+std::set<std::string> texts_of_db_lesson(const std::filesystem::path& source) {
+  const auto lesson = nlohmann::json::parse(content_of(source / "engine/lab/lesson.json"));
+  std::set<std::string> texts{lesson.at("title").get<std::string>()};
+  for (const auto& step : lesson.at("steps"))
+    for (const char* key : {"title", "words"}) texts.insert(step.at(key).get<std::string>());
   return texts;
 }
 

@@ -28,6 +28,8 @@ std::vector<Language> others() {
 TEST(Texts, AreFoundInTheSources) {
   EXPECT_EQ(marked_in_script("t('It\\'s {n}', {n: 1}) + set('no') + a.t('no') + [t('b')]"), (std::set<std::string>{"It's {n}", "b"}));
   EXPECT_EQ(marked_in_page("<a data-text href=x>To</a><i aria-label=\"no\">no</i><b data-text aria-label=\"Yes\"></b>"), (std::set<std::string>{"To", "Yes"}));
+  EXPECT_EQ(literals_in("#include \"no.h\"\nf(\"a\\x41\" \"b\", 'c', '\"');  // \"no\"\ng(\"d \\\"e\\\"\");"), (std::set<std::string>{"", "aAb", "d \"e\""}));
+  EXPECT_EQ(with_bare_places("{:.1f} of {n}"), "{} of {}");
   EXPECT_GT(texts_of_page(source).size(), 150u);
   EXPECT_GT(texts_of_lessons().size(), 100u);
 }
@@ -39,6 +41,20 @@ TEST(Texts, OfThePageHaveTheirWordsInEachLanguage) {
 
 TEST(Texts, OfTheLessonsHaveTheirWordsInEachLanguage) {
   for (const Language& language : others()) EXPECT_EQ(missing_in(language, texts_of_lessons()), "") << language.name;
+}
+
+TEST(Texts, OfTheViewerHaveTheirWordsInEachLanguage) {
+  const std::set<std::string> texts = texts_of_viewer(source);
+  EXPECT_GT(texts.size(), 400u);
+  for (const Language& language : others()) {
+    std::set<std::string> known;
+    for (const auto& [english, words] : language.texts) known.insert(with_bare_places(english));
+    std::string missing;
+    for (const std::string& text : texts)
+      if (!known.contains(with_bare_places(text))) missing += "\n  " + text;
+    EXPECT_EQ(missing, "") << language.name;
+    EXPECT_EQ(missing_in(language, texts_of_db_lesson(source)), "") << language.name;
+  }
 }
 
 /// An answer that is compared by its words must not become the same as another.

@@ -74,6 +74,8 @@ export function named(name) {
   return name.endsWith(' cavity') ? `${named(name.slice(0, -7))}: ${t('cavity')}` : name;
 }
 
+/// Each place takes as little as can be; a {count} is a number.
+const formOf = known => new RegExp(`^${known.split(/(\{\w+\})/).map((piece, i) => i % 2 === 0 ? piece.replace(special, '\\$&') : piece === '{count}' ? '(-?[\\d.,]*\\d)' : '(.+?)').join('')}$`);
 const special = /[.*+?^${}()|[\]\\]/g;
 let patterns = null;
 
@@ -82,7 +84,7 @@ export function said(text) {
   if (language.texts[text]) return language.texts[text];
   if (/^-?[\d,]*\.?\d+$/.test(text)) return text.replace(/[.,]/g, sign => sign === '.' ? language.decimal : language.group);
   patterns ??= Object.keys(language.texts).filter(known => known.search(place) >= 0)
-    .map(known => ({known, names: [...known.matchAll(place)].map(([, name]) => name), form: new RegExp(`^${known.split(/\{\w+\}/).map(piece => piece.replace(special, '\\$&')).join('(.+?)')}$`)}))
+    .map(known => ({known, names: [...known.matchAll(place)].map(([, name]) => name), form: formOf(known)}))
     .filter(({known}) => known.replace(place, '').length > 2).sort((a, b) => b.known.length - a.known.length);
   for (const {known, names, form} of patterns) {
     const match = form.exec(text);
@@ -93,7 +95,7 @@ export function said(text) {
     const clause = said(text.slice(0, -1));
     if (clause !== text.slice(0, -1)) return `${clause}.`;
   }
-  for (const between of ['. ', '; ', ', ', ': ']) {
+  for (const between of ['   ', '  ', ' \u2192 ', '. ', '; ', ', ', ': ']) {
     const parts = text.split(between);
     if (parts.length > 1) return parts.map(said).join(between);
   }
