@@ -256,7 +256,7 @@ Command view_command(CLI::App& root) {
       ->type_name("SHARE")
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
-  parser->add_option("--language", options->language, "Its words' language: de, en, or a file of another; remembered (default: the environment's)")->type_name("LANGUAGE");
+  parser->add_option("--language", options->language, "Language: de, en, or a file of another; remembered (default: the environment's)")->type_name("LANGUAGE");
   add_scene_options(*parser, options->scene);
   add_volume_look_options(*parser, options->look);
   add_grey_option(*parser, options->grey);

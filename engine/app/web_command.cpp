@@ -163,7 +163,7 @@ Command web_command(CLI::App& root) {
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
   parser->add_option("--lesson", options->lesson, "A lesson to open with: a file, or a title of those built in")->type_name("FILE");
   parser->add_option("--title", options->title, "What the page is called (default: the lesson's or the file's name)")->type_name("TEXT");
-  parser->add_option("--language", options->language, "Its words' language: de, en, or a file of another (default: the browser's)")->type_name("LANGUAGE");
+  parser->add_option("--language", options->language, "Language: de, en, or a file of another (default: the browser's)")->type_name("LANGUAGE");
   constexpr int most_budget = 1'000'000;
   parser->add_option("--budget", options->budget, "At most so many thousand bytes: DT's surfaces are simplified to fit")
       ->type_name("KB")

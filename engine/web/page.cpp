@@ -69,6 +69,7 @@ Json description_of(const WebPage& page) {
   Json horns = Json::array();
   for (const WebTour& horn : page.horns) horns.push_back(json_of(horn));
   Json description{{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}, {"horns", horns}};
+  if (!page.tooth.empty()) description["tooth"] = page.tooth;
   if (page.volume) description["volume"] = json_of(*page.volume);
   return description;
 }

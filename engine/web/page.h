@@ -76,6 +76,7 @@ struct WebPage {
   std::vector<WebModel> models;   // one or more
   std::vector<WebLook> looks;
   std::vector<WebTour> tours;
+  std::string tooth = {};         // "lower left first molar: FDI 36, Universal 19"; empty: not known
   std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
   std::optional<WebVolume> volume = {};
   std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none

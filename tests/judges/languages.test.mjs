@@ -123,6 +123,30 @@ test('answers are right in German, with a decimal comma, and marks have the name
   await close();
 });
 
+test('a label tells in two sentences what its structure is, and the tooth has its numbers', async () => {
+  for (const [hash, first, tooth] of [['', /^The hard cap of the crown.*\. .*\.$/, 'Lower left first molar: FDI 36, Universal 19'], ['#language=de', /^Die harte Kappe der Krone.*\. .*\.$/, 'Unterer linker erster Molar: FDI 36, Universal 19']]) {
+    const {page, close} = await opened('both.html', {hash});
+    assert.equal(await page.textContent('#tooth'), tooth);
+    const draw = () => page.evaluate(() => viewer.draw({way: {layers: false, shade: false}}));
+    await draw();
+    const label = page.locator('#labels span', {hasText: hash ? 'Schmelz' : 'enamel'}).first();
+    assert.equal(await label.locator('small').count(), 0);
+    await label.click({position: {x: 5, y: 5}});
+    await draw();
+    assert.match(await label.locator('small').innerText(), first);
+    const box = await label.boundingBox();
+    assert.ok(box.x > 300 && box.x + box.width <= 1136 && box.y >= 0, JSON.stringify(box));
+    await page.focus('#canvas');
+    await page.keyboard.press('Escape');
+    assert.equal(await label.locator('small').count(), 0);
+    // For whoever has no mouse the same stands in the panel.
+    const told = await page.evaluate(() => [...document.querySelectorAll('.what')].map(e => e.textContent));
+    assert.equal(told.length, 4);
+    assert.ok(told.every(words => words.length > 100), told.join());
+    await close();
+  }
+});
+
 test('a language of its own comes with a page, and its words stay text', async () => {
   const {page, close, watched} = await opened('xx.html');
   assert.deepEqual(await page.evaluate(() => [document.documentElement.lang, [...document.querySelectorAll('h2')].some(h => h.textContent === 'S\u0442r</script>'), [...document.querySelectorAll('#labels span')].map(e => e.textContent).includes('en\u00e1mel')]), ['x-test', true, true]);

@@ -68,7 +68,7 @@ function always(viewer, key, help) {
     case 'l': viewer.labels.on = !viewer.labels.on; return viewer.touch();
     case 't': return viewer.tours.length > 0 ? viewer.startTour((viewer.tours.indexOf(viewer.journey.tour) + 1) % viewer.tours.length) : undefined;
     case 'c': return viewer.inside ? viewer.leave() : viewer.startFlight();
-    case 'escape': return viewer.inside ? viewer.leave() : undefined;
+    case 'escape': return viewer.inside ? viewer.leave() : viewer.labels.told ? viewer.labels.tell(null) : undefined;
     case '?': return help();
     default: return false;
   }

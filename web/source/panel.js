@@ -2,8 +2,9 @@
 import {views} from './camera.js';
 import {depthStep} from './depth.js';
 import {choice, element, slider} from './dom.js';
-import {language, languages, named, number, said, speak, t} from './language.js';
+import {capital, language, languages, named, number, said, speak, t} from './language.js';
 import {sides} from './section.js';
+import {toldOf} from './told.js';
 import {greysSection} from './volume_panel.js';
 
 function certificateSection(viewer) {
@@ -51,7 +52,8 @@ function structuresSection(viewer) {
     };
     show();
     viewer.addEventListener('change', show);
-    return element('div', {class: 'look'}, element('label', {}, shown, swatch, named(key)), element('span'), output, opacity);
+    const told = toldOf(key), what = told ? element('details', {class: 'what'}, element('summary', {'aria-label': t('What is it? {structure}', {structure: named(key)})}, t('What is it?')), element('p', {class: 'quiet'}, told)) : null;
+    return element('div', {class: 'look'}, element('label', {}, shown, swatch, named(key)), element('span'), output, opacity, what);
   });
   return element('section', {}, element('h2', {}, t('Structures')), ...rows);
 }
@@ -141,6 +143,9 @@ function viewSection(viewer, help) {
 /// `learn`: {lesson: its title or null, open, quiz}.
 export function makePanel(viewer, {help, extra, learn}) {
   document.getElementById('title').textContent = document.title = t(viewer.description.title);
+  const {tooth} = viewer.description, line = document.getElementById('tooth');
+  line.textContent = tooth ? capital(said(tooth)) : '';
+  line.hidden = !tooth;
   const alone = viewer.volume?.told.alone ?? false;   // nothing but grey values: there is no surface to speak of
   const about = alone ? [certificateSection(viewer), extra, greysSection(viewer), cutSection(viewer)]
     : [certificateSection(viewer), extra, methodSection(viewer), greysSection(viewer), insideSection(viewer), learnSection(learn), structuresSection(viewer), cutSection(viewer), facesSection(viewer)];
