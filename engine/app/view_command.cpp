@@ -91,9 +91,11 @@ GreyValues grey_values(const Shown& shown) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
+  const bool draft_there = request.show_meanwhile && request.file.empty();
+  if (draft_there) request.show_meanwhile(draft_of_sample(title_of(request.file), progress));
   Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
     if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
-    if (!request.show_meanwhile) return;
+    if (!request.show_meanwhile || draft_there) return;
     if (auto draft = draft_of(stack, title_of(request.file), progress)) request.show_meanwhile(std::move(*draft));
   });
   LoadedModel loaded;
