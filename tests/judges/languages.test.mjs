@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {writeFileSync} from 'node:fs';
 import {after, test} from 'node:test';
-import {browser, made, needPackages, odontoscope, openedIn, pageOrSkip} from './support.mjs';
+import {browser, made, needPackages, odontoscope, openedIn, pageOrSkip, writeBrokenPillar} from './support.mjs';
 
 needPackages();
 const chromium = await browser();
@@ -64,6 +64,17 @@ test('in German nothing is said in English, not even the report', async () => {
   assert.equal(english, null, english?.join('\n'));
   assert.match(said, /13,\d mm/);
   assert.match(said, /Mesiobukkaler Kanal: \d,\d von 13,\d mm unter dem Kanaleingang, \d,\d\d mm weit/);
+  await close();
+});
+
+test('in German a place to look at, and what decides it, are told in German', async () => {
+  writeBrokenPillar('pillar.json');
+  odontoscope('web', 'pillar.json', '-o', 'pillar.html');
+  const {page, close} = await opened('pillar.html', {hash: '#language=de'});
+  const told = await page.evaluate(() => [document.querySelector('.verdict').innerText, ...[...document.querySelectorAll('.places li')].map(e => e.textContent)].join('\n'));
+  assert.doesNotMatch(told, /\b(the|of|and|slices?|near|if|may|piece|where|contours)\b/);
+  assert.match(told, /Gelb: zertifiziert, aber bitte prüfen: 1 Stelle/);
+  assert.match(told, /--link|--unlink/);
   await close();
 });
 
