@@ -1,7 +1,7 @@
 // Bundles source/ into one page without a model, page.html, and the same as a C++ file, page.cpp.
 //   node build.mjs WORK      WORK holds node_modules and takes both files
 import {createHash} from 'node:crypto';
-import {readFileSync, writeFileSync} from 'node:fs';
+import {readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -38,6 +38,13 @@ function notices() {
   return `<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). It contains three.js:\n\n${three.replaceAll('--', '- -')}\n-->`;
 }
 
+/// All of assets/languages in one line, which no parser of HTML takes for anything but text.
+function languages() {
+  const folder = join(here, '../assets/languages'), files = readdirSync(folder).filter(name => name.endsWith('.json')).sort();
+  const all = files.map(name => JSON.parse(readFileSync(join(folder, name), 'utf8')));
+  return JSON.stringify(all).replace(/[<>&]/g, sign => `\\u${sign.charCodeAt(0).toString(16).padStart(4, '0')}`);
+}
+
 const script = await bundledScript();
 if (script.includes('</script') || script.includes('<!--')) throw new Error('the script would end its element');
 const style = (await transform(readFileSync(join(here, 'source/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
@@ -46,7 +53,7 @@ const policy = [
   "default-src 'none'", `script-src ${hash(script)}`, `style-src ${hash(style)}`, 'img-src data: blob:', "base-uri 'none'", "form-action 'none'",
 ].join('; ');
 
-const places = {notices: notices(), policy, style, script};
+const places = {notices: notices(), policy, style, script, languages: languages()};
 const page = readFileSync(join(here, 'source/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => places[name]);
 if (Buffer.byteLength(page) > mostBytes) throw new Error(`the page has ${Buffer.byteLength(page)} bytes, more than ${mostBytes}`);
 

@@ -9,11 +9,13 @@
 #include "engine/app/volume_look_words.h"
 #include "engine/app/whole_structures.h"
 #include "engine/scene/shells.h"
+#include "recon/cavity/names.h"
 #include "recon/cavity/centre_lines.h"
 #include "recon/cavity/tooth_axis.h"
 #include "recon/core/error.h"
 #include "recon/output/write_glb.h"
 #include "recon/radiograph/tissue.h"
+#include "recon/sample/tooth_number.h"
 
 namespace odontoscope::app {
 namespace {
@@ -105,6 +107,7 @@ void add_ways(const WrittenModel& written, WebPage& page, const Progress& progre
       if (canal.orifice > 0 || !lines.has_chamber) page.tours.back().orifice_mm = canal.points[canal.orifice].along;
     }
     for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));
+    if (const auto kind = sample_of(lines)) page.tooth = tooth_in_words(*kind);
   } catch (const UsageError&) {   // the page is of use without them
   }
 }

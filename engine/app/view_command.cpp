@@ -10,6 +10,7 @@
 
 #include "engine/app/certificate.h"
 #include "engine/app/command.h"
+#include "engine/app/draft.h"
 #include "engine/app/outputs.h"
 #include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
@@ -17,6 +18,7 @@
 #include "engine/app/shown_input.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
+#include "engine/language/language.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
 #include "engine/ui/headset_loop.h"
@@ -42,6 +44,7 @@ struct ViewArguments {
   std::string screenshot;
   std::optional<std::string> script;
   bool headset = false;
+  std::string language;
   int headset_samples = 1;
   double headset_resolution = 1;
 };
@@ -88,8 +91,12 @@ GreyValues grey_values(const Shown& shown) {
 /// Runs on the viewer's thread for such work.
 LoadedModel load(const LoadRequest& request, const Progress& progress, const ViewArguments& options, Session session) {
   session.watched = progress;
+  const bool draft_there = request.show_meanwhile && request.file.empty();
+  if (draft_there) request.show_meanwhile(draft_of_sample(title_of(request.file), progress));
   Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
     if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
+    if (!request.show_meanwhile || draft_there) return;
+    if (auto draft = draft_of(stack, title_of(request.file), progress)) request.show_meanwhile(std::move(*draft));
   });
   LoadedModel loaded;
   loaded.title = title_of(request.file);
@@ -113,6 +120,12 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.looks_given = whole_scene || !words.opacity.empty() || !words.colour.empty();
   loaded.back_faces_given = whole_scene || !words.back_faces.empty();
   return loaded;
+}
+
+/// What was asked for, was chosen before, or the environment speaks. Pictures without a window depend on what is asked alone.
+Language language_of(const ViewArguments& options, const std::string& chosen, bool by_hand) {
+  if (!options.language.empty()) return language_asked(options.language);
+  return by_hand ? known_language(knows_language(chosen) ? chosen : environment_language()) : Language{};
 }
 
 ViewerOptions viewer_options(const ViewArguments& options, const Settings& settings, const Session& session) {
@@ -145,6 +158,7 @@ ExitCode take_screenshots(const ViewArguments& options, Session& session) {
   const Framebuffer pixels(context->gl(), {settings.window, {GL_RGBA8}});
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
   viewer_settings.coarse_when_slow = false;
+  viewer_settings.language = language_of(options, {}, false);
   viewer_settings.wants_level = [](const LoadRequest&) { return false; };   // nobody is there to answer
   Viewer viewer(context->gl(), shaders_from_environment(), std::move(viewer_settings));
   viewer.state().drawn_with = context->in_words();
@@ -181,8 +195,12 @@ void enter_headset(const ViewArguments& options, Viewer& viewer, Window& window,
 ExitCode show_window(const ViewArguments& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
   Settings settings = read.settings;
   if (!options.size.empty()) settings.window = size_from(options.size);
+  const Language language = language_of(options, settings.language, true);
+  if (!options.language.empty()) settings.language = language.tag;
   Window window({.size = settings.window});
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
+  viewer_settings.language = language;
+  viewer_settings.with_drafts = true;
   viewer_settings.clipboard = {[&window] { return window.clipboard(); }, [&window](const std::string& text) { window.set_clipboard(text); }};
   Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));
   viewer.state().drawn_with = window.context().in_words();
@@ -214,6 +232,7 @@ ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
   if (!options.size.empty()) size_from(options.size);
+  if (!options.language.empty()) language_asked(options.language);
   const bool by_hand = options.screenshot.empty() && !options.script;
   const ReadSettings read = by_hand ? read_settings(remembered) : ReadSettings{};
   if (!read.complaint.empty()) session.console.complain(read.complaint);
@@ -239,6 +258,7 @@ Command view_command(CLI::App& root) {
       ->type_name("SHARE")
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
+  parser->add_option("--language", options->language, "Language: de, en, or a file of another; remembered (default: the environment's)")->type_name("LANGUAGE");
   add_scene_options(*parser, options->scene);
   add_volume_look_options(*parser, options->look);
   add_grey_option(*parser, options->grey);
@@ -251,6 +271,7 @@ Command view_command(CLI::App& root) {
       "  odontoscope view molar.json --section buccal\n"
       "  odontoscope view tooth.nrrd --iso 120 --min-area 4\n"
       "  odontoscope view --script \"s wait:1 shot:cut.png picture:tooth.png scene:tooth.json\"\n"
+      "  odontoscope view --language de\n"
       "  odontoscope view --vr molar.json      in the headset; see docs/headset.md\n"
       "\n"
       "Press ? in the window for mouse and keys; docs/viewer.md has more. Files can be dropped on the window.\n"

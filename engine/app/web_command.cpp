@@ -11,6 +11,7 @@
 #include "engine/app/outputs.h"
 #include "engine/app/web_input.h"
 #include "engine/app/words.h"
+#include "engine/language/language.h"
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/notes.h"
 #include "engine/web/studio.h"
@@ -21,37 +22,42 @@ namespace {
 
 struct WebArguments {
   WebWords words;
-  std::string output, title, lesson;
+  std::string output, title, lesson, language;
   std::optional<int> budget;   // thousands of bytes
   bool studio = false;
 };
 
 constexpr std::size_t longest_title = 200;
 
+struct CalledLesson {
+  TourNotes tour;
+  bool built_in = false;
+};
+
 /// A file, or one of the lessons that come with the program by its title.
-TourNotes lesson_called(const std::string& called) {
+CalledLesson lesson_called(const std::string& called) {
   const std::vector<BuiltInLesson> known = built_in_lessons();
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (known[i].title == called) return built_in_lesson_tour(i);
-  return read_tour(called);
+    if (known[i].title == called) return {built_in_lesson_tour(i), true};
+  return {read_tour(called), false};
 }
 
 /// A lesson in place of a model is about the model that it names, or the sample molar.
-std::optional<TourNotes> lesson_of(WebArguments& options) {
+std::optional<CalledLesson> lesson_of(WebArguments& options) {
   if (named_like_a_tour(options.words.input)) {
     if (!options.lesson.empty()) throw UsageError(fmt::format("{} is a lesson, and --lesson names another", options.words.input), "Give one of them");
     std::swap(options.lesson, options.words.input);
   }
   if (options.lesson.empty()) return {};
-  TourNotes lesson = lesson_called(options.lesson);
-  if (options.words.input.empty() && !lesson.model.empty())
-    options.words.input = (std::filesystem::path(options.lesson).parent_path() / lesson.model).lexically_normal().string();
+  CalledLesson lesson = lesson_called(options.lesson);
+  if (options.words.input.empty() && !lesson.tour.model.empty())
+    options.words.input = (std::filesystem::path(options.lesson).parent_path() / lesson.tour.model).lexically_normal().string();
   return lesson;
 }
 
-std::string title_of(const WebArguments& options, const std::optional<TourNotes>& lesson) {
+std::string title_of(const WebArguments& options, const std::optional<CalledLesson>& lesson) {
   if (!options.title.empty()) return options.title;
-  if (lesson && !lesson->title.empty()) return lesson->title;
+  if (lesson && !lesson->tour.title.empty()) return lesson->tour.title;
   if (options.words.input.empty()) return "Sample molar";
   std::filesystem::path path(options.words.input);
   if (!path.has_filename()) path = path.parent_path();
@@ -65,15 +71,24 @@ void refuse_without_page() {
                    "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
 }
 
+/// A known one by its tag, whose texts are in every page; of a file all.
+std::string language_in_page(const std::string& asked) {
+  if (asked.empty()) return {};
+  const Language language = language_asked(asked);
+  return knows_language(asked) ? fmt::format(R"({{"language":"{}"}})", language.tag) : to_json(language);
+}
+
 struct Made {
   WebPage page;
   std::string html;
 };
 
-Made made_once(const WebArguments& options, const std::optional<TourNotes>& lesson, Session& session) {
+Made made_once(const WebArguments& options, const std::optional<CalledLesson>& lesson, Session& session) {
   Made made{web_page_of(options.words, session), {}};
   made.page.title = title_of(options, lesson);
-  if (lesson) made.page.lesson = to_json(*lesson);
+  if (lesson) made.page.lesson = to_json(lesson->tour);
+  made.page.lesson_built_in = lesson && lesson->built_in;
+  made.page.language = language_in_page(options.language);
   session.progress().check();
   session.progress().tell("page", 0.8);
   made.html = web_page(made.page, embedded_page().html);
@@ -82,7 +97,7 @@ Made made_once(const WebArguments& options, const std::optional<TourNotes>& less
 }
 
 /// As large as --budget allows: simplified until it fits, unless --triangles says how far.
-Made made_to_fit(WebArguments options, const std::optional<TourNotes>& lesson, Session& session) {
+Made made_to_fit(WebArguments options, const std::optional<CalledLesson>& lesson, Session& session) {
   constexpr int tries = 4;
   constexpr double spare = 0.95;   // bytes a triangle vary
   const std::size_t most = options.budget ? 1000 * static_cast<std::size_t>(*options.budget) : std::string::npos, shell = embedded_page().html.size();
@@ -104,7 +119,7 @@ Made made_to_fit(WebArguments options, const std::optional<TourNotes>& lesson, S
 /// The same page for everybody: what it makes models of is given to it in the browser.
 ExitCode make_studio(const WebArguments& options, Session& session) {
   const WebWords& words = options.words;
-  if (!words.input.empty() || !options.title.empty() || !options.lesson.empty() || words.with_db || options.budget || words.triangles || words.with_volume() || words.dt.any() || words.db.any() || words.volume.any_level())
+  if (!words.input.empty() || !options.title.empty() || !options.lesson.empty() || !options.language.empty() || words.with_db || options.budget || words.triangles || words.with_volume() || words.dt.any() || words.db.any() || words.volume.any_level())
     throw UsageError("--studio: this page takes its input in the browser", "Leave INPUT and the other options out");
   const std::string_view page = studio_page();
   if (page.empty())
@@ -120,13 +135,15 @@ ExitCode make_page(WebArguments options, Session& session) {
   if (options.studio) return make_studio(options, session);
   if (options.title.size() > longest_title)
     throw UsageError(fmt::format("--title has {} bytes", options.title.size()), fmt::format("Make it {} or less", longest_title));
-  const std::optional<TourNotes> lesson = lesson_of(options);
+  const std::optional<CalledLesson> lesson = lesson_of(options);
+  language_in_page(options.language);   // told before the work
   refuse_senseless(options.words);
   refuse_without_page();
   PlannedFiles files{.inputs = {}, .outputs = {options.output}};
   if (!options.words.input.empty()) files.inputs.push_back(options.words.input);
   if (!options.lesson.empty() && std::filesystem::exists(options.lesson)) files.inputs.push_back(options.lesson);
   if (!options.words.dt.links.empty()) files.inputs.push_back(options.words.dt.links);
+  if (std::filesystem::exists(options.language)) files.inputs.push_back(options.language);
   refuse_unwritable(files);
 
   const auto [page, html] = made_to_fit(options, lesson, session);
@@ -146,6 +163,7 @@ Command web_command(CLI::App& root) {
   parser->add_option("-o,--output", options->output, "The page to write")->required()->type_name("FILE.html");
   parser->add_option("--lesson", options->lesson, "A lesson to open with: a file, or a title of those built in")->type_name("FILE");
   parser->add_option("--title", options->title, "What the page is called (default: the lesson's or the file's name)")->type_name("TEXT");
+  parser->add_option("--language", options->language, "Language: de, en, or a file of another (default: the browser's)")->type_name("LANGUAGE");
   constexpr int most_budget = 1'000'000;
   parser->add_option("--budget", options->budget, "At most so many thousand bytes: DT's surfaces are simplified to fit")
       ->type_name("KB")
@@ -167,6 +185,7 @@ Command web_command(CLI::App& root) {
       "  odontoscope web -o molar.html\n"
       "  odontoscope web canals.tour.json -o lesson.html\n"
       "  odontoscope web --lesson \"Find your way\" -o quiz.html\n"
+      "  odontoscope web --lesson \"Find your way\" --language de -o quiz.html\n"
       "  odontoscope web molar.json -o molar.html --db --grid 64 --cases classic-unoriented\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 -o tooth.html\n"
       "  odontoscope web tooth.nrrd --iso 120 --min-area 4 --triangles 30000 --show both -o ct.html\n"

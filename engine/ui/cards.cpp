@@ -22,9 +22,7 @@ using widgets::scaled;
 
 void title(const Interface& interface, const char* words) {
   ImGui::PushFont(interface.large);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words);
-  ImGui::PopTextWrapPos();
+  widgets::wrapped(words);
   ImGui::PopFont();
 }
 
@@ -32,7 +30,9 @@ std::string name_of(const std::string& file) { return file.empty() ? "the sample
 std::string name_of(const LoadRequest& request) { return request.lesson ? "the lesson" : name_of(request.file); }
 
 void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
-  const Card card("loading", viewport, 400);
+  // Below a draft, which is to be seen.
+  const double strip = std::min<double>(scaled(190), viewport.height);
+  const Card card("loading", state.draft ? Area{viewport.left, viewport.top + viewport.height - strip, viewport.width, strip} : viewport, 400);
   title(interface, fmt::format("Making {}", name_of(loading.request().file)).c_str());
   const LoadJob::Stage stage = loading.stage();
   widgets::remark(interface, loading.cancelling() ? "Stopping\xE2\x80\xA6" : stage_in_words(stage.name));
@@ -136,11 +136,13 @@ void leaving_card(ViewerState& state, const Interface& interface, const Area& vi
 void key_row(const Interface& interface, std::string_view printed, std::string_view words, float column) {
   ImGui::PushFont(interface.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::accent);
-  ImGui::TextUnformatted(printed.data(), printed.data() + printed.size());
+  widgets::expect_room(widgets::say(std::string(printed)), column - scaled(4));
+  widgets::text(std::string(printed));
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::SameLine(column);
-  ImGui::TextUnformatted(words.data(), words.data() + words.size());
+  widgets::expect_room(widgets::say(std::string(words)), ImGui::GetContentRegionAvail().x);
+  widgets::text(std::string(words));
 }
 
 void gamepad_card(ViewerState& state, const Interface& interface, const Area& viewport) {
@@ -186,7 +188,8 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
   float bottom = static_cast<float>(viewport.top + viewport.height) - scaled(20);
   const float wrap = std::min(scaled(520), static_cast<float>(viewport.width) - scaled(60));
   for (auto notice = state.notices.rbegin(); notice != state.notices.rend(); ++notice) {
-    const char* words = notice->words.c_str();
+    const std::string said = interface.say(notice->words);
+    const char* words = said.c_str();
     ImFont* font = interface.regular;
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words);
     const float middle = static_cast<float>(viewport.left + viewport.width / 2);

@@ -74,7 +74,7 @@ void FirstHints::draw(ViewerState& state, const Interface& interface, const Area
     ImGui::SameLine(0, 7 * scale);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, hints[i].done ? theme::quiet : theme::text);
-    ImGui::TextUnformatted(hints[i].words);
+    widgets::text(hints[i].words);
     ImGui::PopStyleColor();
     ImGui::EndGroup();
   }

@@ -78,7 +78,7 @@ std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& p
     if (label.depth && (!state.settings.comfort.wall_depth || seen.distance > farthest_depth)) continue;
     const glm::dvec2 at = pixel_of(pane.area, seen.place);
     const ImFont* font = label.depth ? interface.small : interface.bold;
-    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, label.words.c_str());
+    const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, interface.say(label.words).c_str());
     const float width = extent.x + (label.depth ? 10 : 18) * scale, height = extent.y + (label.depth ? 4 : 10) * scale;
     const ImVec2 right = vec(at.x + 12 * scale, at.y - height / 2), left{right.x - 24 * scale - width, right.y};
     const auto fits = [&](const ImVec2& low) {
@@ -99,7 +99,7 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
   for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
     if (label->label->depth) {
       list.AddRectFilled(label->low, label->high, faded(theme::rgb(0x14181c, 150), label->opacity), 4 * scale);
-      list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale}, faded(theme::text, label->opacity), label->label->words.c_str());
+      list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale}, faded(theme::text, label->opacity), interface.say(label->label->words).c_str());
       continue;
     }
     const bool rides = label->label->line.has_value();
@@ -109,7 +109,7 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
     list.AddCircleFilled(label->dot, 5.0f * scale, faded(theme::mark_outline, label->opacity), 20);
     list.AddCircleFilled(label->dot, 3.4f * scale, faded(ink, label->opacity), 20);
     list.AddRectFilled(label->low, label->high, faded(ground, label->opacity), 6 * scale);
-    list.AddText(interface.bold, interface.bold->FontSize, {label->low.x + 9 * scale, label->low.y + 5 * scale}, faded(ink, label->opacity), label->label->words.c_str());
+    list.AddText(interface.bold, interface.bold->FontSize, {label->low.x + 9 * scale, label->low.y + 5 * scale}, faded(ink, label->opacity), interface.say(label->label->words).c_str());
   }
 }
 
@@ -124,7 +124,7 @@ std::string gamepad_hint(const ViewerState& state) {
 /// Breadcrumb and figures, at the upper left of the picture.
 void draw_words(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const std::string where = where_in_words(state), measured = measured_in_words(state), pad = state.pad_in_hand ? gamepad_hint(state) : "";
+  const std::string where = interface.say(where_in_words(state)), measured = interface.say(measured_in_words(state)), pad = interface.say(state.pad_in_hand ? gamepad_hint(state) : "");
   const float wrap = std::max(120.0f * scale, static_cast<float>(pane.area.width) - 200 * scale);   // the compass is at the right
   const ImVec2 first = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, wrap, where.c_str());
   const ImVec2 second = measured.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, measured.c_str());
@@ -175,7 +175,7 @@ void draw_where(const ViewerState& state, const ViewPane& pane, const Interface&
   list.AddCircleFilled(eye, 6.5f * scale, theme::mark_outline, 24);
   list.AddCircleFilled(eye, 4.8f * scale, theme::mark, 24);
   list.PopClipRect();
-  const std::string from = std::string("from ") + name(fly.where_from) + "   V: another side";
+  const std::string from = interface.say(std::string("from ") + name(fly.where_from) + "   V: another side");
   list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, from.c_str());
 }
 
@@ -217,7 +217,7 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
   list.AddCircleFilled(at, 5.5f * scale, theme::mark_outline, 24);
   list.AddCircleFilled(at, 4 * scale, theme::mark, 24);
   list.PopClipRect();
-  const std::string words = fmt::format("slice {} of {}, z {:.2f} mm", nearest + 1, slices.size(), slices[nearest].z);
+  const std::string words = interface.say(fmt::format("slice {} of {}, z {:.2f} mm", nearest + 1, slices.size(), slices[nearest].z));
   list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, words.c_str());
 }
 

@@ -35,9 +35,7 @@ void two_buttons(Visit& visit, const char* left, VisitAction on_left, const char
 /// Words in the panel's own size: what is small on a desk cannot be read here.
 void say(const std::string& words) {
   ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped(words);
   ImGui::PopStyleColor();
 }
 
@@ -76,9 +74,7 @@ void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& wor
 void where(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words) {
   const FlightSpace& space = world.cavities[*visit.cavity];
   const std::optional<CanalPlace> place = canal_place(space.lines, visit.eye_mm);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(where_in_words(words.title, space, place).c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped(where_in_words(words.title, space, place));
   if (place) say(measured_in_words(space, *place));
   say(fmt::format("Everything is {:.0f} times enlarged.", visit.stage.magnification));
   widgets::toggle("Names", visit.labels);
@@ -98,7 +94,7 @@ void canals(Visit& visit, const VisitWorld& world) {
   const auto lines = rideable(space.lines);
   if (visit.tour) {
     const Ride& tour = *visit.tour;
-    ImGui::TextUnformatted(lines[tour.line]->name.c_str());
+    widgets::text(lines[tour.line]->name);
     ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) / (tour.track.points.back().along - tour.track.points.front().along)), {-1, scaled(12)}, "");
     button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
     two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here", VisitAction::end_tour);
@@ -120,7 +116,7 @@ void measure(Visit& visit, const Interface& interface) {
   if (visit.tool == HandTool::distance) say("Pull it at one place and at another: the straight way between them.");
   if (visit.ends.size() == 2) {
     ImGui::PushFont(interface.large);
-    ImGui::Text("%.2f mm", distance_between_mm(visit.ends[0], visit.ends[1]));
+    widgets::text(fmt::format("{:.2f} mm", distance_between_mm(visit.ends[0], visit.ends[1])));
     ImGui::PopFont();
     say(fmt::format("from {} to {}", visit.ends[0].structure, visit.ends[1].structure));
   }
@@ -145,7 +141,7 @@ void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world
   ImGui::SetNextWindowSize({width, height});
   ImGui::Begin("room panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   ImGui::PushFont(interface.large);
-  ImGui::TextUnformatted(words.title.c_str());
+  widgets::text(words.title);
   ImGui::PopFont();
   int chosen = static_cast<int>(page);
   if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Canals", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);

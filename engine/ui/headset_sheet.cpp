@@ -80,11 +80,11 @@ void HeadsetSheet::write(const std::vector<Placard>& placards, const Pose& head)
   for (std::size_t i = 0; i < std::min<std::size_t>(placards.size(), label_rows * label_columns); ++i) {
     constexpr float column = static_cast<float>(panel_width) / label_columns, margin = 14, gap = 4;
     const float left = column * static_cast<float>(i % label_columns), top = static_cast<float>(panel_height + label_height * static_cast<int>(i / label_columns));
-    const ImVec2 extent = font.CalcTextSizeA(font.FontSize, 1e9f, 0, placards[i].words.c_str());
+    const ImVec2 extent = font.CalcTextSizeA(font.FontSize, 1e9f, 0, interface_.say(placards[i].words).c_str());
     const float width = std::min(extent.x + 2 * margin, column), height = label_height - gap;
     list.PushClipRect({left, top}, {left + width, top + height});
     list.AddRectFilled({left, top}, {left + width, top + height}, theme::rgb(0x14181c, 215), 12);
-    list.AddText(interface_.bold, font.FontSize, {left + margin, top + 0.5f * (height - extent.y)}, theme::text, placards[i].words.c_str());
+    list.AddText(interface_.bold, font.FontSize, {left + margin, top + 0.5f * (height - extent.y)}, theme::text, interface_.say(placards[i].words).c_str());
     list.PopClipRect();
     const PlacardShape shape = shape_of(placards[i], head, width / height);
     labels_.push_back({shape.pose, shape.size, left, top, width, height});

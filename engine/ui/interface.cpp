@@ -113,7 +113,22 @@ void Interface::begin(const FrameInput& input) {
   if (by_keys_) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
   else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   places.clear();
+  cut_off.clear();
   ImGui::NewFrame();
+}
+
+void Interface::speak(Language language) {
+  language_ = std::move(language);
+  said_.clear();
+  scale_ = 0;   // letters anew
+}
+
+std::string Interface::say(const std::string& words) const {
+  constexpr std::size_t most_remembered = 4000;
+  if (language_.english()) return words;
+  if (said_.size() > most_remembered) said_.clear();
+  const auto known = said_.find(words);
+  return known != said_.end() ? known->second : said_.emplace(words, language_.said(words)).first->second;
 }
 
 ImDrawData* Interface::end() {
@@ -129,13 +144,20 @@ void Interface::make_letters(float scale) {
   ++font_version_;
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
+  ImFontGlyphRangesBuilder wanted;
+  wanted.AddRanges(characters);
+  for (const auto& [english, words] : language_.texts) wanted.AddText(words.c_str());
+  wanted.AddText(language_.name.c_str());
+  ImVector<ImWchar> ranges;
+  wanted.BuildRanges(&ranges);
+  ranges_.assign(ranges.begin(), ranges.end());
   atlas.TexDesiredWidth = 1024;
   const auto add = [&](std::span<const unsigned char> bytes, float size) {
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), size * scale, &config, characters);
+    return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), size * scale, &config, ranges_.data());
   };
   regular = add(regular_font(), theme::text_size);
   bold = add(bold_font(), theme::text_size);

@@ -4,8 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
+#include "engine/language/language.h"
 #include "engine/view/input.h"
 
 struct ImDrawData;
@@ -32,6 +34,12 @@ class Interface {
   /// Between the two, ImGui's functions draw into this interface. The letters are made anew when the scale changes.
   void begin(const FrameInput& input);
   ImDrawData* end();
+
+  /// From the next frame on; its letters are made if they are not there yet.
+  void speak(Language language);
+  const Language& language() const { return language_; }
+  /// English words as a person reads them: Language::said.
+  std::string say(const std::string& words) const;
 
   /// Counts up whenever the letters were made anew.
   int font_version() const { return font_version_; }
@@ -63,6 +71,8 @@ class Interface {
     bool text = false;
   };
   std::vector<Place> places;
+  /// Words of the last frame that had less room than they need.
+  std::vector<std::string> cut_off;
 
   ImFont* regular = nullptr;
   ImFont* bold = nullptr;
@@ -73,12 +83,15 @@ class Interface {
   void make_letters(float scale);
 
   Clipboard clipboard_;
+  Language language_;
+  mutable std::unordered_map<std::string, std::string> said_;   // what is said in each frame is looked for once
   std::string copied_;
   ImGuiContext* context_ = nullptr;
   float scale_ = 0;
   int font_version_ = 0;
   bool down_[3] = {}, pressed_[3] = {};
   std::vector<bool> keys_down_, keys_pressed_;   // by Key
+  std::vector<unsigned short> ranges_;           // of letters, as ImGui wants them; they outlive the atlas
   bool by_keys_ = false;
   unsigned letters_to_ = 0;
 };

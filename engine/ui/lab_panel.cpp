@@ -26,8 +26,9 @@ constexpr double culling_height = 40;
 /// One line of the comparison: its name, DT's count, DB's.
 void count_row(const Interface& interface, const char* words, std::size_t dt, std::optional<std::size_t> db, bool faults) {
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
-  ImGui::TextUnformatted(words);
-  const auto number = [&](const std::string& text, float right, ImU32 colour) {
+  widgets::text(words);
+  const auto number = [&](const std::string& count, float right, ImU32 colour) {
+    const std::string text = interface.say(count);
     ImGui::PushFont(interface.bold);
     ImGui::SameLine(left + right - ImGui::CalcTextSize(text.c_str()).x);
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -48,7 +49,7 @@ void counts(const ViewerState& state, const Interface& interface) {
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   ImGui::PushFont(interface.small);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);
-  ImGui::TextUnformatted("Faulty edges");
+  widgets::text("Faulty edges");
   for (const auto& [words, right] : {std::pair("DT", 0.74f * width), std::pair("DB", width)}) {
     ImGui::SameLine(left + right - ImGui::CalcTextSize(words).x);
     ImGui::TextUnformatted(words);
@@ -74,7 +75,7 @@ void db_options(LabState& lab, const Interface& interface) {
   int field = lab.wanted.field == FieldKind::hybrid ? 0 : lab.wanted.field == FieldKind::signed_distance ? 1 : 2;
   if (widgets::choice("field", field, {"Hybrid", "Distance", "Sign only"}))
     lab.wanted.field = field == 0 ? FieldKind::hybrid : field == 1 ? FieldKind::signed_distance : FieldKind::sign;
-  ImGui::TextUnformatted("Triangles kept");
+  widgets::text("Triangles kept");
   int decimation = static_cast<int>(lab.wanted.decimation);
   if (widgets::choice("decimation", decimation, {"All", "1/2", "1/10", "Fewest"})) lab.wanted.decimation = static_cast<LabDecimation>(decimation);
 }
@@ -90,22 +91,20 @@ void progress_line(const LabState& lab, const Interface& interface) {
   ImGui::Dummy({width, height});   // its room is kept, so that nothing jumps
   if (lab.trouble.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(lab.trouble.c_str());
-  ImGui::PopTextWrapPos();
+  widgets::wrapped(lab.trouble);
   ImGui::PopStyleColor();
   (void)interface;
 }
 
 /// A line of words on a dark ground; returns its height.
-float pill(const Interface& interface, ImFont* font, double left, double top, float scale, ImU32 colour, const std::string& words, double most_width) {
+float pill(const Interface& interface, ImFont* font, double left, double top, float scale, ImU32 colour, const std::string& english, double most_width) {
+  const std::string words = interface.say(english);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float wrap = static_cast<float>(most_width) - 20 * scale;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words.c_str());
   const ImVec2 low = vec(left, top), high(low.x + size.x + 20 * scale, low.y + size.y + 10 * scale);
   list.AddRectFilled(low, high, theme::rgb(0x14181c, 215), 6 * scale);
   list.AddText(font, font->FontSize, {low.x + 10 * scale, low.y + 5 * scale}, colour, words.c_str(), nullptr, wrap);
-  (void)interface;
   return high.y - low.y;
 }
 
@@ -196,7 +195,7 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
   const LessonStep& step = lab.lesson->steps[lab.step];
   if (begin_card("lesson", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
-    ImGui::TextUnformatted(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title).c_str());
+    widgets::text(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title));
     ImGui::PopFont();
     widgets::wrapped(step.words);
     if (lab.artefact && lab.made && *lab.artefact < lab.made->artefacts.size()) widgets::remark(interface, in_words(lab.made->artefacts[*lab.artefact], lab.made->options.cases));
@@ -211,7 +210,7 @@ void artefact_card(ViewerState& state, const Interface& interface, const Area& v
   if (begin_card("artefact", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     const char* kind = artefact.kind == DefectKind::crack ? "Crack" : artefact.kind == DefectKind::misoriented ? "Misoriented triangles" : "Non-manifold edge";
-    ImGui::TextUnformatted(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1), grouped(made.artefacts.size())).c_str());
+    widgets::text(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1), grouped(made.artefacts.size())));
     ImGui::PopFont();
     widgets::wrapped(in_words(artefact, made.options.cases));
     three_buttons(state, "Before (V)", Action::previous_artefact, "Next artefact (N)", Action::next_artefact, Action::escape);
@@ -224,9 +223,9 @@ void draw_culling(const ViewerState& state, const Interface& interface, const Ar
   constexpr const char* said[] = {"Back faces culled: what is wrongly turned is a hole.  B: draw both sides",
                                   "Both sides drawn: wrongly turned triangles look whole.  B: tint them",
                                   "Back faces tinted: magenta is wrongly turned.  B: cull them"};
-  const char* words = said[static_cast<int>(state.scene.back_faces)];
+  const std::string words = interface.say(said[static_cast<int>(state.scene.back_faces)]);
   ImFont* font = interface.bold;
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
   const double room = viewport.width - 40 * scale, width = std::min<double>(size.x + 20 * scale, room);
   const double top = viewport.top + viewport.height - culling_height * scale - (width < size.x + 20 * scale ? size.y : 0);
   pill(interface, font, viewport.left + (viewport.width - width) / 2, top, scale, theme::mark, words, room);

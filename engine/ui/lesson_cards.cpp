@@ -18,7 +18,7 @@ using widgets::scaled;
 
 void large(const Interface& interface, const std::string& words) {
   ImGui::PushFont(interface.large);
-  widgets::wrapped(words);
+  widgets::as_written(words);
   ImGui::PopFont();
 }
 
@@ -55,7 +55,7 @@ void number_field(ViewerState& state, LessonMode& lesson, const Interface& inter
   list.AddRect(corner, {corner.x + width, corner.y + height}, theme::accent, scaled(6));
   const std::string& typed = lesson.typed();
   const ImVec2 at(corner.x + scaled(10), corner.y + 0.5f * (height - ImGui::GetFontSize()));
-  list.AddText(at, typed.empty() ? theme::quiet : theme::text, typed.empty() ? "type a number" : typed.c_str());
+  list.AddText(at, typed.empty() ? theme::quiet : theme::text, typed.empty() ? interface.say("type a number").c_str() : typed.c_str());
   const float end = at.x + (typed.empty() ? -scaled(3) : ImGui::CalcTextSize(typed.c_str()).x + scaled(2));
   list.AddLine({end, at.y}, {end, at.y + ImGui::GetFontSize()}, theme::text, scaled(1.4f));
   ImGui::Dummy({width, height});
@@ -73,7 +73,7 @@ void number_field(ViewerState& state, LessonMode& lesson, const Interface& inter
 
 void question_part(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question, const QuizRow& row) {
   ImGui::PushFont(interface.bold);
-  widgets::wrapped(question.ask);
+  widgets::as_written(question.ask);
   ImGui::PopFont();
   if (question.kind == TourQuestion::Kind::choice) choices(state, lesson, question, row);
   if (question.kind == TourQuestion::Kind::number) number_field(state, lesson, interface, question, row);
@@ -85,7 +85,7 @@ void question_part(ViewerState& state, LessonMode& lesson, const Interface& inte
     return;
   }
   widgets::marked(interface, row.right ? Certificate::Mark::good : Certificate::Mark::bad, words);
-  if (!question.explain.empty()) widgets::wrapped(question.explain);
+  if (!question.explain.empty()) widgets::as_written(question.explain);
 }
 
 void note_part(ViewerState& state, LessonMode& lesson, const Interface& interface) {
@@ -93,7 +93,7 @@ void note_part(ViewerState& state, LessonMode& lesson, const Interface& interfac
   const TourNote& note = notes.tour.notes[*notes.shown];
   const bool last = *notes.shown + 1 == notes.tour.notes.size();
   large(interface, fmt::format("{} / {}   {}", *notes.shown + 1, notes.tour.notes.size(), note.title));
-  if (!note.text.empty()) widgets::wrapped(note.text);
+  if (!note.text.empty()) widgets::as_written(note.text);
   const QuizRow* row = lesson.row(notes);
   if (row && note.question) question_part(state, lesson, interface, *note.question, *row);
   ImGui::Dummy({0, scaled(1)});
@@ -129,7 +129,7 @@ void result_rows(const NotesState& notes, const Quiz& quiz, const Interface& int
 
 void result_part(ViewerState& state, LessonMode& lesson, const Interface& interface) {
   const Quiz& quiz = *lesson.quiz();
-  large(interface, fmt::format("{} of {} right", quiz.score(), quiz.rows.size()));
+  large(interface, interface.say(fmt::format("{} of {} right", quiz.score(), quiz.rows.size())));
   constexpr std::size_t most_rows = 8;
   const float height = scaled(22) * static_cast<float>(std::min((quiz.at_end ? 2 : 1) * quiz.rows.size(), most_rows)) + scaled(8);
   ImGui::BeginChild("rows", {0, height});
@@ -194,7 +194,7 @@ void draw_lesson_dock(ViewerState& state, LessonMode& lesson, const Interface& i
 void draw_lesson_menu(ViewerState& state, LessonMode& lesson, const Interface& interface, const Area& viewport) {
   if (!lesson.menu()) return;
   const Card card("lessons", viewport, 440);
-  large(interface, "Lessons");
+  large(interface, interface.say("Lessons"));
   std::size_t number = 0;
   const auto entry = [&](const std::string& words, const std::string& remark) {
     ImGui::PushID(static_cast<int>(number));

@@ -33,11 +33,15 @@ struct VolumeChoice {
   double min_area_pixels = 0;             // smaller contours are noise
 };
 
+struct LoadedModel;
+
 struct LoadRequest {
   std::string file = {};         // empty: the sample molar
   std::optional<VolumeChoice> volume = {};
   bool from_command_line = false;
   std::optional<std::size_t> lesson = {};   // of built_in_lessons(): instead of a file
+  /// For the loader, on its thread: something true to look at until the model is there. Empty: nobody looks.
+  std::function<void(LoadedModel)> show_meanwhile = {};
 };
 
 /// What is known of a volume's grey values besides the grid of them.
@@ -116,11 +120,20 @@ class Job {
 
 class LoadJob : public Job<LoadedModel> {
  public:
-  LoadJob(Loader loader, const LoadRequest& request);
+  LoadJob(Loader loader, const LoadRequest& request, bool with_draft = false) : LoadJob(std::move(loader), request, with_draft, std::make_shared<Slot>()) {}
   const LoadRequest& request() const { return request_; }
+  /// What the loader gave to be shown meanwhile, once; null: nothing yet, or no more.
+  std::shared_ptr<const LoadedModel> take_draft();
 
  private:
+  struct Slot {
+    std::mutex mutex;
+    std::shared_ptr<const LoadedModel> draft;
+  };
+  LoadJob(Loader loader, const LoadRequest& request, bool with_draft, std::shared_ptr<Slot> slot);
+
   LoadRequest request_;
+  std::shared_ptr<Slot> slot_;
 };
 
 /// Reads a volume to be asked about. Throws as the loader does.

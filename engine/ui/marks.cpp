@@ -105,6 +105,7 @@ void draw_compass(const ViewPane& pane, const Interface& interface, float scale,
     if (in_flight && !hovered && p.depth < -0.92) words = std::string("towards ") + p.point->name;   // inside, where one looks matters, not from where
   }
   if (words.empty()) return;
+  words = interface.say(words);
   const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, words.c_str());
   outlined(list, interface.bold, interface.bold->FontSize, vec(x - extent.x / 2, y + scale * (compass_radius + 26)), theme::text, words.c_str());
 }
@@ -128,6 +129,7 @@ void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scal
   const ScaleBar bar = scale_bar(pane, 160 * scale);
   // In perspective what is nearer is larger.
   const std::string words = pane.camera.projection == Camera::Projection::perspective ? bar.words + " at the middle" : bar.words;
+  const std::string said = interface.say(words);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const double left = pane.area.left + 24 * scale, right = left + bar.pixels, y = pane.area.top + pane.area.height - 26 * scale, tick = 5 * scale;
   const std::pair<float, ImU32> strokes[] = {{4.5f * scale, theme::mark_outline}, {2.0f * scale, theme::text}};
@@ -136,7 +138,7 @@ void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scal
     list.AddLine(vec(left, y - tick), vec(left, y + tick), colour, width);
     list.AddLine(vec(right, y - tick), vec(right, y + tick), colour, width);
   }
-  outlined(list, interface.bold, interface.bold->FontSize, vec(left + 2 * scale, y - 26 * scale), theme::text, words.c_str());
+  outlined(list, interface.bold, interface.bold->FontSize, vec(left + 2 * scale, y - 26 * scale), theme::text, said.c_str());
 }
 
 void draw_section_handle(const ViewPane& pane, const Section& section, float scale, std::optional<SectionGrip> lit) {
@@ -168,7 +170,8 @@ void draw_dot(ImDrawList& list, const ImVec2& place, float scale) {
   list.AddCircleFilled(place, 4.5f * scale, theme::mark, 24);
 }
 
-void draw_length(const ViewPane& pane, const glm::dvec3& from, const glm::dvec3& to, const std::string& words, const Interface& interface, float scale) {
+void draw_length(const ViewPane& pane, const glm::dvec3& from, const glm::dvec3& to, const std::string& english, const Interface& interface, float scale) {
+  const std::string words = interface.say(english);
   const auto a = place_of(pane.camera, from), b = place_of(pane.camera, to);
   if (!a || !b) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
@@ -232,8 +235,8 @@ void draw_canal(const ViewPane& pane, const ViewerState& state, const Interface&
   if (const auto place = place_of(pane.camera, pick.at)) {
     const ImVec2 at = vec(pixel_of(pane.area, *place));
     draw_dot(list, at, scale);
-    const std::string name = name_of(pick, spaces);
-    const char* told = pick.in_chamber ? "Enter: fly there" : "double click or Enter: ride";
+    const std::string name = interface.say(name_of(pick, spaces)), said = interface.say(pick.in_chamber ? "Enter: fly there" : "double click or Enter: ride");
+    const char* told = said.c_str();
     const ImFont *font = interface.bold, *small = interface.small;
     const ImVec2 first = font->CalcTextSizeA(font->FontSize, 1e9f, 0, name.c_str()), second = small->CalcTextSizeA(small->FontSize, 1e9f, 0, told);
     const float width = std::max(first.x, second.x), height = first.y + second.y;
@@ -253,15 +256,18 @@ void draw_readout(const ViewPane& pane, const ViewerState& state, const Interfac
     words = fmt::format("{}{}   {:.2f}  {:.2f}  {:.2f} mm", hit->structure, hit->triangle ? "" : ", cut", p.x, p.y, p.z);
   }
   if (const auto& canal = state.canal_under_pointer) words = fmt::format("{}   {}", name_of(*canal, *state.shown->flight), words);
+  words = interface.say(words);
   ImFont* font = interface.small;
   const double right = pane.area.left + pane.area.width - 20 * scale, bottom = pane.area.top + pane.area.height - 34 * scale;
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
   outlined(*ImGui::GetBackgroundDrawList(), font, font->FontSize, vec(right - extent.x, bottom), theme::text, words.c_str());
   if (state.tool == Tool::look) return;
   const bool second = state.tool == Tool::distance && state.measured.ends.size() == 1;
-  const char* told = state.tool == Tool::thickness ? "Click a surface to measure the wall behind it. Enter: at the cross"
+  const char* asked = state.tool == Tool::thickness ? "Click a surface to measure the wall behind it. Enter: at the cross"
                      : second                      ? "Click the second point. Enter: at the cross"
                                                    : "Click the first point. Enter: at the cross";
+  const std::string said = interface.say(asked);
+  const char* told = said.c_str();
   font = interface.bold;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, told);
   const ImVec2 corner = vec(pane.area.left + (pane.area.width - size.x) / 2, pane.area.top + 22 * scale);

@@ -110,7 +110,7 @@ std::vector<DrawnName> drawn_names(const ViewerState& state, const ViewPane& pan
   std::array<double, 2> free_from{pane.area.top, pane.area.top};
   for (DrawnName& name : drawn) {
     const bool right = name.which % 2 == 0;
-    const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, words_for(state.names[name.which].structure).c_str());
+    const ImVec2 extent = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, 0, interface.say(words_for(state.names[name.which].structure)).c_str());
     const double width = extent.x + 20 * scale, height = extent.y + 10 * scale, left_end = pane.area.left + edge * scale, right_end = pane.area.left + pane.area.width - edge * scale;
     const double x = right ? std::min(name.place.x + gap * scale, right_end - width) : std::max(name.place.x - gap * scale - width, left_end);
     double least = pane.area.top + edge * scale;
@@ -136,14 +136,14 @@ void draw_names(const ViewerState& state, const ViewPane& pane, const Interface&
     list.AddCircleFilled(at, 4.6f * scale, theme::mark_outline, 20);
     list.AddCircleFilled(at, 3.0f * scale, theme::text, 20);
     const bool told = state.name_told == name.which;
-    const std::string_view sentences = told ? told_of(named.structure) : std::string_view();
+    const std::string sentences = told ? interface.say(std::string(told_of(named.structure))) : std::string();
     const float wrap = static_cast<float>(told_width * scale);
     const ImVec2 below = sentences.empty() ? ImVec2(0, 0)
                                            : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, sentences.data(), sentences.data() + sentences.size());
     const double width = std::max(box.width, sentences.empty() ? 0.0 : below.x + 20.0 * scale);
     const double left = std::clamp(box.left, pane.area.left + 4 * scale, std::max(pane.area.left + 4 * scale, pane.area.left + pane.area.width - width - 4 * scale));
     list.AddRectFilled(vec(left, box.top), vec(left + width, box.top + box.height + (sentences.empty() ? 0 : below.y + 8 * scale)), theme::rgb(0x14181c, sentences.empty() ? 215 : 240), 6 * scale);
-    list.AddText(interface.bold, interface.bold->FontSize, vec(left + 10 * scale, box.top + 5 * scale), theme::text, words_for(named.structure).c_str());
+    list.AddText(interface.bold, interface.bold->FontSize, vec(left + 10 * scale, box.top + 5 * scale), theme::text, interface.say(words_for(named.structure)).c_str());
     if (!sentences.empty())
       list.AddText(interface.small, interface.small->FontSize, vec(left + 10 * scale, box.top + box.height), theme::text, sentences.data(), sentences.data() + sentences.size(), wrap);
   }

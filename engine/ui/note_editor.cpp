@@ -20,7 +20,7 @@ using widgets::scaled;
 bool line_field(const char* id, std::string& text, std::size_t most, float width = -1, const char* hint = "") {
   ImGui::SetNextItemWidth(width);
   widgets::text_field(id);
-  const bool entered = ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint(id, widgets::say(hint).c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
   widgets::noted(id);
   if (text.size() > most) text.resize(most);
   return entered;
@@ -28,7 +28,7 @@ bool line_field(const char* id, std::string& text, std::size_t most, float width
 
 void number_line(const char* id, double& number, const char* words) {
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(words);
+  widgets::text(words);
   ImGui::SameLine();
   ImGui::SetNextItemWidth(scaled(70));
   widgets::text_field(id);
@@ -128,14 +128,14 @@ void note_editor(ViewerState& state, const Interface& interface) {
   }
   TourNote& draft = *notes.draft;
   ImGui::PushFont(interface.large);
-  ImGui::TextUnformatted(notes.draft_of ? fmt::format("Note {}", *notes.draft_of + 1).c_str() : "A note on this view");
+  widgets::text(notes.draft_of ? fmt::format("Note {}", *notes.draft_of + 1) : "A note on this view");
   ImGui::PopFont();
   ImGui::Columns(2, "columns", false);
-  ImGui::TextUnformatted("Title");
+  widgets::text("Title");
   if (ImGui::IsWindowAppearing() && notes.fresh_draft) ImGui::SetKeyboardFocusHere();
   if (ImGui::IsWindowAppearing()) notes.fresh_draft = false;
   const bool entered = line_field("##title", draft.title, most_title_bytes);
-  ImGui::TextUnformatted("What is there to see?");
+  widgets::text("What is there to see?");
   widgets::text_field("##text");
   ImGui::InputTextMultiline("##text", &draft.text, {-1, scaled(90)});
   widgets::noted("##text");
@@ -151,9 +151,9 @@ void note_editor(ViewerState& state, const Interface& interface) {
   ImGui::SameLine();
   const bool cancel = widgets::button("Cancel (Esc)", {width, 0});
   ImGui::NextColumn();
-  ImGui::TextUnformatted("Pins");
+  widgets::text("Pins");
   pins(notes);
-  ImGui::TextUnformatted("Question");
+  widgets::text("Question");
   question_fields(notes);
   ImGui::Columns(1);
   if ((keep || entered) && fault.empty()) keep_draft(notes);

@@ -51,7 +51,7 @@ void notes_section(ViewerState& state, const Interface& interface) {
     widgets::remark(interface, "Make a lesson: views with a title and a text, pins and questions, for others to be led along. Click a note in the list to change it.");
     return;
   }
-  ImGui::TextUnformatted("Title of the lesson");
+  widgets::text("Title of the lesson");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##lesson");
   if (ImGui::InputText("##lesson", &notes.tour.title)) notes.unsaved = true;

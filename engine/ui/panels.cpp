@@ -48,7 +48,7 @@ std::string sentence(std::string words) {
 
 void heading(ViewerState& state, const Interface& interface) {
   ImGui::PushFont(interface.large);
-  ImGui::TextUnformatted(state.shown ? state.shown->title.c_str() : "Odontoscope");
+  widgets::text(state.shown ? state.shown->title : "Odontoscope");
   ImGui::PopFont();
   const float button = scaled(30);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
@@ -112,7 +112,7 @@ void headline(const Certificate& certificate, const VerdictLook& look, const Int
   const float width = ImGui::GetContentRegionAvail().x, inset = scaled(12);
   const float wrap = width - 2 * inset - scaled(20);
   ImGui::PushFont(interface.bold);
-  const float height = ImGui::CalcTextSize(certificate.headline.c_str(), nullptr, false, wrap).y + 2 * scaled(9);
+  const float height = ImGui::CalcTextSize(interface.say(certificate.headline).c_str(), nullptr, false, wrap).y + 2 * scaled(9);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, look.ground, scaled(6));
   list.AddRectFilled(corner, {corner.x + scaled(4), corner.y + height}, look.edge, scaled(6),
@@ -212,10 +212,10 @@ void measure_section(ViewerState& state, const Interface& interface) {
   if (widgets::choice("tool", tool, {"Distance", "Wall thickness"})) state.todo.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
   const Measured& measured = state.measured;
   if (measured.ends.size() == 2) {
-    ImGui::Text("%.3f mm", distance_between_mm(measured.ends[0], measured.ends[1]));
+    widgets::text(fmt::format("{:.3f} mm", distance_between_mm(measured.ends[0], measured.ends[1])));
     widgets::remark(interface, fmt::format("from {} to {}, straight", measured.ends[0].structure, measured.ends[1].structure));
   } else if (measured.wall) {
-    ImGui::Text("%.3f mm", measured.wall->along_normal_mm);
+    widgets::text(fmt::format("{:.3f} mm", measured.wall->along_normal_mm));
     widgets::remark(interface, fmt::format("{}, straight through. The largest ball that fits in is {:.3f} mm across.", measured.wall_at->structure, measured.wall->largest_ball_mm));
   }
   if (state.tool != Tool::look && widgets::wide_button("Done")) state.todo.push_back(Action::escape);
@@ -263,6 +263,17 @@ void section_section(ViewerState& state, const Interface& interface) {
   widgets::remark(interface, "In the picture: drag the knob to move the plane, the arrow's tip to turn it.");
 }
 
+/// Each by its own name, which whoever looks for it can read.
+void language_choice(ViewerState& state, const Interface& interface) {
+  std::vector<const char*> names;
+  int chosen = 0;
+  for (const Language& language : state.languages) {
+    if (language.tag == interface.language().tag) chosen = static_cast<int>(names.size());
+    names.push_back(language.name.c_str());
+  }
+  if (widgets::choice("language", chosen, names)) state.settings.language = state.languages[static_cast<std::size_t>(chosen)].tag;
+}
+
 void camera_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "View")) return;
   int projection = static_cast<int>(state.scene.camera.projection);
@@ -274,13 +285,14 @@ void camera_section(ViewerState& state, const Interface& interface) {
     state.settings.backdrop = static_cast<Backdrop>(backdrop);
     state.scene.background = background_of(state.settings.backdrop);
   }
+  language_choice(state, interface);
 }
 
 void picture_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Picture", false)) return;
   PictureSettings& picture = state.settings.picture;
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Size");
+  widgets::text("Size");
   const float field = scaled(84);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * field - scaled(22));
   ImGui::SetNextItemWidth(field);
@@ -301,7 +313,7 @@ void picture_section(ViewerState& state, const Interface& interface) {
     picture.height = std::clamp(picture.height, 16, 16384);
   }
   widgets::toggle("Same shape as the view", picture.as_seen);
-  ImGui::TextUnformatted("Samples a pixel");
+  widgets::text("Samples a pixel");
   int samples = picture.side - 1;
   if (widgets::choice("samples", samples, {"1", "4", "9", "16"})) picture.side = samples + 1;
   widgets::toggle("Transparent background", picture.transparent);

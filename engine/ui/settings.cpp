@@ -52,6 +52,14 @@ class Reader {
         if (*found == word) return void(value = meaning);
     complain(key, "is none of the words that it may be");
   }
+  /// A language's tag.
+  void read(const char* key, std::string& tag) const {
+    constexpr std::size_t longest = 35;
+    const auto found = object_.find(key);
+    if (found == object_.end()) return;
+    if (found->is_string() && found->get<std::string>().size() <= longest) tag = found->get<std::string>();
+    else complain(key, "is no language");
+  }
   void read(const char* key, std::vector<std::string>& files) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
@@ -231,6 +239,7 @@ std::string to_json(const Settings& wanted) {
   for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
   json["recent"] = settings.recent;
+  if (!settings.language.empty()) json["language"] = settings.language;
   // Names come from files of all kinds: what is no text is replaced, and so forgotten.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -249,6 +258,7 @@ ReadSettings settings_from_json(const std::string& text) {
   reader.read("names", settings.names);
   reader.read("hints", settings.hints);
   reader.read("recent", settings.recent);
+  reader.read("language", settings.language);
   reader.read("text_scale", settings.text_scale, smallest_text_scale, largest_text_scale);
   reader.read("back_faces", settings.back_faces, back_faces_words);
   reader.read("projection", settings.projection, projection_words);

@@ -48,6 +48,7 @@ struct Settings {
   bool panel = true;
   bool names = true;          // beside the tooth, from outside
   bool hints = true;          // for the first run: until they are followed or closed
+  std::string language = {};  // a tag; empty: as the environment says
   float text_scale = 1;       // on top of the screen's own
   BackFaces back_faces = BackFaces::cull;
   Camera::Projection projection = Camera::Projection::perspective;

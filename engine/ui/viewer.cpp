@@ -47,8 +47,11 @@ BackFaces after(BackFaces mode) {
 }  // namespace
 
 Viewer::Viewer(const Gl& gl, const ShaderLibrary& shaders, ViewerOptions options)
-    : gl_(&gl), options_(std::move(options)), interface_(options_.clipboard), interface_pass_(gl, shaders), renderer_(gl, shaders) {
+    : gl_(&gl), shaders_(shaders), options_(std::move(options)), interface_(options_.clipboard), interface_pass_(gl, shaders), renderer_(gl, shaders) {
   state_.settings = options_.settings;
+  state_.languages = known_languages();
+  if (std::none_of(state_.languages.begin(), state_.languages.end(), [&](const Language& known) { return known == options_.language; })) state_.languages.push_back(options_.language);
+  interface_.speak(options_.language);
 }
 
 Viewer::~Viewer() {
@@ -68,11 +71,12 @@ void Viewer::open(LoadRequest request) {
   }
   if (open_tour(request)) return;
   if (options_.wants_level(request)) return ask_about(std::move(request));
-  job_ = std::make_unique<LoadJob>(options_.load, std::move(request));
+  job_ = std::make_unique<LoadJob>(options_.load, request, options_.with_drafts && (!state_.shown || state_.draft));
 }
 
 void Viewer::draw(const FrameInput& input, const Target& target) {
   scale_ = input.scale * state_.settings.text_scale;
+  follow_language();
   lay_out(input);
   if (!events_.empty()) frames_to_settle_ = 3;
   else if (frames_to_settle_ > 0) --frames_to_settle_;
@@ -98,6 +102,13 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   draw_interface(input, target);
 }
 
+void Viewer::follow_language() {
+  const std::string& wanted = state_.settings.language;
+  if (wanted.empty() || wanted == interface_.language().tag) return;
+  const auto found = std::find_if(state_.languages.begin(), state_.languages.end(), [&](const Language& known) { return known.tag == wanted; });
+  if (found != state_.languages.end()) interface_.speak(*found);
+}
+
 /// One view, or in DB mode two.
 void Viewer::lay_out(const FrameInput& input) {
   const double left = state_.settings.panel ? std::min<double>(theme::panel_width * scale_, input.size.width / 2.0) : 0;
@@ -111,12 +122,18 @@ void Viewer::lay_out(const FrameInput& input) {
 void Viewer::take_finished_load() {
   std::erase_if(stopped_jobs_, [](const auto& job) { return job->finished(); });
   if (std::exchange(state_.cancel_loading, false) && job_) job_->cancel();
-  if (!job_ || !job_->finished()) return;
+  if (!job_) return;
+  take_draft();
+  if (!job_->finished()) return;
   const std::unique_ptr<LoadJob> job = std::move(job_);
   failure_ = nullptr;
   const bool lesson_follows = std::exchange(lesson_after_load_, false);
   try {
-    show(std::make_shared<const LoadedModel>(job->take()));
+    auto made = std::make_shared<const LoadedModel>(job->take());
+    // Who turned the draft goes on from there.
+    const std::optional<Camera> turned = state_.draft && draft_camera_ && !made->camera_given && state_.scene.camera != *draft_camera_ ? std::optional(state_.scene.camera) : std::nullopt;
+    show(std::move(made));
+    if (turned) state_.scene.camera = *turned;
     sample_shown_ = job->request().file.empty();
     // As if it were opened by its name alone: of a volume that would be asked about.
     const bool by_name = !job->request().volume && !options_.wants_level({.file = job->request().file, .volume = {}});
@@ -129,18 +146,35 @@ void Viewer::take_finished_load() {
     if (auto tour = std::exchange(tour_after_load_, std::nullopt)) take_tour(std::move(*tour));
     if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
-    tour_after_load_.reset();
-    notes_may_go_ = false;
+    give_up_loading();
     notice("Stopped.");
   } catch (...) {
-    tour_after_load_.reset();
-    notes_may_go_ = false;
+    give_up_loading();
     failure_ = std::current_exception();
     state_.trouble = words_for_current_exception();
   }
 }
 
+void Viewer::give_up_loading() {
+  tour_after_load_.reset();
+  notes_may_go_ = false;
+  if (!std::exchange(state_.draft, false)) return;
+  end_flight();
+  state_.shown.reset();   // it stood for a model that will not be
+  state_.names.clear();
+}
+
+void Viewer::take_draft() {
+  if (job_->finished() || job_->cancelling() || (state_.shown && !state_.draft)) return;
+  if (auto draft = job_->take_draft()) {
+    show(std::move(draft));
+    state_.draft = true;
+    draft_camera_ = state_.scene.camera;
+  }
+}
+
 void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
+  state_.draft = false;
   end_flight();
   fade_.reset();
   state_.fly.dark = 0;
@@ -422,7 +456,7 @@ double Viewer::patience() const {
 std::string Viewer::title() const {
   if (!state_.shown) return "Odontoscope";
   const LoadedModel& shown = *state_.shown;
-  return fmt::format("{}{}{} \xE2\x80\x94 Odontoscope", shown.title, shown.tooth.empty() ? "" : ", ", shown.tooth);
+  return fmt::format("{}{}{} \xE2\x80\x94 Odontoscope", interface_.say(shown.title), shown.tooth.empty() ? "" : ", ", interface_.say(shown.tooth));
 }
 
 }  // namespace odontoscope

@@ -6,12 +6,14 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "engine/lab/db_worker.h"
+#include "engine/language/language.h"
 #include "engine/navigate/section_handle.h"
 #include "engine/navigate/transition.h"
 #include "engine/picture/image.h"
@@ -33,6 +35,8 @@ struct ViewerOptions {
   /// Empty: such a question is asked without a picture.
   Previewer preview = {};
   Settings settings = {};
+  /// That it speaks, until another is chosen in its panel.
+  Language language = {};
   /// Where pictures and scenes are saved; empty: the current folder.
   std::filesystem::path folder = {};
   Clipboard clipboard = {};
@@ -40,6 +44,8 @@ struct ViewerOptions {
   /// `coarse_when_slow`; without that, pictures depend on nothing but the state.
   int side = 2;
   bool coarse_when_slow = true;
+  /// Show what the loader has meanwhile, where nothing else is to be seen. What comes then depends on how fast the machine is.
+  bool with_drafts = false;
 };
 
 class Viewer {
@@ -90,6 +96,9 @@ class Viewer {
 
   // viewer.cpp: a frame
   void take_finished_load();
+  void take_draft();
+  void give_up_loading();
+  void follow_language();
   void ask_about(LoadRequest request);
   void tend_question();
   void show(std::shared_ptr<const LoadedModel> shown);
@@ -216,6 +225,8 @@ class Viewer {
   // viewer_files.cpp: pictures and scenes
   std::filesystem::path new_file(const std::string& stem, const std::string& ending);
   void take_picture();
+  /// In the window's context, which waits for it.
+  void take_picture_here();
   void save_scene();
   void take_written();
 
@@ -246,6 +257,7 @@ class Viewer {
   };
 
   const Gl* gl_;
+  ShaderLibrary shaders_;
   ViewerOptions options_;
   ViewerState state_;
   Interface interface_;
@@ -290,6 +302,7 @@ class Viewer {
   std::shared_ptr<const LabResult> lab_edges_of_;        // that the overlay was made from,
   std::optional<std::size_t> lab_edges_near_;            // and of which artefact; none: all
   Framebuffer other_half_;                               // of a split view
+  std::optional<Camera> draft_camera_; // while a draft is shown: that it began with
   bool sample_shown_ = false, lesson_after_load_ = false, artefact_when_made_ = false;
   struct Fade {
     double seconds = 0;
@@ -308,6 +321,7 @@ class Viewer {
   std::string file_shown_;             // that the model came from; empty: the sample, or nobody can open it again by name alone
   std::optional<TourNotes> tour_after_load_;
   bool notes_may_go_ = false;          // the person said so of those that are there
+  std::mutex one_picture_;             // is drawn at a time
   std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
   std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
 };

@@ -55,16 +55,62 @@ Image Viewer::picture() {
   return picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(), volume());
 }
 
+namespace {
+
+/// Where there is no second context: words for which the picture is drawn in the window's.
+constexpr const char* only_here = "";
+
+/// With a context of its own, which takes its buffers along when it goes. Null: there is none besides the window's.
+std::optional<Image> drawn_apart(const LoadedModel& shown, const Scene& scene, const PictureOptions& options, const ShaderLibrary& shaders) {
+  std::unique_ptr<GlContext> context;
+  try {
+    context = make_context();
+  } catch (const GraphicsError&) {
+    return {};
+  }
+  const Gl& gl = context->gl();
+  Renderer renderer(gl, shaders);
+  const GpuModel model = upload(gl, shown.model);
+  const GpuOverlay overlay = upload(gl, make_overlay(shown.overlays, scene.overlays, shown.model));
+  const bool on_cap = scene.cap.shows == CapLook::Shows::ct && scene.section && shown.values, cast = scene.volume.shows_volume() && shown.values;
+  std::optional<GpuValueGrid> values;
+  std::optional<GpuVolume> volume;
+  if (on_cap || cast) values = upload(gl, *shown.values, model);
+  if (cast) volume.emplace(gl, *shown.values, values->field());
+  return picture_of(gl, renderer, model, shown.model, scene, options, &overlay, on_cap ? &*values : nullptr, volume ? &*volume : nullptr);
+}
+
+std::string kept_as(const Image& image, AtomicFile& place) {
+  place.write(png_bytes(image));
+  place.commit();
+  return fmt::format("Saved {} ({} \xC3\x97 {})", place.target().string(), image.width, image.height);
+}
+
+}  // namespace
+
+/// Drawn beside the window, which goes on meanwhile; one at a time, for the memory that each takes.
 void Viewer::take_picture() {
   try {
     const std::filesystem::path file = new_file(state_.shown->title, ".png");
     AtomicFile place(file);   // trouble with the folder is told before the work
-    Image image = picture();
-    writing_.push_back(std::async(std::launch::async, [image = std::move(image), place = std::move(place)]() mutable {
-      place.write(png_bytes(image));
-      place.commit();
-      return fmt::format("Saved {} ({} \xC3\x97 {})", place.target().string(), image.width, image.height);
+    const Scene scene = scene_of_picture();
+    const PictureOptions options{.size = {scene.picture->width, scene.picture->height}, .render = {.side = state_.settings.picture.side}};
+    refuse_undrawable(*gl_, options.size, options.render);
+    writing_.push_back(std::async(std::launch::async, [this, shown = state_.shown, scene, options, place = std::move(place)]() mutable -> std::string {
+      const std::lock_guard alone(one_picture_);
+      const std::optional<Image> image = drawn_apart(*shown, scene, options, shaders_);
+      return image ? kept_as(*image, place) : only_here;
     }));
+    notice(fmt::format("The picture is being drawn: {} \xC3\x97 {}", options.size.width, options.size.height));
+  } catch (const Error& error) {
+    state_.trouble = error.what();
+  }
+}
+
+void Viewer::take_picture_here() {
+  try {
+    AtomicFile place(new_file(state_.shown->title, ".png"));
+    notice(kept_as(picture(), place));
   } catch (const Error& error) {
     state_.trouble = error.what();
   }
@@ -88,7 +134,9 @@ void Viewer::take_written() {
   std::erase_if(writing_, [this](std::future<std::string>& writing) {
     if (writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
     try {
-      notice(writing.get());
+      const std::string words = writing.get();
+      if (words == only_here) take_picture_here();
+      else notice(words);
     } catch (const std::exception& error) {
       state_.trouble = error.what();
     }

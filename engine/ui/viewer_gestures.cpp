@@ -92,7 +92,7 @@ void Viewer::on_button(const MouseButtonChanged& button) {
   if (button.down) {
     settle_looks();
     interface_.leave_keys();
-    if (!drag_ && state_.shown && !job_) on_press(button);
+    if (!drag_ && state_.shown && (!job_ || state_.draft)) on_press(button);
     return;
   }
   if (!drag_ || drag_->button != button.button) return;

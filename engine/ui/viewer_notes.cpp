@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "engine/ui/lesson_words.h"
 #include "engine/ui/note_editor.h"
 #include "engine/ui/viewer.h"
 #include "recon/core/atomic_file.h"
@@ -260,7 +261,7 @@ bool Viewer::open_tour(LoadRequest& request) {
   failure_ = nullptr;
   TourNotes tour;
   try {
-    tour = request.lesson ? built_in_lesson_tour(*request.lesson) : read_tour(request.file);
+    tour = request.lesson ? translated(built_in_lesson_tour(*request.lesson), interface_.language()) : read_tour(request.file);
   } catch (const Error& error) {
     failure_ = std::current_exception();
     state_.trouble = error.what();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/measure/wall_thickness.h"
+#include "engine/language/language.h"
 #include "engine/navigate/canal_pick.h"
 #include "engine/scene/scene.h"
 #include "engine/ui/file_list.h"
@@ -83,6 +84,7 @@ struct ViewerState {
   Scene scene;
   VolumeLayout volume_layout;
   Settings settings;
+  std::vector<Language> languages;               // to choose from
   Tool tool = Tool::look;
   Measured measured;
   std::optional<glm::dvec3> look_at;    // a place that was asked for, mm: the camera goes there
@@ -110,6 +112,7 @@ struct ViewerState {
   std::vector<Action> todo;                // asked for, done in the next frame
   std::optional<LoadRequest> to_load;      // likewise
   bool cancel_loading = false;
+  bool draft = false;                      // what is shown stands for a model that is being made
 };
 
 }  // namespace odontoscope

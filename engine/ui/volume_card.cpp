@@ -58,7 +58,7 @@ void histogram(VolumeQuestion& question, float height) {
 
 void ask_for_grey_value(VolumeQuestion& question, const Interface& interface) {
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted("At which grey value does the surface lie?");
+  widgets::text("At which grey value does the surface lie?");
   ImGui::PopTextWrapPos();
   if (question.preview) histogram(question, scaled(84));
   if (question.preview && !question.preview->thresholds.empty()) {
@@ -73,7 +73,7 @@ void ask_for_grey_value(VolumeQuestion& question, const Interface& interface) {
   } else {
     widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
   }
-  ImGui::TextUnformatted("Grey value");
+  widgets::text("Grey value");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##iso");
   question.iso_said = ImGui::InputDouble("##iso", &question.iso, 0, 0, "%.6g") || question.iso_said;
@@ -82,7 +82,7 @@ void ask_for_grey_value(VolumeQuestion& question, const Interface& interface) {
 
 void ask_for_labels(VolumeQuestion& question, const Interface& interface) {
   ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted("It looks like a label map. Which of its labels are to be seen?");
+  widgets::text("It looks like a label map. Which of its labels are to be seen?");
   ImGui::PopTextWrapPos();
   widgets::remark(interface, "Each becomes a structure of its own.");
   constexpr std::size_t rows_seen = 7;
@@ -105,7 +105,7 @@ void ask(VolumeQuestion& question, const Interface& interface) {
   }
   if (question.of_labels()) ask_for_labels(question, interface);
   else ask_for_grey_value(question, interface);
-  ImGui::TextUnformatted("Leave out contours smaller than, pixels");
+  widgets::text("Leave out contours smaller than, pixels");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##area");
   ImGui::InputDouble("##area", &question.min_area_pixels, 0, 0, "%g");

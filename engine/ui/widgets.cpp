@@ -64,7 +64,7 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   if (area(title, {width, height})) storage.SetBool(id, open = !open);
   const ImU32 colour = ImGui::IsItemHovered() ? theme::accent : theme::text;
   ImGui::PushFont(interface.bold);
-  list.AddText({corner.x, corner.y + 0.5f * (height - ImGui::GetFontSize())}, colour, title);
+  list.AddText({corner.x, corner.y + 0.5f * (height - ImGui::GetFontSize())}, colour, say(title).c_str());
   ImGui::PopFont();
   const float s = scaled(4);
   const ImVec2 middle(corner.x + width - 2 * s, corner.y + height / 2);
@@ -74,7 +74,17 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   return open;
 }
 
-void wrapped(const std::string& words) {
+std::string say(const std::string& words) { return interface_now().say(words); }
+
+void expect_room(const std::string& said, float width) {
+  if (ImGui::CalcTextSize(said.c_str()).x > width + 0.5f) interface_now().cut_off.push_back(said);
+}
+
+void text(const std::string& words) { ImGui::TextUnformatted(say(words).c_str()); }
+
+void wrapped(const std::string& words) { as_written(say(words)); }
+
+void as_written(const std::string& words) {
   ImGui::PushTextWrapPos(0);
   ImGui::TextUnformatted(words.c_str());
   ImGui::PopTextWrapPos();
@@ -83,9 +93,7 @@ void wrapped(const std::string& words) {
 void remark(const Interface& interface, const std::string& words) {
   ImGui::PushFont(interface.small);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::quiet);
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped(words);
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
@@ -97,12 +105,17 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, scaled(6));
+  std::vector<std::string> said;
   float weight = 0;   // long words get more room
-  for (const char* word : words) weight += ImGui::CalcTextSize(word).x + scaled(16);
+  for (const char* word : words) {
+    said.push_back(say(word));
+    weight += ImGui::CalcTextSize(said.back().c_str()).x + scaled(16);
+  }
   float left = corner.x;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    const ImVec2 size = ImGui::CalcTextSize(words[i]);
+    const ImVec2 size = ImGui::CalcTextSize(said[i].c_str());
     const float share = width * (size.x + scaled(16)) / weight;
+    expect_room(said[i], share);
     ImGui::SetCursorScreenPos({left, corner.y});
     if (area(words[i], {share, height}) && chosen != static_cast<int>(i)) {
       chosen = static_cast<int>(i);
@@ -112,7 +125,7 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
     const float inset = scaled(2);
     if (active || ImGui::IsItemHovered())
       list.AddRectFilled({left + inset, corner.y + inset}, {left + share - inset, corner.y + height - inset}, active ? theme::accent_dark : theme::hovered, scaled(5));
-    list.AddText({left + 0.5f * (share - size.x), corner.y + 0.5f * (height - size.y)}, active ? theme::text : theme::quiet, words[i]);
+    list.AddText({left + 0.5f * (share - size.x), corner.y + 0.5f * (height - size.y)}, active ? theme::text : theme::quiet, said[i].c_str());
     left += share;
   }
   ImGui::PopID();
@@ -126,11 +139,12 @@ bool toggle(const char* words, bool& on) {
   if (pressed) on = !on;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float radius = scaled(8), track = scaled(30);
+  expect_room(say(words), width - track - scaled(10));
   const float middle = corner.y + height / 2;
   const ImU32 back = on ? theme::accent_dark : ImGui::IsItemHovered() ? theme::pressed : theme::hovered;
   list.AddRectFilled({corner.x, middle - radius}, {corner.x + track, middle + radius}, back, radius);
   list.AddCircleFilled({on ? corner.x + track - radius : corner.x + radius, middle}, radius - scaled(2.5f), on ? theme::text : theme::quiet, 24);
-  list.AddText({corner.x + track + scaled(10), middle - ImGui::GetFontSize() / 2}, theme::text, words);
+  list.AddText({corner.x + track + scaled(10), middle - ImGui::GetFontSize() / 2}, theme::text, say(words).c_str());
   return pressed;
 }
 
@@ -156,10 +170,12 @@ bool slider(const char* words, double& value, double low, double high, const cha
   const float share = static_cast<float>(std::clamp((value - low) / (high - low), 0.0, 1.0));
   const float middle = corner.y + line + scaled(9), knob = left + share * (right - left);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText(corner, theme::text, words);
-  char number[64];
-  std::snprintf(number, sizeof number, format, value);
-  list.AddText({corner.x + width - ImGui::CalcTextSize(number).x, corner.y}, theme::quiet, number);
+  list.AddText(corner, theme::text, say(words).c_str());
+  char formatted[64];
+  std::snprintf(formatted, sizeof formatted, format, value);
+  const std::string number = interface_now().language().localised(formatted);
+  expect_room(say(words) + number, width - scaled(8));
+  list.AddText({corner.x + width - ImGui::CalcTextSize(number.c_str()).x, corner.y}, theme::quiet, number.c_str());
   list.AddRectFilled({left, middle - scaled(2)}, {right, middle + scaled(2)}, theme::hovered, scaled(2));
   list.AddRectFilled({left, middle - scaled(2)}, {knob, middle + scaled(2)}, theme::accent, scaled(2));
   list.AddCircleFilled({knob, middle}, near ? radius : radius - scaled(1), near ? theme::text : theme::accent, 24);
@@ -210,8 +226,10 @@ bool swatch(const char* id, Colour& colour) {
 }
 
 bool button(const char* words, const ImVec2& size) {
-  const bool pressed = ImGui::Button(words, size);
-  noted(words, false);
+  const std::string label(words), seen = say(label.substr(0, label.find("##")));
+  const bool pressed = ImGui::Button(seen == label ? words : (seen + "###" + label).c_str(), size);   // known by its English words
+  note_place(ImGui::GetItemID(), false);
+  if (size.x > 0) expect_room(seen, size.x);
   return pressed;
 }
 
@@ -222,14 +240,16 @@ void text_field(const char* id) {
 void noted(const char* id, bool text) { note_place(ImGui::GetID(id), text); }
 
 bool wide_button(const char* words, bool strong) {
+  const std::string seen = say(words);
   const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
-  const ImVec2 corner = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(words);
+  expect_room(seen, width);
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(seen.c_str());
   const bool pressed = area(words, {width, height});
   const bool near = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   const ImU32 calm = strong ? theme::accent_dark : theme::raised, lit = strong ? theme::rgb(0x358792) : theme::hovered;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, held ? theme::pressed : near ? lit : calm, scaled(6));
-  list.AddText({corner.x + 0.5f * (width - size.x), corner.y + 0.5f * (height - size.y)}, theme::text, words);
+  list.AddText({corner.x + 0.5f * (width - size.x), corner.y + 0.5f * (height - size.y)}, theme::text, seen.c_str());
   return pressed;
 }
 
@@ -249,15 +269,13 @@ void marked(const Interface&, Certificate::Mark mark, const std::string& words) 
     list.AddLine({middle.x - s, middle.y + s}, {middle.x + s, middle.y - s}, theme::bad, scaled(2));
   }
   ImGui::SetCursorScreenPos({corner.x + scaled(20), corner.y});
-  ImGui::PushTextWrapPos(0);
-  ImGui::TextUnformatted(words.c_str());
-  ImGui::PopTextWrapPos();
+  wrapped(words);
 }
 
 bool marked_button(const char* id, Certificate::Mark mark, const std::string& words) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, inset = scaled(4);
-  const ImVec2 text = ImGui::CalcTextSize(words.c_str(), nullptr, false, width - scaled(20) - inset);
+  const ImVec2 text = ImGui::CalcTextSize(say(words).c_str(), nullptr, false, width - scaled(20) - inset);
   const float height = text.y + 2 * inset;
   const bool pressed = area(id, {width, height});
   const bool near = ImGui::IsItemHovered(), held = ImGui::IsItemActive();

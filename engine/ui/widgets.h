@@ -15,7 +15,15 @@ namespace odontoscope::widgets {
 /// A heading that folds what follows. true: it is open.
 bool section(const Interface& interface, const char* title, bool open_at_first = true);
 
+/// English words as the interface's language has them; see Interface::say. All that follows says its words so.
+std::string say(const std::string& words);
+/// Notes it where these words, said already, need more than this width.
+void expect_room(const std::string& said, float width);
+/// One line.
+void text(const std::string& words);
 void wrapped(const std::string& words);
+/// What somebody wrote, as it is.
+void as_written(const std::string& words);
 /// Words in the quiet colour, wrapped.
 void remark(const Interface& interface, const std::string& words);
 

@@ -69,6 +69,7 @@ Json description_of(const WebPage& page) {
   Json horns = Json::array();
   for (const WebTour& horn : page.horns) horns.push_back(json_of(horn));
   Json description{{"title", page.title}, {"models", models}, {"looks", looks}, {"tours", tours}, {"horns", horns}};
+  if (!page.tooth.empty()) description["tooth"] = page.tooth;
   if (page.volume) description["volume"] = json_of(*page.volume);
   return description;
 }
@@ -86,7 +87,9 @@ std::string text_in_script(const Json& json) {
 
 std::string data_elements(const WebPage& page) {
   std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n", text_in_script(description_of(page)));
-  if (!page.lesson.empty()) html += fmt::format("<script type=\"application/json\" id=\"tour\">{}</script>\n", text_in_script(Json::parse(page.lesson)));
+  if (!page.lesson.empty())
+    html += fmt::format("<script type=\"application/json\" id=\"tour\"{}>{}</script>\n", page.lesson_built_in ? " data-built-in" : "", text_in_script(Json::parse(page.lesson)));
+  if (!page.language.empty()) html += fmt::format("<script type=\"application/json\" id=\"language\">{}</script>\n", text_in_script(Json::parse(page.language)));
   for (std::size_t i = 0; i < page.models.size(); ++i)
     html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
   if (page.volume) html += fmt::format("<script type=\"application/gzip\" id=\"volume\">{}</script>\n", packed(*page.volume));

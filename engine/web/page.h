@@ -76,9 +76,12 @@ struct WebPage {
   std::vector<WebModel> models;   // one or more
   std::vector<WebLook> looks;
   std::vector<WebTour> tours;
+  std::string tooth = {};         // "lower left first molar: FDI 36, Universal 19"; empty: not known
   std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
   std::optional<WebVolume> volume = {};
   std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
+  bool lesson_built_in = false;   // its texts are among those of the languages
+  std::string language = {};      // JSON: a language file (engine/language) of its own, or {"language":"de"} of a known one; empty: the browser's
 };
 
 /// The page without a model. Empty if this program was built without it; `why` then says what was missing.

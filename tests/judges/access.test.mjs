@@ -64,7 +64,7 @@ test('this would be noticed: grey on grey, a button without a name, a small targ
   for (const [rule, harm] of [
     ['color-contrast', () => { document.querySelector('h1').style.color = '#444'; }],
     ['button-name', () => { [...document.querySelectorAll('#controls button:not([title])')].at(-1).textContent = ''; }],
-    ['target-size', () => { for (const b of document.querySelectorAll('.choices button')) Object.assign(b.style, {minHeight: '9px', height: '9px', padding: 0, fontSize: '6px', flex: '0 0 9px'}); }],
+    ['target-size', () => { document.querySelector('.choices').scrollIntoView(); for (const b of document.querySelectorAll('.choices button')) Object.assign(b.style, {minHeight: '9px', height: '9px', padding: 0, fontSize: '6px', flex: '0 0 9px'}); }],
   ]) {
     await page.evaluate(() => { viewer.leave(); });
     await page.evaluate(harm);

@@ -1,5 +1,6 @@
 // Lessons and quizzes on the page: by mouse, by keyboard, by address, by a page around it, and on paper.
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {createServer} from 'node:http';
 import {join} from 'node:path';
@@ -228,3 +229,12 @@ test('a page around it is told, and no other', async t => {
 });
 
 test('all that asked the network for nothing and complained of nothing', () => assert.deepEqual(one.watched, []));
+
+test('Chromium alone makes a PDF of the handout, as docs/web.md says', () => {
+  execFileSync(process.env.ODONTOSCOPE_CHROMIUM, ['--headless', '--no-sandbox', '--virtual-time-budget=60000', '--no-pdf-header-footer', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+    `--print-to-pdf=${made('handout.pdf')}`, `file://${made('embedded.html')}#handout`], {stdio: 'ignore', timeout: 120_000});
+  const pdf = readFileSync(made('handout.pdf')).toString('latin1');
+  assert.ok(pdf.startsWith('%PDF-'));
+  assert.ok((pdf.match(/\/Type\s*\/Page\b/g) ?? []).length >= 5, 'a page for a step or two, and the answers');
+  assert.ok((pdf.match(/\/Subtype\s*\/Image\b/g) ?? []).length >= 3, 'pictures of the steps, those that are alike once');
+});

@@ -1,6 +1,8 @@
 // Looking: mouse and keys to camera, scene and pixels.
 #include <glm/geometric.hpp>
+#include <chrono>
 #include <set>
+#include <thread>
 
 #include "engine/navigate/moves.h"
 #include "engine/picture/compare.h"
@@ -26,6 +28,13 @@ class Looking : public ViewerTest {
   double middle_y() { return area().top + area().height / 2; }
   /// Where a point of the model is on the screen.
   glm::dvec2 pixel(const glm::dvec3& point) { return pixel_of(area(), place_of(camera(), point).value()); }
+  /// Until nothing is awaited any more.
+  void rest() {
+    for (int i = 0; i < 3000 && viewer().patience() < 0.2; ++i) {
+      frame(0.02);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
 };
 
 TEST_F(Looking, ShowsTheModelThatRenderShows) {
@@ -211,7 +220,7 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   press_key(Key::s, {.control = true});
   viewer().state().todo = {Action::take_picture, Action::take_picture};   // the second while the first is being written
   frame();
-  for (int i = 0; i < 500 && viewer().patience() < 0.2; ++i) frame(0.02);
+  rest();
   EXPECT_EQ(viewer().state().trouble, "");
   const Image saved = read_png((scratch.path() / "Toy-tooth-001.png").string());
   EXPECT_EQ(saved, read_png((scratch.path() / "Toy-tooth-002.png").string()));
@@ -226,6 +235,28 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   Renderer renderer(gl(), ShaderLibrary{});
   const Model& model = viewer().state().shown->model;
   EXPECT_EQ(picture_of(gl(), renderer, upload(gl(), model), model, scene, {{300, 200}, {2}}), saved);
+}
+
+TEST_F(Looking, APictureHoldsTheWindowUpForNoTime) {
+  const ScratchFolder scratch;
+  viewer_with_tooth({.settings = {.picture = {1500, 1000, false, 3, false}}, .folder = scratch.path()});
+  const auto seconds_of = [](const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const double drawn_here = seconds_of([&] { viewer().picture(); });
+  frame();
+  press_key(Key::f12);
+  const double held_up = seconds_of([&] { frame(); });
+  RecordProperty("drawn_here_ms", static_cast<int>(1000 * drawn_here));
+  RecordProperty("held_up_ms", static_cast<int>(1000 * held_up));
+  EXPECT_LT(held_up, 0.3 * drawn_here);
+  EXPECT_LT(viewer().patience(), 0.1);   // its words are awaited
+  viewer().state().scene.camera.position.z += 1;   // what is changed meanwhile is not in it
+  rest();
+  EXPECT_EQ(read_png((scratch.path() / "Toy-tooth-001.png").string()).width, 1500);
+  EXPECT_EQ(viewer().state().trouble, "");
 }
 
 TEST_F(Looking, AFolderThatCannotBeWrittenIsSaid) {

@@ -1,18 +1,19 @@
 // Where one looks from: the named views of a tooth, all of it in the picture, and the way from one view to the next.
 import {MathUtils, PerspectiveCamera, Vector3} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import {t} from './language.js';
 
 const fieldOfView = 24, margin = 1.08, moveSeconds = 0.5, nearby = 1.6;   // nearby: how far from a place to look at, in radii of the model
 
 /// Directions towards the eye, and what is up; buccal is +y, mesial +x, occlusal +z.
 export const views = [
-  {name: 'three-quarter', words: 'Three quarters', key: '0', towards: [-0.45, 0.8, 0.4], up: [0, 0, 1]},
-  {name: 'buccal', words: 'Buccal', key: '1', towards: [0, 1, 0], up: [0, 0, 1]},
-  {name: 'lingual', words: 'Lingual', key: '2', towards: [0, -1, 0], up: [0, 0, 1]},
-  {name: 'mesial', words: 'Mesial', key: '3', towards: [1, 0, 0], up: [0, 0, 1]},
-  {name: 'distal', words: 'Distal', key: '4', towards: [-1, 0, 0], up: [0, 0, 1]},
-  {name: 'occlusal', words: 'Occlusal', key: '5', towards: [0, -0.02, 1], up: [0, 0, 1]},
-  {name: 'apical', words: 'Apical', key: '6', towards: [0, 0.02, -1], up: [0, 0, 1]},
+  {name: 'three-quarter', words: t('Three quarters'), key: '0', towards: [-0.45, 0.8, 0.4], up: [0, 0, 1]},
+  {name: 'buccal', words: t('Buccal'), key: '1', towards: [0, 1, 0], up: [0, 0, 1]},
+  {name: 'lingual', words: t('Lingual'), key: '2', towards: [0, -1, 0], up: [0, 0, 1]},
+  {name: 'mesial', words: t('Mesial'), key: '3', towards: [1, 0, 0], up: [0, 0, 1]},
+  {name: 'distal', words: t('Distal'), key: '4', towards: [-1, 0, 0], up: [0, 0, 1]},
+  {name: 'occlusal', words: t('Occlusal'), key: '5', towards: [0, -0.02, 1], up: [0, 0, 1]},
+  {name: 'apical', words: t('Apical'), key: '6', towards: [0, 0.02, -1], up: [0, 0, 1]},
 ];
 
 export class Orbit {

@@ -3,6 +3,7 @@
 import {Vector3} from 'three';
 import {depthStep} from './depth.js';
 import {element} from './dom.js';
+import {named} from './language.js';
 
 const drawing = 'http://www.w3.org/2000/svg';
 const ringsAhead = 7, rimCorners = 40, wayPoints = 24;
@@ -100,11 +101,11 @@ export class Cues {
         if (pixels >= leastPixels && viewer.inSight(at)) told.push({on, text: `${text}`, pixels: Math.min(pixels, mostPixels), kind: 'number', deep: on.deep});
       }
       const on = name && seen(name);
-      if (inPicture(on) && viewer.inSight(name) && !(here && journey.mm > tour.orifice - 0.2)) told.push({on, text: tour.name, pixels: 15, kind: 'name', deep: on.deep});
+      if (inPicture(on) && viewer.inSight(name) && !(here && journey.mm > tour.orifice - 0.2)) told.push({on, text: named(tour.name), pixels: 15, kind: 'name', deep: on.deep});
     }
     for (const {name, tip} of this.hornTips()) {
       const on = seen(tip);
-      if (inPicture(on) && viewer.inSight(tip)) told.push({on, text: name, pixels: 15, kind: 'name', deep: on.deep});
+      if (inPicture(on) && viewer.inSight(tip)) told.push({on, text: named(name), pixels: 15, kind: 'name', deep: on.deep});
     }
     this.write(apart(told.sort((a, b) => a.deep - b.deep)).slice(0, ringsAhead + 8));
     this.rims.setAttribute('d', this.prepared.map(({rim}) => this.loop(rim, seen)).join(''));

@@ -1,5 +1,6 @@
 // The model that the page carries: what is said of it, and its surfaces.
 import {Box3, Vector3} from 'three';
+import {language, t} from './language.js';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
 
 const millimetres = 1000;   // a metre, which is glTF's unit
@@ -11,7 +12,16 @@ export function description() {
 /// The tour file that the page carries, as the program checked it; null: none.
 export function lessonOf() {
   const held = document.getElementById('tour');
-  return held ? JSON.parse(held.textContent) : null;
+  if (!held) return null;
+  const file = JSON.parse(held.textContent);
+  return held.hasAttribute('data-built-in') ? translated(file) : file;
+}
+
+/// A lesson that comes with the program, in the reader's language. What its answers are compared with stays.
+function translated(file) {
+  const words = text => text ? t(text) : text, questionOf = question => question && {...question, ask: words(question.ask), explain: words(question.explain), unit: words(question.unit), ...(question.choices && {choices: question.choices.map(words)})};
+  const notes = file.notes.map(note => ({...note, title: words(note.title), text: words(note.text), marks: note.marks?.map(mark => ({...mark, label: words(mark.label)})), question: questionOf(note.question)}));
+  return {...file, title: words(file.title), language: language.language, notes};
 }
 
 async function unpacked(element) {
@@ -24,7 +34,7 @@ async function unpacked(element) {
 /// The values of the page's volume, in bytes: x runs fastest, then y, then z.
 export async function volumeValues({element, size}) {
   const values = new Uint8Array(await unpacked(document.getElementById(element)));
-  if (values.length !== size[0] * size[1] * size[2]) throw new Error('the volume has lost some of its values');
+  if (values.length !== size[0] * size[1] * size[2]) throw new Error(t('the volume has lost some of its values'));
   for (let i = 1; i < values.length; ++i) values[i] += values[i - 1];   // each was written as its difference from the one before
   return values;
 }

@@ -2,6 +2,7 @@
 // prints it, or makes a PDF of it.
 import {tell} from './address.js';
 import {element} from './dom.js';
+import {t} from './language.js';
 import {rightAnswer} from './marks.js';
 
 export class Handout {
@@ -48,19 +49,19 @@ export class Handout {
     const asked = file.notes.filter(note => note.question), number = note => asked.indexOf(note) + 1;
     const pictures = this.pictures(file.notes);
     const steps = file.notes.map((note, index) => element('section', {class: 'sheet'}, element('h2', {}, `${index + 1}. ${note.title || note.question?.ask || ''}`),
-      element('img', {src: pictures[index], alt: `The picture of step ${index + 1}`, width: size.width, height: size.height}),
+      element('img', {src: pictures[index], alt: t('The picture of step {step}', {step: index + 1}), width: size.width, height: size.height}),
       ...String(note.text ?? '').split(/\n+/).filter(Boolean).map(line => element('p', {}, line)), note.question ? this.question(note.question, number(note)) : null));
-    const answers = asked.length > 0 ? element('section', {class: 'answers-sheet'}, element('h2', {}, 'Answers'), element('ol', {}, ...asked.map(({question}) =>
+    const answers = asked.length > 0 ? element('section', {class: 'answers-sheet'}, element('h2', {}, t('Answers')), element('ol', {}, ...asked.map(({question}) =>
       element('li', {}, `${rightAnswer(question)}. ${question.explain ?? ''}`)))) : null;
     this.host.replaceChildren(...[
-      element('div', {class: 'row no-print'}, element('button', {type: 'button', class: 'main', onclick: () => print()}, 'Print, or save as PDF'), element('button', {type: 'button', onclick: () => this.close()}, 'Back to the lesson')),
-      element('h1', {tabindex: -1}, file.title), element('p', {class: 'quiet'}, 'Name: ____________________   Date: ____________'), ...steps, answers].filter(Boolean));
+      element('div', {class: 'row no-print'}, element('button', {type: 'button', class: 'main', onclick: () => print()}, t('Print, or save as PDF')), element('button', {type: 'button', onclick: () => this.close()}, t('Back to the lesson'))),
+      element('h1', {tabindex: -1}, file.title), element('p', {class: 'quiet'}, `${t('Name')}: ____________________   ${t('Date')}: ____________`), ...steps, answers].filter(Boolean));
   }
 
   question({kind, ask, choices, unit}, number) {
     const room = kind === 'choice' ? element('ul', {class: 'boxes'}, ...choices.map(words => element('li', {}, words)))
-      : element('p', {}, kind === 'click' ? 'Mark it in the picture.' : `____________ ${unit ?? ''}`);
-    return element('div', {class: 'question'}, element('p', {}, element('strong', {}, `Question ${number}. `), ask), room);
+      : element('p', {}, kind === 'click' ? t('Mark it in the picture.') : `____________ ${unit ?? ''}`);
+    return element('div', {class: 'question'}, element('p', {}, element('strong', {}, `${t('Question {number}.', {number})} `), ask), room);
   }
 
   /// Each step's picture with its pins and names, on white.

@@ -2,6 +2,7 @@
 import {
   CanvasTexture, Matrix4, Mesh, MeshBasicMaterial, PerspectiveCamera, PlaneGeometry, Quaternion, SphereGeometry, SRGBColorSpace, Vector3,
 } from 'three';
+import {t} from './language.js';
 import {glide} from './walls.js';
 
 const shownHeight = 0.4, armsLength = 0.65, below = 0.1;   // metres: of the tooth, to it, under the eyes
@@ -210,7 +211,7 @@ function hint() {
   context.fillRect(0, 0, 512, 300);
   context.fillStyle = '#e9edf0';
   context.font = '30px system-ui, sans-serif';
-  ['Trigger or grip: take the tooth', 'Both hands: larger, smaller', 'A or X: fly inside, come out', 'B or Y: cut open', 'Left stick: move', 'Right stick: turn, grow']
+  [t('Trigger or grip: take the tooth'), t('Both hands: larger, smaller'), t('A or X: fly inside, come out'), t('B or Y: cut open'), t('Left stick: move'), t('Right stick: turn, grow')]
     .forEach((line, i) => context.fillText(line, 24, 52 + 44 * i));
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;

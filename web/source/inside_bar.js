@@ -1,6 +1,7 @@
 // What is on the picture while one is inside: the tour's slider, the way out, the thumb's ring, and a map that says where one is.
 import {Vector3} from 'three';
 import {element, slider} from './dom.js';
+import {capital, named, number, t} from './language.js';
 
 const along = 0.35;   // a cosine: less, and one looks at the wall
 
@@ -13,13 +14,12 @@ function whereInWords(viewer) {
     const down = new Vector3();   // to where the canals lead, all together
     for (const {curve} of viewer.tours) down.add(curve.getPointAt(1).sub(curve.getPointAt(0)));
     const turn = look.dot(down.normalize());
-    return ['in the chamber', turn > along ? 'looking to the roots' : turn < -along ? 'looking to the crown' : 'looking to the side'];
+    return [t('in the chamber'), turn > along ? t('looking to the roots') : turn < -along ? t('looking to the crown') : t('looking to the side')];
   }
-  const turn = look.dot(tour.direction(mm)), deep = tour.orifice === null ? tour.name : `${tour.name}: ${(mm - tour.orifice).toFixed(1)} mm below the orifice`;
-  return [deep, turn > along ? 'looking to the tip' : turn < -along ? 'looking to the crown' : 'looking at the wall'];
+  const turn = look.dot(tour.direction(mm)), deep = tour.orifice === null ? named(tour.name)
+    : `${named(tour.name)}: ${t('{depth} mm below the orifice', {depth: number(mm - tour.orifice, 1)})}`;
+  return [deep, turn > along ? t('looking to the tip') : turn < -along ? t('looking to the crown') : t('looking at the wall')];
 }
-
-const capital = words => words.charAt(0).toUpperCase() + words.slice(1);
 
 export class InsideBar {
   constructor(viewer) {
@@ -27,11 +27,11 @@ export class InsideBar {
     this.bar = document.getElementById('bar');
     this.map = document.getElementById('map');
     this.play = element('button', {type: 'button', class: 'main', onclick: () => this.togglePlay()});
-    this.scrub = slider('Way along the canal, mm', {low: 0, high: 1, step: 'any', value: 0}, mm => { viewer.play(false); viewer.seek(mm); });
+    this.scrub = slider(t('Way along the canal, mm'), {low: 0, high: 1, step: 'any', value: 0}, mm => { viewer.play(false); viewer.seek(mm); });
     this.told = element('output', {});
-    const fly = element('button', {type: 'button', title: 'From here', onclick: () => viewer.startFlight()}, 'Fly');
+    const fly = element('button', {type: 'button', title: t('From here'), onclick: () => viewer.startFlight()}, t('Fly'));
     this.fly = fly;
-    this.bar.append(this.told, this.play, this.scrub, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, 'Leave'));
+    this.bar.append(this.told, this.play, this.scrub, fly, element('button', {type: 'button', onclick: () => viewer.leave()}, t('Leave')));
     this.mode = null;
     viewer.addEventListener('enter', () => { this.cameFrom = document.activeElement; this.drawMap(); });
     viewer.addEventListener('change', () => this.show());
@@ -51,19 +51,19 @@ export class InsideBar {
     this.bar.hidden = this.map.hidden = !viewer.inside || viewer.headset.present;
     document.getElementById('pad').hidden = journey.mode !== 'fly' || !touch;
     document.getElementById('scale').hidden = viewer.inside;
-    const told = tour ? '' : journey.mode === 'fly' ? touch ? 'The ring moves, dragging turns' : 'W A S D to fly, drag to turn, Esc to leave' : '';
+    const told = tour ? '' : journey.mode === 'fly' ? touch ? t('The ring moves, dragging turns') : t('W A S D to fly, drag to turn, Esc to leave') : '';
     // One flies where DT's walls are, whatever is shown: DB's have holes.
-    const whose = viewer.inside && viewer.chosen !== 0 ? `. Shown is ${viewer.model.name}; the walls that hold are ${viewer.models[0].name}\u2019s` : '';
+    const whose = viewer.inside && viewer.chosen !== 0 ? `. ${t('Shown is {shown}; the walls that hold are those of {held}', {shown: viewer.model.name, held: viewer.models[0].name})}` : '';
     document.getElementById('notice').textContent = (told + whose).replace(/^\. /, '');
     this.moveFocus();
     if (!viewer.inside || viewer.headset.present) return;
     this.play.hidden = this.scrub.hidden = this.fly.hidden = !tour;
-    this.play.textContent = journey.playing ? 'Pause' : 'Play';
-    const width = `${(2 * journey.room()).toFixed(2)} mm wide`;
+    this.play.textContent = journey.playing ? t('Pause') : t('Play');
+    const width = t('{width} mm wide', {width: number(2 * journey.room(), 2)});
     if (tour) {
       this.scrub.max = journey.tour.length;
       this.scrub.value = journey.mm;
-      this.told.textContent = capital(`${journey.tour.name}: ${journey.tour.placeInWords(journey.mm)}, ${width}`);
+      this.told.textContent = capital(`${named(journey.tour.name)}: ${journey.tour.placeInWords(journey.mm)}, ${width}`);
       this.scrub.setAttribute('aria-valuetext', this.told.textContent);
     } else this.told.textContent = capital([...whereInWords(viewer), width].join(', '));
     this.markMap();

@@ -1,5 +1,6 @@
 // Inside the tooth: tours along canals, and flying with walls that hold.
 import {CatmullRomCurve3, MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
+import {number, t} from './language.js';
 import {glide} from './walls.js';
 
 const fieldOfView = 72;          // degrees, from top to bottom of the picture
@@ -27,8 +28,9 @@ export class Tour {
   }
 
   placeInWords(mm) {
-    if (this.orifice === null) return `${mm.toFixed(1)} of ${this.length.toFixed(1)} mm`;
-    return mm < this.orifice ? 'in the chamber' : `${(mm - this.orifice).toFixed(1)} of ${this.canalLength.toFixed(1)} mm below the orifice`;
+    if (this.orifice === null) return t('{here} of {whole} mm', {here: number(mm, 1), whole: number(this.length, 1)});
+    return mm < this.orifice ? t('in the chamber')
+      : t('{here} of {whole} mm below the orifice', {here: number(mm - this.orifice, 1), whole: number(this.canalLength, 1)});
   }
 
   place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }

@@ -1,23 +1,40 @@
 // The keyboard, as on the desktop where the same can be done there.
 import {views} from './camera.js';
 import {element} from './dom.js';
+import {t} from './language.js';
 
 const turnStep = 0.12, nearStep = 0.88;
 
 const told = [
-  ['drag, one finger', 'turn'], ['right drag, two fingers', 'move'], ['wheel, pinch', 'nearer, farther'],
-  ['arrow keys', 'turn'], ['+  \u2212', 'nearer, farther'], ['1 to 6, 0', 'from buccal, lingual, mesial, distal, occlusal, apical, three quarters'], ['F', 'fit all into the picture'],
-  ['S', 'cut the model open or close it'], ['R', 'cut away the other side'], ['[  ]', 'move the cut'], ['B', 'faces from behind: cull, two-sided, tint'], ['X', 'DT or DB, where the page has both'],
-  ['L', 'labels'], ['C', 'fly inside, and back out'], ['W A S D, E Q', 'fly: ahead, left, back, right, up, down; or I J K L, O U'],
-  ['T, 1 to 9', 'tour through the next canal; inside: through that one'], ['space', 'tour: play or pause'], [',  .', 'tour: back, on'], ['Esc', 'leave tour or flight'], ['N, P', 'lesson, quiz: on, back'], ['?', 'this list'],
+  [t('drag, one finger'), t('turn')],
+  [t('right drag, two fingers'), t('move')],
+  [t('wheel, pinch'), t('nearer, farther')],
+  [t('arrow keys'), t('turn')],
+  ['+  \u2212', t('nearer, farther')],
+  [t('1 to 6, 0'), t('from buccal, lingual, mesial, distal, occlusal, apical, three quarters')],
+  ['F', t('fit all into the picture')],
+  ['S', t('cut the model open or close it')],
+  ['R', t('cut away the other side')],
+  ['[  ]', t('move the cut')],
+  ['B', t('faces from behind: cull, two-sided, tint')],
+  ['X', t('DT or DB, where the page has both')],
+  ['L', t('labels')],
+  ['C', t('fly inside, and back out')],
+  ['W A S D, E Q', t('fly: ahead, left, back, right, up, down; or I J K L, O U')],
+  [t('T, 1 to 9'), t('tour through the next canal; inside: through that one')],
+  [t('space'), t('tour: play or pause')],
+  [',  .', t('tour: back, on')],
+  ['Esc', t('leave tour or flight')],
+  ['N, P', t('lesson, quiz: on, back')],
+  ['?', t('this list')],
 ];
 
 export function makeHelp() {
   const dialog = document.getElementById('help');
   const rows = told.map(([keys, words]) => element('tr', {}, element('td', {}, element('kbd', {}, keys)), element('td', {}, words)));
-  const close = element('form', {method: 'dialog'}, element('button', {class: 'main'}, 'Close'));
-  dialog.append(element('div', {class: 'row'}, element('h2', {id: 'help-title', class: 'grow'}, 'Keys and gestures'), close), element('table', {}, element('tbody', {}, ...rows)),
-    element('p', {class: 'quiet'}, 'In flight, drag to look round; the ring at the left is for the thumb. Walls cannot be flown through. With a headset: grab the tooth with the trigger, with both hands make it larger or smaller; the sticks fly.'));
+  const close = element('form', {method: 'dialog'}, element('button', {class: 'main'}, t('Close')));
+  dialog.append(element('div', {class: 'row'}, element('h2', {id: 'help-title', class: 'grow'}, t('Keys and gestures')), close), element('table', {}, element('tbody', {}, ...rows)),
+    element('p', {class: 'quiet'}, t('In flight, drag to look round; the ring at the left is for the thumb. Walls cannot be flown through. With a headset: grab the tooth with the trigger, with both hands make it larger or smaller; the sticks fly.')));
   return () => dialog.showModal();
 }
 
@@ -51,7 +68,7 @@ function always(viewer, key, help) {
     case 'l': viewer.labels.on = !viewer.labels.on; return viewer.touch();
     case 't': return viewer.tours.length > 0 ? viewer.startTour((viewer.tours.indexOf(viewer.journey.tour) + 1) % viewer.tours.length) : undefined;
     case 'c': return viewer.inside ? viewer.leave() : viewer.startFlight();
-    case 'escape': return viewer.inside ? viewer.leave() : undefined;
+    case 'escape': return viewer.inside ? viewer.leave() : viewer.labels.told ? viewer.labels.tell(null) : undefined;
     case '?': return help();
     default: return false;
   }

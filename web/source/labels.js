@@ -1,6 +1,8 @@
 // Names beside the tooth, each with a line to a place on its structure.
 import {Vector3} from 'three';
 import {element} from './dom.js';
+import {named} from './language.js';
+import {toldOf} from './told.js';
 
 const most = 160;                                   // places of a structure among which one is chosen
 const nearCut = 0.04;                               // of the model's height: what lies so near a cut is seen
@@ -33,12 +35,25 @@ export class Labels {
       if (Math.abs(p.z - height) < near && places.length < most) places.push(p.clone());
     }
     if (places.length === 0) places.push(box.getCenter(new Vector3()));
-    const words = element('span', {}, part.key.endsWith(' cavity') && this.looks.get(part.key).as_body ? `${part.structure}: cavity` : part.structure);
+    const words = element('span', {}, part.key.endsWith(' cavity') && this.looks.get(part.key).as_body ? named(`${part.structure} cavity`) : named(part.structure));
+    const told = toldOf(part.key);   // for the mouse; the panel has the same for everybody
+    if (told) {
+      words.classList.add('asked');
+      words.addEventListener('click', () => this.tell(this.told?.parentNode === words ? null : words, told));
+    }
     const line = document.createElementNS(drawing, 'line'), dot = document.createElementNS(drawing, 'circle');
     dot.setAttribute('r', 3);
     this.lines.append(line, dot);
     this.host.append(words);
     return {part, places, everywhere, words, line, dot, right: index % 2 === 0};
+  }
+
+  /// At one label what its structure is; null: at none.
+  tell(words, sentences) {
+    this.told?.remove();
+    this.told = words ? element('small', {}, sentences) : null;
+    words?.append(this.told);
+    this.changed?.();
   }
 
   place(camera, {hidden, plane, width, height, avoid = []}) {

@@ -5,6 +5,7 @@ import {element} from './dom.js';
 import {watchForHeadset} from './headset.js';
 import {InsideBar} from './inside_bar.js';
 import {listenToKeys, makeHelp} from './keys.js';
+import {plainNumber, t, translatePage} from './language.js';
 import {makePanel} from './panel.js';
 import {Showing} from './showing.js';
 import {Teaching} from './teaching.js';
@@ -30,7 +31,7 @@ function roundLength(least) {
 /// Below 0.1 mm in µm.
 function lengthWords(mm) {
   const rounded = value => Number(value.toPrecision(1));
-  return mm < 0.099 ? `${rounded(1000 * mm)} µm` : `${rounded(mm)} mm`;
+  return mm < 0.099 ? `${rounded(1000 * mm)} µm` : `${plainNumber(rounded(mm))} mm`;
 }
 
 function drawScale(viewer) {
@@ -54,14 +55,15 @@ function followColours(viewer) {
 /// Only where there is one.
 function headsetSection(viewer) {
   const enter = element('button', {type: 'button', class: 'main', onclick: () => viewer.headset.enter().catch(error => {
-    document.getElementById('notice').textContent = `The headset cannot be entered: ${error.message}`;
-  })}, 'Enter VR');
-  const section = element('section', {hidden: true, 'aria-label': 'Headset'}, enter);
+    document.getElementById('notice').textContent = t('The headset cannot be entered: {why}', {why: error.message});
+  })}, t('Enter VR'));
+  const section = element('section', {hidden: true, 'aria-label': t('Headset')}, enter);
   watchForHeadset(found => { section.hidden = !found; });
   return section;
 }
 
 async function start() {
+  translatePage();
   const viewer = await Viewer.of(description(), document.getElementById('canvas'));
   const help = makeHelp(), lesson = lessonOf();
   let teaching = null;
@@ -84,6 +86,6 @@ async function start() {
 
 // For scripts and tests: resolves once the model is there.
 globalThis.odontoscope = start().catch(error => {
-  fail(`The model cannot be shown: ${error.message}. It needs a browser with WebGL 2.`);
+  fail(t('The model cannot be shown: {why}. It needs a browser with WebGL 2.', {why: error.message}));
   throw error;
 });

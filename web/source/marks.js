@@ -1,5 +1,7 @@
 // Answers and what they are worth, as the desktop writes them too: CSV and JSON.
 
+import {named, plainNumber} from './language.js';
+
 const digits = 1;   // of the seconds
 
 /// `right` of an answer to a question of a lesson; see docs/web.md. `given`: a choice's index, a number, or what was clicked: {structure, part, others}.
@@ -20,13 +22,20 @@ export function inWords(question, given) {
   return given.part || given.structure;
 }
 
+/// The same for whoever reads it, in their language; marks and events have the names that data have.
+export function shownAnswer(question, given) {
+  if (question.kind === 'choice') return question.choices[given] ?? '';
+  if (question.kind === 'number') return [plainNumber(given), question.unit].filter(Boolean).join(' ');
+  return named(given.part || given.structure);
+}
+
 export function rightAnswer(question) {
   if (question.kind === 'choice') return question.choices[question.answer];
   if (question.kind === 'number') {
-    const within = question.within > 0 ? ` (\u00b1 ${question.within})` : '';
-    return `${question.answer}${question.unit ? ` ${question.unit}` : ''}${within}`;
+    const within = question.within > 0 ? ` (\u00b1 ${plainNumber(question.within)})` : '';
+    return `${plainNumber(question.answer)}${question.unit ? ` ${question.unit}` : ''}${within}`;
   }
-  return question.part || question.structure;
+  return named(question.part || question.structure);
 }
 
 export const score = rows => ({right: rows.filter(row => row.right).length, of: rows.length});

@@ -1,6 +1,7 @@
 // Questions made from what the page carries: structures, canals, horns. No answer is guessed: what the model does not know is not asked.
 import {Vector3} from 'three';
 import {views} from './camera.js';
+import {named, number, plainNumber, t} from './language.js';
 
 const mostQuestions = 8;
 const clearLooks = {enamel: 0.15, dentine: 0.22, other: 0.25};
@@ -9,7 +10,6 @@ const placesTried = 400;
 
 /// Names that say which canal it is, not "canal 2".
 const spoken = ways => ways.filter(({name}) => !/^(canal|horn|branch) \d+$/i.test(name));
-const the = name => `the ${name}`;
 
 /// `dice`: see chance.js. Notes as a lesson has them, each with a question.
 export function questionsOn(viewer, dice) {
@@ -62,8 +62,8 @@ function structuresPinned(viewer, dice) {
     const view = dice.one(['buccal', 'lingual', 'mesial', 'distal']), at = placeSeen(viewer, structure, view, dice);
     if (!at) return [];
     const inner = /pulp/i.test(structure), choices = dice.shuffled(all);
-    return [noteOf(dice, 'Which structure does the pin stand on?', {view, scene: inner ? clearScene(viewer) : solidScene(viewer), marks: [{at, label: ''}],
-      question: {kind: 'choice', choices, answer: choices.indexOf(structure), explain: `The pin stands on ${the(structure)}.`}})];
+    return [noteOf(dice, t('Which structure does the pin stand on?'), {view, scene: inner ? clearScene(viewer) : solidScene(viewer), marks: [{at, label: ''}],
+      question: {kind: 'choice', choices: choices.map(named), answer: choices.indexOf(structure), explain: t('The pin stands on the {structure}.', {structure: named(structure)})}})];
   });
 }
 
@@ -71,7 +71,7 @@ function structuresClicked(viewer, dice) {
   const all = solids(viewer);
   if (all.length < 2) return [];
   const structure = dice.one(all);
-  return [noteOf(dice, `Click ${the(structure)}.`, {scene: clearScene(viewer), question: {kind: 'click', structure, explain: ''}})];
+  return [noteOf(dice, t('Click the {name}.', {name: named(structure)}), {scene: clearScene(viewer), question: {kind: 'click', structure, explain: ''}})];
 }
 
 /// On a canal's way, well below its orifice.
@@ -83,8 +83,8 @@ function canalsPinned(viewer, dice) {
   if (canals.length < 2 || canals.length !== withOrifice(viewer).length) return [];
   return dice.shuffled(canals).slice(0, 2).map(tour => {
     const choices = dice.shuffled(canals.map(({name}) => name));
-    return noteOf(dice, 'Which canal is this?', {scene: clearScene(viewer), marks: [{at: placeOn(tour, 0.5 + 0.35 * dice.next()), label: ''}],
-      question: {kind: 'choice', choices, answer: choices.indexOf(tour.name), explain: `It is ${the(tour.name)}.`}});
+    return noteOf(dice, t('Which canal is this?'), {scene: clearScene(viewer), marks: [{at: placeOn(tour, 0.5 + 0.35 * dice.next()), label: ''}],
+      question: {kind: 'choice', choices: choices.map(named), answer: choices.indexOf(tour.name), explain: t('It is the {canal}.', {canal: named(tour.name)})}});
   });
 }
 
@@ -92,31 +92,32 @@ function canalsClicked(viewer, dice) {
   const canals = spoken(withOrifice(viewer)), pulp = solids(viewer).find(name => /pulp/i.test(name));
   if (canals.length < 2 || !pulp) return [];
   const tour = dice.one(canals);
-  return [noteOf(dice, `Click ${the(tour.name)}.`, {scene: clearScene(viewer), question: {kind: 'click', structure: pulp, part: tour.name, explain: ''}})];
+  return [noteOf(dice, t('Click the {name}.', {name: named(tour.name)}), {scene: clearScene(viewer), question: {kind: 'click', structure: pulp, part: tour.name, explain: ''}})];
 }
 
 function counted(viewer) {
   const {length} = viewer.tours;
   if (length === 0) return [];
-  const names = spoken(viewer.tours), told = names.length === length && length > 1 ? `: ${names.map(({name}) => name).join(', ')}` : '';
-  return [{title: 'How many canals does this pulp have?', text: 'Turn the tooth and follow each canal to its end.', view: 'three-quarter', scene: clearScene(viewer), marks: [],
-    question: {kind: 'number', ask: 'How many canals does this pulp have?', answer: length, within: 0, unit: '', explain: `${length === 1 ? 'One canal' : `${length} canals`}${told}.`}}];
+  const names = spoken(viewer.tours), told = names.length === length && length > 1 ? `: ${names.map(({name}) => named(name)).join(', ')}` : '';
+  const ask = t('How many canals does this pulp have?'), count = length === 1 ? t('One canal') : t('{count} canals', {count: length});
+  return [{title: ask, text: t('Turn the tooth and follow each canal to its end.'), view: 'three-quarter', scene: clearScene(viewer), marks: [],
+    question: {kind: 'number', ask, answer: length, within: 0, unit: '', explain: `${count}${told}.`}}];
 }
 
 function lengths(viewer, dice) {
   const canals = withOrifice(viewer).filter(({canalLength}) => canalLength > 0);
   if (canals.length === 0) return [];
   const tour = dice.one(canals), answer = Number(tour.canalLength.toFixed(1)), within = Number(Math.max(leastWithin, withinShare * answer).toFixed(1));
-  const ask = 'How long is the canal between both pins, in mm? The bar in the picture helps.';
-  return [noteOf(dice, ask, {view: 'buccal', scene: clearScene(viewer), marks: [{at: placeOn(tour, 0), label: 'orifice'}, {at: placeOn(tour, 1), label: 'end'}],
-    question: {kind: 'number', answer, within, unit: 'mm', explain: `Along its middle, from the orifice to the end: ${answer} mm (${tour.name}).`}})];
+  const ask = t('How long is the canal between both pins, in mm? The bar in the picture helps.');
+  return [noteOf(dice, ask, {view: 'buccal', scene: clearScene(viewer), marks: [{at: placeOn(tour, 0), label: t('orifice')}, {at: placeOn(tour, 1), label: t('end')}],
+    question: {kind: 'number', answer, within, unit: 'mm', explain: t('Along its middle, from the orifice to the end: {length} mm ({canal}).', {length: number(answer, 1), canal: named(tour.name)})}})];
 }
 
 function depths(viewer, dice) {
   const canals = withOrifice(viewer).filter(({canalLength}) => canalLength > 3);
   if (canals.length === 0) return [];
   const tour = dice.one(canals), mm = Number((1.5 + dice.next() * (tour.canalLength - 3)).toFixed(1));
-  const ask = 'How far below the orifice does the pin stand, in mm?';
-  return [noteOf(dice, ask, {view: 'buccal', scene: clearScene(viewer), marks: [{at: placeOn(tour, 0), label: 'orifice'}, {at: tour.place(tour.orifice + mm).toArray(), label: ''}],
-    question: {kind: 'number', answer: mm, within: 1.5, unit: 'mm', explain: `Along the middle of ${the(tour.name)} it is ${mm} mm.`}})];
+  const ask = t('How far below the orifice does the pin stand, in mm?');
+  return [noteOf(dice, ask, {view: 'buccal', scene: clearScene(viewer), marks: [{at: placeOn(tour, 0), label: t('orifice')}, {at: tour.place(tour.orifice + mm).toArray(), label: ''}],
+    question: {kind: 'number', answer: mm, within: 1.5, unit: 'mm', explain: t('Along the middle of the {canal} it is {length} mm.', {canal: named(tour.name), length: plainNumber(mm)})}})];
 }

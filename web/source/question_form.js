@@ -1,6 +1,7 @@
 // The form in which a question is answered, and what is said of the answer.
 import {element} from './dom.js';
-import {rightAnswer} from './marks.js';
+import {plainNumber, t} from './language.js';
+import {rightAnswer, shownAnswer} from './marks.js';
 
 export function questionForm(viewer, lesson, note) {
   const {question} = note, row = lesson.answers.get(lesson.index), tells = lesson.mayTell();
@@ -11,10 +12,11 @@ export function questionForm(viewer, lesson, note) {
 }
 
 function feedback(question, row, missed, tells) {
-  if (missed) return [element('p', {class: 'quiet'}, `Not answered. Right: ${rightAnswer(question)}.`)];
+  const right = t('Right: {answer}.', {answer: rightAnswer(question)}), you = row ? t('You: {answer}.', {answer: shownAnswer(question, row.raw)}) : '';
+  if (missed) return [element('p', {class: 'quiet'}, `${t('Not answered.')} ${right}`)];
   if (!row) return [];
-  if (!tells) return [element('p', {class: 'quiet', role: 'status'}, `You: ${row.given}. You will be told at the end.`)];
-  const words = row.right ? '\u2713 Right.' : `\u2717 Not quite. You: ${row.given}. Right: ${rightAnswer(question)}.`;
+  if (!tells) return [element('p', {class: 'quiet', role: 'status'}, `${you} ${t('You will be told at the end.')}`)];
+  const words = row.right ? `\u2713 ${t('Right')}.` : `\u2717 ${t('Not quite.')} ${you} ${right}`;
   return [element('div', {class: `verdict${row.right ? '' : ' wanting'}`, role: 'status'}, words), question.explain ? element('p', {}, question.explain) : null].filter(Boolean);
 }
 
@@ -31,19 +33,19 @@ function choices(viewer, lesson, question, row, answered, tells) {
 }
 
 function entry(viewer, lesson, question, row, answered) {
-  const input = element('input', {type: 'text', inputmode: 'decimal', autocomplete: 'off', size: 7, 'aria-label': question.ask + (question.unit ? `, in ${question.unit}` : ''), value: row ? String(row.raw) : '', disabled: answered});
+  const input = element('input', {type: 'text', inputmode: 'decimal', autocomplete: 'off', size: 7, 'aria-label': question.ask + (question.unit ? `, ${t('in {unit}', {unit: question.unit})}` : ''), value: row ? plainNumber(row.raw) : '', disabled: answered});
   const wrong = element('p', {class: 'quiet', role: 'alert'});
   const send = event => {
     event.preventDefault();
     const text = input.value.trim().replace(',', '.').replace('\u2212', '-'), value = Number(text);
     if (!/^[-+]?(\d+\.?\d*|\.\d+)$/.test(text) || !Number.isFinite(value)) {
-      wrong.textContent = 'Write a number.';
+      wrong.textContent = t('Write a number.');
       input.focus();
       return;
     }
     lesson.answer(value);
   };
-  return element('form', {class: 'row', onsubmit: send}, input, question.unit || null, answered ? null : element('button', {type: 'submit', class: 'main'}, 'Answer'), wrong);
+  return element('form', {class: 'row', onsubmit: send}, input, question.unit || null, answered ? null : element('button', {type: 'submit', class: 'main'}, t('Answer')), wrong);
 }
 
 function click(viewer, lesson, question, row, answered) {
@@ -51,9 +53,9 @@ function click(viewer, lesson, question, row, answered) {
   const touch = matchMedia('(pointer: coarse)').matches, missed = element('p', {class: 'quiet', role: 'status'});
   const cross = element('button', {type: 'button', onclick: () => {
     viewer.pointing.showCross();
-    if (!viewer.pointing.taken(viewer.pointing.at)) missed.textContent = 'There is nothing under the cross.';
-  }}, 'Take what is under the cross');
+    if (!viewer.pointing.taken(viewer.pointing.at)) missed.textContent = t('There is nothing under the cross.');
+  }}, t('Take what is under the cross'));
   cross.addEventListener('focus', () => viewer.pointing.showCross());
-  const how = touch ? 'Tap it in the picture.' : 'Click it in the picture. By keyboard: turn the tooth with the arrow keys, move the cross with Shift and the arrow keys, and press Enter.';
+  const how = touch ? t('Tap it in the picture.') : t('Click it in the picture. By keyboard: turn the tooth with the arrow keys, move the cross with Shift and the arrow keys, and press Enter.');
   return element('div', {}, element('p', {class: 'quiet'}, how), touch ? null : cross, missed);
 }

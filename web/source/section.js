@@ -1,11 +1,12 @@
 // The plane that cuts the model open: everything on its positive side is taken away.
 import {Vector4} from 'three';
+import {t} from './language.js';
 
 /// What each side's cut takes away first, and what is up for its slider.
 export const sides = [
-  {name: 'buccal', words: 'Buccal', normal: [0, 1, 0]},
-  {name: 'mesial', words: 'Mesial', normal: [1, 0, 0]},
-  {name: 'occlusal', words: 'Occlusal', normal: [0, 0, 1]},
+  {name: 'buccal', words: t('Buccal'), normal: [0, 1, 0]},
+  {name: 'mesial', words: t('Mesial'), normal: [1, 0, 0]},
+  {name: 'occlusal', words: t('Occlusal'), normal: [0, 0, 1]},
 ];
 
 const squareTo = 0.9999;   // a cosine

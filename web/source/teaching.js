@@ -3,6 +3,7 @@ import {asked, tell} from './address.js';
 import {chance} from './chance.js';
 import {listen, report} from './events.js';
 import {Handout} from './handout.js';
+import {t} from './language.js';
 import {Lesson} from './lesson.js';
 import {LessonCard} from './lesson_card.js';
 import {questionsOn} from './own_quiz.js';
@@ -50,7 +51,7 @@ export class Teaching {
     const from = source === 'model' || own.length === 0 ? 'model' : 'lesson';
     const notes = from === 'model' ? questionsOn(this.viewer, dice) : dice.shuffled(own);
     if (notes.length === 0) return;
-    const title = from === 'model' ? `Quiz: ${this.viewer.description.title}` : this.file.title;
+    const title = from === 'model' ? t('Quiz: {title}', {title: t(this.viewer.description.title)}) : this.file.title;
     this.staging.reset();
     this.open(new Lesson({title, notes, feedback: from === 'model' ? 'at-once' : this.file.feedback}, {kind: 'quiz', source: from, seed: order}), 0);
   }

@@ -79,6 +79,7 @@ export class Viewer extends EventTarget {
     this.section = new Section(this.bounds);
     this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
     this.labels = new Labels(models[0].parts, this.looks);
+    this.labels.changed = () => this.touch();
     this.pins = new Pins(this);
     this.led = false;   // a lesson is moving the picture
     this.prepareInside();

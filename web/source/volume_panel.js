@@ -1,10 +1,10 @@
 // The controls of grey values and of X-ray films.
 import {choice, element, slider} from './dom.js';
+import {capital, plainNumber, said, t} from './language.js';
 import {transferred, understood} from './transfer.js';
 
 const fullExtinction = 4;   // 1/mm that fills a bar of the histogram, as in the viewer
-const capital = word => word[0].toUpperCase() + word.slice(1);
-const three = value => String(Number(value.toPrecision(3)));
+const three = value => plainNumber(Number(value.toPrecision(3)));
 
 /// A row of words, what it is set to, and a slider below.
 function told(words, range, changed, format = three) {
@@ -19,9 +19,9 @@ function told(words, range, changed, format = three) {
 }
 
 function tubeControl(viewer) {
-  const tube = told('Tube swung by', {low: -40, high: 40, step: 1, value: 0}, degrees => { tube.show(degrees); viewer.swingTube(degrees); }, degrees => `${degrees}\u00b0`);
+  const tube = told(t('Tube swung by'), {low: -40, high: 40, step: 1, value: 0}, degrees => { tube.show(degrees); viewer.swingTube(degrees); }, degrees => `${degrees}\u00b0`);
   tube.show(0);
-  const rule = 'Same lingual, opposite buccal: of two canals that lie one behind the other, the one that moves with the tube lies lingually.';
+  const rule = t('Same lingual, opposite buccal: of two canals that lie one behind the other, the one that moves with the tube lies lingually.');
   return element('div', {}, tube, element('p', {class: 'quiet'}, rule));
 }
 
@@ -29,7 +29,7 @@ function tubeControl(viewer) {
 class Histogram {
   constructor(volume) {
     this.volume = volume;
-    this.canvas = element('canvas', {width: 520, height: 140, class: 'histogram', role: 'img', 'aria-label': 'How often grey values occur, and the colours that they are shown in'});
+    this.canvas = element('canvas', {width: 520, height: 140, class: 'histogram', role: 'img', 'aria-label': t('How often grey values occur, and the colours that they are shown in')});
   }
 
   draw() {
@@ -54,19 +54,19 @@ function castControls(viewer) {
   const {volume} = viewer, {told: {transfers, low, high, air, dentine, dentine_attenuation: swallowed, isos}} = volume, range = {low, high, step: (high - low) / 255, value: low};
   let ready = Object.keys(transfers).find(name => JSON.stringify(transfers[name]) === JSON.stringify(volume.look.transfer)) ?? '', density = 1;
   const lay = () => viewer.setVolume({transfer: transfers[ready || 'tooth'].map(point => ({...point, extinction: density * point.extinction}))});
-  const kinds = choice('Shows', Object.keys(transfers).map(name => ({value: name, words: capital(name)})), ready, name => { ready = name; lay(); });
-  const dense = told('Density', {low: 5, high: 400, step: 5, value: 100}, percent => { density = percent / 100; lay(); }, percent => `${Math.round(percent)} %`);
-  const black = told('Black', range, value => viewer.setVolume({window: [Math.min(value, volume.look.window[1] - range.step), volume.look.window[1]]}));
-  const white = told('White', range, value => viewer.setVolume({window: [volume.look.window[0], Math.max(value, volume.look.window[0] + range.step)]}));
-  const latitude = told('White at attenuation', {low: 0.5, high: 10, step: 0.1, value: 4}, value => viewer.setVolume({latitude: value}));
-  const iso = told('Value', range, value => viewer.setVolume({iso: value})), tube = tubeControl(viewer);
+  const kinds = choice(t('Shows'), Object.keys(transfers).map(name => ({value: name, words: capital(said(name))})), ready, name => { ready = name; lay(); });
+  const dense = told(t('Density'), {low: 5, high: 400, step: 5, value: 100}, percent => { density = percent / 100; lay(); }, percent => `${Math.round(percent)} %`);
+  const black = told(t('Black'), range, value => viewer.setVolume({window: [Math.min(value, volume.look.window[1] - range.step), volume.look.window[1]]}));
+  const white = told(t('White'), range, value => viewer.setVolume({window: [volume.look.window[0], Math.max(value, volume.look.window[0] + range.step)]}));
+  const latitude = told(t('White at attenuation'), {low: 0.5, high: 10, step: 0.1, value: 4}, value => viewer.setVolume({latitude: value}));
+  const iso = told(t('Value'), range, value => viewer.setVolume({iso: value})), tube = tubeControl(viewer);
   const of = {shaded: [kinds, dense], maximum: [black, white], average: [black, white], radiograph: [latitude, tube], surface: [iso]}, all = [kinds, dense, black, white, latitude, tube, iso];
   const begin = cast => ({
     cast, ...(['maximum', 'average', 'radiograph'].includes(cast) ? {shows: 'volume'} : {}), ...(cast === 'surface' ? {iso: isos[0] ?? 0.5 * (air + dentine)} : {}),
     ...(cast === 'radiograph' ? {window: [air, dentine], attenuation: swallowed} : ['maximum', 'average'].includes(cast) ? {window: [air, high]} : {}),
   });
-  const ways = [['shaded', 'Shaded'], ['maximum', 'Maximum'], ['average', 'Average'], ['radiograph', 'X-ray'], ['surface', 'One value']];
-  const cast = choice('Rays', ways.map(([value, words]) => ({value, words})), volume.look.cast, value => viewer.setVolume(begin(value)));
+  const ways = [['shaded', t('Shaded')], ['maximum', t('Maximum')], ['average', t('Average')], ['radiograph', t('X-ray')], ['surface', t('One value')]];
+  const cast = choice(t('Rays'), ways.map(([value, words]) => ({value, words})), volume.look.cast, value => viewer.setVolume(begin(value)));
   const body = element('div', {}, cast, ...all);
   body.show = () => {
     const {look} = volume;
@@ -84,8 +84,8 @@ function castControls(viewer) {
 
 function volumeSection(viewer) {
   const {volume} = viewer, histogram = new Histogram(volume), controls = castControls(viewer);
-  const about = element('p', {class: 'quiet'}, `The CT itself: ${volume.told.size.join(' \u00d7 ')} values.${volume.told.isos.length > 0 ? ' The line over the histogram is where the surface was taken.' : ''}`);
-  const shows = volume.told.alone ? null : choice('What is shown', [['surfaces', 'Surfaces'], ['volume', 'Volume'], ['both', 'Both']].map(([value, words]) => ({value, words})), volume.look.shows,
+  const about = element('p', {class: 'quiet'}, t('The CT itself: {size} values.', {size: volume.told.size.join(' \u00d7 ')}) + (volume.told.isos.length > 0 ? ` ${t('The line over the histogram is where the surface was taken.')}` : ''));
+  const shows = volume.told.alone ? null : choice(t('What is shown'), [['surfaces', t('Surfaces')], ['volume', t('Volume')], ['both', t('Both')]].map(([value, words]) => ({value, words})), volume.look.shows,
     value => viewer.setVolume({shows: value, ...(value === 'both' && volume.projects ? {cast: 'shaded'} : {})}));
   const body = element('div', {}, histogram.canvas, controls);
   const show = () => {
@@ -96,12 +96,12 @@ function volumeSection(viewer) {
   };
   show();
   viewer.addEventListener('change', show);
-  return element('section', {id: 'volume-controls', 'aria-label': 'Volume'}, element('h2', {}, 'Volume'), about, shows, body);
+  return element('section', {id: 'volume-controls', 'aria-label': t('Volume')}, element('h2', {}, t('Volume')), about, shows, body);
 }
 
 function filmSection(viewer) {
   const {shadow} = viewer, on = element('input', {type: 'checkbox', id: 'film', onchange: e => viewer.setFilm(e.target.checked)});
-  const latitude = told('White at attenuation', {low: 0.5, high: 10, step: 0.1, value: 4}, value => { shadow.latitude = value; viewer.dress(); });
+  const latitude = told(t('White at attenuation'), {low: 0.5, high: 10, step: 0.1, value: 4}, value => { shadow.latitude = value; viewer.dress(); });
   const body = element('div', {}, latitude, tubeControl(viewer));
   const show = () => {
     on.checked = shadow.on;
@@ -110,7 +110,7 @@ function filmSection(viewer) {
   };
   show();
   viewer.addEventListener('change', show);
-  return element('section', {id: 'film-controls', 'aria-label': 'X-ray'}, element('h2', {}, 'X-ray'), element('label', {class: 'switch'}, on, 'As an X-ray film shows it'), body);
+  return element('section', {id: 'film-controls', 'aria-label': t('X-ray')}, element('h2', {}, t('X-ray')), element('label', {class: 'switch'}, on, t('As an X-ray film shows it')), body);
 }
 
 /// Of the page's volume, or where it has none of its model's film; null: of neither.
