@@ -62,7 +62,7 @@ void fill(Image& image, int left, int top, int right, int bottom, const std::arr
 }  // namespace
 
 void add_colour_by_option(CLI::App& parser, std::string& words) {
-  parser.add_option("--colour-by", words, "Surfaces by distance[=MM] from the CT's own surface, or its slope[=VALUES/MM]")->type_name("WHAT")->group("A volume's grey values");
+  parser.add_option("--colour-by", words, "Surfaces by distance[=MM] from the CT's own, or its slope[=VALUES/MM]")->type_name("WHAT")->group("A volume's grey values");
 }
 
 void refuse_senseless_colour_by(const std::string& words) {

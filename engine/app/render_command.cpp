@@ -308,6 +308,7 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   refuse_senseless(options.radiograph);
   refuse_senseless(options.look);
   refuse_senseless_colour_by(options.colour_by);
+  if (options.radiograph.on && !options.colour_by.empty()) throw UsageError("--colour-by: a film has no surfaces to colour", "Leave it out, or --radiograph.");
   options.volume.voxels = wants_voxels(options.look, options.scene.scene_file);
   if (!options.radiograph.on && !options.volume.voxels && !options.radiograph.grey.empty()) throw UsageError("--grey says what values mean, and none are shown", "Ask for --radiograph or --show volume.");
   if (options.radiograph.on) return render_radiograph(options, session);

@@ -57,9 +57,10 @@ TEST_F(VolumeLooks, ColourSurfacesByTheCt) {
     for (const Image& other : seen) EXPECT_NE(image(), other) << words;
     seen.push_back(image());
   }
-  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "hue"}).says("there is nothing called \"hue\""));
-  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "distance=-1"}).says("no number above 0"));
-  EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"}).says("there is no value of a CT at which the surface was taken"));
+  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "hue"}).complains("there is nothing called \"hue\""));
+  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "distance=-1"}).complains("no number above 0"));
+  EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"}).complains("there is no value of a CT at which the surface was taken"));
+  EXPECT_TRUE(shown({"--radiograph", "--iso", "500", "--colour-by", "distance"}).complains("a film has no surfaces to colour"));
 }
 
 TEST_F(VolumeLooks, DifferInEveryWayToCast) {
