@@ -12,6 +12,7 @@ out Vertex {
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } to_next;
 
 void main() {
@@ -20,6 +21,7 @@ void main() {
   vec4 eye = world_to_eye * vec4(position, 1.0);
   to_next.world_position = position;
   to_next.wall_depth = -1.0;
+  to_next.data = vec2(0.0);
   to_next.eye_position = eye.xyz;
   to_next.eye_normal = mat3(world_to_eye) * normal;
   gl_Position = eye_to_clip * eye;

@@ -6,6 +6,7 @@ in Vertex {
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } from;
 
 uniform sampler3D values;

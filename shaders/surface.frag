@@ -4,6 +4,7 @@
 // PEEL: only what lies behind the layer before and in front of the opaque surfaces. WIRE: the triangles' edges are drawn.
 #include "lighting.glsl"
 #include "wall_depth.glsl"
+#include "data_colour.glsl"
 #ifdef DIRECT
 #include "tone.glsl"
 #endif
@@ -17,6 +18,7 @@ in Vertex {
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } from;
 #ifdef WIRE
 noperspective in vec3 edge_distance;
@@ -67,6 +69,7 @@ void main() {
   alpha = gl_FrontFacing ? alpha : max(alpha, least_back_opacity);
   vec3 base = gl_FrontFacing ? colour : back_colour;
 #ifndef GRAIN
+  if (show_data != 0 && gl_FrontFacing) base = colour_of_data(from.data);
   if (show_depth != 0) base = with_depth(base, from.wall_depth, fwidth(from.wall_depth));
 #endif
 #ifdef GRAIN

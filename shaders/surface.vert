@@ -2,6 +2,7 @@
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float wall_depth;   // in steps, see wall_depth.glsl
+layout(location = 3) in vec2 data;          // distance from the data's own surface and their slope, see data_colour.glsl
 
 uniform mat4 world_to_eye;
 uniform mat4 eye_to_clip;
@@ -12,12 +13,14 @@ out Vertex {
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } to_next;
 
 void main() {
   vec4 eye = world_to_eye * vec4(position, 1.0);
   to_next.world_position = position;
   to_next.wall_depth = wall_depth;
+  to_next.data = data;
   to_next.eye_position = eye.xyz;
   to_next.eye_normal = mat3(world_to_eye) * normal;
   gl_Position = eye_to_clip * eye;

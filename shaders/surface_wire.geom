@@ -10,12 +10,14 @@ in Vertex {
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } corner[];
 out Vertex {
   vec3 world_position;
   vec3 eye_position;
   vec3 eye_normal;
   float wall_depth;
+  vec2 data;
 } to_next;
 noperspective out vec3 edge_distance;
 
@@ -28,6 +30,7 @@ void main() {
   for (int i = 0; i < 3; ++i) {
     to_next.world_position = corner[i].world_position;
     to_next.wall_depth = corner[i].wall_depth;
+    to_next.data = corner[i].data;
     to_next.eye_position = corner[i].eye_position;
     to_next.eye_normal = corner[i].eye_normal;
     edge_distance = vec3(0.0);

@@ -1,9 +1,10 @@
-// The ray of a pixel through a grid of values: where it runs within the grid and the section, and how it steps along.
+// The ray of a sample through a grid of values: where it runs within the grid and the section, and how it steps along.
 // Lengths in the world's unit, which is the metre on the desktop and the millimetre on the page; a place in the grid is counted in values, the first one's at (0, 0, 0).
 uniform mat4 eye_to_world;
 uniform mat4 eye_to_clip;
 uniform mat4 clip_to_eye;
 uniform vec2 pixels;
+uniform int apart;          // samples from a ray to the next along either side of the picture; 1: a ray for each
 uniform int parallel;
 uniform vec4 section;       // keeps what has dot(xyz, position) <= w
 uniform vec3 first;         // where the first value's place is
@@ -17,6 +18,7 @@ uniform float brick_side;   // values
 struct Ray {
   vec3 eye_origin, eye_direction;
   vec3 origin, direction;   // of places in the grid, for each unit of length
+  vec3 inverse;             // of the direction, each by itself
   float begin, end;
 };
 
@@ -33,8 +35,11 @@ void clip(float origin, float direction, float low, float high, inout Ray ray) {
   ray.end = min(ray.end, max(one, other));
 }
 
-Ray ray_of_pixel() {
-  vec2 place = 2.0 * gl_FragCoord.xy / pixels - 1.0;
+/// The sample whose ray this fragment casts.
+ivec2 sample_cast() { return apart * ivec2(gl_FragCoord.xy); }
+
+Ray ray_of_sample() {
+  vec2 place = 2.0 * (vec2(sample_cast()) + 0.5) / pixels - 1.0;
   vec4 near = clip_to_eye * vec4(place, -1.0, 1.0);
   near /= near.w;
   Ray ray;
@@ -46,6 +51,7 @@ Ray ray_of_pixel() {
   clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);
   ray.origin = (origin - first) / spacing;
   ray.direction = direction / spacing;
+  ray.inverse = 1.0 / ray.direction;
   for (int axis = 0; axis < 3; ++axis) clip(ray.origin[axis], ray.direction[axis], -0.5, size[axis] - 0.5, ray);
   return ray;
 }
@@ -68,13 +74,9 @@ int step_beyond_emptiness(Ray ray, vec3 place, int number) {
   int far = int(255.0 * texelFetch(bricks, brick, 0).r + 0.5);
   if (far == 0) return number;
   vec3 low = vec3(brick - far + 1) * brick_side, high = vec3(brick + far) * brick_side;
-  float way = endless;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (ray.direction[axis] == 0.0) continue;
-    float side = ray.direction[axis] > 0.0 ? high[axis] : low[axis] <= 0.0 ? -1.0 : low[axis];
-    way = min(way, (side - ray.origin[axis]) / ray.direction[axis]);
-  }
-  return max(number, int(floor(min((way - ray.begin) / stride, 1e8))));
+  low = mix(low, vec3(-1.0), lessThanEqual(low, vec3(0.0)));
+  vec3 ways = mix((mix(low, high, greaterThan(ray.direction, vec3(0.0))) - ray.origin) * ray.inverse, vec3(endless), equal(ray.direction, vec3(0.0)));
+  return max(number, int(floor(min((min(ways.x, min(ways.y, ways.z)) - ray.begin) / stride, 1e8))));
 }
 
 /// In eye space, from the higher values to the lower; of no length where all are equal. From the four corners of a tetrahedron, which is as good as six neighbours.

@@ -12,7 +12,7 @@ layout(location = 2) out float out_depth;
 const float roughness = 0.38;
 
 void main() {
-  Ray ray = ray_of_pixel();
+  Ray ray = ray_of_sample();
   if (!(ray.begin < ray.end)) discard;
   int number = 0, last = int(ceil((ray.end - ray.begin) / stride));
   float before = value_at(place_at(ray, ray.begin)) - iso, crossing = endless;

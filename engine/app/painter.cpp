@@ -7,6 +7,8 @@
 #include <glm/trigonometric.hpp>
 #include <vector>
 
+#include "engine/app/data_colour_words.h"
+
 namespace odontoscope::app {
 
 Painter::Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
@@ -19,7 +21,9 @@ Painter::Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer
 Image Painter::draw(const Scene& scene, std::size_t number, std::size_t count) {
   session_.progress().check();
   session_.progress().tell("draw", static_cast<double>(number) / static_cast<double>(count));
-  return picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
+  Image image = picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
+  if (scene.data_colours) draw_legend(*scene.data_colours, image);
+  return image;
 }
 
 Camera turned(const Camera& camera, std::size_t number, std::size_t count) {

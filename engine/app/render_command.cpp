@@ -14,6 +14,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/contact_sheet.h"
+#include "engine/app/data_colour_words.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/painter.h"
@@ -42,6 +43,7 @@ struct RenderArguments {
   SceneWords scene;
   RadiographWords radiograph;
   VolumeLookWords look;
+  std::string colour_by;
   std::string output, save_scene;
   std::string size;   // empty: as the scene says, or usual
   std::string backend = "auto";
@@ -237,6 +239,8 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   refuse_senseless(options.dt);
   refuse_senseless(options.radiograph);
   refuse_senseless(options.look);
+  refuse_senseless_colour_by(options.colour_by);
+  if (options.radiograph.on && !options.colour_by.empty()) throw UsageError("--colour-by: a film has no surfaces to colour", "Leave it out, or --radiograph.");
   options.volume.voxels = wants_voxels(options.look, options.scene.scene_file);
   if (!options.radiograph.on && !options.volume.voxels && !options.radiograph.grey.empty()) throw UsageError("--grey says what values mean, and none are shown", "Ask for --radiograph or --show volume.");
   if (options.radiograph.on) return render_radiograph(options, session);
@@ -250,6 +254,7 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   Shown shown = model.get();
   Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
   show_volume({options.look, options.radiograph.grey, options.radiograph.kv, options.scene.opacity, !options.scene.background.empty() || !options.scene.scene_file.empty()}, shown, scene, session);
+  colour_by_data(options.colour_by, options.scene.opacity, shown, scene, session);
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
   if (on_tour(options)) film.emplace(film_of(shown, options.tour, session));
@@ -289,6 +294,7 @@ void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
   add_scene_options(parser, options.scene);
   add_volume_look_options(parser, options.look);
+  add_colour_by_option(parser, options.colour_by);
   add_radiograph_options(parser, options.radiograph);
   add_dt_options(parser, options.dt);
   add_partition_options(parser, options.dt.partition);

@@ -35,7 +35,7 @@ struct Found {
   std::shared_ptr<const ValueGrid> values = {};
   std::optional<std::size_t> slices = {};
   std::optional<GreyAnchors> greys = {};
-  std::vector<double> isos = {};
+  std::vector<IsoOf> isos = {};
   bool only_voxels = false;
 };
 
@@ -66,7 +66,7 @@ Found found_in_volume(const std::string& file, const VolumeWords& words, const D
   Found found = found_in(std::move(stack), dt, session, check);
   found.values = std::move(values);
   found.greys = greys;
-  for (const auto& [structure, iso] : facts->isos) found.isos.push_back(iso);
+  for (const auto& [structure, iso] : facts->isos) found.isos.push_back({structure, iso});
   return found;
 }
 

@@ -12,6 +12,7 @@
 #include "engine/app/dt_options.h"
 #include "engine/app/proven.h"
 #include "engine/app/volume_options.h"
+#include "engine/scene/deviation.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/value_grid.h"
@@ -27,7 +28,7 @@ struct Shown {
   std::vector<NamedSurface> surfaces;   // that the model was made from
   std::shared_ptr<const ValueGrid> values;   // of the volume that it came from; null for any other input
   std::optional<GreyAnchors> greys;   // what they mean, if they are to be shown
-  std::vector<double> isos;           // and the values at which surfaces were taken
+  std::vector<IsoOf> isos;            // and the values at which surfaces were taken
   bool only_voxels = false;           // the surface is but the box of them
 
   using Proven = app::Proven;

@@ -10,6 +10,7 @@
 
 #include "engine/app/certificate.h"
 #include "engine/app/command.h"
+#include "engine/app/data_colour_words.h"
 #include "engine/app/draft.h"
 #include "engine/app/outputs.h"
 #include "engine/app/scene_options.h"
@@ -38,6 +39,7 @@ struct ViewArguments {
   DtWords dt;
   VolumeWords volume;
   VolumeLookWords look;
+  std::string colour_by;
   std::string grey;
   SceneWords scene;
   std::string size;
@@ -76,7 +78,8 @@ std::string title_of(const std::string& file) {
 
 GreyValues grey_values(const Shown& shown) {
   const ValueGrid& grid = *shown.values;
-  GreyValues greys{shown.greys->air, shown.greys->dentine, linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)), shown.isos, grid.range.low, grid.range.high, {}};
+  GreyValues greys{shown.greys->air, shown.greys->dentine, linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)), {}, grid.range.low, grid.range.high, {}};
+  for (const IsoOf& each : shown.isos) greys.isos.push_back(each.iso);
   constexpr std::size_t bars = 96;
   std::vector<double> counts(bars, 0);
   for (const float value : grid.values) {
@@ -105,7 +108,9 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
   if (request.from_command_line) show_volume({options.look, options.grey, usual_kv, words.opacity, !words.background.empty() || !words.scene_file.empty()}, shown, loaded.scene, session);
+  if (request.from_command_line) colour_by_data(options.colour_by, words.opacity, shown, loaded.scene, session);
   if (shown.values && shown.greys) loaded.greys = grey_values(shown);
+  loaded.deviations = deviations_in(shown.model);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));
   mark_wall_depths(shown.model, *loaded.flight);
@@ -226,6 +231,7 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
 ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.scene);
   refuse_senseless(options.look);
+  refuse_senseless_colour_by(options.colour_by);
   greys_from(options.grey);
   if (!options.grey.empty() && !wants_voxels(options.look, options.scene.scene_file)) throw UsageError("--grey says what values mean, and none are shown", "Ask for --show volume or --show both.");
   if (options.volume.any_level()) understood(options.volume);
@@ -261,6 +267,7 @@ Command view_command(CLI::App& root) {
   parser->add_option("--language", options->language, "Language: de, en, or a file of another; remembered (default: the environment's)")->type_name("LANGUAGE");
   add_scene_options(*parser, options->scene);
   add_volume_look_options(*parser, options->look);
+  add_colour_by_option(*parser, options->colour_by);
   add_grey_option(*parser, options->grey);
   add_dt_options(*parser, options->dt);
   add_partition_options(*parser, options->dt.partition);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <vector>
 
 namespace odontoscope {
@@ -32,8 +33,7 @@ bool shows(const VolumeLook& look, float lowest, float highest) {
 }  // namespace
 
 GpuVolume::GpuVolume(const Gl& gl, const ValueGrid& grid, const FieldTexture& field)
-    : gl_(&gl), field_(field), bricks_(brick_grid(grid)), range_(grid.range), brick_texture_(make_texture(gl)), transfer_texture_(make_texture(gl)),
-      sums_texture_(make_texture(gl)) {}
+    : gl_(&gl), field_(field), bricks_(brick_grid(grid)), range_(grid.range), brick_texture_(make_texture(gl)), transfer_texture_(make_texture(gl)) {}
 
 float GpuVolume::stride() const {
   const float finest = 0.5f * std::min({field_.step.x, field_.step.y, field_.step.z});
@@ -58,24 +58,19 @@ void GpuVolume::prepare(const VolumeLook& look) {
 }
 
 void GpuVolume::lay_out_transfer(const VolumeLook& look) {
-  constexpr float metres_to_mm = 1000;   // extinction for each metre
-  std::vector<glm::vec4> entries;
-  std::vector<float> sums;
-  double sum = 0, before = 0;
+  constexpr double metres_to_mm = 1000;   // extinction for each metre
+  std::vector<glm::vec4> sums;
+  glm::dvec4 sum(0), before(0);
   const double step = (range_.high - range_.low) / (transfer_entries - 1);
   for (std::size_t i = 0; i < transfer_entries; ++i) {
-    glm::vec4 entry = transferred(look.transfer, range_.low + step * static_cast<double>(i));
-    entry.a *= metres_to_mm;
-    if (i > 0) sum += 0.5 * step * (before + static_cast<double>(entry.a));
-    before = static_cast<double>(entry.a);
-    entries.push_back(entry);
-    sums.push_back(static_cast<float>(sum));
+    const glm::dvec4 entry(transferred(look.transfer, range_.low + step * static_cast<double>(i)));
+    const glm::dvec4 here = metres_to_mm * entry.a * glm::dvec4(glm::dvec3(entry), 1);
+    if (i > 0) sum += 0.5 * step * (before + here);
+    before = here;
+    sums.emplace_back(sum);
   }
   gl_->BindTexture(GL_TEXTURE_2D, transfer_texture_.id());
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, transfer_entries, 1, 0, GL_RGBA, GL_FLOAT, entries.data());
-  set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
-  gl_->BindTexture(GL_TEXTURE_2D, sums_texture_.id());
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R32F, transfer_entries, 1, 0, GL_RED, GL_FLOAT, sums.data());
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, transfer_entries, 1, 0, GL_RGBA, GL_FLOAT, sums.data());
   set_sampling(*gl_, GL_TEXTURE_2D, GL_NEAREST);
   gl_->BindTexture(GL_TEXTURE_2D, 0);
 }

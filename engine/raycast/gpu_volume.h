@@ -29,9 +29,8 @@ class GpuVolume {
 
   const FieldTexture& field() const { return field_; }
   GLuint bricks() const { return brick_texture_.id(); }
+  /// The transfer function summed over the values: colour times extinction, and extinction for each metre.
   GLuint transfer() const { return transfer_texture_.id(); }
-  /// The transfer function's extinction, summed over the values.
-  GLuint sums() const { return sums_texture_.id(); }
   const ValueWindow& range() const { return range_; }
   /// Its corners, half a step beyond the outermost values: metres.
   glm::vec3 low() const { return field_.first - 0.5f * field_.step; }
@@ -54,7 +53,7 @@ class GpuVolume {
   BrickGrid bricks_;
   ValueWindow range_;
   float coarseness_ = 1;
-  GlObject brick_texture_, transfer_texture_, sums_texture_;
+  GlObject brick_texture_, transfer_texture_;
   std::optional<VolumeLook> prepared_;
 };
 

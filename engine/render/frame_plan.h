@@ -55,6 +55,7 @@ struct FramePlan {
   float radius = 1;
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
+  std::optional<DataColours> data_colours;   // on parts that have deviations
   bool parallel = false;
   bool wall_depth = false;              // on parts that have depths
   Occlusion occlusion;

@@ -48,6 +48,12 @@ GpuPart upload(const Gl& gl, const ModelPart& part, double depth_step_mm) {
     gl.VertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(float), nullptr);
     gl.EnableVertexAttribArray(2);
   }
+  if (part.deviations.size() == part.positions.size()) {
+    uploaded.deviations = make_buffer(gl);
+    fill(gl, GL_ARRAY_BUFFER, *uploaded.deviations, part.deviations);
+    gl.VertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, sizeof(glm::vec2), nullptr);
+    gl.EnableVertexAttribArray(3);
+  }
   fill(gl, GL_ELEMENT_ARRAY_BUFFER, uploaded.indices, part.indices);
   gl.BindVertexArray(0);
   return uploaded;

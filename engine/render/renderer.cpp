@@ -22,6 +22,12 @@ void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& option
 
 namespace {
 
+/// Who asks for more samples than usual wants to see each; one alone would show what it is off by.
+bool casts_every_ray(const RenderOptions& options) {
+  constexpr int usual_side = 2;
+  return options.rays == RenderOptions::Rays::every || (options.rays == RenderOptions::Rays::as_usual && options.side != usual_side);
+}
+
 bool needs_no_layers(const FramePlan& plan) {
   const bool edges = plan.wire || std::any_of(plan.opaque.begin(), plan.opaque.end(), [](const DrawnPart& part) { return part.wire; });
   return plan.side == 1 && !plan.occlusion.on && plan.translucent.empty() && plan.capped.empty() && !plan.cut() && plan.lines.empty() && !edges;
@@ -32,7 +38,10 @@ void limit_to_touched(const Gl& gl, const FramePlan& plan) {
   gl.Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
 }
 
-CastView cast_view(const FramePlan& plan) { return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel, plan.size, plan.section, plan.lamp}; }
+CastView cast_view(const FramePlan& plan, bool every_ray) {
+  return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel, plan.size, plan.section, plan.lamp, plan.touched.low, plan.touched.high, every_ray};
+}
+
 
 void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan) {
   touch_box(volume.low(), volume.high(), plan);
@@ -44,6 +53,13 @@ void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan
 }
 
 }  // namespace
+
+/// Is anything to be drawn that rays of a volume may end at?
+bool Renderer::has_surfaces(const Work& work) {
+  const FramePlan& plan = work.plan;
+  return !work.volume || work.pane->hidden || work.pane->target.keep_depth || work.volume_look->cast == VolumeLook::Cast::surface || !plan.opaque.empty() || !plan.translucent.empty() ||
+         !plan.capped.empty() || !plan.lines.empty();
+}
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders),
@@ -64,7 +80,7 @@ void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const P
       continue;
     }
     samples += static_cast<std::size_t>(plan.size.width) * static_cast<std::size_t>(plan.size.height);
-    layered.push_back({.plan = std::move(plan), .pane = &pane, .volume = volume, .volume_look = &scene.volume});
+    layered.push_back({.plan = std::move(plan), .pane = &pane, .volume = volume, .volume_look = &scene.volume, .every_ray = casts_every_ray(options)});
   }
   if (samples <= most_samples) return draw_in_step(layered, scene.background);
   for (Work& work : layered) draw_in_step({&work, 1}, scene.background);
@@ -77,11 +93,12 @@ void Renderer::begin(Work& work) {
   gl_->Disable(GL_SCISSOR_TEST);
   buffers.picture.bind();
   gl_->ClearBufferfv(GL_COLOR, 0, nothing);
+  if (!has_surfaces(work)) return;
   limit_to_touched(*gl_, plan);
   buffers.opaque.begin();
   if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, true);
   surfaces_.draw_opaque(plan);
-  if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface) volume_.draw_surface(cast_view(plan), *work.volume, *work.volume_look);
+  if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface) volume_.draw_surface(cast_view(plan, true), *work.volume, *work.volume_look);
   caps_.draw(plan);
   lines_.draw(plan);
   if (!plan.lines.empty()) {
@@ -122,7 +139,7 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
     keep_depth(work, nullptr);
     limit_to_touched(*gl_, work.plan);
     cast_between(work, work.before, nullptr);
-    add_layer(work.plan, *work.buffers, work.buffers->opaque);
+    if (has_surfaces(work)) add_layer(work.plan, *work.buffers, work.buffers->opaque);
     gl_->Disable(GL_SCISSOR_TEST);
     resolve_.draw(work.plan, work.buffers->picture, background, work.pane->target);
   }
@@ -131,10 +148,10 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
 void Renderer::cast_between(const Work& work, const Layer* before, const Layer* layer) {
   if (!work.volume) return;
   if (work.volume_look->cast == VolumeLook::Cast::shaded) {
-    const CastDepths depths{before ? before->depth() : 0, layer ? layer->depth() : 0, work.buffers->opaque.depth()};
-    volume_.draw_between(cast_view(work.plan), *work.volume, *work.volume_look, depths, work.buffers->picture);
+    const CastDepths depths{before ? before->depth() : 0, layer ? layer->depth() : 0, work.buffers->opaque.depth(), has_surfaces(work)};
+    volume_.draw_between(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look, depths, work.buffers->picture);
   }
-  if (!layer && work.volume_look->projects()) volume_.draw_projection(cast_view(work.plan), *work.volume, *work.volume_look, work.buffers->picture);
+  if (!layer && work.volume_look->projects()) volume_.draw_projection(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look, work.buffers->picture);
 }
 
 void Renderer::keep_depth(Work& work, const Layer* first) const {
@@ -174,7 +191,7 @@ const Renderer::Buffers& Renderer::buffers_for(PixelSize size, std::size_t numbe
   buffers = std::make_unique<Buffers>(Buffers{Layer(*gl_, size),
                                               {Layer(*gl_, size), Layer(*gl_, size)},
                                               Framebuffer(*gl_, {size, {GL_RG32F}}),
-                                              Framebuffer(*gl_, {size, {GL_RGBA16F}}),
+                                              Framebuffer(*gl_, {size, {GL_RGBA16F}, GL_DEPTH_COMPONENT32F}),
                                               size,
                                               make_query(*gl_)});
   return *buffers;

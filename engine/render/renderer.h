@@ -32,13 +32,16 @@ struct Pane {
 struct RenderOptions {
   /// Samples a pixel along one axis: 1, 2 (4 samples), 3 (9), 4 (16).
   int side = 2;
+  /// Rays of a volume: through every sample; or, where those around it saw alike, not (engine/raycast/volume_pass.h). As usual with 4 samples a pixel not, else through every one.
+  enum class Rays { as_usual, every, few };
+  Rays rays = Rays::as_usual;
 };
 
 /// Translucent surfaces that are drawn one behind the other at a pixel; the rest are left out. Seen from outside, a tooth of three
 /// structures has six.
 inline constexpr int most_layers = 16;
 
-/// Samples in all. The buffers take 100 bytes for each, so that this many fill 4.8 GB; beyond, a driver that draws in software
+/// Samples in all. The buffers take 104 bytes for each, so that this many fill 5 GB; beyond, a driver that draws in software
 /// would take the whole memory of the machine before it fails.
 inline constexpr std::size_t most_samples = 48'000'000;
 
@@ -70,10 +73,12 @@ class Renderer {
     const Buffers* buffers = nullptr;
     const GpuVolume* volume = nullptr;   // null: it is not shown
     const VolumeLook* volume_look = nullptr;
+    bool every_ray = false;
     const Layer* before = nullptr;   // of the translucent layers, the last one
     bool more = false;               // there may be another
     bool depth_kept = false;
   };
+  static bool has_surfaces(const Work& work);
   const Buffers& buffers_for(PixelSize size, std::size_t number);
   /// Panes that are drawn in step: while the driver draws a layer of one, the next one's is prepared, and nobody waits for the answer whether there was any.
   void draw_in_step(std::span<Work> works, const Background& background);

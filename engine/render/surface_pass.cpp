@@ -11,6 +11,15 @@ constexpr Colour alarm = colour_of(0xff00bf);
 constexpr float alarm_opacity = 0.9f;
 constexpr float wire_pixels = 1.1f;
 
+void set_data_colours(const Program& program, const DataColours& colours) {
+  const auto [low, middle, high] = stops_of(colours.of);
+  program.set("data_low", linear(low));
+  program.set("data_middle", linear(middle));
+  program.set("data_high", linear(high));
+  program.set("data_nowhere", linear(nowhere_near));
+  program.set("data_reach", static_cast<float>(colours.reach));
+}
+
 }  // namespace
 
 GlObject make_query(const Gl& gl) {
@@ -53,8 +62,11 @@ void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& part
   program.set("wire_width", wire_pixels * static_cast<float>(plan.side));
   const bool tint = plan.back_faces == BackFaces::tint;
   program.set("least_back_opacity", tint ? alarm_opacity : 0.0f);
+  if (plan.data_colours) set_data_colours(program, *plan.data_colours);
+  const int data = !plan.data_colours ? 0 : plan.data_colours->of == DataColours::Of::distance ? 1 : 2;
   for (const DrawnPart& part : parts) {
     if (!belongs(part)) continue;
+    program.set("show_data", part.part->deviations ? data : 0);
     set_section(program, plan, part.whole);
     program.set("colour", part.colour);
     program.set("back_colour", tint ? linear(alarm) : part.colour);

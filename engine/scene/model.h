@@ -5,6 +5,7 @@
 // coordinates lie; cameras and section planes stay in the user's millimetres and are shifted by the same origin.
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <vector>
@@ -36,7 +37,10 @@ struct ModelPart {
   std::vector<glm::vec3> normals;      // unit length, one a position
   std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles
   std::vector<float> depths_mm = {};   // below the orifice of the canal that it walls, one a position; none: nobody asked. See navigate/wall_depth.h
+  std::vector<glm::vec2> deviations = {};   // mm from the data's own surface, and their slope there, one a position; none: nobody asked. See deviation.h
 };
+/// In place of a distance where no surface of the data's is near.
+inline constexpr float no_deviation = 1e9f;
 /// Of a place that no canal passes.
 inline constexpr float above_orifice = -1;
 

@@ -9,6 +9,7 @@
 
 #include "engine/scene/camera.h"
 #include "engine/scene/colour.h"
+#include "engine/scene/data_colours.h"
 #include "engine/scene/model.h"
 #include "engine/scene/volume_look.h"
 
@@ -106,6 +107,8 @@ struct Scene {
   /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one every five of them
   /// (ModelPart::depths_mm).
   bool wall_depth = false;
+  /// Surfaces are coloured by how they lie to the data (ModelPart::deviations); none: in their own colours.
+  std::optional<DataColours> data_colours;
   /// Of the picture that the scene was kept with; none: whoever draws it says.
   std::optional<PictureFormat> picture;
 

@@ -276,6 +276,17 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
   }
 }
 
+void read_data_colours(const Reader& scene, const std::string& file, std::optional<DataColours>& colours) {
+  const Parsed* json = scene.member("data_colours");
+  if (!json) return;
+  const Reader reader(*json, "data_colours", file);
+  DataColours read;
+  reader.read_word("of", read.of, data_colours_named);
+  reader.read("reach", read.reach);
+  if (!(read.reach > 0 && read.reach <= most_iso)) reader.refuse("bad-value", "reach", "is no number above 0");
+  colours = read;
+}
+
 void read_picture(const Reader& scene, const std::string& file, std::optional<PictureFormat>& picture) {
   const Parsed* json = scene.member("picture");
   if (!json) return;
@@ -378,6 +389,7 @@ std::string to_json(const Scene& scene) {
                                {"reach", short_number(scene.occlusion.reach)}};
   if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
   if (scene.wall_depth) json["wall_depth"] = true;
+  if (scene.data_colours) json["data_colours"] = {{"of", name(scene.data_colours->of)}, {"reach", scene.data_colours->reach}};
   if (scene.picture) json["picture"] = {{"width", scene.picture->width}, {"height", scene.picture->height}, {"samples", scene.picture->samples}};
   return json.dump(2) + "\n";
 }
@@ -403,6 +415,7 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   reader.read_word("back_faces", scene.back_faces, back_faces_named);
   reader.read("wire", scene.wire);
   reader.read("wall_depth", scene.wall_depth);
+  read_data_colours(reader, file, scene.data_colours);
   read_overlays(reader, file, scene.overlays);
   read_surroundings(reader, file, scene);
   read_picture(reader, file, scene.picture);

@@ -17,6 +17,7 @@
 
 #include "engine/measure/pick.h"
 #include "engine/navigate/flight_spaces.h"
+#include "engine/scene/deviation.h"
 #include "engine/scene/overlay.h"
 #include "engine/scene/scene.h"
 #include "engine/scene/value_grid.h"
@@ -61,6 +62,7 @@ struct LoadedModel {
   OverlaySource overlays;
   std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
   std::optional<GreyValues> greys = {};       // with `values`
+  std::optional<DeviationSummary> deviations = {};   // of `model` from them, where surfaces were taken at a value
   std::shared_ptr<const Pickable> pickable;   // never null
   std::shared_ptr<const FlightSpaces> flight; // null: one cannot fly in it
   Scene scene;                   // a good first look

@@ -202,8 +202,10 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   // On a slow machine a flight's moving pictures do without it, as without fine samples.
   if (state_.fly.on && side < options_.side) scene.occlusion.on = false;
   GpuVolume* const grey = pane.db ? nullptr : volume();
-  if (grey) grey->set_coarseness(side < options_.side ? moving_coarseness : 1);
-  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, {side}, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values(), grey);
+  const bool moving = side < options_.side;
+  if (grey) grey->set_coarseness(moving ? moving_coarseness : 1);
+  const RenderOptions options{.side = side, .rays = moving ? RenderOptions::Rays::few : RenderOptions::Rays::as_usual};
+  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, options, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values(), grey);
   if (!partly) return;
   const int from = static_cast<int>(pane.seen->left), to = from + static_cast<int>(pane.seen->width);
   if (to <= from) return;

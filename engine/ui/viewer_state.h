@@ -77,6 +77,9 @@ struct NamedPlaces {
 struct VolumeLayout {
   TransferPreset preset = TransferPreset::tooth;
   double air = 0, dentine = 1, density = 1;
+  std::vector<TransferPoint> edited = {};   // at density 1; none: as the preset has it
+  std::size_t chosen = 0;                   // of the transfer function's points
+  double data = 0.85;   // from the surfaces alone, 0, to the volume alone, 1
 };
 
 struct ViewerState {

@@ -1,12 +1,15 @@
 #include "engine/ui/volume_panel.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "engine/ui/theme.h"
+#include "engine/ui/transfer_editor.h"
 #include "engine/ui/widgets.h"
 
 namespace odontoscope {
@@ -16,12 +19,10 @@ using widgets::scaled;
 
 /// How clear structures become around a volume.
 constexpr float around_volume = 0.15f;
-/// Extinction of a millimetre that fills a bar of the histogram.
-constexpr double full_extinction = 4;
 
 void lay_out_transfer(ViewerState& state) {
   const VolumeLayout& layout = state.volume_layout;
-  state.scene.volume.transfer = transfer_of(layout.preset, layout.air, layout.dentine);
+  state.scene.volume.transfer = layout.edited.empty() ? transfer_of(layout.preset, layout.air, layout.dentine) : layout.edited;
   for (TransferPoint& point : state.scene.volume.transfer) point.extinction *= layout.density;
 }
 
@@ -54,32 +55,6 @@ void choose_what_is_shown(ViewerState& state) {
     if (!structure.as_body) structure.opacity = std::min(structure.opacity, around_volume);
 }
 
-/// Bars in the colours that their values are shown in; lines where the surfaces were taken.
-void histogram(const ViewerState& state, float height) {
-  const GreyValues& greys = *state.shown->greys;
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, scaled(4));
-  const double span = std::max(greys.high - greys.low, 1e-30);
-  const float bar = width / static_cast<float>(std::max<std::size_t>(greys.bars.size(), 1));
-  for (std::size_t i = 0; i < greys.bars.size(); ++i) {
-    const double value = greys.low + span * (static_cast<double>(i) + 0.5) / static_cast<double>(greys.bars.size());
-    const float left = corner.x + static_cast<float>(i) * bar, right = left + std::max(bar - scaled(0.5f), 1.0f), bottom = corner.y + height;
-    list.AddRectFilled({left, bottom - greys.bars[i] * (height - scaled(6))}, {right, bottom}, theme::quiet);
-    const glm::vec4 seen = transferred(state.scene.volume.transfer, value);
-    const auto share = static_cast<float>(std::min(static_cast<double>(seen.a) / full_extinction, 1.0));
-    if (share <= 0) continue;
-    const auto channel = [](float light) { return static_cast<int>(255 * std::pow(std::clamp(light, 0.0f, 1.0f), 1 / 2.2f)); };
-    list.AddRectFilled({left, bottom - share * height}, {right, bottom}, IM_COL32(channel(seen.r), channel(seen.g), channel(seen.b), 150));
-  }
-  for (const double iso : greys.isos) {
-    const float x = corner.x + static_cast<float>(std::clamp((iso - greys.low) / span, 0.0, 1.0)) * width;
-    list.AddLine({x, corner.y}, {x, corner.y + height}, theme::accent, scaled(2));
-  }
-  ImGui::Dummy({width, height});
-}
-
 /// Two values of which the first stays below the other. true: one was moved.
 bool two_values(const char* low_words, double& low, const char* high_words, double& high, const ValueWindow& range) {
   const double least = 0.001 * (range.high - range.low);
@@ -91,18 +66,77 @@ bool two_values(const char* low_words, double& low, const char* high_words, doub
 
 void transfer_controls(ViewerState& state, const Interface& interface) {
   VolumeLayout& layout = state.volume_layout;
-  int preset = static_cast<int>(layout.preset);
+  std::vector<TransferPoint>& transfer = state.scene.volume.transfer;
+  int preset = layout.edited.empty() ? static_cast<int>(layout.preset) : -1;
   bool changed = widgets::choice("transfer", preset, {"Tooth", "Enamel", "Dentine", "Pulp", "Soft"});
-  layout.preset = static_cast<TransferPreset>(preset);
-  histogram(state, scaled(72));
-  if (!state.shown->greys->isos.empty()) widgets::remark(interface, "The lines are where the surfaces were taken.");
+  if (changed) {
+    layout.preset = static_cast<TransferPreset>(preset);
+    layout.edited.clear();
+    lay_out_transfer(state);
+  }
+  if (transfer.size() >= 2 && transfer_editor(*state.shown->greys, transfer, layout.chosen, interface, scaled(84))) {
+    layout.edited = transfer;
+    for (TransferPoint& point : layout.edited) point.extinction /= layout.density;
+  }
+  widgets::remark(interface, state.shown->greys->isos.empty() ? "Drag points; a click makes one, the right button takes one away."
+                                                              : "Drag points; a click makes one, the right button takes one away. The lines are where the surfaces were taken.");
   double density = 100 * layout.density;
   if (widgets::slider("Density", density, 5, 400, "%.0f %%")) {
     layout.density = density / 100;
-    changed = true;
+    lay_out_transfer(state);
   }
-  changed = two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range) || changed;
-  if (changed) lay_out_transfer(state);
+  if (layout.edited.empty() && two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range)) lay_out_transfer(state);
+}
+
+/// The legend's bar, its numbers below.
+void data_legend(const DataColours& colours, const Interface& interface) {
+  const auto stops = stops_of(colours.of);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = scaled(10);
+  const auto light = [&](float part) { return part < 0 ? glm::mix(linear(stops[1]), linear(stops[0]), -part) : glm::mix(linear(stops[1]), linear(stops[2]), part); };
+  const auto channel = [](float part) { return static_cast<int>(255 * std::pow(std::clamp(part, 0.0f, 1.0f), 1 / 2.2f)); };
+  constexpr int pieces = 48;
+  for (int i = 0; i < pieces; ++i) {
+    const glm::vec3 colour = light(2 * (static_cast<float>(i) + 0.5f) / pieces - 1);
+    ImGui::GetWindowDrawList()->AddRectFilled({corner.x + width * static_cast<float>(i) / pieces, corner.y}, {corner.x + width * static_cast<float>(i + 1) / pieces, corner.y + height},
+                                              IM_COL32(channel(colour.r), channel(colour.g), channel(colour.b), 255));
+  }
+  ImGui::Dummy({width, height});
+  if (colours.of == DataColours::Of::distance) widgets::remark(interface, fmt::format("−{0:.3g} mm (blue: the CT reaches beyond the model) to +{0:.3g} mm (red: the model beyond the CT)", colours.reach));
+  else widgets::remark(interface, fmt::format("0 to {:.3g} grey values a millimetre", colours.reach));
+}
+
+/// Model against data: distances and slopes on the surfaces.
+void data_colours(ViewerState& state, const Interface& interface) {
+  if (!state.shown->deviations) return;
+  const DeviationSummary& found = *state.shown->deviations;
+  std::optional<DataColours>& colours = state.scene.data_colours;
+  int chosen = !colours ? 0 : colours->of == DataColours::Of::distance ? 1 : 2;
+  widgets::remark(interface, "Surfaces against the CT");
+  if (widgets::choice("data colours", chosen, {"Own colours", "Distance", "Slope"})) {
+    const glm::dvec3& step = state.shown->values->step_mm;
+    if (chosen == 0) colours.reset();
+    else if (chosen == 1) colours = DataColours{DataColours::Of::distance, std::max({step.x, step.y, step.z})};
+    else colours = DataColours{DataColours::Of::slope, found.steep_slope > 0 ? found.steep_slope : 1};
+  }
+  if (!colours) return;
+  const bool distance = colours->of == DataColours::Of::distance;
+  const double most = distance ? std::max(found.most_mm, colours->reach) : 4 * std::max(found.steep_slope, 1e-9);
+  widgets::slider(distance ? "Colours reach to, mm" : "Colours reach to, values/mm", colours->reach, most / 200, most, "%.3g");
+  data_legend(*colours, interface);
+  if (distance) widgets::remark(interface, fmt::format("Median {:.3g} mm, 95 % within {:.3g} mm, the farthest {:.3g} mm.", found.median_mm, found.nineteen_of_twenty_mm, found.most_mm));
+}
+
+/// From the surfaces alone (0) to the volume alone (1).
+void slide_between(ViewerState& state) {
+  VolumeLook& look = state.scene.volume;
+  if (look.shows != VolumeLook::Shows::both || look.cast != VolumeLook::Cast::shaded) return;
+  double& data = state.volume_layout.data;
+  if (!widgets::slider("Model to data", data, 0, 1, "%.2f")) return;
+  for (Look& structure : state.scene.looks)
+    if (!structure.as_body) structure.opacity = static_cast<float>(1 - data);
+  state.volume_layout.density = std::max(data, 0.05);
+  lay_out_transfer(state);
 }
 
 }  // namespace
@@ -110,7 +144,9 @@ void transfer_controls(ViewerState& state, const Interface& interface) {
 void volume_section(ViewerState& state, const Interface& interface) {
   if (!state.shown || !state.shown->values || !state.shown->greys) return;
   if (!widgets::section(interface, "Volume")) return;
+  data_colours(state, interface);
   choose_what_is_shown(state);
+  slide_between(state);
   VolumeLook& look = state.scene.volume;
   if (!look.shows_volume()) return;
   constexpr std::array casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average, VolumeLook::Cast::radiograph};

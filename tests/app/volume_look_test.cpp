@@ -45,6 +45,24 @@ TEST_F(VolumeLooks, NeedNoSurface) {
   EXPECT_TRUE(content_of(image()).shows_something());
 }
 
+TEST_F(VolumeLooks, ColourSurfacesByTheCt) {
+  given("a.nrrd", nrrd());
+  const Ending plain = shown({"--iso", "500"});
+  if (cannot_draw(plain)) GTEST_SKIP() << plain.err;
+  std::vector<Image> seen{image()};
+  for (const char* words : {"distance", "distance=0.01", "slope"}) {
+    const Ending ending = shown({"--iso", "500", "--colour-by", words});
+    EXPECT_EQ(ending.exit_code, 0) << ending.err;
+    EXPECT_TRUE(ending.says("mm from where the CT's values cross its own (median)")) << ending.out;
+    for (const Image& other : seen) EXPECT_NE(image(), other) << words;
+    seen.push_back(image());
+  }
+  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "hue"}).complains("there is nothing called \"hue\""));
+  EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "distance=-1"}).complains("no number above 0"));
+  EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"}).complains("there is no value of a CT at which the surface was taken"));
+  EXPECT_TRUE(shown({"--radiograph", "--iso", "500", "--colour-by", "distance"}).complains("a film has no surfaces to colour"));
+}
+
 TEST_F(VolumeLooks, DifferInEveryWayToCast) {
   given("a.nrrd", nrrd());
   std::vector<Image> seen;

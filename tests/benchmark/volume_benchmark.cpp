@@ -2,16 +2,19 @@
 //
 //   odontoscope_volume_benchmark FILE AIR DENTINE PICTURE.png
 //
-// For each line that comes in one picture is drawn, 1280 x 720 on EGL, one ray a pixel, lit, and its milliseconds go out: by the wall clock, and of all processors.
+// For each line that comes in one picture is drawn, 1280 x 720 on EGL, lit, and its milliseconds go out: by the wall clock, and of all processors. The line "draw" asks for one ray a
+// pixel; "still" for four samples a pixel, as many rays as they need; "full" for a ray through each of the four, and how far the still is off that: by how much of 255 at worst, and in how many pixels by more than two.
 // The first answer is the camera (position, target, up, angle), the length of a step in mm, and the transfer function.
 
 #include <time.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <utility>
 
 #include "engine/picture/png.h"
 #include "engine/view/offscreen.h"
@@ -34,6 +37,18 @@ SurfaceMesh box_of(const ValueGrid& grid) {
   for (unsigned i = 0; i < 8; ++i) mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
   mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
+}
+
+/// By how much they differ at most, of 255, and in how many pixels by more than two.
+std::pair<int, int> difference(const Image& one, const Image& other) {
+  int most = 0, pixels = 0;
+  for (std::size_t pixel = 0; pixel < one.rgba.size(); pixel += 4) {
+    int here = 0;
+    for (std::size_t i = pixel; i < pixel + 3; ++i) here = std::max(here, std::abs(one.rgba[i] - other.rgba[i]));
+    most = std::max(most, here);
+    pixels += here > 2;
+  }
+  return {most, pixels};
 }
 
 int benchmark(char** words) {
@@ -65,11 +80,19 @@ int benchmark(char** words) {
   }
   std::printf("]]\n");
   std::fflush(stdout);
+  Image still;
   for (std::string line; std::getline(std::cin, line);) {
+    const RenderOptions options{.side = line == "draw" ? 1 : 2, .rays = line == "still" ? RenderOptions::Rays::as_usual : RenderOptions::Rays::every};
     const double wall = milliseconds_of(CLOCK_MONOTONIC), processor = milliseconds_of(CLOCK_PROCESS_CPUTIME_ID);
-    renderer.draw(gpu_model, scene, {&pane, 1}, {1}, nullptr, &values, &gpu_volume);
+    renderer.draw(gpu_model, scene, {&pane, 1}, options, nullptr, &values, &gpu_volume);
     gl.Finish();
-    std::printf("%.3f %.3f\n", milliseconds_of(CLOCK_MONOTONIC) - wall, milliseconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor);
+    std::printf("%.3f %.3f", milliseconds_of(CLOCK_MONOTONIC) - wall, milliseconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor);
+    if (line == "still") still = read_pixels(gl, pixels.id(), size);
+    if (line == "full" && !still.rgba.empty()) {
+      const auto [most, unlike] = difference(still, read_pixels(gl, pixels.id(), size));
+      std::printf(" %d %d", most, unlike);
+    }
+    std::printf("\n");
     std::fflush(stdout);
   }
   return 0;

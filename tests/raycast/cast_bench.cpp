@@ -57,12 +57,12 @@ void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::strin
   }
 }
 
-Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size) {
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options) {
   Renderer renderer(gl, shaders);
   const GpuModel gpu_model = upload(gl, model);
   const GpuValueGrid values = upload(gl, grid, gpu_model);
   GpuVolume volume(gl, grid, values.field());
-  return picture_of(gl, renderer, gpu_model, model, scene, {.size = size, .render = {.side = 1}}, nullptr, &values, &volume);
+  return picture_of(gl, renderer, gpu_model, model, scene, {.size = size, .render = options}, nullptr, &values, &volume);
 }
 
 Scene CastTest::scene_of(const Model& model, const Camera& camera, const VolumeLook& look) {

@@ -31,13 +31,15 @@ struct ShaderEdit {
 };
 void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::string& folder);
 
-/// One sample a pixel, in the context that is current. `shaders` may be a folder of edited ones.
-Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size);
+inline constexpr RenderOptions one_ray_a_pixel{.side = 1};
+
+/// In the context that is current. `shaders` may be a folder of edited ones.
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options = one_ray_a_pixel);
 
 class CastTest : public testing_support::DrawingTest {
  protected:
-  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {}, PixelSize size = picture) {
-    return cast_with(gl(), model, grid, scene, shaders, size);
+  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {}, PixelSize size = picture, const RenderOptions& options = one_ray_a_pixel) {
+    return cast_with(gl(), model, grid, scene, shaders, size, options);
   }
   /// Black behind, no occlusion.
   static Scene scene_of(const Model& model, const Camera& camera, const VolumeLook& look);

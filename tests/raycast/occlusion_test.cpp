@@ -160,14 +160,14 @@ TEST_P(Occlusion, HasMutantsThatAreNoticed) {
   if (GetParam().camera.near_mm > 0) return;   // the eye is within the box: of its layers nothing is seen
   Section section = cut;
   section.normal = glm::normalize(section.normal);
-  const ShaderEdit edits[] = {{"volume.frag", "to = min(to, way_to(ray, texelFetch(depth_to, pixel, 0).r));", ""},
-                              {"volume.frag", "if (from_the_eye == 0) from = max(from, way_to(ray, texelFetch(depth_from, pixel, 0).r));", ""},
-                              {"volume.frag", "min(ray.end, way_to(ray, texelFetch(depth_opaque, pixel, 0).r))", "ray.end"},
-                              {"volume.frag", "middle = 0.5 * (before + after), half_rise", "middle = before, half_rise"},
-                              {"volume.frag", "left *= 1.0 - opacity;", "left -= opacity;"},
-                              {"volume.frag", "float opacity = 1.0 - exp(-mean_extinction(before, after) * (far - near));", "float opacity = 1.0 - exp(-mean_extinction(before, after) * stride);"},
+  const ShaderEdit edits[] = {{"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_opaque, at, 0).r)"},
+                              {"volume.frag", "if (from_the_eye == 0) from = max(from, way_to(ray, texelFetch(depth_from, at, 0).r));", ""},
+                              {"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_to, at, 0).r)"},
+                              {"volume.frag", "colour = mean.a > 0.0 ? mean.rgb / mean.a", "colour = mean.a > 0.0 ? here.rgb / max(here.a, 1e-6)"},
+                              {"volume.frag", "part = left * swallowed(mean.a * (far - near));", "part = min(swallowed(mean.a * (far - near)), left);"},
+                              {"volume.frag", "swallowed(mean.a * (far - near))", "swallowed(mean.a * stride)"},
                               {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""},
-                              {"volume_ray.glsl", "(way - ray.begin) / stride, 1e8)))", "(way - ray.begin) / stride, 1e8)) + 12.0)"},
+                              {"volume_ray.glsl", " - ray.begin) / stride, 1e8)))", " - ray.begin) / stride, 1e8)) + 12.0)"},
                               {"volume_ray.glsl", "return z / ray.eye_direction.z;", "return -z + 0.0002;"}};
   for (const ShaderEdit& edit : edits) {
     EXPECT_GT(judged(section, {edit}).worst, 2) << edit.from << " -> " << edit.to;

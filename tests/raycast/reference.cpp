@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
 
 namespace odontoscope::test {
@@ -87,9 +88,15 @@ Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const
   for_each_step(stride_of(grid) / steps, whole, std::max(from, whole.from), std::min(to, whole.to), [&](double way, double length) {
     const double before = value_at(grid, ray.at(way - 0.5 * length)), after = value_at(grid, ray.at(way + 0.5 * length));
     double extinction = 0;
-    for (int part = 0; part < parts; ++part) extinction += transferred(look.transfer, before + (after - before) * (part + 0.5) / parts).a / parts;
+    glm::dvec3 colour(0);
+    for (int part = 0; part < parts; ++part) {
+      const glm::dvec4 here(transferred(look.transfer, before + (after - before) * (part + 0.5) / parts));
+      extinction += here.a / parts;
+      colour += here.a / parts * glm::dvec3(here);
+    }
+    if (!(extinction > 0)) return;
     const double covers = 1 - std::exp(-extinction * length);
-    seen = over(seen, {covers * glm::dvec3(transferred(look.transfer, 0.5 * (before + after))), covers});
+    seen = over(seen, {covers / extinction * colour, covers});
   });
   return seen;
 }

@@ -86,7 +86,7 @@ TEST_P(RawSurface, LiesWhereTheValuesCross) {
 TEST_P(RawSurface, HasMutantsThatAreNoticed) {
   const ShaderEdit edits[] = {{"volume_surface.frag", "halving < 12", "halving < 3"},
                               {"volume_surface.frag", "0.5 * clip.z / clip.w + 0.5", "0.5 * clip.z / clip.w + 0.501"},
-                              {"volume_ray.glsl", "(way - ray.begin) / stride, 1e8)))", "(way - ray.begin) / stride, 1e8)) + 12.0)"},
+                              {"volume_ray.glsl", " - ray.begin) / stride, 1e8)))", " - ray.begin) / stride, 1e8)) + 12.0)"},
                               {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""}};
   for (const ShaderEdit& edit : edits) {
     if (GetParam().camera.near_mm > 0 && edit.to.find("12.0") != std::string::npos) continue;   // from within the lump no empty brick is met first

@@ -95,6 +95,79 @@ TEST_F(VolumePanel, HasTransferFunctions) {
   EXPECT_GT(look().transfer.back().value, place);
 }
 
+/// A place of the editor: parts of its width from the left and of its height from below.
+TEST_F(VolumePanel, HasAnEditorOfTransferFunctions) {
+  click_control("Volume", {"volume shows"});
+  frames(3);
+  const unsigned id = control_id("##transfer points");
+  const auto found = [&] {
+    for (const Interface::Place& place : viewer().interface().places)
+      if (place.id == id) return place;
+    ADD_FAILURE() << "there is no editor";
+    return Interface::Place{};
+  }();
+  const auto at = [&](double right, double up) { return glm::dvec2(found.left + right * (found.right - found.left), found.bottom - up * (found.bottom - found.top)); };
+  const std::vector<TransferPoint> ready = look().transfer;
+  const Image before = picture();
+  const glm::dvec2 fresh = at(0.06, 0.7), moved = at(0.12, 0.9);
+  click(fresh.x, fresh.y);
+  ASSERT_EQ(look().transfer.size(), ready.size() + 1);
+  EXPECT_NEAR(look().transfer[0].value, 0.06 * 1700, 8);
+  EXPECT_NEAR(look().transfer[0].extinction, std::expm1(0.7 * std::log1p(60.0)), 1.5);
+  EXPECT_TRUE(sensible(look().transfer));
+  drag(fresh.x, fresh.y, moved.x, moved.y);
+  EXPECT_NEAR(look().transfer[0].value, 0.12 * 1700, 20);   // the button comes up in a frame of its own
+  EXPECT_GT(look().transfer[0].extinction, 30);
+  EXPECT_TRUE(differs(before));
+  keep_picture("transfer-editor");
+  drag(moved.x, moved.y, at(0.99, 0.9).x, moved.y);   // not beyond its neighbour
+  EXPECT_TRUE(sensible(look().transfer));
+  EXPECT_LT(look().transfer[0].value, ready[0].value);
+  const double dense = look().transfer[0].extinction;
+  const glm::dvec2 density = control("Density");
+  click(density.x, density.y);   // edits stay
+  EXPECT_EQ(look().transfer.size(), ready.size() + 1);
+  EXPECT_GT(look().transfer[0].extinction, 2 * dense);
+  click_control("Remove");
+  EXPECT_EQ(look().transfer.size(), ready.size());
+  click_control("Tooth", {"transfer"});
+  EXPECT_EQ(look().transfer.front().value, ready.front().value);
+}
+
+TEST_F(VolumePanel, ColoursSurfacesByTheirDistanceFromTheCt) {
+  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) {
+    LoadedModel loaded = tooth_of_a_volume();
+    mark_deviations(loaded.model, *loaded.values, {{"enamel", 400}});
+    loaded.deviations = deviations_in(loaded.model);
+    return loaded;
+  }});
+  frames(3);
+  const Image own = picture();
+  click_control("Distance", {"data colours"});
+  ASSERT_TRUE(viewer().state().scene.data_colours);
+  EXPECT_EQ(viewer().state().scene.data_colours->of, DataColours::Of::distance);
+  EXPECT_TRUE(differs(own));
+  keep_picture("distance-from-the-ct");
+  const Image distance = picture();
+  click_control("Slope", {"data colours"});
+  EXPECT_EQ(viewer().state().scene.data_colours->of, DataColours::Of::slope);
+  EXPECT_TRUE(differs(distance));
+  click_control("Own colours", {"data colours"});
+  EXPECT_FALSE(viewer().state().scene.data_colours);
+}
+
+TEST_F(VolumePanel, SlidesFromModelToData) {
+  click_control("Both", {"volume shows"});
+  frames(2);
+  const glm::dvec2 right = control("Model to data");
+  click(right.x, right.y);
+  EXPECT_LT(viewer().state().scene.look_of("enamel")->opacity, 0.1f);
+  const double dense = look().transfer.back().extinction;
+  click(right.x - 150, right.y);
+  EXPECT_GT(viewer().state().scene.look_of("enamel")->opacity, 0.3f);
+  EXPECT_LT(look().transfer.back().extinction, dense);
+}
+
 TEST_F(VolumePanel, IsNotThereWithoutAVolume) {
   viewer_with_tooth();
   frames(2);

@@ -58,7 +58,7 @@ export class Picture {
     this.resolve = new Sheet(resolveShader, {light: null, top: new Color(), bottom: new Color(), smoothed: false, empty: false, dark: false});
     this.plain = new Color();
     this.samples = 0;
-    this.mostCast = 8;      // of one through which rays are cast
+    this.mostCast = 4;      // of one through which rays are cast, as on the desktop
     this.mostSamples = 8;   // of a picture that stays still; 0: it is left as it was drawn in motion
   }
 

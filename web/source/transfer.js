@@ -23,15 +23,15 @@ export function anyExtinction(points, low, high) {
   return transferred(points, low)[3] > 0 || transferred(points, high)[3] > 0 || points.some(([value, , , , extinction]) => value > low && value < high && extinction > 0);
 }
 
-/// What volume.frag wants: entries from `low` to `high`, and the sums of their extinctions up to there over what the shader counts by, of which there are `span`.
-export function transferTables(points, low, high, span) {
-  const table = new Float32Array(4 * entries), sums = new Float32Array(entries);
-  for (let i = 0, sum = 0, before = 0; i < entries; ++i) {
-    const entry = transferred(points, low + (high - low) * i / (entries - 1));
-    if (i > 0) sum += 0.5 * span / (entries - 1) * (before + entry[3]);
-    before = entry[3];
-    table.set(entry, 4 * i);
-    sums[i] = sum;
+/// What volume.frag wants: the transfer function summed over the values from `low` to each entry, up to `high`; colours times extinctions, and extinctions. Over what the shader
+/// counts by, of which there are `span`.
+export function transferTable(points, low, high, span) {
+  const sums = new Float32Array(4 * entries), sum = [0, 0, 0, 0], step = span / (entries - 1);
+  for (let i = 0, before = null; i < entries; ++i) {
+    const [r, g, b, extinction] = transferred(points, low + (high - low) * i / (entries - 1)), here = [r * extinction, g * extinction, b * extinction, extinction];
+    if (before) here.forEach((x, k) => { sum[k] += 0.5 * step * (before[k] + x); });
+    before = here;
+    sums.set(sum, 4 * i);
   }
-  return {table, sums};
+  return sums;
 }

@@ -10,7 +10,7 @@ import rayShader from '../../shaders/volume_ray.glsl';
 import surfaceShader from '../../shaders/volume_surface.frag';
 import {brickGrid, brickSide, distancesToShown} from './bricks.js';
 import {Sheet} from './sheet.js';
-import {anyExtinction, entries, transferTables, understood} from './transfer.js';
+import {anyExtinction, entries, transferTable, understood} from './transfer.js';
 
 const shared = {'lighting.glsl': lighting, 'tone.glsl': tone, 'volume_ray.glsl': rayShader};
 const included = text => text.replace(/#include "([\w.]+)"/g, (_, name) => shared[name]);
@@ -47,13 +47,12 @@ export class Volume {
     this.diagonal = size.clone().multiply(step).length();
     this.unit = (told.high - told.low) / levels;   // of a value, between two bytes
     this.ray = {
-      eye_to_world: new Matrix4(), eye_to_clip: new Matrix4(), clip_to_eye: new Matrix4(), pixels: new Vector2(), parallel: 0, section: new Vector4(), first, spacing: step, size,
+      eye_to_world: new Matrix4(), eye_to_clip: new Matrix4(), clip_to_eye: new Matrix4(), pixels: new Vector2(), apart: 1, parallel: 0, section: new Vector4(), first, spacing: step, size,
       stride: 1, values: valueTexture(told.size, bytes), bricks: null, brick_side: brickSide,
     };
     this.light = {lamp: new Vector4()};
     this.transfer = new DataTexture(new Float32Array(4 * entries), entries, 1, RGBAFormat, FloatType);
-    this.sums = new DataTexture(new Float32Array(entries), entries, 1, RedFormat, FloatType);
-    for (const table of [this.transfer, this.sums]) table.magFilter = table.minFilter = NearestFilter;
+    this.transfer.magFilter = this.transfer.minFilter = NearestFilter;
     this.sheets = new Map();
     this.coarseness = 1;
     this.prepared = '';
@@ -69,7 +68,7 @@ export class Volume {
     const sheet = cast === 'surface'
       ? new Sheet(included(surfaceShader), {...this.ray, ...this.light, iso: 0, colour: new Color()})
       : cast === 'shaded'
-        ? new Sheet(`#define SHADED\n${included(castShader)}`, {...this.ray, ...this.light, transfer: this.transfer, sums: this.sums, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
+        ? new Sheet(`#define SHADED\n${included(castShader)}`, {...this.ray, ...this.light, transfer: this.transfer, among_surfaces: 1, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
           depth_to: null, depth_opaque: null, from_the_eye: 1}, under)
         : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1} : {})}, under);
     if (cast === 'surface') Object.assign(sheet.material, {depthTest: true, depthWrite: true});
@@ -93,10 +92,8 @@ export class Volume {
     this.ray.bricks = bricks;
     for (const [, sheet] of this.sheets) sheet.set({bricks});
     if (cast !== 'shaded') return;
-    const {table, sums} = transferTables(points, told.low, told.high, levels);
-    this.transfer.image.data.set(table);
-    this.sums.image.data.set(sums);
-    this.transfer.needsUpdate = this.sums.needsUpdate = true;
+    this.transfer.image.data.set(transferTable(points, told.low, told.high, levels));
+    this.transfer.needsUpdate = true;
   }
 
   /// What all ways to cast have in common; `view`: {camera, section, lamp, pixels}.
@@ -114,7 +111,7 @@ export class Volume {
   /// Between two depths of every pixel, `from` and `to` (null: the eye, the end), and not beyond what is opaque; blended under what is in `target`.
   drawBetween(view, {from, to, opaque}, target) {
     this.sheetSeenBy(view).set({
-      transfer_range: new Vector2(0, levels), lit: this.look.lit ? 1 : 0, clear_slope: clearSlope * this.range / Math.max(...this.told.step_mm),
+      transfer_range: new Vector2(0, levels), lit: this.look.lit ? 1 : 0, among_surfaces: this.showsSurfaces ? 1 : 0, clear_slope: clearSlope * this.range / Math.max(...this.told.step_mm),
       depth_from: from ?? opaque, depth_to: to ?? opaque, depth_opaque: opaque, from_the_eye: from ? 0 : 1,
     }).draw(this.renderer, target);
     this.sheetFor('shaded').set({depth_from: null, depth_to: null, depth_opaque: null});   // no target may be read while it is drawn to
