@@ -66,6 +66,14 @@ struct BlendOptions {
   /// Passages and walls a step of the grid wide are put where slices join what links keep apart, or part what they join (kept_links.h). The shares' slices
   /// then depend on each other.
   bool keep_links = false;
+  /// More slices than asked for, between those where a lobe would vanish all at once (drawn_back.h).
+  bool draw_back = false;
+};
+
+/// An outline at a share of the slab's height.
+struct StagedOutline {
+  double share = 0;
+  Outline outline;
 };
 
 /// Outlines at z_lower + share * (z_upper - z_lower) for each share, in the same order. Contours are closed, simple and
@@ -80,6 +88,9 @@ struct BlendOptions {
 /// break.
 std::vector<Outline> blend(const Surroundings& surroundings, std::span<const double> shares,
                            const BlendOptions& options = {});
+
+/// The same with their shares: those given, and with options.draw_back others between them. The same preconditions.
+std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std::span<const double> shares, const BlendOptions& options = {});
 
 /// How much there is to guess in a slab.
 struct SlabNeed {

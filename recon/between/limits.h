@@ -21,4 +21,8 @@ inline constexpr int parting_rounds = 4;
 /// A passage that joins what is joined below and above is at most so many steps of the grid long.
 inline constexpr int passage_steps = 12;
 
+/// What reaches farther than so many steps of the grid from what two slices share is drawn back between them, in stages about as long, and in so many at most.
+inline constexpr double sudden_steps = 6;
+inline constexpr int most_drawn_back = 10;
+
 }  // namespace odontoscope::between::limits

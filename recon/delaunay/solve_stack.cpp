@@ -170,10 +170,11 @@ class StackSolver {
       return;
     }
     long least = -1;
-    for (const auto& [slices, strips, finer, late, kept] : attempts(k, task)) {
-      if (late && (least > limits::mendable || !deserves_more(k))) return;
+    for (const Attempt& attempt : attempts(k, task)) {
+      std::size_t slices = 0;
+      if (attempt.late && (least > limits::mendable || !deserves_more(k))) return;
       std::optional<SolvedSlab> solved =
-          slices == 0 ? solve_slab(task, progress_) : through(k, task, slices, {.strips = strips, .finer = finer, .keep_links = kept});
+          attempt.slices == 0 ? solve_slab(task, progress_) : through(k, task, attempt, slices);
       if (!solved) continue;
       if (slices > 0) solved->links = links_kept(task);
       const Topology wanted = implied(k, *solved);
@@ -204,7 +205,7 @@ class StackSolver {
     bool strips = false;      // this and the next: between::BlendOptions
     std::size_t finer = 1;
     bool late = false;        // for what is nearly as it should be
-    bool kept = false;        // between::BlendOptions::keep_links
+    bool kept = false;        // between::BlendOptions::keep_links and draw_back
   };
 
   /// In the order in which they are tried. A structure that ends would end flat without any slices.
@@ -226,13 +227,13 @@ class StackSolver {
 
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }
 
-  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, std::size_t slices, const between::BlendOptions& options) const {
-    const std::vector<double> shares = even_shares(slices);
-    std::vector<between::Outline> outlines =
-        blend_slab(result_.stack.slices, voids_, k, task.correspondences.links, surveys_[k].voids, shares, options);
+  /// `slices`: how many were interpolated.
+  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, const Attempt& attempt, std::size_t& slices) const {
+    const between::BlendOptions options{.strips = attempt.strips, .finer = attempt.finer, .keep_links = attempt.kept, .draw_back = attempt.kept};
     std::vector<Interpolated> made;
-    for (std::size_t i = 0; i < slices; ++i)
-      made.push_back({slice(k).z + shares[i] * (slice(k + 1).z - slice(k).z), std::move(outlines[i])});
+    for (between::StagedOutline& one : blend_slab(result_.stack.slices, voids_, k, task.correspondences.links, surveys_[k].voids, even_shares(attempt.slices), options))
+      made.push_back({slice(k).z + one.share * (slice(k + 1).z - slice(k).z), std::move(one.outline)});
+    slices = made.size();
     return solve_through(task, task.correspondences.components, made, progress_);
   }
 

@@ -16,7 +16,7 @@ between::Outline outline_of(const ConformedSlice& slice) {
   return all;
 }
 
-std::vector<between::Outline> blend_slab(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, std::size_t k,
+std::vector<between::StagedOutline> blend_slab(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, std::size_t k,
                                          const std::vector<RegionLink>& material, const std::vector<RegionLink>& voids_linked,
                                          std::span<const double> shares, const between::BlendOptions& options) {
   const between::Outline lower = outline_of(slices[k]), upper = outline_of(slices[k + 1]);
@@ -40,7 +40,7 @@ std::vector<between::Outline> blend_slab(const std::vector<ConformedSlice>& slic
     around.material.push_back({slices[k].outer_contour[link.lower], slices[k + 1].outer_contour[link.upper]});
   for (const RegionLink& link : voids_linked)
     around.voids.push_back({contour_of_void(voids[k], link.lower), contour_of_void(voids[k + 1], link.upper)});
-  return between::blend(around, shares, options);
+  return between::blend_in_stages(around, shares, options);
 }
 
 std::vector<double> even_shares(std::size_t n) {

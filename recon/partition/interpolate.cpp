@@ -98,7 +98,7 @@ void Interpolator::blend(const Surveyed& one, std::size_t k, const std::vector<d
   if (one.slices[k].regions() == 0 && one.slices[k + 1].regions() == 0) return;
   const auto outlines = delaunay::blend_slab(one.slices, one.voids, k, one.links[k], one.surveys[k].voids, shares, options);
   for (std::size_t s = 0; s < outlines.size(); ++s)
-    for (const auto& contour : outlines[s]) contours[s].contours.push_back({name, contour});
+    for (const auto& contour : outlines[s].outline) contours[s].contours.push_back({name, contour});
 }
 
 /// The structures, and after them what each fills.

@@ -1,4 +1,4 @@
-// Interpolated slices hold to the links, where distances alone would close or open passages.
+// Interpolated slices hold to the links, where distances alone would close or open passages, or end a lobe all at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,6 +79,57 @@ TEST(KeptLinks, BodiesThatTouchNowhereStayApart) {
 TEST(KeptLinks, WhatHoldsToThemIsLeftAsItIs) {
   const Outline lower = open_ring(4, 3, 1, 0), upper = open_ring(4.2, 3.1, 1.2, 0.1);
   EXPECT_EQ(blended(lower, upper, true), blended(lower, upper, false));
+}
+
+// A lobe beside a body, with a groove between them: it ends between the two slices.
+TEST(DrawnBack, ALobeGrowsShorterBeforeItIsGone) {
+  const Outline lower{{{0, 0}, {4, 0}, {4, 6}, {-1.5, 6}, {-1.5, 0}, {-0.5, 0}, {-0.5, 5}, {0, 5}}}, upper{rectangle({0.1, 0}, {4, 6})};
+  const Links links = overlap_links(lower, upper);
+  Surroundings s;
+  s.lower = &lower;
+  s.upper = &upper;
+  s.z_lower = 0;
+  s.z_upper = 1;
+  s.material = links.material;
+  s.voids = links.voids;
+  const auto lowest_of_lobe = [](const Outline& outline) {
+    double lowest = 6;
+    for (const Ring& ring : outline)
+      for (const Point2 p : ring)
+        if (p.x < -0.6) lowest = std::min(lowest, p.y);
+    return lowest;
+  };
+  double at_once = 0, longest = 0, before = 0;
+  for (const Outline& slice : blend(s, quarters, {.strips = false})) {
+    at_once = std::max(at_once, lowest_of_lobe(slice) - before);
+    before = lowest_of_lobe(slice);
+  }
+  EXPECT_GT(at_once, 4);   // or the test shows nothing
+  before = 0;
+  double share = 0;
+  const auto stages = between::blend_in_stages(s, quarters, {.strips = false, .draw_back = true});
+  EXPECT_GT(stages.size(), 3U);
+  for (const between::StagedOutline& stage : stages) {
+    EXPECT_GT(stage.share, share);
+    EXPECT_EQ(stage.outline.size(), 1U);
+    share = stage.share;
+    longest = std::max(longest, lowest_of_lobe(stage.outline) - before);
+    before = lowest_of_lobe(stage.outline);
+  }
+  EXPECT_LT(share, 1);
+  EXPECT_LT(longest, 1);
+}
+
+TEST(DrawnBack, NothingIsAddedWhereNothingEndsAtOnce) {
+  const Outline lower{rectangle({0, 0}, {4, 6})}, upper{rectangle({0.1, 0}, {4, 6.1})};
+  const Links links = overlap_links(lower, upper);
+  Surroundings s;
+  s.lower = &lower;
+  s.upper = &upper;
+  s.z_upper = 1;
+  s.material = links.material;
+  s.voids = links.voids;
+  EXPECT_EQ(between::blend_in_stages(s, quarters, {.draw_back = true}).size(), 3U);
 }
 
 TEST(KeptLinks, NothingBetweenTwoEmptySlices) {
