@@ -212,6 +212,40 @@ test('a tour plays, can be moved by its slider, and stays within the walls', asy
   assert.equal(tour.mode, null);
 });
 
+test('inside, the wall tells by colour how far it is to the outside, or how deep it lies', async () => {
+  const {page} = one;
+  const found = await page.evaluate(() => {
+    viewer.startTour(0);
+    viewer.play(false);
+    viewer.seek(0.6 * viewer.journey.tour.length);
+    const parts = viewer.models[0].parts, cavity = parts.find(part => part.kind === 'cavity'), outside = parts.find(part => part.structure === cavity.structure && part.kind !== 'cavity');
+    const colours = () => cavity.geometry.getAttribute('wall_depth').array, depth = [...colours()], before = look();
+    viewer.setWallThickness(true);
+    const shown = different(before, look()), thickness = [...colours()], boxes = [viewer.wallDepth, viewer.wallThickness];
+    // By hand, at some places: to the nearest corner of the outside, which is near enough where corners are many.
+    const p = cavity.geometry.getAttribute('position'), q = outside.geometry.getAttribute('position');
+    const off = [];
+    for (let v = 0; v < p.count; v += Math.floor(p.count / 60)) {
+      let nearest = Infinity;
+      for (let w = 0; w < q.count; ++w) nearest = Math.min(nearest, Math.hypot(p.getX(v) - q.getX(w), p.getY(v) - q.getY(w), p.getZ(v) - q.getZ(w)));
+      off.push(nearest - (15 - thickness[v]) * 0.2);
+    }
+    const numbers = [...document.querySelectorAll('#cues .number')].filter(e => e.style.display !== 'none').length;
+    viewer.setWallThickness(false);
+    viewer.setWallDepth(true);
+    const back = [...colours()];
+    viewer.leave();
+    return {shown, off, boxes, numbers, same: back.every((value, i) => value === depth[i]), thinnest: 3 - 0.2 * Math.max(...thickness)};
+  });
+  assert.ok(found.shown > 0.1, `${found.shown}`);
+  assert.deepEqual(found.boxes, [false, true]);
+  assert.equal(found.numbers, 0);   // of depths
+  assert.ok(found.off.every(off => off > -1e-3 && off < 0.5), found.off.join(' '));
+  assert.ok(found.off.filter(off => off < 0.12).length > 0.8 * found.off.length, found.off.join(' '));
+  assert.ok(found.thinnest > 0.2 && found.thinnest < 1.5, `${found.thinnest}`);
+  assert.ok(found.same);
+});
+
 test('walls hold in flight: a minute against them at ten times the speed', async () => {
   const flight = await one.page.evaluate(() => {
     viewer.startFlight();

@@ -96,7 +96,7 @@ export class Cues {
       if (journey.mode === 'tour' && !here && journey.mm > (journey.tour.orifice ?? 0) + 1) continue;
       for (const {at, text, width: wide} of rings) {
         const on = seen(at);
-        if (!inPicture(on)) continue;
+        if (!inPicture(on) || viewer.wallThickness) continue;   // the lines are no depths then
         const pixels = numberSize * wide * focal / on.deep;
         if (pixels >= leastPixels && viewer.inSight(at)) told.push({on, text: `${text}`, pixels: Math.min(pixels, mostPixels), kind: 'number', deep: on.deep});
       }

@@ -2,8 +2,9 @@
 import {views} from './camera.js';
 import {depthStep} from './depth.js';
 import {choice, element, slider} from './dom.js';
-import {capital, language, languages, named, number, said, speak, t} from './language.js';
+import {capital, language, languages, named, number, plainNumber, said, speak, t} from './language.js';
 import {sides} from './section.js';
+import {thicknessStep} from './thickness.js';
 import {toldOf} from './told.js';
 import {greysSection} from './volume_panel.js';
 
@@ -101,6 +102,10 @@ function insideSection(viewer) {
   const step = depthStep(viewer.description.tours);
   const told = element('p', {class: 'quiet'}, t('Below the orifice: a ring every {step} mm, a bold one every {bold}. Amber near the crown, teal and blue towards the tip.', {step, bold: 5 * step}));
   const cues = viewer.description.tours.some(tour => tour.orifice_mm !== null) ? [element('label', {class: 'switch'}, depth, t('Depth on the walls of canals')), told] : [];
+  const thickness = element('input', {type: 'checkbox', checked: viewer.wallThickness, onchange: e => viewer.setWallThickness(e.target.checked)});
+  if (viewer.hasThickness) cues.push(element('label', {class: 'switch'}, thickness, t('Thickness of the wall')),
+    element('p', {class: 'quiet'}, t('To the outside: a line every {line} mm, a bold one at {one} and {two} mm. Blue where it is thin, its own colour from {thick} mm on.', {line: plainNumber(Number((thicknessStep * step).toPrecision(3))), one: step, two: 2 * step, thick: 3 * step})));
+  viewer.addEventListener('change', () => Object.assign(depth, {checked: viewer.wallDepth}) && Object.assign(thickness, {checked: viewer.wallThickness}));
   if (viewer.tours.length > 0) {
     const marks = element('input', {type: 'checkbox', checked: viewer.cues.on, onchange: e => { viewer.cues.on = e.target.checked; viewer.touch(); }});
     cues.push(element('label', {class: 'switch'}, marks, t('Numbers, names and the way ahead')));

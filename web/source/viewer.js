@@ -3,7 +3,7 @@ import {BufferAttribute, Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
 import {boundsOf, partsOf, trianglesOf, voidsOf, volumeValues} from './data.js';
-import {wallDepths} from './depth.js';
+import {depthStep, wallDepths} from './depth.js';
 import {Headset} from './headset.js';
 import {Journey, Tour, flightStart, lengthsFor} from './journey.js';
 import {Labels} from './labels.js';
@@ -16,6 +16,7 @@ import {Pace, Quality} from './quality.js';
 import {Section, sides} from './section.js';
 import {Shadow} from './shadow.js';
 import {sharedUniforms} from './surface.js';
+import {outsideOf, thicknessColours} from './thickness.js';
 import {Volume} from './volume.js';
 
 const mostPixels = 2.2e6, sampledPoints = 1500;
@@ -75,7 +76,8 @@ export class Viewer extends EventTarget {
     this.shadow = values ? null : Shadow.of(this.renderer, {models, looks: this.looks, certificate: description.models[0].certificate}, this.bounds);
     this.chosen = 0;
     this.faces = 'cull';
-    this.wallDepth = true;   // canals' walls tell how deep one is
+    this.wallDepth = true;   // canals' walls tell how deep one is,
+    this.wallThickness = false;   // or how far it is to the outside
     this.section = new Section(this.bounds);
     this.orbit = new Orbit(canvas, this.bounds, pointsOf(models[0].parts), () => this.touch());
     this.labels = new Labels(models[0].parts, this.looks);
@@ -83,6 +85,7 @@ export class Viewer extends EventTarget {
     this.pins = new Pins(this);
     this.led = false;   // a lesson is moving the picture
     this.prepareInside();
+    this.wallColours = new Map();   // by geometry: what has been measured
     this.headset = new Headset(this);
     this.pointing = new Pointing(this);
     this.cues = new Cues(this);
@@ -137,7 +140,7 @@ export class Viewer extends EventTarget {
     else this.shared.section.value.set(0, 0, 0, 1);
     this.shown.forEach((shown, index) => {
       shown.group.visible = index === this.chosen;
-      shown.dress({faces: this.faces, section, inside: this.inside, wallDepth: this.wallDepth});
+      shown.dress({faces: this.faces, section, inside: this.inside, wallDepth: this.wallDepth || this.wallThickness});
     });
     this.orbit.controls.enabled = !this.inside;
     this.touch();
@@ -145,7 +148,16 @@ export class Viewer extends EventTarget {
   }
 
   show(index) { this.chosen = index; this.dress(); }
-  setWallDepth(wallDepth) { this.wallDepth = wallDepth; this.dress(); }
+  setWallDepth(wallDepth) { this.colourWalls(wallDepth, false); }
+  setWallThickness(wallThickness) { this.colourWalls(!wallThickness && this.wallDepth, wallThickness); }
+  /// One of both or neither.
+  colourWalls(depth, thickness) {
+    Object.assign(this, {wallDepth: depth, wallThickness: thickness});
+    if (this.inside) this.markWalls();
+    this.dress();
+  }
+  /// Is there an outside to measure to?
+  get hasThickness() { return this.cavities.some(part => outsideOf(part, this.models[0].parts).length > 0); }
   setShade(shade) { this.shade = shade; this.dress(); }
   setFaces(faces) { this.faces = faces; this.dress(); }
   setLook(key, change) { Object.assign(this.looks.get(key), change); this.dress(); }
@@ -209,15 +221,23 @@ export class Viewer extends EventTarget {
     this.dress();
   }
   enter() {
-    this.markDepths();
+    this.markWalls();
     if (!this.inside && !this.headset.present) this.dispatchEvent(new Event('enter'));
   }
-  /// Once, when they are first to be seen.
-  markDepths() {
-    if (this.depthsMarked) return;
-    this.depthsMarked = true;
-    for (const geometry of this.shown.flatMap(shown => [...shown.voids]))
-      geometry.setAttribute('wall_depth', new BufferAttribute(wallDepths(geometry.getAttribute('position').array, this.description.tours), 1));
+  /// What the colours tell, measured when it is first to be seen.
+  markWalls() {
+    const what = this.wallThickness ? 'thickness' : 'depth';
+    if (this.marked === what) return;
+    this.marked = what;
+    this.models.forEach(({parts}, index) => {
+      for (const geometry of this.shown[index].voids) {
+        const positions = geometry.getAttribute('position').array, known = this.wallColours.get(geometry) ?? {}, part = parts.find(one => one.geometry === geometry);
+        const outside = what === 'thickness' && part ? outsideOf(part, parts) : [];
+        known[what] ??= what === 'depth' ? wallDepths(positions, this.description.tours) : outside.length > 0 ? thicknessColours(positions, outside, depthStep(this.description.tours)) : new Float32Array(positions.length / 3).fill(-1);
+        this.wallColours.set(geometry, known);
+        geometry.setAttribute('wall_depth', new BufferAttribute(known[what], 1));
+      }
+    });
   }
   leave() {
     this.journey.leave();
