@@ -136,7 +136,8 @@ void leaving_card(ViewerState& state, const Interface& interface, const Area& vi
 void key_row(const Interface& interface, std::string_view printed, std::string_view words, float column) {
   ImGui::PushFont(interface.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::accent);
-  widgets::expect_room(widgets::say(std::string(printed)), column - scaled(4));
+  const float start = ImGui::GetCursorPosX() - ImGui::GetColumnOffset();   // `column` is counted from the window's edge
+  widgets::expect_room(widgets::say(std::string(printed)), column - start);
   widgets::text(std::string(printed));
   ImGui::PopStyleColor();
   ImGui::PopFont();

@@ -94,14 +94,16 @@ class Viewer {
   /// The section's handle: not over a lesson's pins, nor over what is asked about.
   bool handle_shown() const { return state_.scene.section && !lesson_.asked(state_.notes) && !pins_shown(); }
 
-  // viewer.cpp: a frame
+  // viewer_load.cpp: models; viewer_volume.cpp: what is asked about one
   void take_finished_load();
   void take_draft();
   void give_up_loading();
-  void follow_language();
   void ask_about(LoadRequest request);
   void tend_question();
   void show(std::shared_ptr<const LoadedModel> shown);
+
+  // viewer.cpp: a frame
+  void follow_language();
   void advance(double seconds);
   void perform(Action action);
   void lay_out(const FrameInput& input);
