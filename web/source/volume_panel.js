@@ -75,7 +75,7 @@ function filmLengths(viewer) {
   const mm = value => t('{length} mm', {length: number(value, 1)}), head = [t('Line'), t('On film'), t('True')].map(words => element('th', {scope: 'col'}, words));
   const body = element('div', {}, element('table', {class: 'lengths', id: 'film-lengths'}, element('thead', {}, element('tr', {}, ...head)),
     element('tbody', {}, ...rows.map(({tour, cell, own}) => element('tr', {}, element('th', {scope: 'row'}, named(tour.name)), cell, element('td', {}, mm(own)))))),
-    element('p', {class: 'quiet'}, t('From the chamber to the end of the root. The film hangs at the middle of the tooth, square to the rays: what leans towards the tube or away from it is shown shorter.')));
+    element('p', {class: 'quiet'}, t('From the chamber to the end of the root. The film hangs at the middle of the tooth, square to the rays: what leans towards the tube or away from it is shown shorter, what lies nearer the tube larger.')));
   viewer.addEventListener('drawn', () => {
     if (viewer.shadow.on) for (const {tour, cell} of rows) cell.textContent = mm(lengthOnFilm(tour.points_mm, viewer.camera, viewer.bounds.centre));
   });
