@@ -192,6 +192,112 @@ test('the film of a model is the length of each ray inside it, times what its ti
   await close();
 });
 
+test('the film is cut by a section: rays count only where they run through what is left', async () => {
+  const {page, watched, close} = await openedIn(chromium, made('model.html'), {size: {width: 560, height: 200}});
+  for (const side of ['mesial', 'buccal', 'occlusal']) {
+    const judged = await page.evaluate(side => {
+      viewer.renderer.setAnimationLoop(null);
+      viewer.setFilm(true);
+      viewer.cut({on: true, side, at: 0.3});
+      viewer.swingTube(20);
+      viewer.orbit.update(0);
+      const {width, height} = viewer.canvas, camera = viewer.camera, V = viewer.bounds.centre.constructor, gl = viewer.renderer.getContext(), light = new Float32Array(4 * width * height);
+      viewer.picture.draw(viewer.scene, camera, viewer.current, {...viewer.wayOf({layers: true, shade: false}), complete: true});
+      viewer.renderer.setRenderTarget(viewer.picture.layers.sum);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, light);
+      viewer.renderer.setRenderTarget(null);
+      camera.updateMatrixWorld();
+      const shown = l => { const soft = l > 0.78 ? 0.78 + 0.22 * (1 - Math.exp(-(l - 0.78) / 0.22)) : l; return soft <= 0.0031308 ? 12.92 * soft : 1.055 * soft ** (1 / 2.4) - 0.055; };
+      const plane = viewer.section.plane(), judged = {worst: 0, most: 0, cut: 0}, mu = viewer.looks.get('tooth').attenuation;
+      for (let n = 0; n < 80; ++n) {
+        const x = Math.floor(width * (0.35 + 0.3 * ((0.5 + n * 0.7548776662) % 1))), y = Math.floor(height * ((0.5 + n * 0.5698402910) % 1));
+        const way = new V(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, 0).unproject(camera).sub(camera.position).normalize(), hits = [];
+        for (const {geometry} of viewer.models[0].parts) {
+          const p = geometry.attributes.position, index = geometry.index.array, [a, u, v, s] = [0, 0, 0, 0].map(() => new V());
+          for (let i = 0; i < index.length; i += 3) {
+            a.fromBufferAttribute(p, index[i]);
+            u.fromBufferAttribute(p, index[i + 1]).sub(a);
+            v.fromBufferAttribute(p, index[i + 2]).sub(a);
+            s.copy(camera.position).sub(a);
+            const det = u.dot(new V().crossVectors(way, v)), q = new V().crossVectors(s, u), b = s.dot(new V().crossVectors(way, v)) / det, c = way.dot(q) / det;
+            if (b >= 0 && c >= 0 && b + c <= 1) hits.push([v.dot(q) / det, Math.sign(det)]);
+          }
+        }
+        hits.sort(([a], [b]) => a - b);
+        const normal = new V(plane.x, plane.y, plane.z), speed = normal.dot(way), pass = (plane.w - normal.dot(camera.position)) / speed;
+        const kept = (from, to) => (speed > 0 ? Math.max(0, Math.min(to, pass) - from) : Math.max(0, to - Math.max(from, pass)));
+        let sum = 0, whole = 0;
+        for (let i = 0, depth = 0; i + 1 < hits.length; ++i) {
+          depth += hits[i][1];
+          if (depth > 0) { sum += kept(hits[i][0], hits[i + 1][0]); whole += hits[i + 1][0] - hits[i][0]; }
+        }
+        judged.cut += whole - sum > 0.2 && sum > 0.2 ? 1 : 0;
+        judged.most = Math.max(judged.most, mu * sum);
+        judged.worst = Math.max(judged.worst, Math.abs(mu * sum - viewer.shadow.latitude * shown(light[4 * (y * width + x)])));
+      }
+      return judged;
+    }, side);
+    assert.ok(judged.cut > 3 || side === 'occlusal', JSON.stringify({side, ...judged}));   // nearly along the rays
+    assert.ok(judged.worst < 8 / 255, JSON.stringify({side, ...judged}));   // two levels: the film is kept in halves of floats
+  }
+  assert.deepEqual(watched, []);
+  await close();
+});
+
+test('beside the film stand the canals\u2019 lengths on it and their own', async () => {
+  odontoscope('web', '-o', 'molar.html');
+  const {page, watched, close} = await openedIn(chromium, made('molar.html'), {size: {width: 560, height: 400}});
+  const told = await page.evaluate(() => {
+    viewer.renderer.setAnimationLoop(null);
+    viewer.setFilm(true);
+    return [0, 35].map(degrees => {
+      viewer.swingTube(degrees);
+      viewer.orbit.update(0);
+      viewer.draw();
+      const {camera, bounds: {centre}} = viewer, V = centre.constructor;
+      camera.updateMatrixWorld();
+      // On the screen: how many parts of the picture's height, and how many millimetres these are at the middle of the tooth.
+      const depth = -centre.clone().applyMatrix4(camera.matrixWorldInverse).z, tall = 2 * depth * Math.tan(camera.fov * Math.PI / 360);
+      const rows = [...document.querySelectorAll('#film-lengths tbody tr')].map(row => [...row.children].map(cell => cell.textContent));
+      return viewer.description.tours.map((tour, index) => {
+        const places = tour.points_mm.map(point => new V(...point).project(camera)).map(({x, y}) => [0.5 * x * camera.aspect * tall, 0.5 * y * tall]);
+        const film = places.slice(1).reduce((sum, [x, y], i) => sum + Math.hypot(x - places[i][0], y - places[i][1]), 0);
+        const own = tour.points_mm.slice(1).reduce((sum, point, i) => sum + new V(...point).distanceTo(new V(...tour.points_mm[i])), 0);
+        return {film, own, row: rows[index]};
+      });
+    });
+  });
+  for (const {film, own, row} of told.flat()) {
+    assert.ok(Math.abs(parseFloat(row[1]) - film) < 0.11, JSON.stringify({film, own, row}));
+    assert.ok(Math.abs(parseFloat(row[2]) - own) < 0.11, JSON.stringify({film, own, row}));
+  }
+  assert.ok(told[0].length >= 3 && told[0].some(({film}, i) => Math.abs(film - told[1][i].film) > 0.1), 'swinging the tube changes what the film shows');
+  assert.deepEqual(watched, []);
+  await close();
+});
+
+test('the transfer function is edited on the histogram, by hand and by number', async () => {
+  const {page, watched, close} = await openedIn(chromium, made('both.html'), {size: {width: 1100, height: 900}});
+  await page.evaluate(() => viewer.setVolume({shows: 'volume', cast: 'shaded'}));
+  const canvas = page.locator('#volume-controls canvas.histogram'), before = await page.evaluate(() => viewer.volume.look.transfer);
+  await canvas.scrollIntoViewIfNeeded();
+  const box = await canvas.boundingBox(), at = (right, up) => [box.x + right * box.width, box.y + (1 - up) * box.height], {low, high} = await page.evaluate(() => viewer.volume.told);
+  await page.mouse.move(...at(0.05, 0.6));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.1, 0.8));
+  await page.mouse.up();
+  const after = await page.evaluate(() => viewer.volume.look.transfer);
+  assert.equal(after.length, before.length + 1);
+  assert.ok(Math.abs(after[0].value - (low + 0.1 * (high - low))) < 0.02 * (high - low), JSON.stringify(after[0]));
+  assert.ok(Math.abs(Math.log1p(after[0].extinction) / Math.log1p(60) - 0.8) < 0.03, JSON.stringify(after[0]));
+  await page.getByRole('slider', {name: 'Its extinction'}).press('Home');
+  assert.equal((await page.evaluate(() => viewer.volume.look.transfer))[0].extinction, 0);
+  await page.getByRole('button', {name: 'Remove point'}).click();
+  assert.deepEqual((await page.evaluate(() => viewer.volume.look.transfer)).map(point => point.value), before.map(point => point.value));
+  assert.deepEqual(watched, []);
+  await close();
+});
+
 const refusal = (...words) => {
   try {
     odontoscope('web', ...words, '-o', 'refused.html');
