@@ -230,6 +230,27 @@ void refuse_too_close(const SlabTask& task) {
                    "Drop one of the two slices, or give heights that differ by more than a rounding");
 }
 
+namespace {
+
+/// Which witnessed links give way to the user's.
+enum class Give { nothing, beside_the_users, all };
+
+Correspondences without_witnessed(const SlabTask& task, Give give) {
+  std::vector<RegionLink> kept;
+  for (const RegionLink& link : task.correspondences.links) {
+    const auto has_user_link = [&](const Component& c) {
+      if (!std::binary_search(c.lower.begin(), c.lower.end(), link.lower)) return false;
+      return std::any_of(task.choices.joined.begin(), task.choices.joined.end(),
+                         [&](const auto& pair) { return std::binary_search(c.lower.begin(), c.lower.end(), pair.first); });
+    };
+    const auto& components = task.correspondences.components;
+    if (link.criterion != LinkCriterion::user && give != Give::all && std::none_of(components.begin(), components.end(), has_user_link)) kept.push_back(link);
+  }
+  return correspond(kept, task.choices, static_cast<std::uint32_t>(task.lower.regions()), static_cast<std::uint32_t>(task.upper.regions()), task.place);
+}
+
+}  // namespace
+
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
   if (task.lower.regions() == 0 || task.upper.regions() == 0) {
     SolvedSlab flat;
@@ -237,7 +258,18 @@ SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
     flat.upper_linked.assign(task.upper.regions(), false);
     return flat;
   }
-  return SlabSolver(task, progress).run();
+  // A link that the user asked for goes before those that contours alone witness: these are cut where it cannot be built beside them.
+  for (const Give give : {Give::nothing, Give::beside_the_users, Give::all}) {
+    const SlabTask wanted{task.lower, task.upper, give == Give::nothing ? task.correspondences : without_witnessed(task, give), task.choices, task.walls, task.place};
+    try {
+      SolvedSlab solved = SlabSolver(wanted, progress).run();
+      solved.cut_links += task.correspondences.links.size() - wanted.correspondences.links.size();
+      return solved;
+    } catch (const InputError& error) {
+      if (error.cause() != "link-impossible" || give == Give::all) throw;
+    }
+  }
+  throw InternalError("a slab was solved in no way");
 }
 
 Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {

@@ -35,7 +35,8 @@ struct SlabTask {
 /// Steps 2 to 6. Components are triangulated apart from each other. Where two would then cross or touch, they are
 ///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their regions; else
 ///   2. made one component (links with criterion `crossing`), unless the user keeps a pair of their regions apart; else
-///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: InputError link-impossible.
+///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: where it cannot be built, witnessed links of its component,
+///      then all of the slab, are cut instead; InputError link-impossible if that does not help either.
 /// Where a slice is not conforming (conform.h), every component is a block (block.h), case 1 is left out, and a component without room for a block is cut.
 /// Throws InputError slices-too-close if a piece must leave a slice and no double lies between the two.
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress);
