@@ -150,6 +150,6 @@ def png(pixels: Any) -> bytes:
     return _drawing().png(pixels)
 
 
-def page(model: Any, title: str, progress: Any) -> str:
-    """One HTML file."""
-    return _drawing().page(model, title, progress).decode("utf-8")
+def page(model: Any, title: str, lesson: str, db: Any, progress: Any) -> str:
+    """One HTML file. ``db``: the compiled module's Model, or None."""
+    return _drawing().page(model, title, lesson, db, progress).decode("utf-8")

@@ -256,12 +256,14 @@ class Model:
         given = {name: value for name, value in locals().items() if name not in ("self", "progress")}
         return _draw.pictures(self._core, progress, **given)
 
-    def page(self, title: str = "", progress: Optional[Progress] = None) -> str:
+    def page(self, title: str = "", *, lesson: Optional[File] = None, db: Optional[Model] = None, progress: Optional[Progress] = None) -> str:
         """The page of ``odontoscope web`` as text: one HTML file that opens from disk in any browser and asks the network for nothing.
 
-        ``title``: the source's name without ending where it is left out.
+        ``title``: the source's name without ending where it is left out. ``lesson``: a file of notes, or the title of one that comes with the program. ``db``: a
+        model of the same contours by ``method="db"``, and a switch between both.
         """
-        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", progress)
+        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", "" if lesson is None else _options.path(lesson),
+                          None if db is None else db._core, progress)
 
     def _repr_png_(self) -> Optional[bytes]:
         """For notebooks; None where the machine cannot draw."""

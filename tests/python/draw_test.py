@@ -194,6 +194,13 @@ class Notebooks(unittest.TestCase):
             odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5).save(f"{folder}/tooth.json")
             subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/tooth.json", "-o", f"{folder}/page.html", "--title", "An incisor"], check=True)
             self.assertTrue(page.encode() == pathlib.Path(f"{folder}/page.html").read_bytes())
+            subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/tooth.json", "-o", f"{folder}/page.html", "--title", "Both", "--db", "--grid", "24", "--lesson", "Find your way"], check=True)
+            by_db = odontoscope.reconstruct(odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5), method="db", grid=24)
+            self.assertTrue(self.model.page("Both", db=by_db, lesson="Find your way").encode() == pathlib.Path(f"{folder}/page.html").read_bytes())
+        with self.assertRaises(odontoscope.UsageError):
+            self.model.page(db=self.model)
+        with self.assertRaises(odontoscope.FileError):
+            self.model.page(lesson="none.tour.json")
 
     def test_show_the_page_in_a_frame(self):
         page = self.page()
