@@ -63,6 +63,7 @@ class Pictures(unittest.TestCase):
                              ({"show": "volume", "transfer": "enamel", "grey": (10, 120)}, ["--show", "volume", "--transfer", "enamel", "--grey", "10,120"]),
                              ({"iso": 100, "show": "both"}, ["--iso", "100", "--show", "both"]),
                              ({"iso": 100, "section": "buccal", "cap": "ct", "view": "buccal"}, ["--iso", "100", "--section", "buccal", "--cap", "ct", "--view", "buccal"]),
+                             ({"iso": 100, "colour_by": "distance=0.1"}, ["--iso", "100", "--colour-by", "distance=0.1"]),
                              ({"iso": 100, "section": "buccal", "cap": "ct=20,180"}, ["--iso", "100", "--section", "buccal", "--cap", "ct=20,180"])]:
             theirs, = self.pictures_by_the_program(file.name, "-o", "made.png", *size, *words)
             (self.folder / "made.png").unlink()
@@ -71,7 +72,7 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(ours == theirs, f"{given} draws something else than {words}")
         no_volume = odontoscope.reconstruct(root())
         for model, words in [(no_volume, {"show": "volume"}), (no_volume, {"section": "buccal", "cap": "ct"}), (image, {}), (image, {"cast": "loud", "show": "volume"}),
-                             (image, {"show": "volume", "threads": 1}), (no_volume, {"grey": (1, 2)})]:
+                             (image, {"show": "volume", "threads": 1}), (no_volume, {"grey": (1, 2)}), (no_volume, {"colour_by": "distance"}), (no_volume, {"colour_by": "mood"})]:
             with self.assertRaises(odontoscope.UsageError):
                 odontoscope.render(model, **words)
 
