@@ -7,13 +7,12 @@
 #include <string>
 
 #include "engine/app/command.h"
+#include "engine/app/lesson.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/web_input.h"
 #include "engine/app/words.h"
 #include "engine/language/language.h"
-#include "engine/navigate/built_in_lessons.h"
-#include "engine/navigate/notes.h"
 #include "engine/web/studio.h"
 #include "recon/core/grouped.h"
 
@@ -28,19 +27,6 @@ struct WebArguments {
 };
 
 constexpr std::size_t longest_title = 200;
-
-struct CalledLesson {
-  TourNotes tour;
-  bool built_in = false;
-};
-
-/// A file, or one of the lessons that come with the program by its title.
-CalledLesson lesson_called(const std::string& called) {
-  const std::vector<BuiltInLesson> known = built_in_lessons();
-  for (std::size_t i = 0; i < known.size(); ++i)
-    if (known[i].title == called) return {built_in_lesson_tour(i), true};
-  return {read_tour(called), false};
-}
 
 /// A lesson in place of a model is about the model that it names, or the sample molar.
 std::optional<CalledLesson> lesson_of(WebArguments& options) {

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "engine/app/lesson.h"
 #include "engine/app/model_page.h"
 #include "engine/figures/comparison_pictures.h"
 #include "engine/gpu/context.h"
@@ -37,7 +39,8 @@ py::bytes png(const py::array_t<std::uint8_t, py::array::c_style>& pixels) {
   return bytes;
 }
 
-WebPage page_of(const Model& model, const Progress& progress) {
+/// `lesson`: a file or a title, or empty; `beside`: what DB made of the same contours, if it is to be there.
+WebPage page_of(const Model& model, const std::string& lesson, const std::optional<Model>& beside, const Progress& progress) {
   WebPage page;
   const WrittenModel whole = model.dt ? WrittenModel(model.dt->reconstruction) : WrittenModel(model.db->reconstruction);
   app::add_ways(whole, page, progress);
@@ -45,16 +48,23 @@ WebPage page_of(const Model& model, const Progress& progress) {
   progress.check();
   page.models.push_back(model.dt ? app::web_model_by_dt(model.dt->reconstruction, !model.dt->simplification.structures.empty(), {})
                                  : app::web_model_by_db(model.db->reconstruction, model.db->options.cases));
+  if (beside) page.models.push_back(app::web_model_by_db(beside->db->reconstruction, beside->db->options.cases));
+  if (!lesson.empty()) {
+    const app::CalledLesson called = app::lesson_called(lesson);
+    page.lesson = to_json(called.tour);
+    page.lesson_built_in = called.built_in;
+  }
   return page;
 }
 
-py::bytes page(const Model& model, const std::string& title, const py::object& listener) {
+py::bytes page(const Model& model, const std::string& title, const std::string& lesson, const std::optional<Model>& beside, const py::object& listener) {
   const EmbeddedPage shell = embedded_page();
   if (shell.html.empty())
     throw UsageError("this package was built without the web page: " + std::string(shell.why),
                      "Install Node.js 18 or newer with npm, see that the npm registry can be reached, and build again");
+  if (beside && (!beside->db || model.db)) throw UsageError("db is what the DB method made, beside a model of DT", "Give reconstruct(..., method=\"db\")");
   return watched(listener, [&](const Progress& progress) {
-    WebPage made = page_of(model, progress);
+    WebPage made = page_of(model, lesson, beside, progress);
     made.title = title;
     return web_page(made, shell.html);
   });

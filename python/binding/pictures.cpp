@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/app/data_colour_words.h"
 #include "engine/app/model_page.h"
 #include "engine/app/painter.h"
 #include "engine/app/radiograph_options.h"
@@ -35,6 +36,7 @@ struct PictureWords {
   app::RadiographWords radiograph;
   app::TourWords tour;
   std::string contact_sheet;   // empty: none
+  std::string colour_by;       // empty: as the scene says
   std::size_t frames = 0, turntable = 0;   // 0: not asked for
   PictureFormat format;
   PictureOptions picture;   // by it
@@ -94,12 +96,14 @@ void refuse_senseless(const PictureWords& words) {
   app::refuse_senseless(words.scene);
   app::refuse_senseless(words.look);
   app::refuse_senseless(words.radiograph);
+  app::refuse_senseless_colour_by(words.colour_by);
   const bool about_tour = words.frames > 0 || !words.contact_sheet.empty() || words.tour.reverse || words.tour.void_number > 1;
   if (!words.on_tour() && about_tour) throw UsageError("frames, contact_sheet, reverse and void are about a tour", "Say which line: tour=\"canal-1\"");
   if (words.on_tour() && words.turntable > 0) throw UsageError("tour and turntable both lead the camera", "Choose one");
   if (words.on_tour() && !words.scene.section.empty()) throw UsageError("section: on a tour nothing is cut open", "Leave it out");
   if (words.radiograph.on) {
     app::refuse_words_about_pictures(words.scene, words.look);
+    if (!words.colour_by.empty()) throw UsageError("colour_by: a film has no surfaces to colour", "Leave it out, or radiograph");
     if (words.on_tour()) throw UsageError("radiograph and tour: no film lies in a canal", "Choose one");
     if (words.sized || !words.save_scene.empty()) throw UsageError("size and save_scene: a film has no scene, and its size is told in mm", "Give film=\"31x41\" and pixel=0.05");
   } else if (!words.radiograph.grey.empty() && !wants_voxels(words)) {
@@ -123,6 +127,7 @@ PictureWords understood(const py::dict& given) {
   take(given, "void", words.tour.void_number);
   take(given, "reverse", words.tour.reverse);
   take(given, "contact_sheet", words.contact_sheet);
+  take(given, "colour_by", words.colour_by);
   take(given, "frames", words.frames);
   take(given, "turntable", words.turntable);
   words.format = app::picture_format(given["size"].cast<std::string>(), given["samples"].cast<std::optional<int>>(), words.scene.scene_file,
@@ -153,13 +158,13 @@ OverlaySource overlays_of(const Model& model, bool wanted) {
 
 /// The grey values around the model, if any are to be seen.
 void add_values(const Model& model, const PictureWords& words, app::Shown& shown) {
-  const bool voxels = wants_voxels(words), cap = !words.scene.cap.empty() || !words.scene.scene_file.empty();
+  const bool voxels = wants_voxels(words), cap = !words.scene.cap.empty() || !words.colour_by.empty() || !words.scene.scene_file.empty();
   if (!model.origin || !model.origin->volume || !(voxels || cap)) return;
   const Volume& volume = *model.origin->volume;
   const Box bounds = app::bounds_of(*model.contours);
   if (voxels) shown.greys = grey_anchors(volume);
   shown.values = std::make_shared<const ValueGrid>(value_grid(volume, voxels ? app::with_margin(bounds, volume) : bounds));
-  for (const auto& [structure, iso] : model.origin->facts->isos) shown.isos.push_back(iso);
+  for (const auto& [structure, iso] : model.origin->facts->isos) shown.isos.push_back({structure, iso});
 }
 
 app::Shown shown_of(const Model& model, const PictureWords& words) {
@@ -216,6 +221,7 @@ std::vector<Image> drawn(const Seen& seen, const PictureWords& words, app::Sessi
   Scene scene = app::scene_from(words.scene, shown.model, shown.overlays, shown.values.get(), words.picture.size);
   app::show_volume({words.look, words.radiograph.grey, words.radiograph.kv, words.scene.opacity, !words.scene.background.empty() || !words.scene.scene_file.empty()}, shown,
                    scene, session);
+  app::colour_by_data(words.colour_by, words.scene.opacity, shown, scene, session);
   app::refuse_cap_without_section(words.scene, scene);
   std::optional<app::Film> film;
   if (words.on_tour()) film.emplace(app::film_of(shown, words.tour, session));

@@ -213,7 +213,7 @@ class Model:
                scene: Optional[File] = None, camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
                opacity: Look = None, colour: Look = None, section: str = "", cap: str = "", cull: str = "", wire: bool = False,
                wall_depth: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
-               background: str = "", show: str = "", cast: str = "", transfer: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "",
+               background: str = "", show: str = "", cast: str = "", transfer: str = "", colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "",
                focus: Optional[float] = None, tube: Any = None, film: Any = None, pixel: Optional[float] = None, exposure: Optional[float] = None, inverted: bool = False,
                attenuation: Look = None, turntable: Optional[int] = None, tour: str = "", reverse: bool = False, void: int = 1, frames: Optional[int] = None,
                contact_sheet: Any = None, backend: str = "auto", save_scene: Optional[File] = None, progress: Optional[Progress] = None) -> Any:
@@ -239,6 +239,7 @@ class Model:
             background: "white", "black", "transparent", "#rrggbb", or two colours from top to bottom.
             show, cast, transfer: "surfaces", "volume" or "both", of a model made from a volume: its grey values as "shaded", "maximum", "average", "radiograph" or "surface=T";
                 "tooth", "enamel", "dentine", "pulp", "soft" (docs/volume.md). grey: what values mean: of air, of dentine.
+            colour_by: "distance", "distance=0.2" (mm), "slope": surfaces by how they lie to the values of the volume that they were taken from, with a legend.
             radiograph: an X-ray film instead, through the solids (of a Volume through its voxels), 0.05 mm a pixel. kv, beam, focus, tube, film, pixel, exposure,
                 inverted, attenuation: docs/volume.md; ``tube=(20, 0)`` degrees, ``film=(31, 41)`` mm, ``attenuation={"crown": 0.4}`` 1/mm.
             turntable: so many pictures from all around.
@@ -256,12 +257,14 @@ class Model:
         given = {name: value for name, value in locals().items() if name not in ("self", "progress")}
         return _draw.pictures(self._core, progress, **given)
 
-    def page(self, title: str = "", progress: Optional[Progress] = None) -> str:
+    def page(self, title: str = "", *, lesson: Optional[File] = None, db: Optional[Model] = None, progress: Optional[Progress] = None) -> str:
         """The page of ``odontoscope web`` as text: one HTML file that opens from disk in any browser and asks the network for nothing.
 
-        ``title``: the source's name without ending where it is left out.
+        ``title``: the source's name without ending where it is left out. ``lesson``: a file of notes, or the title of one that comes with the program. ``db``: a
+        model of the same contours by ``method="db"``, and a switch between both.
         """
-        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", progress)
+        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", "" if lesson is None else _options.path(lesson),
+                          None if db is None else db._core, progress)
 
     def _repr_png_(self) -> Optional[bytes]:
         """For notebooks; None where the machine cannot draw."""

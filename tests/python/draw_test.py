@@ -63,6 +63,7 @@ class Pictures(unittest.TestCase):
                              ({"show": "volume", "transfer": "enamel", "grey": (10, 120)}, ["--show", "volume", "--transfer", "enamel", "--grey", "10,120"]),
                              ({"iso": 100, "show": "both"}, ["--iso", "100", "--show", "both"]),
                              ({"iso": 100, "section": "buccal", "cap": "ct", "view": "buccal"}, ["--iso", "100", "--section", "buccal", "--cap", "ct", "--view", "buccal"]),
+                             ({"iso": 100, "colour_by": "distance=0.1"}, ["--iso", "100", "--colour-by", "distance=0.1"]),
                              ({"iso": 100, "section": "buccal", "cap": "ct=20,180"}, ["--iso", "100", "--section", "buccal", "--cap", "ct=20,180"])]:
             theirs, = self.pictures_by_the_program(file.name, "-o", "made.png", *size, *words)
             (self.folder / "made.png").unlink()
@@ -71,7 +72,7 @@ class Pictures(unittest.TestCase):
                 self.assertTrue(ours == theirs, f"{given} draws something else than {words}")
         no_volume = odontoscope.reconstruct(root())
         for model, words in [(no_volume, {"show": "volume"}), (no_volume, {"section": "buccal", "cap": "ct"}), (image, {}), (image, {"cast": "loud", "show": "volume"}),
-                             (image, {"show": "volume", "threads": 1}), (no_volume, {"grey": (1, 2)})]:
+                             (image, {"show": "volume", "threads": 1}), (no_volume, {"grey": (1, 2)}), (no_volume, {"colour_by": "distance"}), (no_volume, {"colour_by": "mood"})]:
             with self.assertRaises(odontoscope.UsageError):
                 odontoscope.render(model, **words)
 
@@ -194,6 +195,13 @@ class Notebooks(unittest.TestCase):
             odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5).save(f"{folder}/tooth.json")
             subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/tooth.json", "-o", f"{folder}/page.html", "--title", "An incisor"], check=True)
             self.assertTrue(page.encode() == pathlib.Path(f"{folder}/page.html").read_bytes())
+            subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/tooth.json", "-o", f"{folder}/page.html", "--title", "Both", "--db", "--grid", "24", "--lesson", "Find your way"], check=True)
+            by_db = odontoscope.reconstruct(odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5), method="db", grid=24)
+            self.assertTrue(self.model.page("Both", db=by_db, lesson="Find your way").encode() == pathlib.Path(f"{folder}/page.html").read_bytes())
+        with self.assertRaises(odontoscope.UsageError):
+            self.model.page(db=self.model)
+        with self.assertRaises(odontoscope.FileError):
+            self.model.page(lesson="none.tour.json")
 
     def test_show_the_page_in_a_frame(self):
         page = self.page()

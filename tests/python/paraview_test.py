@@ -1,6 +1,7 @@
 """The plugin, in ParaView's own interpreter and with its own VTK; and the state file of examples/paraview."""
 import os
 import pathlib
+import random
 import subprocess
 import tempfile
 import unittest
@@ -12,8 +13,8 @@ PACKAGE = os.environ["PYTHONPATH"].split(os.pathsep)[0]
 
 def by_paraview(script, *words):
     search = [PACKAGE, f"{PACKAGE}/odontoscope/paraview", os.environ.get("ODONTOSCOPE_PARAVIEW_PYTHON", "")]
-    for _ in range(3):   # a display that somebody else took at the same moment, or that is not there yet
-        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -nolisten tcp", "pvbatch", str(script), *map(str, words)],
+    for _ in range(3):   # a display that somebody else took at the same moment (also one outside this root), or that is not there yet
+        done = subprocess.run(["xvfb-run", "-a", "-n", str(random.randint(200, 900)), "-s", "-screen 0 1280x1024x24 -nolisten tcp", "pvbatch", str(script), *map(str, words)],
                               env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, search))}, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=250)
         if "bad X server connection" not in done.stdout:
             break
