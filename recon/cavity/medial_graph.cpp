@@ -80,20 +80,30 @@ void divide(const std::array<Point3, 3>& corners, const Direction& normal, doubl
   divide({middle, b, c}, normal, longest, samples);
 }
 
+/// As a GLB holds it: metres, in single precision. Contours lie on lattices, so that many points lie on one sphere exactly, and how those are triangulated
+/// decides between ways of nearly one length: a tooth and its file are to have the same.
+Point3 as_in_a_file(const Point3& p) {
+  constexpr double mm = 1000;   // in a metre
+  const auto rounded = [](double x) { return mm * static_cast<double>(static_cast<float>(x / mm)); };
+  return {rounded(p.x), rounded(p.y), rounded(p.z)};
+}
+
 std::vector<Sample> samples_of(const SurfaceMesh& wall) {
   std::vector<Sample> samples;
-  for (const Point3& p : wall.points) samples.push_back({p, {}, 0});
+  std::vector<Point3> points;
+  for (const Point3& p : wall.points) points.push_back(as_in_a_file(p));
+  for (const Point3& p : points) samples.push_back({p, {}, 0});
   std::vector<Direction> normals;
   double area = 0;
   for (const Triangle& t : wall.triangles) {
-    normals.push_back(cross(wall.points[t[1]] - wall.points[t[0]], wall.points[t[2]] - wall.points[t[0]]));
+    normals.push_back(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]));
     area += length(normals.back()) / 2;
   }
   constexpr double of_even_triangles = 0.8660254;  // area a point stands for, over the square of the edge
   const double longest = 2 * std::sqrt(area / (of_even_triangles * limits::wall_samples));
   for (std::size_t n = 0; n < wall.triangles.size(); ++n) {
     const Triangle& t = wall.triangles[n];
-    const std::array corners{wall.points[t[0]], wall.points[t[1]], wall.points[t[2]]};
+    const std::array corners{points[t[0]], points[t[1]], points[t[2]]};
     const double size = length(normals[n]);
     const Direction unit = size > 0 ? (1 / size) * normals[n] : Direction{};
     for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// Random stacks, each also seen differently. ODONTOSCOPE_RANDOM_STACKS says how many (default 500), ODONTOSCOPE_RANDOM_FIRST_SEED where to
+// Random stacks, each also seen differently. ODONTOSCOPE_RANDOM_STACKS says how many (default 200), ODONTOSCOPE_RANDOM_FIRST_SEED where to
 // begin (default 0); as a plain test every second one is seen from one side only. A failing seed is printed with a smallest stack that fails alike, ready for tests/corpus/engine.
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ class RandomStackShard : public testing::TestWithParam<int> {};
 
 TEST_P(RandomStackShard, IsCertifiedFromEverySide) {
   const bool by_command = std::getenv("ODONTOSCOPE_RANDOM_STACKS") != nullptr;
-  const std::uint64_t count = number_from_environment("ODONTOSCOPE_RANDOM_STACKS", 500);
+  const std::uint64_t count = number_from_environment("ODONTOSCOPE_RANDOM_STACKS", 200);
   const std::uint64_t first = number_from_environment("ODONTOSCOPE_RANDOM_FIRST_SEED", 0);
   int failures = 0;
   for (std::uint64_t seed = first + std::uint64_t(GetParam()); seed < first + count; seed += shards) {
