@@ -8,6 +8,7 @@
 
 #include "engine/picture/lettering.h"
 #include "engine/ui/fonts.h"
+#include "recon/output/shell_groups.h"
 
 namespace odontoscope::app {
 namespace {
@@ -48,7 +49,7 @@ std::array<std::uint8_t, 3> colour_at(const DataColours& colours, double part) {
   const glm::vec3 light = glm::mix(linear(middle), linear(place < 0 ? low : high), static_cast<float>(std::abs(place)));
   std::array<std::uint8_t, 3> shown{};
   for (int channel = 0; channel < 3; ++channel) {
-    const double c = static_cast<double>(light[channel]), encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
+    const double encoded = screen_value(static_cast<double>(light[channel]));
     shown[static_cast<std::size_t>(channel)] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(encoded, 0.0, 1.0)));
   }
   return shown;

@@ -31,36 +31,22 @@ double short_below(double value) {
   return std::floor(value / unit) * unit;
 }
 
-/// Writes rule(value, other's value) into a window where the other one lies on it.
-template <class Rule>
-void combine(Window& window, const Window& other, const Rule& rule) {
-  const std::ptrdiff_t end_i = std::min(window.first_i + window.columns, other.first_i + other.columns);
-  const std::ptrdiff_t end_j = std::min(window.first_j + window.rows, other.first_j + other.rows);
-  for (std::ptrdiff_t j = std::max(window.first_j, other.first_j); j < end_j; ++j) {
-    for (std::ptrdiff_t i = std::max(window.first_i, other.first_i); i < end_i; ++i) {
-      double& value = window.values[window.at(i, j)];
-      value = rule(value, other.values[other.at(i, j)]);
-    }
-  }
-}
+}  // namespace
 
-/// Far outside, as large as all of them together. Precondition: there is one.
-Window around(const std::vector<Window>& windows) {
-  Window all = windows.front();
+Window around(std::span<const Window* const> windows) {
+  Window all = {windows.front()->first_i, windows.front()->first_j, windows.front()->columns, windows.front()->rows, {}};
   std::ptrdiff_t end_i = all.first_i + all.columns, end_j = all.first_j + all.rows;
-  for (const Window& window : windows) {
-    all.first_i = std::min(all.first_i, window.first_i);
-    all.first_j = std::min(all.first_j, window.first_j);
-    end_i = std::max(end_i, window.first_i + window.columns);
-    end_j = std::max(end_j, window.first_j + window.rows);
+  for (const Window* window : windows) {
+    all.first_i = std::min(all.first_i, window->first_i);
+    all.first_j = std::min(all.first_j, window->first_j);
+    end_i = std::max(end_i, window->first_i + window->columns);
+    end_j = std::max(end_j, window->first_j + window->rows);
   }
   all.columns = end_i - all.first_i;
   all.rows = end_j - all.first_j;
   all.values.assign(static_cast<std::size_t>(all.columns * all.rows), far_outside);
   return all;
 }
-
-}  // namespace
 
 std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points, std::size_t finer) {
   Box box;
@@ -102,7 +88,9 @@ Window Composition::at(double share) const {
     }
   }
   if (groups.empty()) return {};
-  Window all = around(groups);
+  std::vector<const Window*> each;
+  for (const Window& group : groups) each.push_back(&group);
+  Window all = around(each);
   for (const Window& group : groups) combine(all, group, [](double a, double b) { return std::min(a, b); });
   return all;
 }

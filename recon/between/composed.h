@@ -4,6 +4,7 @@
 // Fields are negative inside and near the surface about the distance in mm. Group: material, and outside each of its
 // voids (the larger of the two fields); slice: any of the groups (the least).
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,22 @@ struct Window {
 
 /// A value that means "far outside".
 inline constexpr double far_outside = std::numeric_limits<double>::max();
+
+/// Far outside everywhere, and as large as all of these together. Precondition: there is one.
+Window around(std::span<const Window* const> windows);
+
+/// Writes rule(value, other's value) into a window where the other one lies on it.
+template <class Rule>
+void combine(Window& window, const Window& other, const Rule& rule) {
+  const std::ptrdiff_t end_i = std::min(window.first_i + window.columns, other.first_i + other.columns);
+  const std::ptrdiff_t end_j = std::min(window.first_j + window.rows, other.first_j + other.rows);
+  for (std::ptrdiff_t j = std::max(window.first_j, other.first_j); j < end_j; ++j) {
+    for (std::ptrdiff_t i = std::max(window.first_i, other.first_i); i < end_i; ++i) {
+      double& value = window.values[window.at(i, j)];
+      value = rule(value, other.values[other.at(i, j)]);
+    }
+  }
+}
 
 /// One unit in all its slices, ready to be blended at any height.
 class UnitField {

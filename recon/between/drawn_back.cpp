@@ -1,6 +1,7 @@
 #include "recon/between/drawn_back.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numbers>
 #include <queue>
@@ -11,23 +12,15 @@
 namespace odontoscope::between {
 namespace {
 
-/// Grown to a common size; what is new is far outside.
-std::pair<Window, Window> of_one_size(const Window& a, const Window& b) {
-  const auto grown = [&](const Window& one) {
-    Window all;
-    all.first_i = std::min(a.first_i, b.first_i);
-    all.first_j = std::min(a.first_j, b.first_j);
-    all.columns = std::max(a.first_i + a.columns, b.first_i + b.columns) - all.first_i;
-    all.rows = std::max(a.first_j + a.rows, b.first_j + b.rows) - all.first_j;
-    all.values.assign(static_cast<std::size_t>(all.columns * all.rows), far_outside);
-    for (std::ptrdiff_t j = one.first_j; j < one.first_j + one.rows; ++j)
-      for (std::ptrdiff_t i = one.first_i; i < one.first_i + one.columns; ++i) all.values[all.at(i, j)] = one.values[one.at(i, j)];
-    return all;
-  };
-  return {grown(a), grown(b)};
+/// The first of two, as large as both together; what is new is far outside.
+Window on_both(const Window& one, const Window& other) {
+  Window all = around(std::array{&one, &other});
+  combine(all, one, [](double, double own) { return own; });
+  return all;
 }
 
-/// How far the way within `whole` leads from what both have inside, in steps of the grid; 0 elsewhere, and where no way leads.
+/// How far the way within `whole` leads from what both have inside, in steps of the grid; 0 elsewhere, and where no way
+/// leads.
 std::vector<double> way_from_common(const Window& whole, const Window& other) {
   constexpr double never = far_outside;
   std::vector<double> way(whole.values.size(), never);
@@ -42,7 +35,8 @@ std::vector<double> way_from_common(const Window& whole, const Window& other) {
     const auto [so_far, n] = front.top();
     front.pop();
     if (so_far > way[n]) continue;
-    const auto column = static_cast<std::ptrdiff_t>(n) % whole.columns, row = static_cast<std::ptrdiff_t>(n) / whole.columns;
+    const auto column = static_cast<std::ptrdiff_t>(n) % whole.columns,
+               row = static_cast<std::ptrdiff_t>(n) / whole.columns;
     for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
       for (std::ptrdiff_t di = -1; di <= 1; ++di) {
         const std::ptrdiff_t i = column + di, j = row + dj;
@@ -70,9 +64,11 @@ std::vector<StagedWindow> drawn_back(const std::vector<StagedWindow>& stages, co
   for (std::size_t n = 0; n < stages.size(); ++n) {
     all.push_back(stages[n]);
     if (n + 1 == stages.size() || stages[n].window.values.empty() || stages[n + 1].window.values.empty()) continue;
-    const auto [lower, upper] = of_one_size(stages[n].window, stages[n + 1].window);
+    const Window lower = on_both(stages[n].window, stages[n + 1].window),
+                 upper = on_both(stages[n + 1].window, stages[n].window);
     const std::vector<double> down = way_from_common(lower, upper), up = way_from_common(upper, lower);
-    const double most_down = *std::max_element(down.begin(), down.end()), most_up = *std::max_element(up.begin(), up.end());
+    const double most_down = *std::max_element(down.begin(), down.end()),
+                 most_up = *std::max_element(up.begin(), up.end());
     const double most = std::max(most_down, most_up);
     if (!(most > limits::sudden_steps)) continue;
     const int count = std::min(limits::most_drawn_back, static_cast<int>(most / limits::sudden_steps) + 1);

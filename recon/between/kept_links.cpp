@@ -27,11 +27,11 @@ class LinkKeeper {
   }
 
  private:
-  // ---- what no given region has, and what would join two classes ------------------------------------------------------
+  // ---- what no given region has, and what would join two classes ---------------------------------------------------
 
   bool part() {
     const std::vector<std::vector<std::uint32_t>> of = stack_.spread_classes();
-    std::vector<std::pair<std::size_t, std::size_t>> wrong;   // slice and point
+    std::vector<std::pair<std::size_t, std::size_t>> wrong;  // slice and point
     for (std::size_t level = 1; level + 1 < stack_.levels(); ++level) {
       const Level& slice = stack_.level(level);
       for (std::size_t point = 0; point < stack_.points(); ++point) {
@@ -40,11 +40,13 @@ class LinkKeeper {
           continue;
         }
         stack_.for_joined(level, point, [&](std::size_t other) {
-          if (of[level][other] == no_class || of[level][other] == of[level][point] || !gives_way(slice, point, other)) return;
+          if (of[level][other] == no_class || of[level][other] == of[level][point] || !gives_way(slice, point, other))
+            return;
           wrong.emplace_back(level, point);
         });
         for (const std::size_t beside : {level - 1, level + 1}) {
-          if (stack_.level(beside).solid[point] != slice.solid[point] || of[beside][point] == of[level][point]) continue;
+          if (stack_.level(beside).solid[point] != slice.solid[point] || of[beside][point] == of[level][point])
+            continue;
           if (beside < level || !stack_.interpolated(beside)) wrong.emplace_back(level, point);
         }
       }
@@ -62,12 +64,14 @@ class LinkKeeper {
     return own != its ? own < its : point < other;
   }
 
-  // ---- regions that are joined both below and above -------------------------------------------------------------------
+  // ---- regions that are joined both below and above ----------------------------------------------------------------
 
-  /// Of each region of each slice the group of those it is joined with in this slice and those before it, in the order given.
+  /// Of each region of each slice the group of those it is joined with in this slice and those before it, in the order
+  /// given.
   std::vector<std::vector<std::uint32_t>> joined_before(bool solid, bool upwards) const {
     std::vector<std::uint32_t> first{0};
-    for (std::size_t level = 0; level < stack_.levels(); ++level) first.push_back(first.back() + stack_.level(level).regions);
+    for (std::size_t level = 0; level < stack_.levels(); ++level)
+      first.push_back(first.back() + stack_.level(level).regions);
     UnionFind joined(first.back());
     std::vector<std::vector<std::uint32_t>> groups(stack_.levels());
     for (std::size_t n = 0; n < stack_.levels(); ++n) {
@@ -76,9 +80,11 @@ class LinkKeeper {
         const std::size_t before = upwards ? level - 1 : level + 1;
         const Level &here = stack_.level(level), &there = stack_.level(before);
         for (std::size_t point = 0; point < stack_.points(); ++point)
-          if (here.solid[point] == solid && there.solid[point] == solid) joined.join(first[level] + here.region[point], first[before] + there.region[point]);
+          if (here.solid[point] == solid && there.solid[point] == solid)
+            joined.join(first[level] + here.region[point], first[before] + there.region[point]);
       }
-      for (std::uint32_t r = 0; r < stack_.level(level).regions; ++r) groups[level].push_back(joined.find(first[level] + r));
+      for (std::uint32_t r = 0; r < stack_.level(level).regions; ++r)
+        groups[level].push_back(joined.find(first[level] + r));
     }
     return groups;
   }
@@ -93,7 +99,8 @@ class LinkKeeper {
         if (slice.solid[point] == solid) class_of[slice.region[point]] = of[level][point];
       std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> loops;
       for (std::uint32_t r = 0; r < slice.regions; ++r)
-        if (class_of[r] != no_class && !classes_.loop[class_of[r]]) loops[{below[level][r], above[level][r]}].push_back(r);
+        if (class_of[r] != no_class && !classes_.loop[class_of[r]])
+          loops[{below[level][r], above[level][r]}].push_back(r);
       for (const auto& [both, regions] : loops)
         for (std::size_t n = 1; n < regions.size(); ++n) join(level, regions[n], regions, solid);
     }

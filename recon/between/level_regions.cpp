@@ -24,7 +24,7 @@ RegionClasses classes_of(const SliceSet& given, const Surroundings& links) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::vector<std::uint32_t> in_loop;
   for (const auto& [a, b] : pairs) {
-    if (a == b) continue;   // the outside of both
+    if (a == b) continue;  // the outside of both
     if (joined.find(a) == joined.find(b)) in_loop.push_back(a);
     joined.join(a, b);
   }
@@ -37,15 +37,26 @@ RegionClasses classes_of(const SliceSet& given, const Surroundings& links) {
   return classes;
 }
 
-LevelStack::LevelStack(std::vector<Window>& slices, const Grid& grid, const SliceSet& given, const RegionClasses& classes) : grid_(grid) {
+namespace {
+
+/// The last line of the grid at or before a place.
+std::ptrdiff_t line_before(double place, double anchor, const Grid& grid) {
+  return static_cast<std::ptrdiff_t>(std::floor((place - anchor) / grid.step));
+}
+
+}  // namespace
+
+LevelStack::LevelStack(std::vector<Window>& slices, const Grid& grid, const SliceSet& given,
+                       const RegionClasses& classes)
+    : grid_(grid) {
   Box box;
   for (const std::size_t slice : {at_lower, at_upper})
     for (const ContourFacts& facts : given.facts[slice]) box.take(facts.box);
   constexpr std::ptrdiff_t margin = 3;
-  const auto place = [&grid](double at, double anchor) { return static_cast<std::ptrdiff_t>(std::floor((at - anchor) / grid.step)); };
-  first_i_ = place(box.low.x, grid.anchor.x) - margin;
-  first_j_ = place(box.low.y, grid.anchor.y) - margin;
-  std::ptrdiff_t end_i = place(box.high.x, grid.anchor.x) + margin + 2, end_j = place(box.high.y, grid.anchor.y) + margin + 2;
+  first_i_ = line_before(box.low.x, grid.anchor.x, grid) - margin;
+  first_j_ = line_before(box.low.y, grid.anchor.y, grid) - margin;
+  std::ptrdiff_t end_i = line_before(box.high.x, grid.anchor.x, grid) + margin + 2;
+  std::ptrdiff_t end_j = line_before(box.high.y, grid.anchor.y, grid) + margin + 2;
   for (const Window& window : slices) {
     if (window.values.empty()) continue;
     first_i_ = std::min(first_i_, window.first_i - 1);
@@ -55,32 +66,34 @@ LevelStack::LevelStack(std::vector<Window>& slices, const Grid& grid, const Slic
   }
   columns_ = end_i - first_i_;
   rows_ = end_j - first_j_;
-  add_given(*given.outlines[at_lower], given.facts[at_lower], classes.lower, classes.outside);
+  add_given(*given.outlines[at_lower], given.facts[at_lower]);
   for (const Window& window : slices) add_interpolated(window);
-  add_given(*given.outlines[at_upper], given.facts[at_upper], classes.upper, classes.outside);
+  add_given(*given.outlines[at_upper], given.facts[at_upper]);
   lower_class_ = classes.lower;
   lower_class_.push_back(classes.outside);
   upper_class_ = classes.upper;
   upper_class_.push_back(classes.outside);
 }
 
-void LevelStack::add_given(const Outline& outline, const std::vector<ContourFacts>& facts, const std::vector<std::uint32_t>& classes, std::uint32_t) {
+void LevelStack::add_given(const Outline& outline, const std::vector<ContourFacts>& facts) {
   Level level;
   level.solid.assign(points(), 0);
-  level.region.assign(points(), static_cast<std::uint32_t>(classes.size()));
-  level.regions = static_cast<std::uint32_t>(classes.size() + 1);
+  level.region.assign(points(), static_cast<std::uint32_t>(facts.size()));  // outside
+  level.regions = static_cast<std::uint32_t>(facts.size() + 1);
   for (const std::size_t c : outside_in(facts)) {
-    const auto row = [&](double at, double anchor, std::ptrdiff_t first) {
-      return static_cast<std::ptrdiff_t>(std::floor((at - anchor) / grid_.step)) - first;
-    };
-    const std::ptrdiff_t i = row(facts[c].box.low.x, grid_.anchor.x, first_i_), j = row(facts[c].box.low.y, grid_.anchor.y, first_j_);
-    Lattice part{{grid_.anchor.x + grid_.step * static_cast<double>(first_i_ + i), grid_.anchor.y + grid_.step * static_cast<double>(first_j_ + j)}, grid_.step, 0, 0};
-    part.columns = row(facts[c].box.high.x, grid_.anchor.x, first_i_) + 2 - i;
-    part.rows = row(facts[c].box.high.y, grid_.anchor.y, first_j_) + 2 - j;
+    const Box& box = facts[c].box;
+    const std::ptrdiff_t i = line_before(box.low.x, grid_.anchor.x, grid_),
+                         j = line_before(box.low.y, grid_.anchor.y, grid_);
+    const Lattice part{
+        {grid_.anchor.x + grid_.step * static_cast<double>(i), grid_.anchor.y + grid_.step * static_cast<double>(j)},
+        grid_.step,
+        line_before(box.high.x, grid_.anchor.x, grid_) + 2 - i,
+        line_before(box.high.y, grid_.anchor.y, grid_) + 2 - j};
     const std::vector<std::uint8_t> mask = inside_mask(part, {outline[c]});
     for (std::ptrdiff_t n = 0; n < part.columns * part.rows; ++n) {
       if (mask[static_cast<std::size_t>(n)] == 0) continue;
-      const auto point = static_cast<std::size_t>((j + n / part.columns) * columns_ + i + n % part.columns);
+      const auto point =
+          static_cast<std::size_t>((j - first_j_ + n / part.columns) * columns_ + i - first_i_ + n % part.columns);
       level.solid[point] = facts[c].outer() ? 1 : 0;
       level.region[point] = static_cast<std::uint32_t>(c);
     }
@@ -93,14 +106,16 @@ void LevelStack::add_interpolated(const Window& window) {
   level.values.assign(points(), far_outside);
   for (std::ptrdiff_t j = 0; j < window.rows; ++j)
     for (std::ptrdiff_t i = 0; i < window.columns; ++i)
-      level.values[static_cast<std::size_t>((window.first_j + j - first_j_) * columns_ + window.first_i + i - first_i_)] =
+      level.values[static_cast<std::size_t>((window.first_j + j - first_j_) * columns_ + window.first_i + i -
+                                            first_i_)] =
           window.values[static_cast<std::size_t>(j * window.columns + i)];
   for (const double value : level.values) level.solid.push_back(value < 0 ? 1 : 0);
   levels_.push_back(std::move(level));
 }
 
 bool LevelStack::on_border(std::size_t point) const {
-  const auto column = static_cast<std::ptrdiff_t>(point) % columns_, row = static_cast<std::ptrdiff_t>(point) / columns_;
+  const auto column = static_cast<std::ptrdiff_t>(point) % columns_,
+             row = static_cast<std::ptrdiff_t>(point) / columns_;
   return column == 0 || row == 0 || column + 1 == columns_ || row + 1 == rows_;
 }
 
@@ -110,7 +125,8 @@ void LevelStack::flip(std::size_t number, std::size_t point) {
   level.values[point] = level.solid[point] ? -grid_.step : grid_.step;
 }
 
-/// As contours are traced: the saddle of the bilinear surface decides (traced.cpp). a and b lie across a cell, c and d are of the other kind.
+/// As contours are traced: the saddle of the bilinear surface decides (traced.cpp). a and b lie across a cell, c and d
+/// are of the other kind.
 bool LevelStack::diagonal(const Level& level, std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
   const double own = level.values[a] * level.values[b], other = level.values[c] * level.values[d];
   return level.solid[a] ? own >= other : own > other;
@@ -142,7 +158,7 @@ void LevelStack::find_regions() {
 
 std::vector<std::vector<std::uint32_t>> LevelStack::spread_classes() const {
   std::vector<std::vector<std::uint32_t>> found(levels_.size(), std::vector<std::uint32_t>(points(), no_class));
-  using Place = std::pair<std::size_t, std::size_t>;   // slice and point
+  using Place = std::pair<std::size_t, std::size_t>;  // slice and point
   std::deque<Place> now;
   for (const std::size_t end : {std::size_t{0}, levels_.size() - 1}) {
     const std::vector<std::uint32_t>& classes = end == 0 ? lower_class_ : upper_class_;
@@ -152,12 +168,12 @@ std::vector<std::vector<std::uint32_t>> LevelStack::spread_classes() const {
     }
   }
   while (!now.empty()) {
-    std::vector<Place> reached;   // at this many steps within slices
+    std::vector<Place> reached;  // at this many steps within slices
     while (!now.empty()) {
       const auto [level, point] = now.front();
       now.pop_front();
       if (interpolated(level)) reached.emplace_back(level, point);
-      for (const std::size_t beside : {level - 1, level + 1}) {   // below the first it wraps round, and is no slice
+      for (const std::size_t beside : {level - 1, level + 1}) {  // below the first it wraps round, and is no slice
         if (beside >= levels_.size() || !interpolated(beside) || found[beside][point] != no_class) continue;
         if (levels_[beside].solid[point] != levels_[level].solid[point]) continue;
         found[beside][point] = found[level][point];
@@ -177,7 +193,8 @@ std::vector<std::vector<std::uint32_t>> LevelStack::spread_classes() const {
 
 std::vector<Window> LevelStack::windows() const {
   std::vector<Window> made;
-  for (std::size_t number = 1; number + 1 < levels_.size(); ++number) made.push_back({first_i_, first_j_, columns_, rows_, levels_[number].values});
+  for (std::size_t number = 1; number + 1 < levels_.size(); ++number)
+    made.push_back({first_i_, first_j_, columns_, rows_, levels_[number].values});
   return made;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Regions of material and of void in a stack of slices on one grid, of which the first and the last are given and those in between interpolated, and which of
-// the given ones each grid point belongs to. Inner part of kept_links.h.
+// Regions of material and of void in a stack of slices on one grid, of which the first and the last are given and those
+// in between interpolated, and which of the given ones each grid point belongs to. Inner part of kept_links.h.
 
 #include <cstdint>
 #include <vector>
@@ -14,18 +14,19 @@ inline constexpr std::uint32_t no_class = 0xffffffff;
 
 /// Given regions that links join, of material or of void, are one class.
 struct RegionClasses {
-  std::vector<std::uint32_t> lower, upper;   // of each contour's region: what it bounds from outside (a hole: the void in it)
-  std::uint32_t outside = 0;                 // of the unbounded void
-  std::vector<bool> loop;                    // of each class: do links join its regions in a loop?
+  std::vector<std::uint32_t> lower,
+      upper;                  // of each contour's region: what it bounds from outside (a hole: the void in it)
+  std::uint32_t outside = 0;  // of the unbounded void
+  std::vector<bool> loop;     // of each class: do links join its regions in a loop?
 };
 
 RegionClasses classes_of(const SliceSet& given, const Surroundings& links);
 
 /// One slice on the stack's grid. Grid points are numbered row by row.
 struct Level {
-  std::vector<double> values;          // of an interpolated slice; empty for a given one
-  std::vector<std::uint8_t> solid;     // of each grid point: is it material?
-  std::vector<std::uint32_t> region;   // of each grid point: number of its region in this slice
+  std::vector<double> values;         // of an interpolated slice; empty for a given one
+  std::vector<std::uint8_t> solid;    // of each grid point: is it material?
+  std::vector<std::uint32_t> region;  // of each grid point: number of its region in this slice
   std::uint32_t regions = 0;
 };
 
@@ -47,8 +48,8 @@ class LevelStack {
 
   /// Numbers the regions of all interpolated slices anew, as their contours will part them.
   void find_regions();
-  /// Of each grid point of each slice the class of the given region of its kind that is nearest within what it is joined with; steps between slices count nothing.
-  /// no_class where there is none.
+  /// Of each grid point of each slice the class of the given region of its kind that is nearest within what it is
+  /// joined with; steps between slices count nothing. no_class where there is none.
   std::vector<std::vector<std::uint32_t>> spread_classes() const;
 
   /// Calls take(neighbour) for the grid points of the slice beside this one, of its kind, that its region goes on to.
@@ -59,20 +60,21 @@ class LevelStack {
   std::vector<Window> windows() const;
 
  private:
-  void add_given(const Outline& outline, const std::vector<ContourFacts>& facts, const std::vector<std::uint32_t>& classes, std::uint32_t outside);
+  void add_given(const Outline& outline, const std::vector<ContourFacts>& facts);
   void add_interpolated(const Window& window);
   bool diagonal(const Level& level, std::size_t a, std::size_t b, std::size_t c, std::size_t d) const;
 
   Grid grid_;
   std::ptrdiff_t first_i_ = 0, first_j_ = 0, columns_ = 0, rows_ = 0;
   std::vector<Level> levels_;
-  std::vector<std::uint32_t> lower_class_, upper_class_;   // of each region of the given slices
+  std::vector<std::uint32_t> lower_class_, upper_class_;  // of each region of the given slices
 };
 
 template <class Take>
 void LevelStack::for_joined(std::size_t number, std::size_t point, const Take& take) const {
   const Level& level = levels_[number];
-  const auto column = static_cast<std::ptrdiff_t>(point) % columns_, row = static_cast<std::ptrdiff_t>(point) / columns_;
+  const auto column = static_cast<std::ptrdiff_t>(point) % columns_,
+             row = static_cast<std::ptrdiff_t>(point) / columns_;
   const auto at = [&](std::ptrdiff_t i, std::ptrdiff_t j) { return static_cast<std::size_t>(j * columns_ + i); };
   for (std::ptrdiff_t dj = -1; dj <= 1; ++dj) {
     for (std::ptrdiff_t di = -1; di <= 1; ++di) {

@@ -55,9 +55,10 @@ std::size_t orifice_of(const CentreLine& line, double chamber_radius, const Wall
   }
   // Where the line bends within the chamber, sections change, too: the last great drop counts, and there the greatest step.
   const double best = drops.empty() ? 0 : *std::max_element(drops.begin(), drops.end());
+  const double least_drop = std::max(portable::log(limits::orifice_drop), limits::orifice_great * best);
   std::size_t upper = 0, lower = 0;
   for (std::size_t i = 0; i < drops.size(); ++i) {
-    if (drops[i] < portable::log(limits::orifice_drop) || drops[i] < limits::orifice_great * best) continue;
+    if (drops[i] < least_drop) continue;
     upper = i;
     lower = below[i];
   }

@@ -12,7 +12,7 @@
 namespace odontoscope {
 namespace {
 
-constexpr int bits = 21;   // of a place on the curve's grid, along each axis: those of three axes fit into one number
+constexpr int bits = 21;  // of a place on the curve's grid, along each axis: those of three axes fit into one number
 constexpr std::size_t least_round = 16;
 
 /// Where along Hilbert's curve a square of the grid lies.
@@ -50,9 +50,9 @@ std::uint64_t mixed(std::uint64_t n) {
 }
 
 struct Turn {
-  int rounds_left;   // after the one that it is inserted in
+  int rounds_left;  // after the one that it is inserted in
   std::uint64_t along;
-  std::uint32_t rank;   // by coordinates
+  std::uint32_t rank;  // by coordinates
 };
 
 std::array<double, 2> coordinates(const Point2& p) { return {p.x, p.y}; }
@@ -76,13 +76,14 @@ std::vector<std::uint32_t> ordered(const std::vector<Point>& points) {
       high[k] = std::max(high[k], coordinates(p)[k]);
     }
   }
-  double half_extent = 0;   // halves, since the whole may be larger than any double
+  double half_extent = 0;  // halves, since the whole may be larger than any double
   for (std::size_t k = 0; k < axes; ++k) half_extent = std::max(half_extent, high[k] / 2 - low[k] / 2);
   const auto on_grid = [&](const Point& p) {
     constexpr double last = (1U << bits) - 1;
     std::array<std::uint32_t, axes> place{};
     for (std::size_t k = 0; k < axes; ++k)
-      if (half_extent > 0) place[k] = static_cast<std::uint32_t>(std::min((coordinates(p)[k] / 2 - low[k] / 2) / half_extent, 1.0) * last);
+      if (half_extent > 0)
+        place[k] = static_cast<std::uint32_t>(std::min((coordinates(p)[k] / 2 - low[k] / 2) / half_extent, 1.0) * last);
     return place;
   };
 
@@ -90,7 +91,8 @@ std::vector<std::uint32_t> ordered(const std::vector<Point>& points) {
   std::vector<Turn> turns;
   turns.reserve(points.size());
   for (std::uint32_t rank = 0; rank < by_place.size(); ++rank)
-    turns.push_back({std::min(std::countr_zero(mixed(rank)) / 2, most_rounds), along_curve(on_grid(points[by_place[rank]])), rank});
+    turns.push_back(
+        {std::min(std::countr_zero(mixed(rank)) / 2, most_rounds), along_curve(on_grid(points[by_place[rank]])), rank});
   std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) {
     return std::tie(b.rounds_left, a.along, a.rank) < std::tie(a.rounds_left, b.along, b.rank);
   });

@@ -233,20 +233,40 @@ void refuse_too_close(const SlabTask& task) {
 namespace {
 
 /// Which witnessed links give way to the user's.
-enum class Give { nothing, beside_the_users, all };
+enum class Give { those_beside, all };
 
 Correspondences without_witnessed(const SlabTask& task, Give give) {
+  const auto& components = task.correspondences.components;
   std::vector<RegionLink> kept;
   for (const RegionLink& link : task.correspondences.links) {
-    const auto has_user_link = [&](const Component& c) {
-      if (!std::binary_search(c.lower.begin(), c.lower.end(), link.lower)) return false;
-      return std::any_of(task.choices.joined.begin(), task.choices.joined.end(),
-                         [&](const auto& pair) { return std::binary_search(c.lower.begin(), c.lower.end(), pair.first); });
+    const auto holds_it_and_a_users = [&](const Component& c) {
+      const auto begins_here = [&c](std::uint32_t region) { return std::binary_search(c.lower.begin(), c.lower.end(), region); };
+      return begins_here(link.lower) && std::any_of(task.choices.joined.begin(), task.choices.joined.end(),
+                                                    [&](const auto& pair) { return begins_here(pair.first); });
     };
-    const auto& components = task.correspondences.components;
-    if (link.criterion != LinkCriterion::user && give != Give::all && std::none_of(components.begin(), components.end(), has_user_link)) kept.push_back(link);
+    if (link.criterion == LinkCriterion::user || give == Give::all) continue;   // `correspond` adds the user's
+    if (std::none_of(components.begin(), components.end(), holds_it_and_a_users)) kept.push_back(link);
   }
-  return correspond(kept, task.choices, static_cast<std::uint32_t>(task.lower.regions()), static_cast<std::uint32_t>(task.upper.regions()), task.place);
+  return correspond(kept, task.choices, static_cast<std::uint32_t>(task.lower.regions()),
+                    static_cast<std::uint32_t>(task.upper.regions()), task.place);
+}
+
+SolvedSlab solved_without(const SlabTask& task, Give give, const Progress& progress) {
+  const SlabTask fewer{task.lower, task.upper, without_witnessed(task, give), task.choices, task.walls, task.place};
+  SolvedSlab solved = SlabSolver(fewer, progress).run();
+  solved.cut_links += task.correspondences.links.size() - fewer.correspondences.links.size();
+  return solved;
+}
+
+/// As `solve`, or nothing where a link of the user's cannot be built.
+template <class Solve>
+std::optional<SolvedSlab> unless_impossible(const Solve& solve) {
+  try {
+    return solve();
+  } catch (const InputError& error) {
+    if (error.cause() != "link-impossible") throw;
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -259,17 +279,9 @@ SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
     return flat;
   }
   // A link that the user asked for goes before those that contours alone witness: these are cut where it cannot be built beside them.
-  for (const Give give : {Give::nothing, Give::beside_the_users, Give::all}) {
-    const SlabTask wanted{task.lower, task.upper, give == Give::nothing ? task.correspondences : without_witnessed(task, give), task.choices, task.walls, task.place};
-    try {
-      SolvedSlab solved = SlabSolver(wanted, progress).run();
-      solved.cut_links += task.correspondences.links.size() - wanted.correspondences.links.size();
-      return solved;
-    } catch (const InputError& error) {
-      if (error.cause() != "link-impossible" || give == Give::all) throw;
-    }
-  }
-  throw InternalError("a slab was solved in no way");
+  if (auto solved = unless_impossible([&] { return SlabSolver(task, progress).run(); })) return std::move(*solved);
+  if (auto solved = unless_impossible([&] { return solved_without(task, Give::those_beside, progress); })) return std::move(*solved);
+  return solved_without(task, Give::all, progress);
 }
 
 Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, const SlabSolid& solid) {

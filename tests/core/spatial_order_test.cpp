@@ -52,7 +52,8 @@ TEST(SpatialOrder, IsTheSameEverywhere) {
   // Hilbert's curve of the second order, in one round.
   EXPECT_EQ(spatial_order(square), (std::vector<std::uint32_t>{0, 4, 5, 1, 2, 3, 7, 6, 10, 11, 15, 14, 13, 9, 8, 12}));
   const std::vector<std::uint32_t> order = spatial_order(strewn(500));
-  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.begin() + 8), (std::vector<std::uint32_t>{433, 95, 285, 424, 12, 226, 222, 202}));
+  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.begin() + 8),
+            (std::vector<std::uint32_t>{433, 95, 285, 424, 12, 226, 222, 202}));
 }
 
 TEST(SpatialOrder, GoesFromNeighbourToNeighbour) {
@@ -77,7 +78,8 @@ TEST(SpatialOrder, OfSpaceHasEveryPointOnceAndIsTheSameEverywhere) {
   std::vector<Point3> points;
   for (const Point2 p : strewn(700)) points.push_back({p.y, p.x, p.x * p.y});
   std::vector<std::uint32_t> order = spatial_order(points);
-  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.begin() + 8), (std::vector<std::uint32_t>{13, 289, 456, 249, 317, 339, 458, 540}));
+  EXPECT_EQ(std::vector<std::uint32_t>(order.begin(), order.begin() + 8),
+            (std::vector<std::uint32_t>{13, 289, 456, 249, 317, 339, 458, 540}));
   std::sort(order.begin(), order.end());
   for (std::uint32_t i = 0; i < order.size(); ++i) ASSERT_EQ(order[i], i);
 }
