@@ -150,14 +150,37 @@ test('a volume alone has no word about surfaces; the page is told to be still an
   await alone.close();
 });
 
+/// Gives a page rayThroughModel(n): the nth of rays strewn over the middle of the picture, by its pixel and its way from the camera, and all its hits on the
+/// first model, [distance, 1 where it enters and -1 where it leaves]. Every triangle is asked. The camera's matrices are to be up to date.
+const giveRays = page => page.evaluate(() => {
+  window.rayThroughModel = n => {
+    const {width, height} = viewer.canvas, camera = viewer.camera, V = viewer.bounds.centre.constructor, hits = [];
+    const x = Math.floor(width * (0.35 + 0.3 * ((0.5 + n * 0.7548776662) % 1))), y = Math.floor(height * ((0.5 + n * 0.5698402910) % 1));
+    const way = new V(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, 0).unproject(camera).sub(camera.position).normalize();
+    for (const {geometry} of viewer.models[0].parts) {
+      const p = geometry.attributes.position, index = geometry.index.array, [a, u, v, s] = [0, 0, 0, 0].map(() => new V());
+      for (let i = 0; i < index.length; i += 3) {
+        a.fromBufferAttribute(p, index[i]);
+        u.fromBufferAttribute(p, index[i + 1]).sub(a);
+        v.fromBufferAttribute(p, index[i + 2]).sub(a);
+        s.copy(camera.position).sub(a);
+        const det = u.dot(new V().crossVectors(way, v)), q = new V().crossVectors(s, u), b = s.dot(new V().crossVectors(way, v)) / det, c = way.dot(q) / det;
+        if (b >= 0 && c >= 0 && b + c <= 1) hits.push([v.dot(q) / det, Math.sign(det)]);
+      }
+    }
+    return {x, y, way, hits};
+  };
+});
+
 test('the film of a model is the length of each ray inside it, times what its tissue swallows', async () => {
   const {page, watched, close} = await openedIn(chromium, made('model.html'), {size: {width: 560, height: 200}});
+  await giveRays(page);
   const judged = await page.evaluate(() => {
     viewer.renderer.setAnimationLoop(null);
     viewer.setFilm(true);
     viewer.swingTube(20);
     viewer.orbit.update(0);
-    const {width, height} = viewer.canvas, camera = viewer.camera, V = viewer.bounds.centre.constructor, gl = viewer.renderer.getContext();
+    const {width, height} = viewer.canvas, camera = viewer.camera, gl = viewer.renderer.getContext();
     viewer.draw();
     const sums = new Float32Array(4 * width * height);
     viewer.renderer.setRenderTarget(viewer.shadow.sums);
@@ -166,20 +189,9 @@ test('the film of a model is the length of each ray inside it, times what its ti
     camera.updateMatrixWorld();
     const judged = {worst: 0, most: 0, rays: 0}, mu = viewer.looks.get('tooth').attenuation;
     for (let n = 0; n < 60; ++n) {
-      const x = Math.floor(width * (0.35 + 0.3 * ((0.5 + n * 0.7548776662) % 1))), y = Math.floor(height * ((0.5 + n * 0.5698402910) % 1));
-      const way = new V(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, 0).unproject(camera).sub(camera.position).normalize();
+      const {x, y, hits} = rayThroughModel(n);
       let sum = 0;
-      for (const {geometry} of viewer.models[0].parts) {
-        const p = geometry.attributes.position, index = geometry.index.array, [a, u, v, s] = [0, 0, 0, 0].map(() => new V());
-        for (let i = 0; i < index.length; i += 3) {
-          a.fromBufferAttribute(p, index[i]);
-          u.fromBufferAttribute(p, index[i + 1]).sub(a);
-          v.fromBufferAttribute(p, index[i + 2]).sub(a);
-          s.copy(camera.position).sub(a);
-          const det = u.dot(new V().crossVectors(way, v)), q = new V().crossVectors(s, u), b = s.dot(new V().crossVectors(way, v)) / det, c = way.dot(q) / det;
-          if (b >= 0 && c >= 0 && b + c <= 1) sum -= Math.sign(det) * v.dot(q) / det;
-        }
-      }
+      for (const [distance, sign] of hits) sum -= sign * distance;
       judged.rays += 1;
       judged.most = Math.max(judged.most, mu * sum);
       judged.worst = Math.max(judged.worst, Math.abs(mu * sum - sums[4 * (y * width + x)]));
@@ -194,6 +206,7 @@ test('the film of a model is the length of each ray inside it, times what its ti
 
 test('the film is cut by a section: rays count only where they run through what is left', async () => {
   const {page, watched, close} = await openedIn(chromium, made('model.html'), {size: {width: 560, height: 200}});
+  await giveRays(page);
   for (const side of ['mesial', 'buccal', 'occlusal']) {
     const judged = await page.evaluate(side => {
       viewer.renderer.setAnimationLoop(null);
@@ -210,19 +223,7 @@ test('the film is cut by a section: rays count only where they run through what 
       const shown = l => { const soft = l > 0.78 ? 0.78 + 0.22 * (1 - Math.exp(-(l - 0.78) / 0.22)) : l; return soft <= 0.0031308 ? 12.92 * soft : 1.055 * soft ** (1 / 2.4) - 0.055; };
       const plane = viewer.section.plane(), judged = {worst: 0, most: 0, cut: 0}, mu = viewer.looks.get('tooth').attenuation;
       for (let n = 0; n < 80; ++n) {
-        const x = Math.floor(width * (0.35 + 0.3 * ((0.5 + n * 0.7548776662) % 1))), y = Math.floor(height * ((0.5 + n * 0.5698402910) % 1));
-        const way = new V(2 * (x + 0.5) / width - 1, 2 * (y + 0.5) / height - 1, 0).unproject(camera).sub(camera.position).normalize(), hits = [];
-        for (const {geometry} of viewer.models[0].parts) {
-          const p = geometry.attributes.position, index = geometry.index.array, [a, u, v, s] = [0, 0, 0, 0].map(() => new V());
-          for (let i = 0; i < index.length; i += 3) {
-            a.fromBufferAttribute(p, index[i]);
-            u.fromBufferAttribute(p, index[i + 1]).sub(a);
-            v.fromBufferAttribute(p, index[i + 2]).sub(a);
-            s.copy(camera.position).sub(a);
-            const det = u.dot(new V().crossVectors(way, v)), q = new V().crossVectors(s, u), b = s.dot(new V().crossVectors(way, v)) / det, c = way.dot(q) / det;
-            if (b >= 0 && c >= 0 && b + c <= 1) hits.push([v.dot(q) / det, Math.sign(det)]);
-          }
-        }
+        const {x, y, way, hits} = rayThroughModel(n);
         hits.sort(([a], [b]) => a - b);
         const normal = new V(plane.x, plane.y, plane.z), speed = normal.dot(way), pass = (plane.w - normal.dot(camera.position)) / speed;
         const kept = (from, to) => (speed > 0 ? Math.max(0, Math.min(to, pass) - from) : Math.max(0, to - Math.max(from, pass)));
