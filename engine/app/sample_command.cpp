@@ -16,7 +16,7 @@ namespace {
 struct SampleArguments {
   ToothKind tooth = ToothKind::molar;
   SampleOptions sample;
-  bool filled = false;
+  bool apart = false, filled = false, filled_dentine = false;
   std::string output;
 };
 
@@ -24,7 +24,9 @@ ExitCode make_sample(const SampleArguments& options, Session& session) {
   known_ending(options.output, {".json"});
   refuse_unwritable({.inputs = {}, .outputs = {options.output}});
   SampleOptions sample = options.sample;
-  sample.hollow_dentine = !options.filled;
+  if (options.apart || options.filled_dentine) sample.walls = SampleWalls::apart;
+  if (options.filled) sample.walls = SampleWalls::filled;
+  sample.hollow_dentine = !options.filled_dentine;
   const ContourStack stack = sample_tooth(options.tooth, sample);
   session.progress().check();
   write_all({{options.output, to_json(stack)}}, session.interrupts);
@@ -50,14 +52,14 @@ Command sample_command(CLI::App& root) {
   parser->add_option("--point-spacing", options->sample.point_spacing, "Largest distance of a contour's points, mm")
       ->type_name("MM")
       ->capture_default_str();
-  parser->add_flag("--filled-dentine", options->filled,
-                   "Leave the pulp out of the dentine: for reconstruct --together dentine,pulp");
-  parser->add_flag("--filled", options->sample.filled,
-                   "Every structure filled, without gaps: for reconstruct --partition");
+  CLI::Option* apart = parser->add_flag("--apart", options->apart, "A gap of 0.03 mm between structures, which share their walls else");
+  CLI::Option* dentine = parser->add_flag("--filled-dentine", options->filled_dentine,
+                                          "Apart, dentine without the pulp's hole: for --together dentine,pulp");
+  parser->add_flag("--filled", options->filled, "Every structure filled, over those within it")->excludes(apart)->excludes(dentine);
   parser->footer(
       "Examples:\n"
       "  odontoscope sample molar -o molar.json\n"
-      "  odontoscope sample molar --filled -o filled.json\n"
+      "  odontoscope sample molar --apart -o apart.json\n"
       "  odontoscope sample incisor --slice-spacing 0.1 -o fine.json\n"
       "\n"
       "The molar is a lower first molar: two roots, three canals, five cusps.\n");

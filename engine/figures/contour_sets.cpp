@@ -92,10 +92,8 @@ ContourStack roots_and_trunk() {
 
 ContourStack molar_furcation() {
   constexpr double below = 3.2, above = 1.8;
-  SampleOptions filled;
-  filled.hollow_dentine = false;
   const double furcation = sample_facts(ToothKind::molar).furcation_z;
-  ContourStack tooth = sample_tooth(ToothKind::molar, filled);
+  ContourStack tooth = sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart, .hollow_dentine = false});
   keep(tooth, "dentine");
   return part_of(tooth, furcation - below, furcation + above);
 }

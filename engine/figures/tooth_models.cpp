@@ -25,9 +25,7 @@ ToothModel by_delaunay(const ContourStack& stack, int threads, const Progress& p
 
 /// Outer contours of enamel and filled dentine: what one sees of the tooth.
 ContourStack outside_of_sample() {
-  SampleOptions filled;
-  filled.hollow_dentine = false;
-  ContourStack stack = sample_tooth(ToothKind::molar, filled);
+  ContourStack stack = sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart, .hollow_dentine = false});
   for (Slice& slice : stack.slices) std::erase_if(slice.contours, [](const Contour& contour) { return contour.structure == "pulp"; });
   return stack;
 }
@@ -43,7 +41,7 @@ const ToothModel& made(std::optional<ToothModel>& kept, Make make) {
 ToothModels::ToothModels(ToothOptions options, Progress progress)
     : options_(std::move(options)),
       progress_(std::move(progress)),
-      inner_(options_.contours ? *options_.contours : sample_tooth(ToothKind::molar)),
+      inner_(options_.contours ? *options_.contours : sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart})),
       outer_(options_.contours ? inner_ : outside_of_sample()) {}
 
 ToothModel ToothModels::by_distance(const ContourStack& stack, CaseTable cases, bool decimate) const {

@@ -188,12 +188,13 @@ std::vector<double> heights_of(const Contours& contours) {
   return heights;
 }
 
-Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool filled_dentine, bool filled) {
+Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool apart, bool filled_dentine, bool filled) {
   SampleOptions options;
   options.slice_spacing = slice_spacing;
   options.point_spacing = point_spacing;
   options.hollow_dentine = !filled_dentine;
-  options.filled = filled;
+  if (apart || filled_dentine) options.walls = SampleWalls::apart;
+  if (filled) options.walls = SampleWalls::filled;
   for (const ToothKind known : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {
     if (kind == name(known)) return {std::make_shared<const ContourStack>(sample_tooth(known, options)), {}, {}, {}};
   }

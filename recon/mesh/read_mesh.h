@@ -9,7 +9,7 @@
 //         equal position are joined: normals and texture seams double them. Buffers lie in the .glb, in the JSON, or in the
 //         file's folder or below. Extensions: gltf_extensions.h. Not supported, and said so: sparse accessors, skins.
 //         Normals, materials, images, animation and morph targets are not looked at.
-//   STL   equal coordinates are joined (-0 and 0 are equal). An ASCII file may hold several solids, and lack the last
+//   STL   equal coordinates are joined (-0 and 0 are equal), and walls that two surfaces share are parted (part_walls.h). An ASCII file may hold several solids, and lack the last
 //         "endsolid"; bytes behind a binary file's triangles are left aside. The numbers are taken as millimetres; stored
 //         normals are not looked at, the order of the vertices counts.
 //   PLY   elements `vertex` (x, y, z of any type), `face` (vertex_indices or vertex_index) and `tristrips` (-1 ends a strip),

@@ -6,6 +6,7 @@
 
 #include "recon/core/limits.h"
 #include "recon/mesh/parsing.h"
+#include "recon/mesh/part_walls.h"
 #include "recon/mesh/read_mesh.h"
 #include "recon/mesh/surface_report.h"
 
@@ -162,7 +163,10 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
   std::vector<NamedMesh> meshes = text ? StlTextReader(bytes, file).solids() : parse_binary(bytes, file);
   if (!text && bytes.size() > announced) meshes.front().remarks.push_back(bytes_behind_told(bytes.size() - announced));
   std::size_t triangles = 0;
-  for (const NamedMesh& mesh : meshes) triangles += mesh.surface.triangles.size();
+  for (NamedMesh& mesh : meshes) {
+    triangles += mesh.surface.triangles.size();
+    part_walls_told(mesh);
+  }
   if (triangles == 0) refuse("empty-mesh", at_byte(file, 0), "the file holds no triangle");
   return meshes;
 }

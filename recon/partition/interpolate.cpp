@@ -55,8 +55,12 @@ std::vector<Interpolation> Interpolator::attempts(std::size_t k) const {
   for (const delaunay::SurveyedStructure& one : filled_)
     travel = std::max(travel, between::need(delaunay::outline_of(one.slices[k]), delaunay::outline_of(one.slices[k + 1])).travel);
   std::vector<Interpolation> list{{1, {.strips = true}}, {3, {.strips = true}}, {1, {.strips = false}}, {3, {.strips = false}}};
-  const bool gentle = travel < odontoscope::limits::steep * (heights_[k + 1] - heights_[k]);
+  const double slope = travel / (heights_[k + 1] - heights_[k]);
+  const bool gentle = slope < odontoscope::limits::steep;
   list.insert(gentle ? list.begin() : list.end(), Interpolation{});
+  // The steps that a level roof or floor leaves are as high as the slices are apart.
+  if (slope > limits::level) list.insert(list.begin(), Interpolation{3, {.strips = false}});
+  if (slope > limits::very_level) list.insert(list.begin(), Interpolation{7, {.strips = false}});
   list.push_back({7, {.strips = false}});
   if (!deserves_more(k)) return list;
   for (const auto& [slices, strips, finer] : {std::tuple{5, true, 1}, {5, false, 1}, {1, true, 3}, {3, false, 3}, {15, false, 1}}) {

@@ -23,6 +23,8 @@ inline constexpr std::size_t planar_rounds = 100;
 inline constexpr std::size_t cutting_rounds = 50, corner_rounds = 2000;   // cut, then given away upwards by priority, which ends
 /// How far from a point where four faces meet a corner is cut, over the distance to the nearest other border.
 inline constexpr double corner_share = 0.25;
+/// How far surfaces travel sideways between two slices, over their distance, from which on three slices or seven are interpolated at once.
+inline constexpr double level = 3, very_level = 8;
 /// Mean width below which a face of an interpolated slice is taken for what two ways of interpolating the same border leave between them, over
 /// the slab's height.
 inline constexpr double sliver_share = 0.05;

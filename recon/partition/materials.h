@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/input/contour_stack.h"
 #include "recon/mesh/meshes.h"
 
 namespace odontoscope::partition {
@@ -25,5 +26,9 @@ struct Materials {
   std::size_t own_labels() const { return structures.size() - stand_ins.size(); }
   bool wins(Label a, Label b) const { return a != void_label && (b == void_label || rank[a - 1] < rank[b - 1]); }
 };
+
+/// Of all structures of the stack: those that are named win first, then the others from the inside out. Throws InputError unknown-structure for a name that is
+/// not there, too-many-structures. Precondition: the stack is ordered.
+Materials materials_of(const ContourStack& stack, const std::vector<std::string>& priority = {}, double gap = 0);
 
 }  // namespace odontoscope::partition

@@ -1,6 +1,5 @@
 #include "recon/partition/reconstruct_partition.h"
 
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include <algorithm>
@@ -17,11 +16,10 @@
 #include "recon/input/validate.h"
 #include "recon/mesh/complex_parts.h"
 #include "recon/partition/certify_partition.h"
-#include "recon/partition/face_contours.h"
-#include "recon/partition/inner_first.h"
 #include "recon/partition/interfaces.h"
 #include "recon/partition/interpolate.h"
 #include "recon/partition/limits.h"
+#include "recon/partition/own_faces.h"
 #include "recon/partition/partition_topology.h"
 #include "recon/partition/solve_between.h"
 
@@ -29,31 +27,6 @@ namespace odontoscope {
 namespace {
 
 using namespace partition;
-
-/// Those that are named first, then the others from the inside out.
-Materials materials_of(const ContourStack& stack, const PartitionOptions& options) {
-  Materials materials;
-  materials.structures = structures_of(stack);
-  materials.gap = options.gap;
-  const std::size_t count = materials.structures.size();
-  Place place;
-  place.file = stack.source;
-  if (count > partition::limits::most_structures)
-    throw InputError("too-many-structures", place, fmt::format("a partition of {} structures; at most {} are supported", count, partition::limits::most_structures),
-                     "Leave some out, or reconstruct them independently");
-  for (const std::string& name : options.priority)
-    if (std::find(materials.structures.begin(), materials.structures.end(), name) == materials.structures.end())
-      throw InputError("unknown-structure", place, fmt::format("no structure is called \"{}\"", name),
-                       fmt::format("The structures are: {}", fmt::join(materials.structures, ", ")));
-  std::vector<std::uint32_t> order = inner_first(stack, materials.structures);
-  const auto named = [&](std::uint32_t s) {
-    return std::find(options.priority.begin(), options.priority.end(), materials.structures[s]) - options.priority.begin();
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return named(a) < named(b); });
-  materials.rank.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) materials.rank[order[i]] = i;
-  return materials;
-}
 
 class PartitionReconstructor {
  public:
@@ -85,24 +58,8 @@ class PartitionReconstructor {
     });
   }
 
-  /// The contours as the partition leaves them, structure after structure.
-  OrderedStack effective() const {
-    OrderedStack stack;
-    stack.original_slice = input_.original_slice;
-    stack.stack.source = input_.stack.source;
-    for (std::size_t k = 0; k < borders_.size(); ++k) {
-      stack.stack.slices.push_back({input_.stack.slices[k].z, {}});
-      auto& contours = stack.stack.slices.back().contours;
-      for (Label l = 1; l <= structures(); ++l) {
-        const auto own = face_contours(borders_[k], materials_.structures[l - 1], [l](Label label) { return label == l; });
-        contours.insert(contours.end(), own.begin(), own.end());
-      }
-    }
-    return stack;
-  }
-
   void follow_links() {
-    left_ = effective();
+    left_ = {.stack = own_faces(input_.stack, borders_, materials_), .original_slice = input_.original_slice};
     for (const std::string& structure : materials_.structures) implied_.push_back(implied_topology(left_, structure, arena_, progress_));
     if (between_ == Between::blended) interpolator_.emplace(borders_, materials_, input_, arena_, progress_);
   }
@@ -274,7 +231,7 @@ Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionO
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   validate(stack, progress);
   const OrderedStack input = ordered(stack);
-  return PartitionReconstructor(input, materials_of(input.stack, options), options.between, threads, progress).run();
+  return PartitionReconstructor(input, materials_of(input.stack, options.priority, options.gap), options.between, threads, progress).run();
 }
 
 }  // namespace odontoscope

@@ -8,6 +8,7 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/partition/own_faces.h"
 #include "recon/sample/tooth_field.h"
 #include "recon/sample/tooth_shape.h"
 #include "recon/sample/trace.h"
@@ -62,8 +63,8 @@ class Sampler {
   }
 
   // Contours of the slice gone to; the gap is taken from the outer of two structures.
-  std::vector<Loop> enamel(bool filled) {
-    if (filled) return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, tissue_[i].below_margin); });
+  std::vector<Loop> enamel(bool apart) {
+    if (!apart) return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, tissue_[i].below_margin); });
     return loops([this](std::size_t i) {
       return std::max({tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine, tissue_[i].below_margin});
     });
@@ -150,6 +151,7 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
                    limits::sample_most_point_spacing);
   const ToothShape shape = shape_of(kind);
   Sampler sampler(shape);
+  const bool apart = options.walls == SampleWalls::apart;
   const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance,
                           limits::sample_grain};
   ContourStack stack;
@@ -161,11 +163,12 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
       for (Loop& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
     };
     sampler.go_to(slice.z);
-    add("enamel", sampler.enamel(options.filled));
-    add("dentine", sampler.dentine(options.hollow_dentine && !options.filled));
+    add("enamel", sampler.enamel(apart));
+    add("dentine", sampler.dentine(apart && options.hollow_dentine));
     add("pulp", sampler.pulp());
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
+  if (options.walls == SampleWalls::shared) return partition::own_faces(stack, {"pulp", "dentine", "enamel"});
   return stack;
 }
 

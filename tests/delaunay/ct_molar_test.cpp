@@ -126,7 +126,7 @@ TEST(SampleTeeth, HaveTheTopologyThatTheyWereMadeWith) {
 }
 
 TEST(SampleTeeth, TogetherHaveThePulpAsACavity) {
-  const ContourStack filled = sample_tooth(ToothKind::molar, {.hollow_dentine = false});
+  const ContourStack filled = sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart, .hollow_dentine = false});
   const Reconstruction result = certified(together(filled, {"dentine", "pulp"}));
   EXPECT_EQ(topology_of(result),
             shells({"enamel external genus 0", "dentine+pulp external genus 0", "dentine+pulp cavity genus 0"}));

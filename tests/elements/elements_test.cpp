@@ -152,7 +152,7 @@ class Elements : public ::testing::Test {
 // --- teeth ----------------------------------------------------------------------------------------------------------------
 
 TEST_F(Elements, OfTheIncisorFillWhatItFills) {
-  const LabelledComplex exact = partition_of(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.8, .filled = true}));
+  const LabelledComplex exact = partition_of(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.8, .walls = SampleWalls::filled}));
   const elements::Elements made = elements::make_elements(exact, 1.5);
   expect_good(made, exact);
   expect_same_places(made.complex, exact, 0.35);

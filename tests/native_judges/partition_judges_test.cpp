@@ -19,7 +19,7 @@ namespace {
 
 /// Enamel, dentine and pulp of the sample incisor.
 Reconstruction bonded_tooth() {
-  return reconstruct_partition(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.6, .filled = true}));
+  return reconstruct_partition(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.6, .walls = SampleWalls::filled}));
 }
 
 class PartitionJudge : public Judge {};

@@ -97,7 +97,7 @@ class SampleTooth : public testing::TestWithParam<ToothKind> {};
 
 TEST_P(SampleTooth, IsATruePartition) {
   SampleOptions options;
-  options.filled = true;
+  options.walls = SampleWalls::filled;
   options.slice_spacing = 0.35;
   const Reconstruction made = reconstruct_partition(sample_tooth(GetParam(), options));
   EXPECT_EQ(verdict_of(made), Verdict::green);

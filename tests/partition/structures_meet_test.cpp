@@ -22,9 +22,10 @@ TEST(StructuresMeet, WhereTheyShareAWall) {
 TEST(StructuresMeet, NotWhereOneLiesInAHoleOfTheOther) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 3)}, {"b", square(1.5, 2)}}))); }
 TEST(StructuresMeet, NotBeside) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 1)}, {"b", square(2, 3)}}))); }
 TEST(StructuresMeet, NotOne) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 2)}}))); }
-TEST(StructuresMeet, NotInTheSampleButFilled) {
-  EXPECT_FALSE(structures_meet(sample_tooth(ToothKind::incisor)));
-  EXPECT_TRUE(structures_meet(sample_tooth(ToothKind::incisor, {.filled = true})));
+TEST(StructuresMeet, InTheSampleUnlessApart) {
+  EXPECT_FALSE(structures_meet(sample_tooth(ToothKind::incisor, {.walls = SampleWalls::apart})));
+  EXPECT_TRUE(structures_meet(sample_tooth(ToothKind::incisor)));
+  EXPECT_TRUE(structures_meet(sample_tooth(ToothKind::incisor, {.walls = SampleWalls::filled})));
 }
 
 TEST(ReconstructStructures, MakesAPartitionOfThoseThatMeet) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
@@ -42,7 +43,7 @@ TEST_P(SampleTooth, IsDeterministic) { EXPECT_TRUE(same(stack, sample_tooth(GetP
 
 TEST_P(SampleTooth, IsValidWithAnyOptions) {
   EXPECT_NO_THROW(validate(stack));
-  for (const SampleOptions& options : {SampleOptions{0.35, 0.05, true}, SampleOptions{0.13, 1.0, false}})
+  for (const SampleOptions& options : {SampleOptions{0.35, 0.05}, SampleOptions{0.13, 1.0, SampleWalls::apart, false}, SampleOptions{0.13, 1.0, SampleWalls::filled}})
     EXPECT_NO_THROW(validate(sample_tooth(GetParam(), options))) << options.slice_spacing;
 }
 
@@ -151,8 +152,8 @@ TEST_P(SampleTooth, HornsEndInThePulpAndCuspsInTheEnamel) {
     EXPECT_TRUE(in_region({root.at.x, root.at.y}, slice_at(stack, root.at.z + spacing), "dentine")) << root.name;
 }
 
-TEST_P(SampleTooth, StructuresDoNotOverlap) {
-  for (const Slice& slice : stack.slices)
+TEST_P(SampleTooth, StructuresKeepApartIfAsked) {
+  for (const Slice& slice : sample_tooth(GetParam(), {.walls = SampleWalls::apart}).slices)
     for (const Contour& contour : slice.contours)
       for (const Point2& p : contour.points)
         for (const char* other : {"enamel", "dentine", "pulp"})
@@ -161,8 +162,38 @@ TEST_P(SampleTooth, StructuresDoNotOverlap) {
           }
 }
 
+double area_of(const Slice& slice, const std::string& structure) {
+  double sum = 0;
+  for (const Contour& contour : slice.contours)
+    if (structure.empty() || contour.structure == structure) sum += area(contour.points);
+  return sum;
+}
+
+TEST_P(SampleTooth, NeighboursShareTheirWallsToTheBit) {
+  for (const Slice& slice : stack.slices) {
+    std::set<std::pair<double, double>> dentine;
+    for (const Contour& contour : slice.contours)
+      if (contour.structure == "dentine")
+        for (const Point2& p : contour.points) dentine.emplace(p.x, p.y);
+    for (const Contour& contour : slice.contours)
+      if (contour.structure == "pulp")
+        for (const Point2& p : contour.points) ASSERT_TRUE(dentine.contains({p.x, p.y})) << slice.z;
+  }
+}
+
+TEST_P(SampleTooth, WhatFilledStructuresCoverIsWhollyGivenAway) {
+  const ContourStack filled = sample_tooth(GetParam(), {.walls = SampleWalls::filled});
+  ASSERT_EQ(filled.slices.size(), stack.slices.size());
+  for (std::size_t s = 0; s < stack.slices.size(); ++s) {
+    const Slice &own = stack.slices[s], &whole = filled.slices[s];
+    ASSERT_NEAR(area_of(own, "pulp"), area_of(whole, "pulp"), 1e-9) << own.z;
+    ASSERT_NEAR(area_of(own, "pulp") + area_of(own, "dentine"), area_of(whole, "dentine"), 1e-9) << own.z;
+    ASSERT_GE(area_of(own, "enamel"), 0) << own.z;
+  }
+}
+
 TEST_P(SampleTooth, FilledDentineHoldsThePulp) {
-  const ContourStack filled = sample_tooth(GetParam(), {.hollow_dentine = false});
+  const ContourStack filled = sample_tooth(GetParam(), {.walls = SampleWalls::apart, .hollow_dentine = false});
   for (const Slice& slice : filled.slices)
     for (const Contour& contour : slice.contours)
       for (const Point2& p : contour.points)

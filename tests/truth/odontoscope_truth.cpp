@@ -94,9 +94,10 @@ ContourStack cut(const TurnedTooth& tooth, double spacing, const Asked& asked) {
 }
 
 void measure_tooth(std::uint64_t seed, const Asked& asked, Output& output) {
-  const TurnedTooth tooth(random_tooth(seed));
+  TurnedTooth tooth(random_tooth(seed));
+  if (asked.partition) tooth.choose(TurnedTooth::Walls::shared);
   TurnedTooth filled = tooth;
-  filled.fill();
+  filled.choose(TurnedTooth::Walls::filled);
   const std::string about = fmt::format("seed {}: {}", seed, tooth.tooth().in_words);
   const auto topology = counted_topology(tooth, usual_steps());
   if (!topology) {
@@ -142,7 +143,7 @@ void run_incisor(const Asked& asked) {
 
 void write_tooth(const Asked& asked) {
   TurnedTooth tooth(random_tooth(asked.seed));
-  if (asked.partition) tooth.fill();
+  if (asked.partition) tooth.choose(TurnedTooth::Walls::filled);
   const double spacing = asked.spacings.empty() ? 0.25 : asked.spacings.front();
   write_stack(cut(tooth, spacing, asked), asked.output);
   fmt::print("{}\n", tooth.tooth().in_words);
@@ -183,7 +184,7 @@ void add_cutting(CLI::App& command, Asked& asked) {
 
 void add_measuring(CLI::App& command, Asked& asked) {
   command.add_flag("--shape", asked.measure.shape, "Measure areas and distances between slices too");
-  command.add_flag("--partition", asked.partition, "Beside DT of each structure the partition of all, of filled contours or of the label map");
+  command.add_flag("--partition", asked.partition, "Structures share their walls; beside DT of each the partition of all, of filled contours or of the label map");
   command.add_flag("--references", asked.measure.references, "DB and shape-based interpolation beside DT");
   command.add_flag("--tables", asked.tables, "All methods and measures, as tables in Markdown; single teeth on the error output");
   command.add_flag("--failing", asked.failing, "Print only what DT has wrong though the slices tell of it");

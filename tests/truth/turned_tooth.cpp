@@ -21,10 +21,10 @@ constexpr double margin = 0.5;       // mm; that boxes leave beyond what that gr
 constexpr double far_above = 100;    // mm; an occlusal surface that plays no part
 constexpr double widest = 7.5;       // mm; half the width of any tooth of the family before it is stretched
 
-Values values_at(const ToothSection& section, const OcclusalHeights& heights, Point2 at, bool filled) {
+Values values_at(const ToothSection& section, const OcclusalHeights& heights, Point2 at, TurnedTooth::Walls walls) {
   const HardTissue tissue = section.hard_tissue(heights, at);
-  const double pulp = section.pulp(at), gap = limits::sample_gap;
-  if (filled) return {std::max(tissue.tooth, tissue.below_margin), tissue.dentine, std::max(pulp, tissue.tooth)};
+  const double pulp = section.pulp(at), gap = walls == TurnedTooth::Walls::apart ? limits::sample_gap : 0;
+  if (walls == TurnedTooth::Walls::filled) return {std::max(tissue.tooth, tissue.below_margin), tissue.dentine, std::max(pulp, tissue.tooth)};
   return {std::max({tissue.tooth, gap - tissue.dentine, tissue.below_margin}), std::max(tissue.dentine, gap - pulp),
           std::max(pulp, tissue.tooth)};
 }
@@ -155,7 +155,7 @@ class TurnedTooth::Line {
     const Point2 at{start_.x + along * step_.x, start_.y + along * step_.y};
     const OcclusalHeights heights =
         z_ > tooth_.crown_z_ ? occlusal_heights(tooth_.tooth_.shape, at) : OcclusalHeights{far_above, far_above};
-    Values values = values_at(section_, heights, at, tooth_.filled_);
+    Values values = values_at(section_, heights, at, tooth_.walls_);
     for (double& value : values) value *= tooth_.least_stretch_;
     return values;
   }
@@ -232,7 +232,7 @@ void TurnedTooth::sweep(const Grid& grid, const Take& take) const {
       if (!known) known = occlusal_heights(tooth_.shape, place);
       here = *known;
     }
-    Values values = values_at(sections[at[2]], here, place, filled_);
+    Values values = values_at(sections[at[2]], here, place, walls_);
     for (double& value : values) value *= least_stretch_;
     return values;
   };

@@ -38,8 +38,9 @@ class TurnedTooth {
   /// Values at all points of a plane. Far from every surface a point holds the values of one nearby, which are on the
   /// same side (see `far_from_surfaces`).
   std::vector<Values> plane(const Raster& raster, double z) const;
-  /// From now on structures are filled, so that each overlaps those within it, and no gap parts them: contours for a partition.
-  void fill() { filled_ = true; }
+  /// Neighbours are parted by a gap (limits::sample_gap), share their walls, or are filled, so that each overlaps those within it.
+  enum class Walls { apart, shared, filled };
+  void choose(Walls walls) { walls_ = walls; }
   /// The same as bits: bit s where structure s is.
   Mask mask(const Raster& raster, double z) const;
 
@@ -69,7 +70,8 @@ class TurnedTooth {
   double crown_z_ = 0;  // below it the occlusal surface need not be asked for
   std::vector<std::pair<double, double>> steep_;  // heights of the unstretched tooth where values change fast along z
   Box own_box_, image_box_;
-  bool skip_ = true, filled_ = false;
+  bool skip_ = true;
+  Walls walls_ = Walls::apart;
 };
 
 }  // namespace odontoscope::test

@@ -117,7 +117,8 @@ _SAMPLE = {
     "kind": _choice("molar", "Which tooth.", "molar", "premolar", "incisor"),
     "slice_spacing": _Property("Double", 0.25, "From slice to slice, mm", float),
     "point_spacing": _Property("Double", 0.22, "From point to point along contours, mm", float),
-    "filled_dentine": _tick("The pulp is no hole of the dentine, for together: dentine,pulp"),
+    "apart": _tick("A gap of 0.03 mm between structures; without it neighbours share their walls"),
+    "filled_dentine": _tick("Apart, and the pulp is no hole of the dentine, for together: dentine,pulp"),
     "filled": _tick("Every structure overlaps those within it, for partition"),
 }
 

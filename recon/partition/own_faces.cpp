@@ -1,0 +1,28 @@
+#include "recon/partition/own_faces.h"
+
+#include <algorithm>
+
+#include "recon/partition/face_contours.h"
+
+namespace odontoscope::partition {
+
+ContourStack own_faces(const ContourStack& stack, const std::vector<Borders>& borders, const Materials& materials) {
+  ContourStack own;
+  own.source = stack.source;
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    Slice slice{stack.slices[k].z, {}};
+    for (Label l = 1; l <= materials.structures.size(); ++l)
+      std::ranges::move(face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; }), std::back_inserter(slice.contours));
+    own.slices.push_back(std::move(slice));
+  }
+  return own;
+}
+
+ContourStack own_faces(const ContourStack& stack, const std::vector<std::string>& priority) {
+  const Materials materials = materials_of(stack, priority);
+  std::vector<Borders> borders;
+  for (const Slice& slice : stack.slices) borders.push_back(overlay(slice, materials));
+  return own_faces(stack, borders, materials);
+}
+
+}  // namespace odontoscope::partition
