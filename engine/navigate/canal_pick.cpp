@@ -10,6 +10,8 @@ namespace odontoscope {
 
 namespace {
 
+constexpr double hairbreadth = 1e-4;   // over the distance
+
 /// Of the line of sight, in mm from its origin.
 struct Stretch {
   double from = 0, to = 0;
@@ -32,7 +34,8 @@ std::vector<Stretch> seen_within(const Walls& walls, const SightLine& sight, con
   std::vector<Stretch> seen;
   for (std::size_t i = meetings.size() % 2; i + 1 < meetings.size(); i += 2) {
     const auto stretch = kept({meetings[i], meetings[i + 1]}, sight, options.section);
-    const double hair = 1e-6 * (1 + std::abs(meetings[i]));   // the void's own wall hides nothing of it
+    // The void's own wall hides nothing of it, nor what fills it and shares that wall, whose triangles are rounded otherwise.
+    const double hair = hairbreadth * (1 + std::abs(meetings[i]));
     if (stretch && stretch->from <= options.sight_mm + hair) seen.push_back(*stretch);
   }
   return seen;

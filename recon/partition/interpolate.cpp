@@ -68,6 +68,8 @@ std::vector<Interpolation> Interpolator::attempts(std::size_t k) const {
     one.options.finer = static_cast<std::size_t>(finer);
     list.push_back(one);
   }
+  for (const std::size_t slices : {3, 7})
+    for (const bool strips : {true, false}) list.push_back({slices, {.strips = strips, .keep_links = true}, true});
   return list;
 }
 

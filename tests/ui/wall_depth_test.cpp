@@ -91,7 +91,7 @@ TEST_F(DepthInFlight, IsSeenAndCanBeSwitchedOff) {
   fade();
   press_key(Key::space);
   fly().ride->along = 0.5 * fly().ride->track.points.back().along;
-  frames(3, 0.05);
+  frames(40, 0.05);   // until it has come to rest
   ASSERT_TRUE(viewer().state().scene.wall_depth);
   const Image with = picture();
   keep_picture("wall-depth");
