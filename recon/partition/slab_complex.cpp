@@ -9,14 +9,23 @@ namespace odontoscope::partition {
 
 using delaunay::SlabTetrahedron;
 
+namespace {
+
+double raise_share(double lower, double upper) {
+  const double step = limits::raise_share * (upper - lower);
+  return lower < lower + step && upper - step < upper ? limits::raise_share : limits::raise_share_narrow;
+}
+
+}  // namespace
+
 SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper, std::vector<SlabTetrahedron> tetrahedra)
     : lower_(lower),
       upper_(upper),
       tets_(std::move(tetrahedra)),
       offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
       on_slices_(offset_ + static_cast<std::uint32_t>(upper.planar.points.size())),
-      raised_lower_(lower.z + limits::raise_share * (upper.z - lower.z)),
-      raised_upper_(upper.z - limits::raise_share * (upper.z - lower.z)),
+      raised_lower_(lower.z + raise_share(lower.z, upper.z) * (upper.z - lower.z)),
+      raised_upper_(upper.z - raise_share(lower.z, upper.z) * (upper.z - lower.z)),
       labels_(tets_.size(), void_label),
       raised_(on_slices_, false),
       changed_(2 * std::size_t{on_slices_}, true) {

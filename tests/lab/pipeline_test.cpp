@@ -21,7 +21,7 @@ using Stages = std::vector<LabStage>;
 constexpr LabStage grid = LabStage::grid, field = LabStage::field, surface = LabStage::surface, decimation = LabStage::decimation, inspection = LabStage::inspection;
 
 std::shared_ptr<const ContourStack> molar() {
-  static const auto stack = std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar));
+  static const auto stack = std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}));
   return stack;
 }
 
