@@ -1,4 +1,5 @@
 // What the tests of the engine as WebAssembly have in common: the package under test, the native program beside it, inputs.
+import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -57,6 +58,20 @@ export function native(words, files) {
 export async function inWasm(words, files) {
   const begin = performance.now(), result = await engine.run(words, {files});
   return {...result, seconds: (performance.now() - begin) / 1000};
+}
+
+/// Lines without those that tell seconds, which differ.
+const words = lines => lines.filter(line => !/ s on \d+ thread/.test(line));
+
+/// Both programs end alike, say the same and write the same bytes.
+export async function same(line, files) {
+  const there = native(line, files), here = await inWasm(line, files);
+  const told = `${line.join(' ')}\nnative ${there.exitCode}: ${there.complained.join('\n')}\nwasm ${here.exitCode}: ${here.complained.join('\n')}`;
+  assert.equal(here.exitCode, there.exitCode, told);
+  assert.deepEqual(differing(here, there), [], told);
+  assert.deepEqual(here.complained, there.complained, told);
+  assert.deepEqual(words(here.said), words(there.said));
+  return {there, here};
 }
 
 /// A report without what differs from run to run: seconds and memory.

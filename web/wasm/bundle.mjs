@@ -1,7 +1,7 @@
 // Puts the studio's page and the npm package together.
 //   node bundle.mjs WORK ENGINE DIST
-// WORK holds node_modules and page.html (as web/build_page.cmake leaves them), ENGINE odontoscope.mjs and odontoscope.wasm; DIST takes studio.html
-// and npm/.
+// WORK holds node_modules and page.html (as web/build_page.cmake leaves them), ENGINE odontoscope.mjs, odontoscope.wasm and decoder.wasm; DIST takes
+// studio.html and npm/.
 import {createHash} from 'node:crypto';
 import {cpSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
@@ -22,8 +22,8 @@ function makePackage() {
   const to = join(dist, 'npm');
   rmSync(to, {recursive: true, force: true});
   mkdirSync(to, {recursive: true});
-  for (const file of ['index.mjs', 'index.d.ts', 'README.md']) cpSync(join(here, 'npm', file), join(to, file));
-  for (const file of ['odontoscope.mjs', 'odontoscope.wasm']) cpSync(join(engine, file), join(to, file));
+  for (const file of ['index.mjs', 'decoder.mjs', 'index.d.ts', 'README.md']) cpSync(join(here, 'npm', file), join(to, file));
+  for (const file of ['odontoscope.mjs', 'odontoscope.wasm', 'decoder.wasm']) cpSync(join(engine, file), join(to, file));
   cpSync(join(here, '../../LICENSE'), join(to, 'LICENSE'));
   writeFileSync(join(to, 'page.html'), shell);
   const description = JSON.parse(readFileSync(join(here, 'npm/package.json'), 'utf8'));
@@ -53,8 +53,9 @@ async function makeStudio() {
     'frame-src blob:', 'img-src data: blob:', "base-uri 'none'", "form-action 'none'",
   ].join('; ');
   const notices = '<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). Its engine contains GMP (LGPL-3.0-or-later), TetGen (AGPL-3.0-or-later), CGAL (GPL-3.0-or-later and LGPL-3.0-or-later), meshoptimizer, pugixml, fmt,\n' +
-    'nlohmann json, CLI11 and tinygltf (MIT, CLI11 BSD-3-Clause), libzip (BSD-3-Clause), zlib (zlib), Boost (BSL-1.0); the viewer in it three.js (MIT), whose licence is in each page.\n-->';
-  const places = {policy, style, notices, worker, script, wasm: packed(readFileSync(join(engine, 'odontoscope.wasm'))), shell: packed(shell)};
+    'nlohmann json, CLI11 and tinygltf (MIT, CLI11 BSD-3-Clause), libzip, GDCM, CharLS (BSD-3-Clause), OpenJPEG (BSD-2-Clause), zlib (zlib), Boost (BSL-1.0), and software of the Independent JPEG Group; the viewer in it three.js (MIT), whose licence is in each page.\n-->';
+  const module = name => packed(readFileSync(join(engine, name)));
+  const places = {policy, style, notices, worker, script, wasm: module('odontoscope.wasm'), decoder: module('decoder.wasm'), shell: packed(shell)};
   const page = readFileSync(join(here, 'studio/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => places[name]);
   if (Buffer.byteLength(page) > mostBytes) throw new Error(`the studio's page has ${Buffer.byteLength(page)} bytes, more than ${mostBytes}`);
   writeFileSync(join(dist, 'studio.html'), page);

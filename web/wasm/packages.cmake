@@ -2,7 +2,7 @@
 # in the build folder; what must be compiled is compiled from Debian's source packages, which web/wasm/fetch_sources unpacks into
 # ODONTOSCOPE_WASM_SOURCES. TBB and std::stop_token are the few lines of web/wasm/stand_ins: there is one thread.
 set(ODONTOSCOPE_WASM_SOURCES ${PROJECT_BINARY_DIR}/../sources CACHE PATH "Where web/wasm/fetch_sources unpacked Debian's source packages")
-foreach(package gmp meshoptimizer pugixml libzip zlib tetgen)
+foreach(package gmp meshoptimizer pugixml libzip zlib tetgen gdcm openjpeg2)
   file(GLOB ${package}_source LIST_DIRECTORIES true ${ODONTOSCOPE_WASM_SOURCES}/${package}-*)
   list(LENGTH ${package}_source found)
   if(NOT found EQUAL 1)
@@ -57,6 +57,7 @@ target_compile_definitions(zlib PRIVATE HAVE_UNISTD_H)
 add_library(ZLIB::ZLIB ALIAS zlib)
 
 include(${CMAKE_CURRENT_LIST_DIR}/libzip.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/decoder.cmake)
 set(ODONTOSCOPE_ZIP libzip)
 
 compiled(tetgen ${tetgen_source} ${tetgen_source}/tetgen.cxx ${tetgen_source}/predicates.cxx)

@@ -96,6 +96,8 @@ export declare class Engine {
 export declare function load(from?: {
   wasm?: WebAssembly.Module | BufferSource | Promise<BufferSource>;
   page?: Uint8Array | string;
+  /** Of compressed DICOM. */
+  decoder?: WebAssembly.Module | BufferSource | Promise<BufferSource>;
 }): Promise<Engine>;
 
 /** The words of a command line that options stand for. */

@@ -1,4 +1,5 @@
 // The program odontoscope as a library: its subcommands on files in memory, with the options that its --help lists.
+import {decoderOf, mayBeCompressed} from './decoder.mjs';
 import makeModule from './odontoscope.mjs';
 
 const folder = '/work', pageFile = '/odontoscope/page.html';
@@ -96,9 +97,11 @@ export function words(command, {input, output, ...options} = {}) {
 export class Engine {
   #module;
   #page;
-  constructor(module, page) {
+  #decoder;
+  constructor(module, page, decoder) {
     this.#module = module;
     this.#page = page;
+    this.#decoder = decoder;
   }
 
   /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
@@ -107,6 +110,7 @@ export class Engine {
     FS.mkdir(folder);
     FS.mkdir('/odontoscope');
     putFiles(FS, files);
+    if (Object.values(files).some(content => mayBeCompressed(bytesOf(content)))) instance.decoder = await decoderOf(await this.#decoder());
     if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
     FS.chdir(folder);
     const result = ran(instance, line, files);
@@ -151,12 +155,15 @@ export class Engine {
   web(options) { return this.command('web', options); }
 }
 
-/// Compiles the engine. Without arguments it reads odontoscope.wasm and, once a page is asked for, page.html from beside this file.
-export async function load({wasm, page} = {}) {
-  const given = await (wasm ?? beside('odontoscope.wasm'));
-  const module = given instanceof WebAssembly.Module ? given : await WebAssembly.compile(given);
-  let held = page;
-  return new Engine(module, async () => held ??= await beside('page.html'));
+const compiled = async given => given instanceof WebAssembly.Module ? given : WebAssembly.compile(given);
+
+/// Compiles the engine. Without arguments it reads odontoscope.wasm from beside this file, and what not every run needs once it is: page.html for a page,
+/// decoder.wasm for DICOM.
+export async function load({wasm, page, decoder} = {}) {
+  const module = await compiled(await (wasm ?? beside('odontoscope.wasm')));
+  let held = page, decoding = null;
+  return new Engine(module, async () => held ??= await beside('page.html'),
+    () => decoding ??= (async () => compiled(await (decoder ?? beside('decoder.wasm'))))());
 }
 
 let shared = null;

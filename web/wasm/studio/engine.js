@@ -16,13 +16,13 @@ export class Engine {
 
   async #ready() {
     if (this.#worker) return;
-    this.#parts ??= Promise.all([unpacked('wasm'), unpacked('shell'), URL.createObjectURL(new Blob([document.getElementById('worker').textContent], {type: 'text/javascript'}))]);
-    const [wasm, page, url] = await this.#parts;
+    this.#parts ??= Promise.all([unpacked('wasm'), unpacked('shell'), unpacked('decoder'), URL.createObjectURL(new Blob([document.getElementById('worker').textContent], {type: 'text/javascript'}))]);
+    const [wasm, page, decoder, url] = await this.#parts;
     const worker = new Worker(url);
     await new Promise((resolve, reject) => {
       worker.onmessage = ({data}) => data.ready ? resolve() : reject(new Error(data.result.complained.join(' ')));
       worker.onerror = event => reject(new Error(event.message || 'the worker does not start'));
-      worker.postMessage({wasm, page: new Uint8Array(page)});
+      worker.postMessage({wasm, page: new Uint8Array(page), decoder});
     });
     this.#worker = worker;
   }
