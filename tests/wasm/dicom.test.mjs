@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {test} from 'node:test';
-import {series, syntaxOf} from './dicom_series.mjs';
+import {fragmentAt, series, syntaxOf} from './dicom_series.mjs';
 import {engine, folder, inWasm, same, skip} from './support.mjs';
 
 for (const tool of ['gdcmconv', 'dcmcjpeg', 'dcmconv', 'dcmcjpls'])
@@ -43,12 +43,6 @@ test('what loses nothing has the contours of the series as it was', async () => 
   for (const name of ['JPEG lossless', 'JPEG-LS', 'JPEG 2000', 'RLE', 'deflated']) assert.equal(await contours(made.get(name)), plain, name);
   assert.notEqual(await contours(made.get('JPEG-LS near lossless')), plain);
 });
-
-/// Where the compressed bytes of a file begin, behind the table of offsets and the fragment's own head.
-function fragmentAt(bytes) {
-  const table = bytes.lastIndexOf(Buffer.from([0xe0, 0x7f, 0x10, 0])) + 12;
-  return table + 8 + bytes.readUInt32LE(table + 4) + 8;
-}
 
 /// The same series with one slice changed.
 function changed(files, change) {

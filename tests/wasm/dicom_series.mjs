@@ -71,3 +71,9 @@ export function syntaxOf(bytes) {
   const at = bytes.indexOf(Buffer.from([2, 0, 0x10, 0, 0x55, 0x49]));
   return bytes.subarray(at + 8, at + 8 + bytes.readUInt16LE(at + 6)).toString('latin1').replace(/\0/g, '');
 }
+
+/// Where the compressed bytes of a file begin, behind the table of offsets and the fragment's own head.
+export function fragmentAt(bytes) {
+  const table = bytes.lastIndexOf(Buffer.from([0xe0, 0x7f, 0x10, 0])) + 12;
+  return table + 8 + bytes.readUInt32LE(table + 4) + 8;
+}
