@@ -141,8 +141,11 @@ test('compressed DICOM becomes a model, a damaged slice is refused, and the page
   if (spawnSync(packing[0], ['--version']).error) return t.skip('gdcmconv was not found');
   const drop = async name => {
     const files = series(folder, name, packing), slices = Object.keys(files).map(one => join(folder, name, basename(one)));
-    const bytes = files['series/3.dcm'];
-    if (name === 'damaged') writeFileSync(slices[3], bytes.fill(0, fragmentAt(bytes), bytes.length - 8));
+    if (name === 'damaged') {   // under a name of its own: Firefox takes files of the same names for no change
+      const bytes = files['series/3.dcm'];
+      slices[3] = join(folder, name, 'damaged.dcm');
+      writeFileSync(slices[3], bytes.fill(0, fragmentAt(bytes), bytes.length - 8));
+    }
     await page.setInputFiles('#file', slices);
     return files;
   };
@@ -157,7 +160,7 @@ test('compressed DICOM becomes a model, a damaged slice is refused, and the page
   await idle();
   await drop('damaged');
   await page.waitForSelector('#failure:not([hidden])');
-  assert.match(await page.textContent('#failure'), /3\.dcm: .*\[(damaged|truncated)-volume\]/);
+  assert.match(await page.textContent('#failure'), /damaged\.dcm: .*\[damaged-volume\]/);
   await idle();
   await page.fill('input[name=iso]', '');
 });
