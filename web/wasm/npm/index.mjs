@@ -18,7 +18,7 @@ export class OdontoscopeError extends Error {
 
 const isNode = typeof process !== 'undefined' && Boolean(process.versions?.node) && typeof importScripts === 'undefined';
 
-/// A file that lies beside this one.
+/// A file that lies beside this one, or where a URL says.
 async function beside(name) {
   const url = new URL(name, import.meta.url);
   if (isNode && url.protocol === 'file:') return (await import('node:fs/promises')).readFile(url);
@@ -33,6 +33,8 @@ function checkedName(name) {
     throw new OdontoscopeError(`${JSON.stringify(name)} is no name of a file here. Give one without "..", not beginning with "/".`, {exitCode: 2});
   return parts;
 }
+
+const compiled = async given => given instanceof WebAssembly.Module ? given : WebAssembly.compile(given);
 
 const bytesOf = content => typeof content === 'string' ? new TextEncoder().encode(content) : content instanceof ArrayBuffer ? new Uint8Array(content) : content;
 
@@ -93,16 +95,49 @@ export function words(command, {input, output, ...options} = {}) {
   return line;
 }
 
+/// Threads share memory, which only a page that is isolated from others may do, and whoever waits for them waits in a worker or in Node.js.
+async function threadsHere() {
+  if (typeof SharedArrayBuffer === 'undefined' || typeof document !== 'undefined') return 1;
+  if (isNode) return (await import('node:os')).cpus().length;
+  return globalThis.crossOriginIsolated ? navigator.hardwareConcurrency ?? 1 : 1;
+}
+
+const mostThreads = 16;   // beyond, a tooth has too few slabs
+
+const oneThread = async wasm => ({make: makeModule, module: await compiled(await (wasm ?? beside('odontoscope.wasm'))), threads: 1, settings: {}});
+
+/// The engine whose script, worker and module lie in a folder: {make, module, threads, settings}.
+async function manyThreads(folder, threads) {
+  const url = name => new URL(name, folder), module = await compiled(await beside(url('odontoscope.wasm')));
+  if (isNode) {
+    const {createRequire} = await import('node:module'), {fileURLToPath} = await import('node:url');
+    return {make: createRequire(import.meta.url)(fileURLToPath(url('odontoscope.js'))), module, threads, settings: {}};
+  }
+  const {default: make} = await import(url('odontoscope.mjs').href);
+  return {make, module, threads, settings: {mainScriptUrlOrBlob: url('odontoscope.js').href, locateFile: name => url(name).href}};
+}
+
+/// Ends the threads that an instance has made besides the first.
+function endThreads(instance) {
+  if (!instance.PThread) return;
+  instance.threads = 1;
+  instance._odontoscope_be_alone();
+  instance.PThread.terminateAllThreads();
+}
+
 /// The compiled engine. Each call is a run of its own: nothing is kept from one to the next but what `save` of a page's result holds, and an error in one is none in another.
 export class Engine {
-  #module;
+  #engine;
   #page;
   #decoder;
-  constructor(module, page, decoder) {
-    this.#module = module;
+  constructor(engine, page, decoder) {
+    this.#engine = engine;
     this.#page = page;
     this.#decoder = decoder;
   }
+
+  /// How many threads each run has.
+  get threads() { return this.#engine.threads; }
 
   /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
   async run(line, {files = {}, onProgress} = {}) {
@@ -114,6 +149,7 @@ export class Engine {
     if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
     FS.chdir(folder);
     const result = ran(instance, line, files);
+    endThreads(instance);
     // A page's model lives on with the instance, for as long as somebody holds the result.
     result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
       instance.onProgress = listener;
@@ -123,14 +159,17 @@ export class Engine {
   }
 
   async #instance(onProgress) {
-    const instance = await makeModule({
+    const {make, module, threads, settings} = this.#engine;
+    const instance = await make({
+      ...settings,
+      threads,
       noInitialRun: true,
       thisProgram: 'odontoscope',
       print: text => instance.said.push(text),
       printErr: text => instance.complained.push(text),
       onProgress,
       instantiateWasm: (imports, receive) => {
-        WebAssembly.instantiate(this.#module, imports).then(made => receive(made, this.#module));
+        WebAssembly.instantiate(module, imports).then(made => receive(made, module));
         return {};
       },
     });
@@ -155,14 +194,18 @@ export class Engine {
   web(options) { return this.command('web', options); }
 }
 
-const compiled = async given => given instanceof WebAssembly.Module ? given : WebAssembly.compile(given);
-
-/// Compiles the engine. Without arguments it reads odontoscope.wasm from beside this file, and what not every run needs once it is: page.html for a page,
-/// decoder.wasm for DICOM.
-export async function load({wasm, page, decoder} = {}) {
-  const module = await compiled(await (wasm ?? beside('odontoscope.wasm')));
-  let held = page, decoding = null;
-  return new Engine(module, async () => held ??= await beside('page.html'),
+/// Compiles the engine. Without arguments it reads odontoscope.wasm from beside this file, or what is in threads/ where there can be several, and what not every
+/// run needs once it is: page.html for a page, decoder.wasm for DICOM.
+export async function load({wasm, page, decoder, threads, threaded} = {}) {
+  const many = Math.min(threads ?? (wasm && !threaded ? 1 : await threadsHere()), mostThreads);
+  let held = page, decoding = null, engine = null;
+  if (many > 1) {
+    engine = await manyThreads(new URL(threaded ?? 'threads/', import.meta.url), many).catch(error => {
+      if (threads !== undefined) throw error;
+      return null;   // nobody insists
+    });
+  }
+  return new Engine(engine ?? await oneThread(wasm), async () => held ??= await beside('page.html'),
     () => decoding ??= (async () => compiled(await (decoder ?? beside('decoder.wasm'))))());
 }
 

@@ -6,6 +6,12 @@ async function unpacked(id) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
+/// Where a page that is isolated finds the engine for several threads; null: it is not, or has none beside it.
+function threadsFolder() {
+  const {threads} = document.documentElement.dataset;
+  return threads && crossOriginIsolated ? new URL(threads, location.href).href : null;
+}
+
 export class Cancelled extends Error {}
 
 export class Engine {
@@ -13,6 +19,7 @@ export class Engine {
   #parts = null;
   #waiting = null;
   #saved = false;
+  threads = 1;   // of each run, once there was one
 
   async #ready() {
     if (this.#worker) return;
@@ -20,9 +27,9 @@ export class Engine {
     const [wasm, page, decoder, url] = await this.#parts;
     const worker = new Worker(url);
     await new Promise((resolve, reject) => {
-      worker.onmessage = ({data}) => data.ready ? resolve() : reject(new Error(data.result.complained.join(' ')));
+      worker.onmessage = ({data}) => data.ready ? resolve(this.threads = data.threads) : reject(new Error(data.result.complained.join(' ')));
       worker.onerror = event => reject(new Error(event.message || 'the worker does not start'));
-      worker.postMessage({wasm, page: new Uint8Array(page), decoder});
+      worker.postMessage({wasm, page: new Uint8Array(page), decoder, threaded: threadsFolder() ?? undefined});
     });
     this.#worker = worker;
   }
