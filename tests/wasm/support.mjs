@@ -20,7 +20,8 @@ if (!existsSync(join(dist, 'npm/odontoscope.wasm'))) skip('the engine for browse
 if (!existsSync(program)) skip(`there is no program to compare with at ${program}`);
 
 export const odontoscope = await import(pathToFileURL(join(dist, 'npm/index.mjs')).href);
-export const engine = await odontoscope.load();
+/// On one thread, unless ODONTOSCOPE_WASM_THREADS says how many.
+export const engine = await odontoscope.load({threads: Number(process.env.ODONTOSCOPE_WASM_THREADS ?? 1)});
 
 export const folder = mkdtempSync(join(tmpdir(), 'odontoscope-wasm-'));
 process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
@@ -55,8 +56,8 @@ export function native(words, files) {
   return {exitCode: ended.status, said: lines(ended.stdout), complained: lines(ended.stderr).filter(line => line.startsWith('odontoscope: ')), files: made, seconds};
 }
 
-export async function inWasm(words, files) {
-  const begin = performance.now(), result = await engine.run(words, {files});
+export async function inWasm(words, files, by = engine) {
+  const begin = performance.now(), result = await by.run(words, {files});
   return {...result, seconds: (performance.now() - begin) / 1000};
 }
 
