@@ -75,10 +75,10 @@ export async function same(line, files) {
   return {there, here};
 }
 
-/// A report without what differs from run to run: seconds and memory.
+/// A report without what differs from run to run: seconds, memory, and threads.
 export function timeless(json) {
   const without = value => Array.isArray(value) ? value.map(without)
-    : value && typeof value === 'object' ? Object.fromEntries(Object.entries(value).filter(([key]) => !/second|_ms$|times|memory/.test(key)).map(([key, inner]) => [key, without(inner)]))
+    : value && typeof value === 'object' ? Object.fromEntries(Object.entries(value).filter(([key]) => !/second|_ms$|times|memory|^threads$/.test(key)).map(([key, inner]) => [key, without(inner)]))
     : value;
   return JSON.stringify(without(JSON.parse(json.toString())));
 }

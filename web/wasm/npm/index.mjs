@@ -148,7 +148,8 @@ export class Engine {
     if (Object.values(files).some(content => mayBeCompressed(bytesOf(content)))) instance.decoder = await decoderOf(await this.#decoder());
     if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
     FS.chdir(folder);
-    const result = ran(instance, line, files);
+    const threads = this.threads > 1 && !line.includes('--threads') ? ['--threads', this.threads] : [];
+    const result = ran(instance, [...threads, ...line], files);
     endThreads(instance);
     // A page's model lives on with the instance, for as long as somebody holds the result.
     result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
