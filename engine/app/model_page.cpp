@@ -8,6 +8,7 @@
 
 #include "engine/app/volume_look_words.h"
 #include "engine/app/whole_structures.h"
+#include "engine/language/language.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/names.h"
 #include "recon/cavity/centre_lines.h"
@@ -123,6 +124,12 @@ WebModel web_model_by_dt(const Reconstruction& made, bool simplified, const std:
   model.name = "DT";
   model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";
   return model;
+}
+
+std::string language_in_page(const std::string& asked) {
+  if (asked.empty()) return {};
+  const Language language = language_asked(asked);
+  return knows_language(asked) ? fmt::format(R"({{"language":"{}"}})", language.tag) : to_json(language);
 }
 
 WebModel web_model_by_db(const DbReconstruction& made, CaseTable cases) {

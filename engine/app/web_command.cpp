@@ -8,11 +8,11 @@
 
 #include "engine/app/command.h"
 #include "engine/app/lesson.h"
+#include "engine/app/model_page.h"
 #include "engine/app/options.h"
 #include "engine/app/outputs.h"
 #include "engine/app/web_input.h"
 #include "engine/app/words.h"
-#include "engine/language/language.h"
 #include "engine/web/studio.h"
 #include "recon/core/grouped.h"
 
@@ -55,13 +55,6 @@ void refuse_without_page() {
   if (!page.html.empty()) return;
   throw UsageError(fmt::format("this odontoscope was built without its web page: {}", page.why),
                    "Install Node.js 18 or newer with npm (Debian: nodejs, npm), see that the npm registry can be reached, and build again");
-}
-
-/// A known one by its tag, whose texts are in every page; of a file all.
-std::string language_in_page(const std::string& asked) {
-  if (asked.empty()) return {};
-  const Language language = language_asked(asked);
-  return knows_language(asked) ? fmt::format(R"({{"language":"{}"}})", language.tag) : to_json(language);
 }
 
 struct Made {

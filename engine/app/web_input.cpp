@@ -32,27 +32,10 @@ struct Inspected {
   SurfaceReport report;
 };
 
-/// What a page carries of the volume that its model was made from.
-struct Greys {
-  std::shared_ptr<const ValueGrid> values;
-  GreyAnchors anchors;
-  std::vector<double> isos;
-};
-
-void add_volume(const Greys& greys, const WebWords& words, Scene& scene, WebPage& page, Session& session) {
-  Shown shown;
-  shown.values = greys.values;
-  shown.greys = greys.anchors;
-  show_volume({words.look, words.grey, usual_kv, {}, false}, shown, scene, session);
-  page.volume = web_volume(*greys.values, greys_from(words.grey).value_or(greys.anchors), scene.volume);
-  page.volume->isos = greys.isos;
-  tell_web_volume(*page.volume, *greys.values, session);
-}
-
 /// What a page's model is made from.
 struct Contoured {
   ContourStack stack;
-  std::optional<Greys> greys;          // if the page carries them
+  std::optional<PageGreys> greys;      // if the page carries them
   std::optional<ReportVolume> facts;   // of the volume that it came from
 };
 
@@ -60,7 +43,7 @@ WebModel model_by_dt(const Contoured& from, const WebWords& words, WebPage& page
   Model made{reconstructed(from.stack, words.dt, session), {}, {}, {}};
   add_ways(made.reconstruction, page, session.progress());
   Scene scene = usual_scene_of(made.reconstruction);   // of the full surfaces: simplified ones lie less exactly within each other
-  if (from.greys) add_volume(*from.greys, words, scene, page, session);
+  if (from.greys) add_greys(*from.greys, words.look, words.grey, scene, page, session);
   page.looks = looks_of(scene);
   if (words.triangles) simplify_model(made, static_cast<std::size_t>(*words.triangles), session.progress());
   session.progress().check();
@@ -126,10 +109,7 @@ Contoured contoured_with_greys(const WebWords& words, Session& session) {
   Volume volume;
   Contoured from;
   from.stack = contours_told(words.input, understood(words.volume), session, &volume, &from.facts);
-  Greys& greys = from.greys.emplace();
-  greys.anchors = grey_anchors(volume);
-  greys.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(from.stack), volume), page_values));
-  for (const auto& [structure, iso] : from.facts->isos) greys.isos.push_back(iso);
+  from.greys = page_greys(volume, from.stack, *from.facts);
   return from;
 }
 
@@ -172,7 +152,7 @@ bool WebWords::alone() const { return with_volume() && !volume.any_level() && na
 WebPage web_page_of(const WebWords& words, Session& session) {
   if (words.alone()) {
     refuse_for_mesh(words.dt, words.input);
-    return page_of_voxels(words.input, words.volume, words.look, words.grey, session);
+    return page_of_voxels(voxels_alone(words.input, words.volume, page_values, session), words.look, words.grey, session);
   }
   if (const auto meshes = meshes_of(words, session)) {
     refuse_for_mesh(words.dt, words.input);

@@ -78,8 +78,25 @@ void tell_web_volume(const WebVolume& volume, const ValueGrid& grid, Session& se
     session.console.say(fmt::format("  from {:.6g} to {:.6g}, in steps of {:.3g}; what lies beyond counts as these", volume.low, volume.high, (volume.high - volume.low) / levels));
 }
 
-WebPage page_of_voxels(const std::string& file, const VolumeWords& words, const VolumeLookWords& look, const std::string& grey, Session& session) {
-  const VoxelsAlone voxels = voxels_alone(file, words, page_values, session);
+PageGreys page_greys(const Volume& volume, const ContourStack& stack, const ReportVolume& facts) {
+  PageGreys greys;
+  greys.anchors = grey_anchors(volume);
+  greys.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
+  for (const auto& [structure, iso] : facts.isos) greys.isos.push_back(iso);
+  return greys;
+}
+
+void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::string& grey, Scene& scene, WebPage& page, Session& session) {
+  Shown shown;
+  shown.values = greys.values;
+  shown.greys = greys.anchors;
+  show_volume({look, grey, usual_kv, {}, false}, shown, scene, session);
+  page.volume = web_volume(*greys.values, greys_from(grey).value_or(greys.anchors), scene.volume);
+  page.volume->isos = greys.isos;
+  tell_web_volume(*page.volume, *greys.values, session);
+}
+
+WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, const std::string& grey, Session& session) {
   Shown shown;
   shown.greys = voxels.greys;
   shown.only_voxels = true;

@@ -59,11 +59,18 @@ class Masks {
   std::optional<Image> for_all_;
 };
 
-void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::string& expected,
-                  const std::string& actual, const Masks& masks, const ImageTolerance& tolerance) {
-  both.expected = read_png(expected);
+/// Of a size, or 0 x 0.
+using GetImage = std::function<Image(int width, int height)>;
+
+GetImage from_file(const std::string& file) {
+  return [file](int, int) { return read_png(file); };
+}
+
+void compare_pair(ComparedPicture& picture, PicturesCompared& both, const GetImage& expected, const GetImage& actual,
+                  const Masks& masks, const ImageTolerance& tolerance) {
+  both.expected = expected(0, 0);
   picture.expected_width = both.expected.width, picture.expected_height = both.expected.height;
-  both.actual = read_png(actual);
+  both.actual = actual(both.expected.width, both.expected.height);
   picture.actual_width = both.actual.width, picture.actual_height = both.actual.height;
   const std::optional<Image> mask = masks.of(picture.name);
   picture.masked = mask.has_value();
@@ -79,8 +86,8 @@ void compare_pair(ComparedPicture& picture, PicturesCompared& both, const std::s
 }
 
 /// What cannot be read is told, and stops nothing.
-void compare_or_tell(ComparedPicture& picture, PicturesCompared& both, const std::string& expected,
-                     const std::string& actual, const Masks& masks, const ImageTolerance& tolerance) {
+void compare_or_tell(ComparedPicture& picture, PicturesCompared& both, const GetImage& expected, const GetImage& actual,
+                     const Masks& masks, const ImageTolerance& tolerance) {
   try {
     compare_pair(picture, both, expected, actual, masks, tolerance);
   } catch (const InputError& error) {
@@ -93,16 +100,33 @@ void compare_or_tell(ComparedPicture& picture, PicturesCompared& both, const std
   }
 }
 
-void read_alone(ComparedPicture& picture, Image& into, int& width, int& height, const std::string& file) {
+void read_alone(ComparedPicture& picture, Image& into, int& width, int& height, const GetImage& get) {
   try {
-    into = read_png(file);
+    into = get(0, 0);
     width = into.width, height = into.height;
-  } catch (const Error& error) {
+  } catch (const InputError& error) {
+    picture.message = error.what();
+  } catch (const FileError& error) {
     picture.message = error.what();
   }
 }
 
+/// Of a folder, and those that are drawn as if they lay there.
+std::map<std::string, GetImage> pictures_of(const std::string& folder, const PicturesToDraw& to_draw) {
+  std::map<std::string, GetImage> pictures;
+  for (const auto& [name, file] : pictures_in(folder)) pictures.emplace(name, from_file(file));
+  for (const std::string& name : to_draw.names)
+    pictures.emplace(name, [&to_draw, name](int width, int height) { return to_draw.draw(name, width, height); });
+  return pictures;
+}
+
 }  // namespace
+
+std::set<std::string> pictures_below(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& [name, file] : pictures_in(folder)) names.insert(name);
+  return names;
+}
 
 const char* name(PictureOutcome outcome) {
   switch (outcome) {
@@ -124,10 +148,11 @@ std::vector<ComparedPicture> compare_folders(const std::string& expected, const 
                                              const CompareFoldersOptions& options, const Look& look,
                                              const Progress& progress) {
   const Masks masks(options.mask);
-  const auto wanted = pictures_in(expected), there = pictures_in(actual);
+  const std::map<std::string, GetImage> wanted = pictures_of(expected, {}),
+                                        there = pictures_of(actual, options.to_draw);
   std::map<std::string, ComparedPicture> by_name;
   for (const auto* pictures : {&wanted, &there})
-    for (const auto& [name, file] : *pictures) by_name[name].name = name;
+    for (const auto& [name, get] : *pictures) by_name[name].name = name;
   std::vector<ComparedPicture> compared;
   for (auto& [name, picture] : by_name) {
     progress.check();
@@ -154,7 +179,7 @@ ComparedPicture compare_files(const std::string& expected, const std::string& ac
   ComparedPicture picture;
   picture.name = fs::path(actual).filename().string();
   PicturesCompared both;
-  compare_pair(picture, both, expected, actual, Masks(options.mask), options.tolerance);
+  compare_pair(picture, both, from_file(expected), from_file(actual), Masks(options.mask), options.tolerance);
   if (picture.outcome != PictureOutcome::alike) look(picture, both);
   return picture;
 }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,17 +31,30 @@ struct ComparedPicture {
   std::string cause, message;  // of what is unreadable
 };
 
+/// What somebody else draws: pictures that are not in a folder yet.
+struct PicturesToDraw {
+  std::set<std::string> names;  // below the folder, as if they were there: "views/buccal.png"
+  /// As large as the picture expected; 0 x 0: there is none. InputError and FileError make it unreadable; all else ends
+  /// the comparison.
+  std::function<Image(const std::string& name, int width, int height)> draw;
+};
+
 struct CompareFoldersOptions {
   ImageTolerance tolerance;
   /// A folder with a mask for each picture that needs one, under the same name; or one PNG for all; or empty. See
   /// `compare`.
   std::string mask;
+  /// Besides the PNGs of the folder of actual pictures.
+  PicturesToDraw to_draw;
 };
 
 /// The pictures of one comparison, for whoever shows them; a picture that is not there is empty.
 struct PicturesCompared {
   Image expected, actual, mask;
 };
+
+/// The names of all *.png (in any case) of a folder and those below. Throws as compare_folders does.
+std::set<std::string> pictures_below(const std::string& folder);
 
 /// All *.png (in any case) in the two folders and those below, by name; links to folders are not followed. `look` is
 /// given each that is not alike, with its pictures, in order. Stage "compare". Throws FileError (no folder, or cannot

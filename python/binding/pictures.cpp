@@ -3,6 +3,9 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -18,12 +21,14 @@
 #include "engine/app/wall_marks.h"
 #include "engine/app/whole_structures.h"
 #include "engine/gpu/context.h"
+#include "engine/picture/film.h"
 #include "engine/scene/scene_json.h"
 #include "python/binding/arrays.h"
 #include "python/binding/session.h"
 #include "python/binding/watched.h"
 #include "recon/cavity/anatomy.h"
 #include "recon/core/atomic_file.h"
+#include "recon/core/lower_case.h"
 #include "recon/output/anatomy_text.h"
 #include "recon/volume/thresholds.h"
 
@@ -216,25 +221,50 @@ std::vector<Image> all_around(const Scene& scene, const PictureWords& words, app
   return images;
 }
 
+/// What is drawn, and with what: everything but the pictures themselves.
+struct Stage {
+  Stage(const Seen& seen, const PictureWords& words, app::Session& session)
+      : shown(shown_in(seen, words, session)), scene(app::scene_from(words.scene, shown.model, shown.overlays, shown.values.get(), words.picture.size)) {
+    app::show_volume({words.look, words.radiograph.grey, words.radiograph.kv, words.scene.opacity, !words.scene.background.empty() || !words.scene.scene_file.empty()}, shown,
+                     scene, session);
+    app::colour_by_data(words.colour_by, words.scene.opacity, shown, scene, session);
+    app::refuse_cap_without_section(words.scene, scene);
+    if (words.on_tour()) film.emplace(app::film_of(shown, words.tour, session));
+    if (scene.wall_depth) app::mark_wall_depths(shown.model, shown.surfaces, session.progress());
+    session.progress().check();
+    context = make_context({.backend = words.backend});
+    refuse_undrawable(context->gl(), words.picture.size, words.picture.render);
+    renderer.emplace(context->gl(), shaders_from_environment());
+    painter.emplace(words.picture, context->gl(), *renderer, shown, scene, session);
+  }
+  app::Shown shown;
+  Scene scene;
+  std::optional<app::Film> film;   // on a tour
+  std::unique_ptr<GlContext> context;
+  std::optional<Renderer> renderer;
+  std::optional<app::Painter> painter;
+};
+
 std::vector<Image> drawn(const Seen& seen, const PictureWords& words, app::Session& session) {
-  app::Shown shown = shown_in(seen, words, session);
-  Scene scene = app::scene_from(words.scene, shown.model, shown.overlays, shown.values.get(), words.picture.size);
-  app::show_volume({words.look, words.radiograph.grey, words.radiograph.kv, words.scene.opacity, !words.scene.background.empty() || !words.scene.scene_file.empty()}, shown,
-                   scene, session);
-  app::colour_by_data(words.colour_by, words.scene.opacity, shown, scene, session);
-  app::refuse_cap_without_section(words.scene, scene);
-  std::optional<app::Film> film;
-  if (words.on_tour()) film.emplace(app::film_of(shown, words.tour, session));
-  if (scene.wall_depth) app::mark_wall_depths(shown.model, shown.surfaces, session.progress());
-  session.progress().check();
-  const std::unique_ptr<GlContext> context = make_context({.backend = words.backend});
-  refuse_undrawable(context->gl(), words.picture.size, words.picture.render);
-  Renderer renderer(context->gl(), shaders_from_environment());
-  app::Painter painter(words.picture, context->gl(), renderer, shown, scene, session);
-  std::vector<Image> images = film ? along_tour(shown, scene, *film, words, painter) : all_around(scene, words, painter);
-  scene.picture = words.format;
-  if (!words.save_scene.empty()) write_files(std::vector<FileContent>{{words.save_scene, to_json(scene)}});
+  Stage stage(seen, words, session);
+  std::vector<Image> images = stage.film ? along_tour(stage.shown, stage.scene, *stage.film, words, *stage.painter) : all_around(stage.scene, words, *stage.painter);
+  stage.scene.picture = words.format;
+  if (!words.save_scene.empty()) write_files(std::vector<FileContent>{{words.save_scene, to_json(stage.scene)}});
   return images;
+}
+
+double filmed(const Seen& seen, const std::string& file, const PictureWords& words, app::Session& session) {
+  constexpr double rate = 30;   // pictures a second
+  constexpr std::size_t most = 3600;
+  Stage stage(seen, words, session);
+  const app::Film& tour = *stage.film;
+  const auto as_it_is = static_cast<std::size_t>(std::lround(rate * tour.tour.seconds())) + 1;
+  const std::size_t count = words.frames > 0 ? words.frames : std::min(as_it_is, most);
+  FilmMaker maker(file, {words.format.width, words.format.height, rate});
+  for (std::size_t i = 0; i < count; ++i)
+    maker.add(stage.painter->draw(app::frame_of(stage.scene, stage.shown, tour, app::moment(tour, i, count)), i, count), session.progress());
+  write_files(std::vector<FileContent>{{file, maker.finish(session.progress())}});
+  return static_cast<double>(count) / rate;
 }
 
 std::vector<Image> films(const Seen& seen, const PictureWords& words, app::Session& session) {
@@ -275,6 +305,19 @@ py::list pictures(const Seen& seen, const py::dict& given, const py::object& lis
   py::list arrays;
   for (Image& image : images) arrays.append(array_of(std::move(image)));
   return arrays;
+}
+
+double film(const Seen& seen, const std::string& file, const py::dict& given, const py::object& listener) {
+  const PictureWords words = understood(given);
+  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+  if (std::find(film_endings().begin(), film_endings().end(), ending) == film_endings().end())
+    throw UsageError(file + " is no film by its name", "Call it something.mp4 or something.webm");
+  if (words.format.width % 2 != 0 || words.format.height % 2 != 0) throw UsageError("size: a film's width and height are even", "Add a pixel: colour is stored for two by two");
+  need_ffmpeg(file);
+  QuietSession session;
+  const double seconds = watched(listener, [&](const Progress& progress) { return filmed(seen, file, words, session.watched_by(progress)); });
+  session.warn();
+  return seconds;
 }
 
 std::pair<std::string, std::string> anatomy_of_mesh(const std::string& file, const py::object& listener) {

@@ -14,7 +14,7 @@ except ImportError as error:   # built without the engine, or a library is missi
     _draw = None  # type: ignore[assignment]
     _missing = str(error)
 
-__all__ = ["add_pictures", "anatomy_of_mesh", "check", "gltf_extras", "page", "pictures", "png", "words"]
+__all__ = ["add_pictures", "anatomy_of_mesh", "check", "film", "gltf_extras", "page", "pictures", "png", "words"]
 
 #: A page in a notebook has no more bytes than this (a notebook keeps all that it shows); 0: pictures alone.
 PAGE_LIMIT = 8_000_000
@@ -150,6 +150,24 @@ def png(pixels: Any) -> bytes:
     return _drawing().png(pixels)
 
 
-def page(model: Any, title: str, lesson: str, db: Any, progress: Any) -> str:
-    """One HTML file. ``db``: the compiled module's Model, or None."""
-    return _drawing().page(model, title, lesson, db, progress).decode("utf-8")
+def page(shown: Any, title: str, lesson: Any, db: Any, language: Any, show: str, cast: str, transfer: str, grey: Any, progress: Any) -> str:
+    """One HTML file. ``shown``: the compiled module's Model or Volume; ``db``: its Model, or None."""
+    asked = {"title": title, "lesson": "" if lesson is None else _options.path(lesson), "language": "" if language is None else _options.path(language),
+             "show": str(show), "cast": str(cast), "transfer": str(transfer), "grey": _options.numbers(grey, "grey", 2)}
+    return _drawing().page(shown, asked, db, progress).decode("utf-8")
+
+
+_NOT_FILMED = ("turntable", "contact_sheet", "section", "radiograph", "save_scene", "frames", "tour", "size")
+
+
+def check_film(looks: Mapping[str, Any]) -> None:
+    """UsageError for what a film has not."""
+    for word in _NOT_FILMED:
+        if word in looks:
+            raise refuse(UsageError, f"{word}: a film has none", "Leave it out")
+
+
+def film(seen: Any, file: Any, progress: Any, frames: Any, **given: Any) -> float:
+    """Seconds that it lasts."""
+    asked = {**words(**given), "frames": _count(frames, "frames")}
+    return _drawing().film(seen, _options.path(file), asked, progress)

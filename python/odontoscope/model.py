@@ -257,14 +257,44 @@ class Model:
         given = {name: value for name, value in locals().items() if name not in ("self", "progress")}
         return _draw.pictures(self._core, progress, **given)
 
-    def page(self, title: str = "", *, lesson: Optional[File] = None, db: Optional[Model] = None, progress: Optional[Progress] = None) -> str:
+    def film(self, file: File, tour: str = "canal-1", *, frames: Optional[int] = None, size: Union[str, tuple[int, int], None] = None, progress: Optional[Progress] = None,
+             **looks: Any) -> float:
+        """A tour as a film, .mp4 or .webm, as ``odontoscope render --tour`` makes it; how long it lasts, seconds. Needs the program ffmpeg.
+
+        Args:
+            file: its ending says the format; written whole or not at all.
+            tour: the line: "canal-1", "horn-2". frames: how many, 30 a second; as many as the tour lasts where it is left out.
+            size: even width and height, pixels: the scene's, or 1200x900.
+            looks: ``reverse``, ``void`` and the looks of ``render``; no ``turntable``, ``contact_sheet``, ``section`` or ``radiograph``.
+
+            >>> import odontoscope
+            >>> odontoscope.reconstruct(odontoscope.sample("incisor")).film("canal.gif")
+            Traceback (most recent call last):
+            ...
+            odontoscope.errors.UsageError: canal.gif is no film by its name. Call it something.mp4 or something.webm.
+        """
+        _draw.check_film(looks)
+        return _draw.film(self._core, file, progress, frames, tour=tour, size=size, **looks)
+
+    def page(self, title: str = "", *, lesson: Optional[File] = None, db: Optional[Model] = None, language: Optional[File] = None, show: str = "", cast: str = "",
+             transfer: str = "", grey: Any = None, progress: Optional[Progress] = None) -> str:
         """The page of ``odontoscope web`` as text: one HTML file that opens from disk in any browser and asks the network for nothing.
 
-        ``title``: the source's name without ending where it is left out. ``lesson``: a file of notes, or the title of one that comes with the program. ``db``: a
-        model of the same contours by ``method="db"``, and a switch between both.
+        Args:
+            title: the source's name without ending where it is left out.
+            lesson: a file of notes, or the title of one that comes with the program.
+            db: a model of the same contours by ``method="db"``, and a switch between both.
+            language: "de", "en", or a file of another; the browser's where it is left out.
+            show: "volume" or "both", of a model made from a volume: the page carries its grey values, too. cast, transfer, grey: as for ``render``.
+
+            >>> import odontoscope
+            >>> odontoscope.reconstruct(odontoscope.sample("incisor")).page(show="both")
+            Traceback (most recent call last):
+            ...
+            odontoscope.errors.UsageError: only a model of a volume has grey values to show. Leave show out, or make it from the volume with iso.
         """
-        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", "" if lesson is None else _options.path(lesson),
-                          None if db is None else db._core, progress)
+        return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", lesson, None if db is None else db._core, language, show, cast, transfer,
+                          grey, progress)
 
     def _repr_png_(self) -> Optional[bytes]:
         """For notebooks; None where the machine cannot draw."""

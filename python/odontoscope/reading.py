@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pathlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, Optional, Union
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from . import _core
 from . import arrays as _arrays
+from . import draw as _draw
 from . import options as _options
 from .errors import InputError, UsageError, refuse as _refuse
 
@@ -178,6 +180,18 @@ class Volume:
         made = cls.__new__(cls)
         made._core = core
         return made
+
+    def page(self, title: str = "", *, lesson: Optional[File] = None, language: Optional[File] = None, show: str = "volume", cast: str = "", transfer: str = "",
+             grey: Any = None, progress: Optional[Progress] = None) -> str:
+        """The page of ``odontoscope web --show volume`` as text: grey values alone, to be turned and cut open in any browser. Its words are those of ``Model.page``.
+
+            >>> ball = Volume(np.fromfunction(lambda k, j, i: 6 - np.hypot(np.hypot(i - 8, j - 8), k - 8), (17, 17, 17)))
+            >>> ball.page(show="both")
+            Traceback (most recent call last):
+            ...
+            odontoscope.errors.UsageError: nothing says where in the volume the surface lies. Say show="volume", or make a model of it with iso or label.
+        """
+        return _draw.page(self._core, title or pathlib.PurePath(self.source).stem or "Volume", lesson, None, language, show, cast, transfer, grey, progress)
 
     @property
     def values(self) -> np.ndarray:

@@ -1,6 +1,6 @@
 #include "recon/partition/own_faces.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "recon/partition/face_contours.h"
 
@@ -12,7 +12,7 @@ ContourStack own_faces(const ContourStack& stack, const std::vector<Borders>& bo
   for (std::size_t k = 0; k < borders.size(); ++k) {
     Slice slice{stack.slices[k].z, {}};
     for (Label l = 1; l <= materials.structures.size(); ++l)
-      std::ranges::move(face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; }), std::back_inserter(slice.contours));
+      for (Contour& face : face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; })) slice.contours.push_back(std::move(face));
     own.slices.push_back(std::move(slice));
   }
   return own;

@@ -2,6 +2,7 @@
 import html
 import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -202,6 +203,46 @@ class Notebooks(unittest.TestCase):
             self.model.page(db=self.model)
         with self.assertRaises(odontoscope.FileError):
             self.model.page(lesson="none.tour.json")
+
+    def test_pages_carry_grey_values_and_a_language_as_those_of_the_program_do(self):
+        self.page()
+        k, j, i = np.indices((12, 24, 24))
+        volume = odontoscope.Volume((np.clip(9 - np.hypot(i - 12, j - 11.5), 0, 4) * 60).astype("float32"), (0.2, 0.2, 0.4))
+        with tempfile.TemporaryDirectory() as folder:
+            self.write_nrrd(volume, f"{folder}/rod.nrrd")
+            for words, made in [(["--iso", "100", "--show", "both", "--transfer", "enamel", "--language", "de"],
+                                 lambda read: odontoscope.reconstruct(read, iso=100).page("Rod", show="both", transfer="enamel", language="de")),
+                                (["--show", "volume", "--cast", "maximum"], lambda read: read.page("Rod", cast="maximum"))]:
+                subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/rod.nrrd", "-o", f"{folder}/page.html", "--title", "Rod", *words], check=True)
+                self.assertTrue(made(odontoscope.read_volume(f"{folder}/rod.nrrd")).encode() == pathlib.Path(f"{folder}/page.html").read_bytes(), words)
+        for refused in [{"show": "both"}, {"cast": "maximum"}, {"show": "nothing"}, {"language": "none.json"}, {"grey": (3, 1)}]:
+            with self.assertRaises(odontoscope.Error, msg=str(refused)):
+                self.model.page(**refused)
+
+    @staticmethod
+    def write_nrrd(volume, file):
+        slices, rows, columns = volume.values.shape
+        x, y, z = volume.spacing
+        head = (f"NRRD0004\ntype: float\ndimension: 3\nspace dimension: 3\nspace units: \"mm\" \"mm\" \"mm\"\nsizes: {columns} {rows} {slices}\n"
+                f"space directions: ({x},0,0) (0,{y},0) (0,0,{z})\nspace origin: (0,0,0)\nencoding: raw\nendian: little\n\n")
+        pathlib.Path(file).write_bytes(head.encode() + volume.values.astype("<f4").tobytes())
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg was not found (Debian: ffmpeg)")
+    def test_films_are_those_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            odontoscope.sample("incisor", slice_spacing=0.35, point_spacing=0.5).save(f"{folder}/tooth.json")
+            subprocess.run([PROGRAM, "--quiet", "render", f"{folder}/tooth.json", "--tour", "canal-1", "--reverse", "--frames", "6", "--size", "96x64", "-o", f"{folder}/theirs.webm"], check=True)
+            seconds = self.model.film(f"{folder}/ours.webm", frames=6, size="96x64", reverse=True)
+            self.assertAlmostEqual(seconds, 6 / 30)
+            ours, theirs = (pathlib.Path(f"{folder}/{name}.webm").read_bytes() for name in ("ours", "theirs"))
+            self.assertEqual((ours[:4], len(ours)), (theirs[:4], len(theirs)))   # the bytes hold a number drawn by lot
+
+    def test_films_that_make_no_sense_are_refused(self):
+        for file, words in [("x.gif", {}), ("x.mp4", {"turntable": 3}), ("x.mp4", {"section": "buccal"})]:
+            with self.assertRaises(odontoscope.UsageError):
+                self.model.film(file, **words)
+        with self.assertRaises((odontoscope.UsageError, odontoscope.FileError)):
+            self.model.film("x.mp4", size="95x64")
 
     def test_show_the_page_in_a_frame(self):
         page = self.page()

@@ -80,7 +80,7 @@ class ScreenshotTests(InFolder):
     def test_pass_find_one_pixel_and_show_it(self):
         done = self.run_here("./test-pictures", folder="repository")
         self.assertEqual(done.returncode, 0, f"{done.stdout}: not what examples/screenshot-tests/expected has; look, then ./test-pictures --accept")
-        self.assertIn("3 of 3 pictures alike", done.stdout)
+        self.assertIn("4 of 4 pictures alike", done.stdout)
         self.assertEqual(self.run_here("./test-pictures", "--accept", folder="repository").returncode, 0)
         (self.here / "expected/incisor-cut.png").write_bytes(self.pixel())
         strict = {"TOLERANCE": "--channel 0 --share 0"}
@@ -89,12 +89,22 @@ class ScreenshotTests(InFolder):
         self.assertEqual(done.returncode, 1, done.stdout)
         verdict = json.loads((self.here / "verdict.json").read_text())
         found = {one["name"]: one for one in verdict["pictures"]}
-        self.assertEqual({name: one["outcome"] for name, one in found.items()}, {"incisor-buccal.png": "alike", "incisor-cut.png": "different", "incisor-window-cut.png": "alike"})
+        self.assertEqual({name: one["outcome"] for name, one in found.items()}, {"incisor.png": "alike", "incisor-buccal.png": "alike", "incisor-cut.png": "different", "incisor-window-cut.png": "alike"})
         self.assertEqual((found["incisor-cut.png"]["pixels"], found["incisor-cut.png"]["largest"], found["incisor-cut.png"]["box"]), (1, 4, [200, 150, 200, 150]))
         page = (self.here / "failures.html").read_text()
         self.assertIn("incisor-cut.png", page)
         self.assertNotIn("incisor-buccal.png", page)
         self.assertIn("data:image/png;base64,", page)
+
+    @unittest.skipUnless(shutil.which("chromium"), "Chromium was not found (Debian: chromium)")
+    def test_pages_are_shot_and_one_pixel_is_found(self):
+        strict = {"TOLERANCE": "--channel 0 --share 0", "PAGES": "yes"}
+        self.assertEqual(self.run_here("./test-pictures", folder="repository", **strict).returncode, 1, "nothing is expected of the page yet")
+        done = self.run_here("./test-pictures", "--accept", folder="repository", **strict)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        done = self.run_here("./test-pictures", folder="repository", **strict)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("5 of 5 pictures alike", done.stdout)
 
 
 if __name__ == "__main__":

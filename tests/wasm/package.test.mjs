@@ -14,7 +14,8 @@ test('it is packed, installed without the network, and imported by its name', ()
   writeFileSync(join(at, 'package.json'), '{"name": "user", "private": true, "type": "module"}');
   const npm = (...line) => execFileSync('npm', line, {cwd: at, encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe']});
   const [{filename, files}] = JSON.parse(npm('pack', '--json', join(dist, 'npm')));
-  assert.deepEqual(files.map(file => file.path).sort(), ['LICENSE', 'README.md', 'index.d.ts', 'index.mjs', 'odontoscope.mjs', 'odontoscope.wasm', 'package.json', 'page.html']);
+  assert.deepEqual(files.map(file => file.path).sort(), ['LICENSE', 'README.md', 'decoder.mjs', 'decoder.wasm', 'index.d.ts', 'index.mjs', 'odontoscope.mjs', 'odontoscope.wasm', 'package.json', 'page.html',
+    'threads/odontoscope.js', 'threads/odontoscope.mjs', 'threads/odontoscope.wasm', 'threads/odontoscope.worker.js', 'threads/package.json']);
   npm('install', '--offline', '--no-audit', '--no-fund', `./${filename}`);
   writeFileSync(join(at, 'use.mjs'), `import {sample} from 'odontoscope';\nconst {files} = await sample('incisor', {output: 'tooth.json'});\nconsole.log(JSON.parse(new TextDecoder().decode(files['tooth.json'])).format);\n`);
   assert.equal(execFileSync(process.execPath, ['use.mjs'], {cwd: at, encoding: 'utf8'}).trim(), 'odontoscope.contours');

@@ -3,23 +3,10 @@ import assert from 'node:assert/strict';
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {corpus, data, differing, filesOf, inWasm, native} from './support.mjs';
+import {corpus, data, filesOf, native, same} from './support.mjs';
 
 const everyFormat = ['.glb', '.gltf', '.stl', '.ply', '.obj', '.3mf', '.wrl', '.x3d', '.vtp', '.vtu', '.msh', '.inp'].flatMap(ending => ['-o', `made${ending}`]);
 const someFormats = ['-o', 'made.ply', '-o', 'made.vtu', '--report', 'report.json'];
-
-/// Seconds differ, and nothing else.
-const words = lines => lines.filter(line => !/ s on \d+ thread/.test(line));
-
-async function same(line, files) {
-  const there = native(line, files), here = await inWasm(line, files);
-  const told = `${line.join(' ')}\nnative ${there.exitCode}: ${there.complained.join('\n')}\nwasm ${here.exitCode}: ${here.complained.join('\n')}`;
-  assert.equal(here.exitCode, there.exitCode, told);
-  assert.deepEqual(differing(here, there), [], told);
-  assert.deepEqual(here.complained, there.complained, told);
-  assert.deepEqual(words(here.said), words(there.said));
-  return {there, here};
-}
 
 for (const kind of ['good', 'engine'])
   test(`every stack of corpus/${kind} gives the same tetrahedra, surface and report`, async () => {

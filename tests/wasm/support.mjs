@@ -1,4 +1,5 @@
 // What the tests of the engine as WebAssembly have in common: the package under test, the native program beside it, inputs.
+import assert from 'node:assert/strict';
 import {spawnSync} from 'node:child_process';
 import {existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, statSync} from 'node:fs';
 import {tmpdir} from 'node:os';
@@ -19,7 +20,8 @@ if (!existsSync(join(dist, 'npm/odontoscope.wasm'))) skip('the engine for browse
 if (!existsSync(program)) skip(`there is no program to compare with at ${program}`);
 
 export const odontoscope = await import(pathToFileURL(join(dist, 'npm/index.mjs')).href);
-export const engine = await odontoscope.load();
+/// On one thread, unless ODONTOSCOPE_WASM_THREADS says how many.
+export const engine = await odontoscope.load({threads: Number(process.env.ODONTOSCOPE_WASM_THREADS ?? 1)});
 
 export const folder = mkdtempSync(join(tmpdir(), 'odontoscope-wasm-'));
 process.on('exit', () => rmSync(folder, {recursive: true, force: true}));
@@ -54,15 +56,29 @@ export function native(words, files) {
   return {exitCode: ended.status, said: lines(ended.stdout), complained: lines(ended.stderr).filter(line => line.startsWith('odontoscope: ')), files: made, seconds};
 }
 
-export async function inWasm(words, files) {
-  const begin = performance.now(), result = await engine.run(words, {files});
+export async function inWasm(words, files, by = engine) {
+  const begin = performance.now(), result = await by.run(words, {files});
   return {...result, seconds: (performance.now() - begin) / 1000};
 }
 
-/// A report without what differs from run to run: seconds and memory.
+/// Lines without those that tell seconds, which differ.
+const words = lines => lines.filter(line => !/ s on \d+ thread/.test(line));
+
+/// Both programs end alike, say the same and write the same bytes.
+export async function same(line, files) {
+  const there = native(line, files), here = await inWasm(line, files);
+  const told = `${line.join(' ')}\nnative ${there.exitCode}: ${there.complained.join('\n')}\nwasm ${here.exitCode}: ${here.complained.join('\n')}`;
+  assert.equal(here.exitCode, there.exitCode, told);
+  assert.deepEqual(differing(here, there), [], told);
+  assert.deepEqual(here.complained, there.complained, told);
+  assert.deepEqual(words(here.said), words(there.said));
+  return {there, here};
+}
+
+/// A report without what differs from run to run: seconds, memory, and threads.
 export function timeless(json) {
   const without = value => Array.isArray(value) ? value.map(without)
-    : value && typeof value === 'object' ? Object.fromEntries(Object.entries(value).filter(([key]) => !/second|_ms$|times|memory/.test(key)).map(([key, inner]) => [key, without(inner)]))
+    : value && typeof value === 'object' ? Object.fromEntries(Object.entries(value).filter(([key]) => !/second|_ms$|times|memory|^threads$/.test(key)).map(([key, inner]) => [key, without(inner)]))
     : value;
   return JSON.stringify(without(JSON.parse(json.toString())));
 }

@@ -19,6 +19,7 @@ function fail(words) {
   told.setAttribute('role', 'alert');
   told.textContent = words;
   document.body.append(told);
+  document.documentElement.dataset.failed = words;
 }
 
 /// A bar of a round length in millimetres, where the model is.

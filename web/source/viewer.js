@@ -269,6 +269,7 @@ export class Viewer extends EventTarget {
       this.dispatchEvent(new Event('travel'));
     }
     if (this.dirty) {
+      this.tellDrawn(false);
       if (this.movedLast && this.caster) this.pace.note(seconds);
       else if (this.movedLast && this.quality.note(seconds)) this.dispatchEvent(new Event('change'));
       this.dirty = false;
@@ -281,8 +282,13 @@ export class Viewer extends EventTarget {
     this.rested += seconds;
     if (this.headset.present || !(this.caster ? this.rested > restBeforeCasting : this.quality.mayRefine(this.rested))) return;
     const way = this.wayOf(this.quality.still);
-    if (this.picture.finished(way)) return;
+    if (this.picture.finished(way)) return this.tellDrawn(true);
     this.picture.refine(this.scene, this.camera, this.current, way);
+  }
+
+  /// For whoever takes a picture of the page: nothing is left to be made finer.
+  tellDrawn(done) {
+    if (done !== ('drawn' in document.documentElement.dataset)) document.documentElement.toggleAttribute('data-drawn', done);
   }
 
   /// What casts rays, if anything does.

@@ -1,8 +1,10 @@
 # What third_party/packages.cmake finds, for WebAssembly: headers that need no library are those installed on this machine, by links to just them
 # in the build folder; what must be compiled is compiled from Debian's source packages, which web/wasm/fetch_sources unpacks into
-# ODONTOSCOPE_WASM_SOURCES. TBB and std::stop_token are the few lines of web/wasm/stand_ins: there is one thread.
+# ODONTOSCOPE_WASM_SOURCES. TBB and std::stop_token are the few lines of web/wasm/stand_ins, for one thread, and of
+# stand_ins_threads.
+option(ODONTOSCOPE_WASM_THREADS "For pages that are isolated: several threads" OFF)
 set(ODONTOSCOPE_WASM_SOURCES ${PROJECT_BINARY_DIR}/../sources CACHE PATH "Where web/wasm/fetch_sources unpacked Debian's source packages")
-foreach(package gmp meshoptimizer pugixml libzip zlib tetgen)
+foreach(package gmp meshoptimizer pugixml libzip zlib tetgen gdcm openjpeg2)
   file(GLOB ${package}_source LIST_DIRECTORIES true ${ODONTOSCOPE_WASM_SOURCES}/${package}-*)
   list(LENGTH ${package}_source found)
   if(NOT found EQUAL 1)
@@ -28,14 +30,26 @@ add_library(gmp STATIC IMPORTED GLOBAL)
 set_target_properties(gmp PROPERTIES IMPORTED_LOCATION ${ODONTOSCOPE_WASM_SOURCES}/gmp/.libs/libgmp.a)
 target_include_directories(gmp INTERFACE ${ODONTOSCOPE_WASM_SOURCES}/gmp)
 # WebAssembly rounds to nearest alone: CGAL then widens each interval by a step.
-headers_alone(CGAL::CGAL CGAL_ALWAYS_ROUND_TO_NEAREST CGAL_USE_GMP=1 CGAL_HAS_NO_THREADS CGAL_DISABLE_ROUNDING_MATH_CHECK)
+set(one_thread CGAL_HAS_NO_THREADS)
+if(ODONTOSCOPE_WASM_THREADS)
+  set(one_thread "")
+endif()
+headers_alone(CGAL::CGAL CGAL_ALWAYS_ROUND_TO_NEAREST CGAL_USE_GMP=1 ${one_thread} CGAL_DISABLE_ROUNDING_MATH_CHECK)
 target_link_libraries(CGAL::CGAL INTERFACE gmp)
 headers_alone(fmt::fmt FMT_HEADER_ONLY)
 headers_alone(nlohmann_json::nlohmann_json)
 headers_alone(CLI11::CLI11)
 headers_alone(glm::glm)
 headers_alone(TinyGLTF::TinyGLTF TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
-add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
+if(ODONTOSCOPE_WASM_THREADS)
+  add_compile_options(-pthread)
+  include_directories(BEFORE SYSTEM ${CMAKE_CURRENT_LIST_DIR}/stand_ins_threads)
+  add_library(tbb STATIC ${CMAKE_CURRENT_LIST_DIR}/stand_ins_threads/pool.cpp)
+  target_compile_options(tbb PRIVATE -fwasm-exceptions)
+  add_library(TBB::tbb ALIAS tbb)
+else()
+  add_library(TBB::tbb INTERFACE IMPORTED GLOBAL)
+endif()
 
 function(compiled target folder)
   add_library(${target} STATIC ${ARGN})
@@ -57,6 +71,7 @@ target_compile_definitions(zlib PRIVATE HAVE_UNISTD_H)
 add_library(ZLIB::ZLIB ALIAS zlib)
 
 include(${CMAKE_CURRENT_LIST_DIR}/libzip.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/decoder.cmake)
 set(ODONTOSCOPE_ZIP libzip)
 
 compiled(tetgen ${tetgen_source} ${tetgen_source}/tetgen.cxx ${tetgen_source}/predicates.cxx)

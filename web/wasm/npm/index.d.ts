@@ -79,6 +79,8 @@ export declare class OdontoscopeError extends Error {
 }
 
 export declare class Engine {
+  /** How many threads each run has. */
+  readonly threads: number;
   /** One run of the program. Does not throw for what the program refuses: look at exitCode. */
   run(words: readonly (string | number)[], options?: RunOptions): Promise<Result>;
   command(name: string, options?: CommandOptions): Promise<Done>;
@@ -96,6 +98,13 @@ export declare class Engine {
 export declare function load(from?: {
   wasm?: WebAssembly.Module | BufferSource | Promise<BufferSource>;
   page?: Uint8Array | string;
+  /** Of compressed DICOM. */
+  decoder?: WebAssembly.Module | BufferSource | Promise<BufferSource>;
+  /** Threads of each run, 16 at most. Default: as many as there are processors, in Node.js and in workers of pages that are isolated (COOP and COEP); else, and with
+   *  `wasm`, one. */
+  threads?: number;
+  /** Where the files of the package's folder "threads" lie, if not there. */
+  threaded?: string | URL;
 }): Promise<Engine>;
 
 /** The words of a command line that options stand for. */

@@ -1,4 +1,5 @@
 // The program odontoscope as a library: its subcommands on files in memory, with the options that its --help lists.
+import {decoderOf, mayBeCompressed} from './decoder.mjs';
 import makeModule from './odontoscope.mjs';
 
 const folder = '/work', pageFile = '/odontoscope/page.html';
@@ -17,7 +18,7 @@ export class OdontoscopeError extends Error {
 
 const isNode = typeof process !== 'undefined' && Boolean(process.versions?.node) && typeof importScripts === 'undefined';
 
-/// A file that lies beside this one.
+/// A file that lies beside this one, or where a URL says.
 async function beside(name) {
   const url = new URL(name, import.meta.url);
   if (isNode && url.protocol === 'file:') return (await import('node:fs/promises')).readFile(url);
@@ -32,6 +33,8 @@ function checkedName(name) {
     throw new OdontoscopeError(`${JSON.stringify(name)} is no name of a file here. Give one without "..", not beginning with "/".`, {exitCode: 2});
   return parts;
 }
+
+const compiled = async given => given instanceof WebAssembly.Module ? given : WebAssembly.compile(given);
 
 const bytesOf = content => typeof content === 'string' ? new TextEncoder().encode(content) : content instanceof ArrayBuffer ? new Uint8Array(content) : content;
 
@@ -92,14 +95,49 @@ export function words(command, {input, output, ...options} = {}) {
   return line;
 }
 
+/// Threads share memory, which only a page that is isolated from others may do, and whoever waits for them waits in a worker or in Node.js.
+async function threadsHere() {
+  if (typeof SharedArrayBuffer === 'undefined' || typeof document !== 'undefined') return 1;
+  if (isNode) return (await import('node:os')).cpus().length;
+  return globalThis.crossOriginIsolated ? navigator.hardwareConcurrency ?? 1 : 1;
+}
+
+const mostThreads = 16;   // beyond, a tooth has too few slabs
+
+const oneThread = async wasm => ({make: makeModule, module: await compiled(await (wasm ?? beside('odontoscope.wasm'))), threads: 1, settings: {}});
+
+/// The engine whose script, worker and module lie in a folder: {make, module, threads, settings}.
+async function manyThreads(folder, threads) {
+  const url = name => new URL(name, folder), module = await compiled(await beside(url('odontoscope.wasm')));
+  if (isNode) {
+    const {createRequire} = await import('node:module'), {fileURLToPath} = await import('node:url');
+    return {make: createRequire(import.meta.url)(fileURLToPath(url('odontoscope.js'))), module, threads, settings: {}};
+  }
+  const {default: make} = await import(url('odontoscope.mjs').href);
+  return {make, module, threads, settings: {mainScriptUrlOrBlob: url('odontoscope.js').href, locateFile: name => url(name).href}};
+}
+
+/// Ends the threads that an instance has made besides the first.
+function endThreads(instance) {
+  if (!instance.PThread) return;
+  instance.threads = 1;
+  instance._odontoscope_be_alone();
+  instance.PThread.terminateAllThreads();
+}
+
 /// The compiled engine. Each call is a run of its own: nothing is kept from one to the next but what `save` of a page's result holds, and an error in one is none in another.
 export class Engine {
-  #module;
+  #engine;
   #page;
-  constructor(module, page) {
-    this.#module = module;
+  #decoder;
+  constructor(engine, page, decoder) {
+    this.#engine = engine;
     this.#page = page;
+    this.#decoder = decoder;
   }
+
+  /// How many threads each run has.
+  get threads() { return this.#engine.threads; }
 
   /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
   async run(line, {files = {}, onProgress} = {}) {
@@ -107,9 +145,12 @@ export class Engine {
     FS.mkdir(folder);
     FS.mkdir('/odontoscope');
     putFiles(FS, files);
+    if (Object.values(files).some(content => mayBeCompressed(bytesOf(content)))) instance.decoder = await decoderOf(await this.#decoder());
     if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
     FS.chdir(folder);
-    const result = ran(instance, line, files);
+    const threads = this.threads > 1 && !line.includes('--threads') ? ['--threads', this.threads] : [];
+    const result = ran(instance, [...threads, ...line], files);
+    endThreads(instance);
     // A page's model lives on with the instance, for as long as somebody holds the result.
     result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
       instance.onProgress = listener;
@@ -119,14 +160,17 @@ export class Engine {
   }
 
   async #instance(onProgress) {
-    const instance = await makeModule({
+    const {make, module, threads, settings} = this.#engine;
+    const instance = await make({
+      ...settings,
+      threads,
       noInitialRun: true,
       thisProgram: 'odontoscope',
       print: text => instance.said.push(text),
       printErr: text => instance.complained.push(text),
       onProgress,
       instantiateWasm: (imports, receive) => {
-        WebAssembly.instantiate(this.#module, imports).then(made => receive(made, this.#module));
+        WebAssembly.instantiate(module, imports).then(made => receive(made, module));
         return {};
       },
     });
@@ -151,12 +195,19 @@ export class Engine {
   web(options) { return this.command('web', options); }
 }
 
-/// Compiles the engine. Without arguments it reads odontoscope.wasm and, once a page is asked for, page.html from beside this file.
-export async function load({wasm, page} = {}) {
-  const given = await (wasm ?? beside('odontoscope.wasm'));
-  const module = given instanceof WebAssembly.Module ? given : await WebAssembly.compile(given);
-  let held = page;
-  return new Engine(module, async () => held ??= await beside('page.html'));
+/// Compiles the engine. Without arguments it reads odontoscope.wasm from beside this file, or what is in threads/ where there can be several, and what not every
+/// run needs once it is: page.html for a page, decoder.wasm for DICOM.
+export async function load({wasm, page, decoder, threads, threaded} = {}) {
+  const many = Math.min(threads ?? (wasm && !threaded ? 1 : await threadsHere()), mostThreads);
+  let held = page, decoding = null, engine = null;
+  if (many > 1) {
+    engine = await manyThreads(new URL(threaded ?? 'threads/', import.meta.url), many).catch(error => {
+      if (threads !== undefined) throw error;
+      return null;   // nobody insists
+    });
+  }
+  return new Engine(engine ?? await oneThread(wasm), async () => held ??= await beside('page.html'),
+    () => decoding ??= (async () => compiled(await (decoder ?? beside('decoder.wasm'))))());
 }
 
 let shared = null;

@@ -1,7 +1,9 @@
-// In place of engine/app/console.cpp: progress goes to JavaScript as numbers, every time; words go where the module's print functions take them.
+// In place of engine/app/console.cpp: progress goes to JavaScript as numbers, every time; words go where the module's print functions take them. JavaScript is
+// on the first thread alone: what others have done is told with what it does itself.
 #include "engine/app/console.h"
 
 #include <emscripten.h>
+#include <emscripten/threading.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,6 +29,7 @@ void Console::complain(std::string_view message) { std::fputs(fmt::format("odont
 
 void Console::progress(std::string_view stage, double fraction) {
   constexpr auto interval = std::chrono::milliseconds(40);
+  if (emscripten_is_main_runtime_thread() == 0) return;
   const auto now = Clock::now();
   if (quiet_ || (stage_ == stage && now - last_told_ < interval)) return;
   stage_ = stage;

@@ -6,6 +6,12 @@ async function unpacked(id) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
 }
 
+/// Where a page that is isolated finds the engine for several threads; null: it is not, or has none beside it.
+function threadsFolder() {
+  const {threads} = document.documentElement.dataset;
+  return threads && crossOriginIsolated ? new URL(threads, location.href).href : null;
+}
+
 export class Cancelled extends Error {}
 
 export class Engine {
@@ -13,16 +19,17 @@ export class Engine {
   #parts = null;
   #waiting = null;
   #saved = false;
+  threads = 1;   // of each run, once there was one
 
   async #ready() {
     if (this.#worker) return;
-    this.#parts ??= Promise.all([unpacked('wasm'), unpacked('shell'), URL.createObjectURL(new Blob([document.getElementById('worker').textContent], {type: 'text/javascript'}))]);
-    const [wasm, page, url] = await this.#parts;
+    this.#parts ??= Promise.all([unpacked('wasm'), unpacked('shell'), unpacked('decoder'), URL.createObjectURL(new Blob([document.getElementById('worker').textContent], {type: 'text/javascript'}))]);
+    const [wasm, page, decoder, url] = await this.#parts;
     const worker = new Worker(url);
     await new Promise((resolve, reject) => {
-      worker.onmessage = ({data}) => data.ready ? resolve() : reject(new Error(data.result.complained.join(' ')));
+      worker.onmessage = ({data}) => data.ready ? resolve(this.threads = data.threads) : reject(new Error(data.result.complained.join(' ')));
       worker.onerror = event => reject(new Error(event.message || 'the worker does not start'));
-      worker.postMessage({wasm, page: new Uint8Array(page)});
+      worker.postMessage({wasm, page: new Uint8Array(page), decoder, threaded: threadsFolder() ?? undefined});
     });
     this.#worker = worker;
   }

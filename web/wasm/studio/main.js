@@ -109,6 +109,7 @@ async function make() {
   at('verdict').textContent = headline;
   at('verdict').className = verdict;
   at('said').textContent = [...made.said.filter(line => !line.startsWith('Wrote ')), plain(made.complained)].filter(Boolean).join('\n');
+  at('said').dataset.threads = engine.threads;
   showSaves(source, options, page, models[0].name === 'Mesh', made.canSave);
   showPage(html);
 }

@@ -7,7 +7,7 @@ addEventListener('message', async ({data}) => {
   try {
     if (data.wasm) {
       engine = await load(data);
-      postMessage({ready: true});
+      postMessage({ready: true, threads: engine.threads});
       return;
     }
     const onProgress = (stage, fraction) => postMessage({stage, fraction});

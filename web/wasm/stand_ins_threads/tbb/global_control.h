@@ -1,0 +1,19 @@
+#pragma once
+// See pool.h.
+
+#include <cstddef>
+
+#include <tbb/pool.h>
+
+namespace tbb {
+
+class global_control {
+ public:
+  enum parameter { max_allowed_parallelism };
+  global_control(parameter, std::size_t threads) : bound_(static_cast<int>(threads)) {}
+
+ private:
+  detail::Bound bound_;
+};
+
+}  // namespace tbb
