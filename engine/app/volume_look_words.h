@@ -17,7 +17,8 @@ inline constexpr double usual_kv = 70;
 
 /// As typed; not yet understood.
 struct VolumeLookWords {
-  std::string show, cast, transfer;
+  std::string show, cast, transfer, slopes;
+  bool any_of_volume() const { return !cast.empty() || !transfer.empty() || !slopes.empty(); }
 };
 
 void add_volume_look_options(CLI::App& parser, VolumeLookWords& words);

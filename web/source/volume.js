@@ -15,7 +15,7 @@ import {anyExtinction, entries, transferTable, understood} from './transfer.js';
 const shared = {'lighting.glsl': lighting, 'tone.glsl': tone, 'volume_ray.glsl': rayShader};
 const included = text => text.replace(/#include "([\w.]+)"/g, (_, name) => shared[name]);
 const under = {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor};   // what is there already stays in front
-const levels = 255, mostSteps = 8192, clearSlope = 0.125;   // as on the desktop
+const levels = 255, mostSteps = 8192, clearSlope = 0.0625;   // as on the desktop
 export const projections = ['maximum', 'average', 'radiograph'];
 
 function texture3d([width, height, depth], data, {type = UnsignedByteType, filter}) {
