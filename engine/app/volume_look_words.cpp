@@ -14,8 +14,6 @@
 namespace odontoscope::app {
 namespace {
 
-/// How clear structures become around a volume.
-constexpr float around_volume = 0.15f;
 constexpr const char* group = "A volume's grey values";
 
 std::optional<double> number(std::string_view text) {

@@ -17,9 +17,6 @@ namespace {
 
 using widgets::scaled;
 
-/// How clear structures become around a volume.
-constexpr float around_volume = 0.15f;
-
 void lay_out_transfer(ViewerState& state) {
   const VolumeLayout& layout = state.volume_layout;
   state.scene.volume.transfer = layout.edited.empty() ? transfer_of(layout.preset, layout.air, layout.dentine) : layout.edited;
@@ -43,16 +40,12 @@ void choose_what_is_shown(ViewerState& state) {
   VolumeLook& look = state.scene.volume;
   int shows = static_cast<int>(look.shows);
   if (!widgets::choice("volume shows", shows, {"Surfaces", "Volume", "Both"})) return;
-  look.shows = static_cast<VolumeLook::Shows>(shows);
+  show_as(static_cast<VolumeLook::Shows>(shows), state.scene);
   if (look.transfer.empty()) {
     state.volume_layout.air = state.shown->greys->air;
     state.volume_layout.dentine = state.shown->greys->dentine;
     lay_out_transfer(state);
   }
-  if (look.shows != VolumeLook::Shows::both) return;
-  if (look.projects()) look.cast = VolumeLook::Cast::shaded;
-  for (Look& structure : state.scene.looks)
-    if (!structure.as_body) structure.opacity = std::min(structure.opacity, around_volume);
 }
 
 /// Two values of which the first stays below the other. true: one was moved.
