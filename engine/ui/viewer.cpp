@@ -75,6 +75,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   lay_out(input);
   take_finished_load();
   tend_question();
+  tend_deviations();
   take_written();
   tend_lab();
   advance(input.seconds);
@@ -342,7 +343,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 double Viewer::patience() const {
   if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
-  if (job_ || preview_job_ || !writing_.empty() || state_.lab.working) return loading;
+  if (job_ || preview_job_ || deviation_job_ || !writing_.empty() || state_.lab.working) return loading;
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

@@ -86,6 +86,7 @@ struct ViewerState {
   std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
   Scene scene;
   VolumeLayout volume_layout;
+  std::optional<DataColours::Of> data_colours_asked;   // of a model whose deviations are not known yet: they are measured meanwhile
   Settings settings;
   std::vector<Language> languages;               // to choose from
   Tool tool = Tool::look;

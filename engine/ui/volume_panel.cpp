@@ -57,6 +57,16 @@ bool two_values(const char* low_words, double& low, const char* high_words, doub
   return low_moved || high_moved;
 }
 
+/// Opacity by slope: borders are seen, and what lies between them is clear.
+void slope_controls(ViewerState& state) {
+  Slopes& slopes = state.scene.volume.slopes;
+  const ValueGrid& values = *state.shown->values;
+  const double steepest = (values.usual.high - values.usual.low) / std::min({values.step_mm.x, values.step_mm.y, values.step_mm.z});
+  bool only_borders = slopes.count();
+  if (widgets::toggle("Borders only", only_borders)) slopes = only_borders ? Slopes{0.05 * steepest, 0.2 * steepest} : Slopes{};
+  if (slopes.count()) two_values("Too flat, values/mm", slopes.flat, "Steep enough, values/mm", slopes.steep, {0, std::max(steepest, slopes.steep)});
+}
+
 void transfer_controls(ViewerState& state, const Interface& interface) {
   VolumeLayout& layout = state.volume_layout;
   std::vector<TransferPoint>& transfer = state.scene.volume.transfer;
@@ -78,6 +88,7 @@ void transfer_controls(ViewerState& state, const Interface& interface) {
     layout.density = density / 100;
     lay_out_transfer(state);
   }
+  slope_controls(state);
   if (layout.edited.empty() && two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range)) lay_out_transfer(state);
 }
 
@@ -101,18 +112,25 @@ void data_legend(const DataColours& colours, const Interface& interface) {
 
 /// Model against data: distances and slopes on the surfaces.
 void data_colours(ViewerState& state, const Interface& interface) {
-  if (!state.shown->deviations) return;
-  const DeviationSummary& found = *state.shown->deviations;
+  if (!state.shown->deviations && state.shown->isos.empty()) return;
   std::optional<DataColours>& colours = state.scene.data_colours;
-  int chosen = !colours ? 0 : colours->of == DataColours::Of::distance ? 1 : 2;
+  const auto shown = colours ? std::optional(colours->of) : state.data_colours_asked;
+  int chosen = !shown ? 0 : *shown == DataColours::Of::distance ? 1 : 2;
   widgets::remark(interface, "Surfaces against the CT");
   if (widgets::choice("data colours", chosen, {"Own colours", "Distance", "Slope"})) {
-    const glm::dvec3& step = state.shown->values->step_mm;
-    if (chosen == 0) colours.reset();
-    else if (chosen == 1) colours = DataColours{DataColours::Of::distance, std::max({step.x, step.y, step.z})};
-    else colours = DataColours{DataColours::Of::slope, found.steep_slope > 0 ? found.steep_slope : 1};
+    colours.reset();
+    state.data_colours_asked.reset();
+    if (chosen > 0) {
+      const auto of = chosen == 1 ? DataColours::Of::distance : DataColours::Of::slope;
+      if (state.shown->deviations) colours = usual_data_colours(of, *state.shown->deviations, *state.shown->values);
+      else state.data_colours_asked = of;
+      for (Look& structure : state.scene.looks)
+        if (!structure.as_body && state.scene.volume.shows != VolumeLook::Shows::both) structure.opacity = 1;   // colours are to be told apart
+    }
   }
-  if (!colours) return;
+  if (state.data_colours_asked) widgets::remark(interface, "Comparing with the CT\xE2\x80\xA6");
+  if (!colours || !state.shown->deviations) return;
+  const DeviationSummary& found = *state.shown->deviations;
   const bool distance = colours->of == DataColours::Of::distance;
   const double most = distance ? std::max(found.most_mm, colours->reach) : 4 * std::max(found.steep_slope, 1e-9);
   widgets::slider(distance ? "Colours reach to, mm" : "Colours reach to, values/mm", colours->reach, most / 200, most, "%.3g");
