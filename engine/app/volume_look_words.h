@@ -9,11 +9,9 @@
 #include "engine/app/shown_input.h"
 #include "engine/scene/scene.h"
 #include "recon/radiograph/grey_anchors.h"
+#include "recon/radiograph/tissue.h"
 
 namespace odontoscope::app {
-
-/// Of the tube, where nobody says otherwise: what tissues swallow in the looks of a viewer or a page.
-inline constexpr double usual_kv = 70;
 
 /// As typed; not yet understood.
 struct VolumeLookWords {

@@ -7,7 +7,7 @@ namespace odontoscope {
 namespace {
 
 /// Of a beat: the rest is the runtime's, and surfaces and the panel are drawn in it, too.
-constexpr double most_share = 0.7, easy_share = 0.35;
+constexpr double most_share = 0.7, easy_share = 1.0 / 3;
 constexpr double most_at_once = 2, less_at_once = 0.95;
 
 }  // namespace

@@ -123,6 +123,8 @@ class Viewer {
   void escape();
   void go_to(const Camera& camera, double seconds = transition_seconds);
   void lead_to(const glm::dvec3& place);
+  /// Looks from where an X-ray tube would stand, from as far as now.
+  void swing_tube(double degrees);
   void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
 
   // viewer_lab.cpp: DB mode

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "engine/ui/film_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/transfer_editor.h"
 #include "engine/ui/widgets.h"
@@ -167,6 +168,7 @@ void volume_section(ViewerState& state, const Interface& interface) {
   if (look.cast == VolumeLook::Cast::radiograph) {
     widgets::slider("White at attenuation", look.latitude, 0.5, 10, "%.1f");
     two_values("Air", look.black, "Dentine", look.white, state.shown->values->range);
+    tube_controls(state, interface);
     return;
   }
   if (look.projects()) two_values("Black", look.black, "White", look.white, state.shown->values->range);
