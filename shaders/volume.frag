@@ -33,7 +33,6 @@ const float nearly_opaque = 0.998;   // what lies behind changes nothing that ei
 const float worth_light = 0.01;      // of all light: so much is lit at once, where its middle is,
 const int lit_together = 4;          // or what comes of so many steps
 const float least_rise = 0.0005;     // of all values: below it the differences of sums lose digits
-const float most_bend = 0.01;        // of all values, from one step to the next: where they bend more, they do not run straight within a step
 
 /// 1 - exp(-x) for x >= 0, off by at most 0.0003, in a fraction of the time that processors take for powers.
 float swallowed(float x) {
@@ -54,6 +53,20 @@ vec3 lit_colour(Ray ray, float way, vec3 place, vec3 colour) {
   return mix(flat_colour, light.diffuse + light.ambient + light.gloss, clarity);
 }
 
+/// The transfer function at a value, and summed over the values up to it.
+struct Summed {
+  vec4 here, sum;
+};
+
+Summed summed_up_to(float value, float entries) {
+  float last_entry = float(textureSize(transfer, 0).x - 1), entry = clamp((value - transfer_range.x) * entries, 0.0, last_entry), below = min(floor(entry), last_entry - 1.0);
+  vec4 lower = texelFetch(transfer, ivec2(int(below), 0), 0), here = (texelFetch(transfer, ivec2(int(below) + 1, 0), 0) - lower) * entries;
+  return Summed(here, lower + (entry - below) / entries * here);
+}
+
+/// Where the middle of what runs straight from one extinction to another lies, of the way.
+float middle_of(float one, float other) { return one + other > 0.0 ? (one + 2.0 * other) / (3.0 * (one + other)) : 0.5; }
+
 /// How much of the extinction counts where the values are so steep.
 float share_by_slope(vec3 place) {
 #ifdef BY_SLOPE
@@ -72,55 +85,40 @@ vec4 seen_along(Ray ray, ivec2 at) {
   bool any = from < to;
   int number = any ? int(floor((from - ray.begin) / stride)) : 0, last = any ? int(ceil((to - ray.begin) / stride)) : 0;
   float range = transfer_range.y - transfer_range.x, last_entry = float(textureSize(transfer, 0).x - 1), entries = last_entry / range;   // for each unit of value
-  float flat_rise = least_rise * range, most_change = most_bend * range / stride;
+  float flat_rise = least_rise * range;
   vec3 light = vec3(0.0);
-  float left = 1.0, before = 0.0, rate_before = 0.0, thickness_before = 0.0;
-  vec4 sum_before = vec4(0.0);
-  float gone = 0.0, ends = 1.0;   // of step `number`: a step in which values bend is taken in halves
-  bool known = false, rate_known = false;   // `before` is the value where the step, or its second half, begins; `rate_before` how fast values rose there
+  float left = 1.0, before = 0.0;
+  Summed before_sum = Summed(vec4(0.0), vec4(0.0));
+  bool known = false;   // `before` is the value where step `number` begins
   // Light is looked for once for each turn of the outer loop: where all of a processor's lanes do what any of them does, the inner one spares them the rest.
   while (number < last && 1.0 - left < nearly_opaque) {
     vec3 colours = vec3(0.0);
     float ways = 0.0, parts = 0.0;
     int until = last;
     while (number < until && 1.0 - left < nearly_opaque && parts <= worth_light) {
-      float near = max(ray.begin + (float(number) + gone) * stride, from), far = max(min(ray.begin + (float(number) + ends) * stride, to), near);
+      float near = max(ray.begin + float(number) * stride, from), far = max(min(ray.begin + float(number + 1) * stride, to), near);
       vec3 place = place_at(ray, known ? far : near);
-      float value = value_at(place), entry = clamp((value - transfer_range.x) * entries, 0.0, last_entry), below = min(floor(entry), last_entry - 1.0);
-      vec4 lower = texelFetch(transfer, ivec2(int(below), 0), 0), here = (texelFetch(transfer, ivec2(int(below) + 1, 0), 0) - lower) * entries, sum = lower + (entry - below) / entries * here;
+      float value = value_at(place);
+      Summed here = summed_up_to(value, entries);
       if (known) {
-        float rise = value - before, rate = far > near ? rise / (far - near) : 0.0;
-        bool shown = here.a + thickness_before > 0.0 || sum.a != sum_before.a, bent = rate_known && abs(rate - rate_before) > most_change;
-        if (shown && bent && ends - gone == 1.0) {
-          ends = 0.5;
-          continue;
-        }
         // The mean of values that run straight from one to the other: however steep the transfer function is between them, nothing is missed.
-        vec4 mean = abs(rise) > flat_rise ? max((sum - sum_before) / rise, 0.0) : here;
+        float rise = value - before;
+        vec4 mean = abs(rise) > flat_rise ? max((here.sum - before_sum.sum) / rise, 0.0) : here.here;
         if (mean.a > 0.0) {
           if (parts == 0.0) until = min(last, number + lit_together);
           float part = left * swallowed(mean.a * share_by_slope(place_at(ray, 0.5 * (near + far))) * (far - near));
           left -= part;
           parts += part;
           colours += part / mean.a * mean.rgb;
-          ways += part * mix(near, far, thickness_before + here.a > 0.0 ? (thickness_before + 2.0 * here.a) / (3.0 * (thickness_before + here.a)) : 0.5);
+          ways += part * mix(near, far, middle_of(before_sum.here.a, here.here.a));
         }
-        rate_before = rate;
-        rate_known = true;
-        gone = ends < 1.0 ? ends : 0.0;
-        ends = 1.0;
-        if (gone == 0.0) ++number;
+        ++number;
       }
       before = value;
-      thickness_before = here.a;
-      sum_before = sum;
+      before_sum = here;
       int next = step_beyond_emptiness(ray, place, number);
       known = next == number;
       number = next;
-      if (!known) {
-        gone = 0.0;
-        rate_known = false;
-      }
     }
     if (parts > 0.0) light += parts * lit_colour(ray, ways / parts, place_at(ray, ways / parts), colours / parts);
   }

@@ -39,7 +39,7 @@ std::vector<glm::dvec3> points_of(const CentreLine& line) {
 void lengths_on_film(const ViewerState& state, const Interface& interface) {
   if (!state.shown->flight || state.shown->flight->cavities.empty()) return;
   const auto lines = rideable(state.shown->flight->cavities.front().lines);
-  if (lines.empty() || !ImGui::BeginTable("lengths", 3)) return;
+  if (lines.empty() || !ImGui::BeginTable("##lengths", 3)) return;
   const auto cell = [&](const std::string& words) {
     ImGui::TableNextColumn();
     widgets::text(words);

@@ -163,7 +163,7 @@ TEST_P(Occlusion, HasMutantsThatAreNoticed) {
   const ShaderEdit edits[] = {{"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_opaque, at, 0).r)"},
                               {"volume.frag", "if (from_the_eye == 0) from = max(from, way_to(ray, texelFetch(depth_from, at, 0).r));", ""},
                               {"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_to, at, 0).r)"},
-                              {"volume.frag", "colours += part / mean.a * mean.rgb", "colours += part / max(here.a, 1e-6) * here.rgb"},
+                              {"volume.frag", "colours += part / mean.a * mean.rgb", "colours += part / max(here.here.a, 1e-6) * here.here.rgb"},
                               {"volume.frag", "float part = left * swallowed(", "float part = min(1.0, left + 1.0) * swallowed("},
                               {"volume.frag", "share_by_slope(place_at(ray, 0.5 * (near + far))) * (far - near)", "stride"},
                               {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""},
