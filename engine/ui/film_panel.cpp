@@ -9,7 +9,6 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/measure/film_length.h"
-#include "engine/navigate/ride.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -38,16 +37,18 @@ std::vector<glm::dvec3> points_of(const CentreLine& line) {
 
 void lengths_on_film(const ViewerState& state, const Interface& interface) {
   if (!state.shown->flight || state.shown->flight->cavities.empty()) return;
-  const auto lines = rideable(state.shown->flight->cavities.front().lines);
-  if (lines.empty() || !ImGui::BeginTable("##lengths", 3)) return;
+  const std::vector<CentreLine>& canals = state.shown->flight->cavities.front().lines.canals;
+  if (canals.empty() || !ImGui::BeginTable("##lengths", 3)) return;
+  ImGui::TableSetupColumn("##line", ImGuiTableColumnFlags_WidthStretch);
+  for (const char* column : {"##film", "##true"}) ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, widgets::scaled(62));
   const auto cell = [&](const std::string& words) {
     ImGui::TableNextColumn();
     widgets::text(words);
   };
   for (const char* head : {"Line", "On film", "True"}) cell(head);
-  for (const CentreLine* line : lines) {
-    const std::vector<glm::dvec3> points = points_of(*line);
-    cell(line->name);
+  for (const CentreLine& line : canals) {
+    const std::vector<glm::dvec3> points = points_of(line);
+    cell(line.name);
     cell(fmt::format("{:.1f} mm", length_on_film(points, state.scene.camera, state.shown->model.bounds_mm.centre())));
     cell(fmt::format("{:.1f} mm", length_of(points)));
   }
