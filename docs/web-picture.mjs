@@ -10,13 +10,16 @@ const {chromium} = createRequire(join(resolve(modules), 'x.js'))('playwright-cor
 const browser = await chromium.launch({executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--no-first-run']});
 const page = await browser.newPage({viewport: {width, height}, colorScheme: 'dark', reducedMotion: 'reduce'});
 page.setDefaultTimeout(300_000);   // software draws
+page.on('pageerror', error => { throw error; });
 await page.goto(pathToFileURL(resolve(page_)).href + address);
-await page.evaluate(async () => {
-  const viewer = await odontoscope;
-  await new Promise(done => viewer.addEventListener('drawn', done, {once: true}));
-  globalThis.viewer = viewer;
-});
+await page.waitForFunction(() => Promise.race([odontoscope, new Promise(done => setTimeout(done, 500))]));
+await page.evaluate(async () => { globalThis.viewer = await odontoscope; });
+// Asked again and again instead of told by an event, which may have come before anybody listened.
+const still = () => page.waitForFunction(() => viewer.frames > 0 && viewer.picture.finished(viewer.wayOf(viewer.quality.still)), null, {polling: 200});
+const nextFrames = () => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+await still();
 await page.evaluate(script);
-if (address) await page.waitForFunction(() => viewer.picture.finished(viewer.wayOf(viewer.quality.still)));
+await nextFrames();   // what the script changed is drawn by then
+await still();
 await page.screenshot({path: picture});
 await browser.close();

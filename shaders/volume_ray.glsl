@@ -84,5 +84,5 @@ vec3 falling(vec3 place) {
   const float aside = 0.6;   // values: as smooth as differences of neighbours
   float a = value_at(place + aside * vec3(1.0, 1.0, 1.0)), b = value_at(place + aside * vec3(1.0, -1.0, -1.0));
   float c = value_at(place + aside * vec3(-1.0, 1.0, -1.0)), d = value_at(place + aside * vec3(-1.0, -1.0, 1.0));
-  return transpose(mat3(eye_to_world)) * (vec3(c + d - a - b, b + d - a - c, b + c - a - d) / (2.0 * aside * spacing));
+  return transpose(mat3(eye_to_world)) * (vec3(c + d - a - b, b + d - a - c, b + c - a - d) / (4.0 * aside * spacing));
 }

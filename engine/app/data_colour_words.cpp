@@ -31,11 +31,6 @@ ColourBy understood_colour_by(const std::string& words) {
   return by;
 }
 
-double usual_reach(DataColours::Of of, const DeviationSummary& found, const ValueGrid& grid) {
-  if (of == DataColours::Of::slope) return found.steep_slope > 0 ? found.steep_slope : 1;
-  return std::max({grid.step_mm.x, grid.step_mm.y, grid.step_mm.z});
-}
-
 void tell(const DeviationSummary& found, Console& console) {
   console.say(fmt::format("The surface lies {:.3g} mm from where the CT's values cross its own (median); 95 % within {:.3g} mm, the farthest {:.3g} mm at ({:.3f}, {:.3f}, {:.3f}).", found.median_mm,
                           found.nineteen_of_twenty_mm, found.most_mm, found.most_at_mm.x, found.most_at_mm.y, found.most_at_mm.z));
@@ -78,7 +73,7 @@ void colour_by_data(const std::string& words, const std::vector<std::string>& op
   mark_deviations(shown.model, *shown.values, shown.isos);
   const auto found = deviations_in(shown.model);
   if (!found) throw UsageError("--colour-by: none of the structures shown was taken from the CT at a value", "Give the CT itself, with --iso T.");
-  scene.data_colours = DataColours{by.of, by.reach.value_or(usual_reach(by.of, *found, *shown.values))};
+  scene.data_colours = DataColours{by.of, by.reach.value_or(usual_data_colours(by.of, *found, *shown.values).reach)};
   if (!words.empty())
     for (Look& look : scene.looks) {
       const bool told = std::any_of(opacities.begin(), opacities.end(), [&](const std::string& text) { return text.starts_with(look.structure + "="); });

@@ -110,6 +110,7 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   if (request.from_command_line) show_volume({options.look, options.grey, usual_kv, words.opacity, !words.background.empty() || !words.scene_file.empty()}, shown, loaded.scene, session);
   if (request.from_command_line) colour_by_data(options.colour_by, words.opacity, shown, loaded.scene, session);
   if (shown.values && shown.greys) loaded.greys = grey_values(shown);
+  if (shown.values) loaded.isos = shown.isos;
   loaded.deviations = deviations_in(shown.model);
   loaded.pickable = std::make_shared<const Pickable>(shown.model, progress);
   loaded.flight = std::make_shared<const FlightSpaces>(flight_spaces(shown.surfaces, shown.model, progress));

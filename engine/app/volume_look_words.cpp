@@ -14,8 +14,6 @@
 namespace odontoscope::app {
 namespace {
 
-/// How clear structures become around a volume.
-constexpr float around_volume = 0.15f;
 constexpr const char* group = "A volume's grey values";
 
 std::optional<double> number(std::string_view text) {
@@ -77,6 +75,15 @@ std::optional<std::vector<TransferPoint>> points_from(const std::string& text) {
   return points;
 }
 
+Slopes slopes_from(const std::string& text) {
+  if (text.empty()) return {};
+  const auto both = window(text);
+  const Slopes slopes = both ? Slopes{both->low, both->high} : Slopes{0, 0};
+  if (!slopes.count() || !slopes.sensible())
+    throw UsageError(fmt::format("--slopes {}: those are no two slopes", text), "Give what is too flat to be seen, then what is steep enough, in values a millimetre: --slopes 100,400");
+  return slopes;
+}
+
 void lay_out(const VolumeLookRequest& request, const GreyAnchors& greys, const ValueGrid& values, VolumeLook& look) {
   const VolumeLookWords& words = request.words;
   if (!words.cast.empty()) {
@@ -92,6 +99,10 @@ void lay_out(const VolumeLookRequest& request, const GreyAnchors& greys, const V
       look.white = greys.dentine;
       look.attenuation = linear_attenuation(*tissue_called("dentine"), effective_energy_kev(request.kv));
     }
+  }
+  if (!words.slopes.empty()) {
+    if (look.cast != VolumeLook::Cast::shaded) throw UsageError("--slopes is about a shaded volume", "Leave --cast out, or --slopes.");
+    look.slopes = slopes_from(words.slopes);
   }
   if (!words.transfer.empty() || look.transfer.empty()) {
     const auto points = points_from(words.transfer);
@@ -112,6 +123,7 @@ void add_volume_look_options(CLI::App& parser, VolumeLookWords& words) {
   parser.add_option("--show", words.show, "surfaces (default), volume (needs no --iso), or both")->type_name("WHAT")->group(group);
   parser.add_option("--cast", words.cast, "shaded (default), maximum, average[=BLACK,WHITE], radiograph, surface=T")->type_name("HOW")->group(group);
   parser.add_option("--transfer", words.transfer, "tooth (default), enamel, dentine, pulp, soft, or V:#RRGGBB:1/MM,...")->type_name("WHAT")->group(group);
+  parser.add_option("--slopes", words.slopes, "Show borders: nothing flatter than FLAT values/mm, all of STEEP ones")->type_name("FLAT,STEEP")->group(group);
 }
 
 void add_grey_option(CLI::App& parser, std::string& grey) {
@@ -129,8 +141,8 @@ void refuse_senseless(const VolumeLookWords& words) {
   VolumeLook look;
   look.cast = cast_from(words.cast).cast;
   if (!points_from(words.transfer) && !words.transfer.empty()) transfer_named(words.transfer);
-  const bool any = !words.cast.empty() || !words.transfer.empty();
-  if (any && words.show == "surfaces") throw UsageError("--cast and --transfer are about a volume's grey values", "Show them: --show volume, or --show both.");
+  slopes_from(words.slopes);
+  if (words.any_of_volume() && words.show == "surfaces") throw UsageError("--cast, --transfer and --slopes are about a volume's grey values", "Show them: --show volume, or --show both.");
   if (words.show == "both" && look.projects())
     throw UsageError(fmt::format("--cast {}: greys along the whole ray have no depth, and show nothing else", words.cast), "Choose --show volume.");
 }
@@ -145,7 +157,7 @@ void show_volume(const VolumeLookRequest& request, const Shown& shown, Scene& sc
   const VolumeLookWords& words = request.words;
   if (!words.show.empty()) look.shows = shows_named(words.show);
   if (!look.shows_volume()) {
-    if (!words.cast.empty() || !words.transfer.empty()) throw UsageError("--cast and --transfer are about a volume's grey values", "Show them: --show volume, or --show both.");
+    if (words.any_of_volume()) throw UsageError("--cast, --transfer and --slopes are about a volume's grey values", "Show them: --show volume, or --show both.");
     return;
   }
   if (!shown.values || !shown.greys) throw UsageError("only a volume has grey values to show", "Give the volume that the model was made from, with --show volume, or with --iso and --show both.");

@@ -9,15 +9,14 @@
 #include "engine/app/shown_input.h"
 #include "engine/scene/scene.h"
 #include "recon/radiograph/grey_anchors.h"
+#include "recon/radiograph/tissue.h"
 
 namespace odontoscope::app {
 
-/// Of the tube, where nobody says otherwise: what tissues swallow in the looks of a viewer or a page.
-inline constexpr double usual_kv = 70;
-
 /// As typed; not yet understood.
 struct VolumeLookWords {
-  std::string show, cast, transfer;
+  std::string show, cast, transfer, slopes;
+  bool any_of_volume() const { return !cast.empty() || !transfer.empty() || !slopes.empty(); }
 };
 
 void add_volume_look_options(CLI::App& parser, VolumeLookWords& words);

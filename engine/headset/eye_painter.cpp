@@ -1,8 +1,10 @@
 #include "engine/headset/eye_painter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "engine/headset/placards.h"
 #include "engine/headset/scale_mark.h"
@@ -10,6 +12,8 @@
 namespace odontoscope {
 
 namespace {
+
+double clock_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// From the projection that glm::frustum made, which is in metres of the enlarged model.
 DepthRange range_of(const View& view, const Stage& stage) {
@@ -19,19 +23,30 @@ DepthRange range_of(const View& view, const Stage& stage) {
 
 }  // namespace
 
-EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality)
-    : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), low_(model_.low), high_(model_.high),
+EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality, std::shared_ptr<const ValueGrid> values)
+    : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), values_(std::move(values)), low_(model_.low), high_(model_.high),
       ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
 void EyePainter::take(const Model& model) {
   model_ = upload(*gl_, model);
   low_ = model_.low;
   high_ = model_.high;
+  volume_.reset();   // places are counted from the model's origin
+  gpu_values_.reset();
+}
+
+GpuVolume* EyePainter::volume_of(const Scene& scene) {
+  if (!values_ || !scene.volume.shows_volume()) return nullptr;
+  if (!gpu_values_) gpu_values_ = upload(*gl_, *values_, model_);
+  if (!volume_) volume_.emplace(*gl_, *values_, gpu_values_->field());
+  volume_->set_coarseness(static_cast<float>(pace_.coarseness()));
+  return &*volume_;
 }
 
 Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
-                        const Over& over, std::span<const HiddenCorners* const> hidden) {
+                        const Over& over, std::span<const HiddenCorners* const> hidden, double beat) {
   Scene scene = scene_of(visit, world);
+  if (scene.volume.projects()) scene.volume.cast = VolumeLook::Cast::shaded;   // greys without depth would be a box in the room
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
   show_marks(visit, input, world);
@@ -43,7 +58,15 @@ Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Vis
     depths.push_back(range_of(panes.back().view, visit.stage));
   }
   const bool dark = visit.dark >= 1;
-  if (!dark) renderer_.draw(model_, scene, panes, {quality_.side}, marks_.lines.empty() ? nullptr : &marks_);
+  if (!dark) {
+    GpuVolume* const volume = volume_of(scene);
+    const double begin = clock_seconds();
+    renderer_.draw(model_, scene, panes, {quality_.side, RenderOptions::Rays::few}, marks_.lines.empty() ? nullptr : &marks_, nullptr, volume);
+    if (volume) {
+      gl_->Finish();   // the time is that of the drawing, not of the asking
+      pace_.took(clock_seconds() - begin, beat > 0 ? beat : quality_.beat);
+    }
+  }
   if (over && !dark)
     for (std::size_t i = 0; i < targets.size(); ++i) over(eyes[i], targets[i]);
   for (std::size_t i = 0; i < targets.size(); ++i) ease(visit, eyes[i].field, targets[i]);

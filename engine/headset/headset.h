@@ -46,6 +46,7 @@ using HiddenCorners = std::vector<glm::vec2>;
 struct HeadsetFrame {
   bool draw = false;              // false: nobody would see it, and there are no targets
   double seconds = 0;             // since the frame before, by the times at which they are shown
+  double beat = 0;                // seconds from a picture to the next where none is missed; 0: the runtime does not say
   std::vector<EyeView> eyes;      // left, right
   std::vector<Target> targets;    // one an eye, with depth, which is kept
   std::vector<const HiddenCorners*> hidden;   // one an eye, or none at all; valid during the frame

@@ -248,6 +248,7 @@ class OpenXrHeadset final : public Headset {
     constexpr double longest_step = 0.1, second = 1e9;   // after a rest nothing jumps
     if (last_time_ != 0) frame.seconds = std::clamp(static_cast<double>(time - last_time_) / second, 0.0, longest_step);
     last_time_ = time;
+    frame.beat = std::max(static_cast<double>(beat.predictedDisplayPeriod) / second, 0.0);
     std::vector<XrView> views(pictures_.size(), {XR_TYPE_VIEW});
     const bool known = locate_eyes(time, views);
     frame.input.head_tracked = locate(head_.get(), room_.get(), time, frame.input.head);

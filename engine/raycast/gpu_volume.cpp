@@ -40,7 +40,7 @@ float GpuVolume::stride() const {
   return coarseness_ * std::max(finest, glm::length(field_.size * field_.step) / most_steps);
 }
 
-float GpuVolume::clear_slope() const { return 0.125f * static_cast<float>(range_.high - range_.low) / std::max({field_.step.x, field_.step.y, field_.step.z}); }
+float GpuVolume::clear_slope() const { return 0.0625f * static_cast<float>(range_.high - range_.low) / std::max({field_.step.x, field_.step.y, field_.step.z}); }
 
 void GpuVolume::prepare(const VolumeLook& look) {
   if (prepared_ == look) return;

@@ -40,7 +40,7 @@ class GpuVolume {
   /// So many times as long: for pictures that must not take long. 1 at first.
   void set_coarseness(float times) { coarseness_ = times; }
 
-  /// Values a metre, beyond which a slope is a surface for sure: an eighth of their range from one value to the next.
+  /// Values a metre, beyond which a slope is a surface for sure: a sixteenth of their range from one value to the next.
   float clear_slope() const;
 
   static constexpr float most_steps = 8192;

@@ -15,14 +15,15 @@ constexpr int furthest_apart = 8;
 constexpr float metres_to_mm = 1000;
 constexpr float greys_are_stricter = 0.5;   // maxima have creases
 
-ProgramFiles files_of(VolumeLook::Cast cast) {
-  switch (cast) {
+ProgramFiles files_of(const VolumeLook& look) {
+  switch (look.cast) {
     case VolumeLook::Cast::maximum: return {"fullscreen.vert", "volume.frag", {}, {"MAXIMUM"}};
     case VolumeLook::Cast::average: return {"fullscreen.vert", "volume.frag", {}, {"AVERAGE"}};
     case VolumeLook::Cast::radiograph: return {"fullscreen.vert", "volume.frag", {}, {"RADIOGRAPH"}};
     case VolumeLook::Cast::surface: return {"fullscreen.vert", "volume_surface.frag"};
     case VolumeLook::Cast::shaded: break;
   }
+  if (look.slopes.count()) return {"fullscreen.vert", "volume.frag", {}, {"SHADED", "BY_SLOPE"}};
   return {"fullscreen.vert", "volume.frag", {}, {"SHADED"}};
 }
 
@@ -61,9 +62,10 @@ std::vector<int> ray_distances(const CastView& view, const GpuVolume& volume) {
 
 VolumePass::VolumePass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), shaders_(shaders), no_vertices_(make_vertex_array(gl)) {}
 
-Program& VolumePass::program(VolumeLook::Cast cast) {
-  const auto found = programs_.find(cast);
-  return found != programs_.end() ? found->second : programs_.emplace(cast, Program(*gl_, shaders_, files_of(cast))).first->second;
+Program& VolumePass::program(const VolumeLook& look) {
+  const std::pair kind{look.cast, look.cast == VolumeLook::Cast::shaded && look.slopes.count()};
+  const auto found = programs_.find(kind);
+  return found != programs_.end() ? found->second : programs_.emplace(kind, Program(*gl_, shaders_, files_of(look))).first->second;
 }
 
 void VolumePass::set_view(const Program& program, const CastView& view, const GpuVolume& volume) const {
@@ -171,12 +173,13 @@ void VolumePass::cover_behind(const Program& cast, const CastView& view, const G
 }
 
 void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const CastDepths& depths, const Framebuffer& picture) {
-  const Program& cast = program(VolumeLook::Cast::shaded);
+  const Program& cast = program(look);
   set_view(cast, view, volume);
   cast.set("transfer", transfer_unit);
   cast.set("transfer_range", glm::vec2(volume.range().low, volume.range().high));
   cast.set("lit", look.lit ? 1 : 0);
   cast.set("clear_slope", volume.clear_slope());
+  cast.set("slopes", metres_to_mm * glm::vec2(look.slopes.flat, look.slopes.steep));
   cast.set("depth_from", from_unit);
   cast.set("depth_to", to_unit);
   cast.set("depth_opaque", opaque_unit);
@@ -190,7 +193,7 @@ void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, con
 }
 
 void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const Framebuffer& picture) {
-  const Program& cast = program(look.cast);
+  const Program& cast = program(look);
   set_view(cast, view, volume);
   cast.set("low", static_cast<float>(look.black));
   cast.set("high", static_cast<float>(look.white));
@@ -200,7 +203,7 @@ void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, 
 }
 
 void VolumePass::draw_surface(const CastView& view, const GpuVolume& volume, const VolumeLook& look) {
-  const Program& cast = program(look.cast);
+  const Program& cast = program(look);
   set_view(cast, view, volume);
   cast.set("iso", static_cast<float>(look.iso));
   cast.set("colour", linear(look.iso_colour));

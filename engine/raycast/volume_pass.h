@@ -13,6 +13,7 @@
 
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/gpu/framebuffer.h"
@@ -62,7 +63,7 @@ class VolumePass {
   void draw_surface(const CastView& view, const GpuVolume& volume, const VolumeLook& look);
 
  private:
-  Program& program(VolumeLook::Cast cast);
+  Program& program(const VolumeLook& look);
   Program& program(const char* fragment);
   void set_view(const Program& program, const CastView& view, const GpuVolume& volume) const;
   /// What rays may end at: nothing, since a projection's never do; surfaces; or nothing of a shaded volume.
@@ -81,7 +82,7 @@ class VolumePass {
 
   const Gl* gl_;
   ShaderLibrary shaders_;
-  std::map<VolumeLook::Cast, Program> programs_;
+  std::map<std::pair<VolumeLook::Cast, bool>, Program> programs_;   // by whether slopes count
   GlObject no_vertices_;
   std::map<std::string_view, Program> between_;
   std::map<int, Coarse> coarse_;

@@ -63,11 +63,12 @@ bool Renderer::has_surfaces(const Work& work) {
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders),
-      depth_(gl, shaders), hidden_(gl, shaders), volume_(gl, shaders) {}
+      depth_(gl, shaders), hidden_(gl, shaders), volume_(gl, shaders), film_(gl, shaders) {}
 
 void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
                     const GpuOverlay* overlay, const GpuValueGrid* values, GpuVolume* volume) {
   if (volume && !scene.volume.shows_volume()) volume = nullptr;
+  if (!volume && shows_film_of_model(scene, model)) return draw_film(model, scene, panes, options);
   if (volume) volume->prepare(scene.volume);
   std::vector<Work> layered;
   std::size_t samples = 0;
@@ -157,6 +158,16 @@ void Renderer::cast_between(const Work& work, const Layer* before, const Layer* 
 void Renderer::keep_depth(Work& work, const Layer* first) const {
   if (work.pane->target.keep_depth && !work.depth_kept) depth_.draw(work.plan, work.buffers->opaque, first, work.pane->target);
   work.depth_kept = true;
+}
+
+void Renderer::draw_film(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options) {
+  for (const Pane& pane : panes) {
+    refuse_undrawable(*gl_, pane.target.size, options);
+    const FramePlan plan = plan_frame(model, scene, pane.view, pane.target.size, options.side);
+    const Buffers& buffers = buffers_for(plan.size, 0);
+    film_.draw(plan, model, scene, buffers.picture);
+    resolve_.draw(plan, buffers.picture, scene.background, pane.target);
+  }
 }
 
 void Renderer::draw_finished(const FramePlan& plan, const Background& background, const Pane& pane) {

@@ -11,6 +11,7 @@
 #include "engine/render/cap_pass.h"
 #include "engine/render/compose_pass.h"
 #include "engine/render/depth_pass.h"
+#include "engine/render/film_pass.h"
 #include "engine/render/gpu_model.h"
 #include "engine/render/hidden_pass.h"
 #include "engine/render/line_pass.h"
@@ -54,7 +55,7 @@ class Renderer {
   Renderer(const Gl& gl, const ShaderLibrary& shaders);
 
   /// Two panes are a headset, four a split screen. `overlay` null: none; `values` null: caps show the material; `volume` null: scene.volume
-  /// shows surfaces, whatever it says. Throws GraphicsError as `refuse_undrawable` does.
+  /// shows surfaces, or instead of a radiograph the film of the model, if anything is known of its tissues. Throws GraphicsError as `refuse_undrawable` does.
   void draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options = {},
             const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr, GpuVolume* volume = nullptr);
 
@@ -87,6 +88,8 @@ class Renderer {
   void cast_between(const Work& work, const Layer* before, const Layer* layer);
   void keep_depth(Work& work, const Layer* first) const;
   /// The short way, for what needs no layers: opaque surfaces without ambient occlusion, one sample a pixel.
+  /// Of the model, without a volume.
+  void draw_film(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options);
   void draw_finished(const FramePlan& plan, const Background& background, const Pane& pane);
   void add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const;
 
@@ -101,6 +104,7 @@ class Renderer {
   DepthPass depth_;
   HiddenPass hidden_;
   VolumePass volume_;
+  FilmPass film_;
   std::vector<std::unique_ptr<Buffers>> buffers_;
   Framebuffer finished_;
 };

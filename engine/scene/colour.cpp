@@ -20,14 +20,14 @@ float linear(float encoded) {
   return encoded <= 0.04045f ? encoded / 12.92f : static_cast<float>(portable::pow((encoded + 0.055f) / 1.055f, 2.4));
 }
 
-struct Tissue {
+struct ColouredTissue {
   std::string_view part_of_name;
   Colour colour;
   std::optional<int> depth;
 };
 
 // Told apart by lightness as well as hue: enamel lightest, pulp darkest. The first match counts.
-constexpr std::array<Tissue, 8> tissues = {{
+constexpr std::array<ColouredTissue, 8> tissues = {{
     {"cavity", colour_of(0xc71a2b), 2},
     {"enamel", colour_of(0xdeebf5), 0},
     {"dentin", colour_of(0xf7c478), 1},
@@ -38,9 +38,9 @@ constexpr std::array<Tissue, 8> tissues = {{
     {"external", colour_of(0xeddebd), 1},
 }};
 
-const Tissue* tissue_called(std::string_view structure) {
+const ColouredTissue* coloured_tissue(std::string_view structure) {
   const std::string name = lower_case(std::string(structure));
-  for (const Tissue& tissue : tissues)
+  for (const ColouredTissue& tissue : tissues)
     if (name.find(tissue.part_of_name) != std::string::npos) return &tissue;
   return nullptr;
 }
@@ -73,12 +73,12 @@ std::string hex(const Colour& colour) {
 }
 
 Colour usual_colour(std::string_view structure, std::size_t index) {
-  const Tissue* tissue = tissue_called(structure);
+  const ColouredTissue* tissue = coloured_tissue(structure);
   return tissue ? tissue->colour : distinguishable[index % distinguishable.size()];
 }
 
 std::optional<int> depth_in_tooth(std::string_view structure) {
-  const Tissue* tissue = tissue_called(structure);
+  const ColouredTissue* tissue = coloured_tissue(structure);
   return tissue ? tissue->depth : std::nullopt;
 }
 

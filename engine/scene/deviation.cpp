@@ -169,4 +169,9 @@ std::optional<DeviationSummary> deviations_in(const Model& model) {
   return summary;
 }
 
+DataColours usual_data_colours(DataColours::Of of, const DeviationSummary& found, const ValueGrid& grid) {
+  if (of == DataColours::Of::slope) return {of, found.steep_slope > 0 ? found.steep_slope : 1};
+  return {of, std::max({grid.step_mm.x, grid.step_mm.y, grid.step_mm.z})};
+}
+
 }  // namespace odontoscope

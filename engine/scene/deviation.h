@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/scene/data_colours.h"
 #include "engine/scene/model.h"
 #include "engine/scene/value_grid.h"
 
@@ -49,5 +50,8 @@ struct DeviationSummary {
 };
 /// Nothing if no part is marked.
 std::optional<DeviationSummary> deviations_in(const Model& model);
+
+/// Colours that end at the grid's largest step, or where nineteen of twenty slopes are flatter.
+DataColours usual_data_colours(DataColours::Of of, const DeviationSummary& found, const ValueGrid& grid);
 
 }  // namespace odontoscope

@@ -8,6 +8,7 @@
 #include "engine/scene/normals.h"
 #include "engine/scene/vector.h"
 #include "recon/core/error.h"
+#include "recon/radiograph/tissue.h"
 
 namespace odontoscope {
 
@@ -40,6 +41,7 @@ ModelPart make_part(const NamedSurface& named, const glm::dvec3& origin_mm, doub
   part.structure = named.structure;
   part.solid = named.solid.empty() ? named.structure : named.solid;
   part.cavity = named.cavity;
+  if (const auto tissue = tissue_called(part.solid)) part.attenuation = linear_attenuation(*tissue, effective_energy_kev(usual_kv));
   const std::vector<glm::vec3> normals = corner_normals(named.surface, crease_deg);
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> first_of(named.surface.points.size(), none);   // vertex made last for a point

@@ -33,6 +33,7 @@ struct ModelPart {
   std::string structure;
   std::string solid;                   // see NamedSurface; never empty
   bool cavity = false;
+  double attenuation = 0;              // of X-rays at usual_kv by what a solid of this name is made of, 1/mm; 0: nobody knows. See recon/radiograph/tissue.h
   std::vector<glm::vec3> positions;    // metres, relative to the model's origin
   std::vector<glm::vec3> normals;      // unit length, one a position
   std::vector<std::uint32_t> indices;  // three a triangle, in the order of the surface's triangles

@@ -91,4 +91,12 @@ Scene usual_scene(const Model& model, double aspect) {
   return scene;
 }
 
+void show_as(VolumeLook::Shows shows, Scene& scene) {
+  scene.volume.shows = shows;
+  if (shows != VolumeLook::Shows::both) return;
+  if (scene.volume.projects()) scene.volume.cast = VolumeLook::Cast::shaded;
+  for (Look& look : scene.looks)
+    if (!look.as_body) look.opacity = std::min(look.opacity, around_volume);
+}
+
 }  // namespace odontoscope

@@ -122,4 +122,10 @@ struct Scene {
 /// fills is shown as the body that would.
 Scene usual_scene(const Model& model, double aspect);
 
+/// How clear structures become around a volume, at most.
+inline constexpr float around_volume = 0.15f;
+
+/// Shows surfaces, volume or both of them: then structures become clear, and greys along whole rays, which have no depth, are no way to cast any more.
+void show_as(VolumeLook::Shows shows, Scene& scene);
+
 }  // namespace odontoscope

@@ -238,6 +238,10 @@ void read_volume_look(const Reader& scene, const std::string& file, VolumeLook& 
   reader.read_word("shows", look.shows, shows_named);
   reader.read_word("cast", look.cast, cast_named);
   read_transfer(reader, file, look.transfer);
+  ValueWindow slopes{look.slopes.flat, look.slopes.steep};
+  reader.read("slopes", slopes);
+  look.slopes = {slopes.low, slopes.high};
+  if (!look.slopes.sensible()) reader.refuse("bad-value", "slopes", "is no range of slopes, the flatter first");
   reader.read("lit", look.lit);
   ValueWindow window{look.black, look.white};
   reader.read("window", window);
@@ -334,6 +338,7 @@ Json volume_json(const VolumeLook& look) {
   return {{"shows", name(look.shows)},
           {"cast", name(look.cast)},
           {"transfer", transfer},
+          {"slopes", Json::array({look.slopes.flat, look.slopes.steep})},
           {"lit", look.lit},
           {"window", Json::array({look.black, look.white})},
           {"attenuation", look.attenuation},

@@ -110,6 +110,11 @@ bool sensible(const std::vector<TransferPoint>& transfer) {
   return true;
 }
 
+bool Slopes::sensible() const {
+  constexpr double steepest = 1e12;
+  return (flat == 0 && steep == 0) || (flat >= 0 && flat < steep && steep <= steepest);
+}
+
 std::vector<TransferPoint> transfer_of(TransferPreset preset, double air, double dentine) {
   std::vector<TransferPoint> transfer;
   for (const Anchored& point : anchored(preset)) transfer.push_back({air + point.place * (dentine - air), point.colour, point.extinction});

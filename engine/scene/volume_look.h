@@ -18,6 +18,15 @@ struct TransferPoint {
   friend bool operator==(const TransferPoint&, const TransferPoint&) = default;
 };
 
+/// How steep values are where something is seen of them, in values a millimetre: of `flat` ones and flatter nothing, of `steep` ones and steeper all, in proportion
+/// between (Levoy, "Display of surfaces from volume data", IEEE CG&A 8(3), 1988). So borders are seen and what lies between them is clear.
+struct Slopes {
+  double flat = 0, steep = 0;   // steep 0: all is seen, however flat
+  bool count() const { return steep > 0; }
+  bool sensible() const;
+  friend bool operator==(const Slopes&, const Slopes&) = default;
+};
+
 struct VolumeLook {
   enum class Shows { surfaces, volume, both };
   /// Shaded: emission and absorption after the transfer function. Maximum and average: along the ray, of the values' places in the window; radiograph: what is
@@ -26,6 +35,7 @@ struct VolumeLook {
   Shows shows = Shows::surfaces;
   Cast cast = Cast::shaded;
   std::vector<TransferPoint> transfer;         // ascending
+  Slopes slopes;                               // of a shaded volume; the extinction is less where values are flat
   bool lit = true;                             // by the values' slope, as if it were a surface
   double black = 0, white = 1;                 // of maximum and average; air and dentine of a radiograph
   double attenuation = 0.25;                   // 1/mm of value `white`, for a radiograph

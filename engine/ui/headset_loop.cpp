@@ -88,7 +88,8 @@ class HeadsetVisit {
     visit_ = {};
     cavities_ = {};
     painter_.reset();   // first, so that two models need not fit beside each other
-    painter_ = std::make_unique<EyePainter>(gl_, shaders_, loaded_->model, options_.quality);
+    painter_ = std::make_unique<EyePainter>(gl_, shaders_, loaded_->model, options_.quality, loaded_->values);
+    if (loaded_->greys && scene_.volume.transfer.empty()) scene_.volume.transfer = transfer_of(TransferPreset::tooth, loaded_->greys->air, loaded_->greys->dentine);
     if (loaded_->flight) cavities_ = loaded_->flight->cavities;
     say(cavities_.empty() ? "This model has no cavity to enter." : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
   }
@@ -145,10 +146,10 @@ class HeadsetVisit {
       if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);
     sheet_.update(visit_, frame.input, world,
                   {loaded_->title, lab_->possible(), lab_->in_words(), loaded_->certificate.headline,
-                   mark_of(loaded_->certificate.verdict)},
+                   mark_of(loaded_->certificate.verdict), loaded_->values && loaded_->greys},
                   frame.seconds);
     if (frame.draw) {
-      depths = painter_->draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden);
+      depths = painter_->draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden, frame.beat);
       const PixelSize size = window_.size();
       const bool open = size.width > 0 && size.height > 0 && !viewer_.loading();
       if (open) EyePainter::mirror(gl_, frame.targets.front(), {0, 0, 0, size});

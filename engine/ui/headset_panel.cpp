@@ -58,12 +58,18 @@ void section_rows(Visit& visit) {
   if (visit.scene.section) button(visit, "Cut away the other side", VisitAction::flip_section);
 }
 
+void grey_values(Visit& visit) {
+  int shows = static_cast<int>(visit.scene.volume.shows);
+  if (widgets::choice("volume shows", shows, {"Surfaces", "Volume", "Both"})) show_as(static_cast<VolumeLook::Shows>(shows), visit.scene);
+}
+
 void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface) {
   if (!words.certificate.empty()) widgets::marked(interface, words.mark, words.certificate);
   structures(visit);
   int method = visit.db ? 1 : 0;
   if (words.db_possible && widgets::choice("method", method, {"DT", "DB"})) ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
   if (words.db_possible && visit.db && !words.db.empty()) say(words.db);
+  if (words.volume_possible) grey_values(visit);
   int faces = static_cast<int>(visit.scene.back_faces);
   if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"})) visit.scene.back_faces = static_cast<BackFaces>(faces);
   section_rows(visit);

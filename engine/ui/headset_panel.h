@@ -19,6 +19,7 @@ struct HeadsetPanelWords {
   std::string db;          // how far DB is, or what is wrong with it
   std::string certificate;  // its headline
   Certificate::Mark mark = Certificate::Mark::good;
+  bool volume_possible = false;   // the model came from grey values, which can be shown
 };
 
 /// In the upper left of the sheet, `width` by `height` pixels.

@@ -62,7 +62,8 @@ struct LoadedModel {
   OverlaySource overlays;
   std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
   std::optional<GreyValues> greys = {};       // with `values`
-  std::optional<DeviationSummary> deviations = {};   // of `model` from them, where surfaces were taken at a value
+  std::vector<IsoOf> isos = {};               // of them, at which surfaces of `model` were taken
+  std::optional<DeviationSummary> deviations = {};   // of these surfaces from them; none: nobody asked yet
   std::shared_ptr<const Pickable> pickable;   // never null
   std::shared_ptr<const FlightSpaces> flight; // null: one cannot fly in it
   Scene scene;                   // a good first look

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/measure/film_length.h"
 #include "engine/navigate/ride.h"
 #include "engine/ui/drawing.h"
 #include "engine/ui/theme.h"
@@ -201,11 +202,15 @@ void draw_place(const ViewPane& pane, const glm::dvec3& place_mm, float scale) {
   list.PopClipRect();
 }
 
-void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale) {
+void draw_measured(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale) {
+  const Measured& measured = state.measured;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.PushClipRect(vec(pane.area.left, pane.area.top), vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height));
   if (measured.ends.size() == 2) {
-    draw_length(pane, measured.ends[0].point_mm, measured.ends[1].point_mm, fmt::format("{:.2f} mm", distance_between_mm(measured.ends[0], measured.ends[1])), interface, scale);
+    const std::array ends{measured.ends[0].point_mm, measured.ends[1].point_mm};
+    const std::string words = state.film() ? fmt::format("{:.2f} mm on the film", length_on_film(ends, pane.camera, state.shown->model.bounds_mm.centre()))
+                                           : fmt::format("{:.2f} mm", distance_between_mm(measured.ends[0], measured.ends[1]));
+    draw_length(pane, ends[0], ends[1], words, interface, scale);
   } else if (measured.wall_at && measured.wall) {
     draw_length(pane, measured.wall_at->point_mm, measured.wall->opposite_mm, fmt::format("{:.2f} mm", measured.wall->along_normal_mm), interface, scale);
   } else if (measured.wall_at || !measured.ends.empty()) {

@@ -34,7 +34,7 @@ void draw_scale_bar(const ViewPane& pane, const Interface& interface, float scal
 void draw_section_handle(const ViewPane& pane, const Section& section, float scale, std::optional<SectionGrip> lit);
 
 /// Points, lines and lengths that were measured.
-void draw_measured(const ViewPane& pane, const Measured& measured, const Interface& interface, float scale);
+void draw_measured(const ViewPane& pane, const ViewerState& state, const Interface& interface, float scale);
 
 /// A ring round a place that one was led to.
 void draw_place(const ViewPane& pane, const glm::dvec3& place_mm, float scale);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/navigate/section_handle.h"
+#include "engine/ui/film_panel.h"
 #include "engine/ui/fly_panel.h"
 #include "engine/ui/lab_panel.h"
 #include "engine/ui/notes_panel.h"
@@ -342,6 +343,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     structures_section(state, interface);
     section_section(state, interface);
     volume_section(state, interface);
+    film_section(state, interface);
     measure_section(state, interface);
     camera_section(state, interface);
     if (!state.lab.on) lab_section(state, interface);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "engine/gpu/graphics_error.h"
@@ -69,12 +71,14 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   }
   for (const Action action : std::exchange(state_.todo, {})) perform(action);
   if (const auto place = std::exchange(state_.look_at, {})) lead_to(*place);
+  if (const auto degrees = std::exchange(state_.tube_asked, {})) swing_tube(*degrees);
   if (const auto line = std::exchange(state_.fly.ride_asked, {})) begin_ride(*line);
   tend_notes();
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
   lay_out(input);
   take_finished_load();
   tend_question();
+  tend_deviations();
   take_written();
   tend_lab();
   advance(input.seconds);
@@ -131,6 +135,18 @@ void Viewer::lead_to(const glm::dvec3& place) {
   const double half = half_height_at(goal, depth_of(goal, place)), wanted = seen * state_.shown->model.radius_mm;
   go_to(within_reach(zoom(goal, half / wanted, place), state_.shown->model));
   state_.looked_at = place;
+}
+
+void Viewer::swing_tube(double degrees) {
+  if (!state_.shown || state_.fly.on) return;
+  const AnatomicalFrame tooth;
+  Camera camera = transition_ ? transition_->goal() : state_.scene.camera;
+  const double far = glm::distance(camera.position, camera.target), angle = glm::radians(degrees);
+  camera.target = state_.shown->model.bounds_mm.centre();
+  camera.position = camera.target + far * (std::cos(angle) * tooth.buccal + std::sin(angle) * glm::cross(tooth.occlusal, tooth.buccal));
+  camera.up = tooth.occlusal;
+  transition_.reset();
+  state_.scene.camera = camera;
 }
 
 void Viewer::perform(Action action) {
@@ -314,7 +330,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
       if (first && !state_.fly.on) draw_scale_bar(pane, interface_, scale_);   // in a canal, nothing lies at one depth
       if (names_shown() && first) draw_names(state_, pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
-      if (!pane.seen || first) draw_measured(pane, state_.measured, interface_, scale_);
+      if (!pane.seen || first) draw_measured(pane, state_, interface_, scale_);
       if (first && !pane.db) draw_pins(state_, pane, interface_, scale_);
       if (first && (lesson_.wants_click(state_.notes) || state_.notes.placing != NotesState::Placing::none)) draw_cross(pane, scale_);
       if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
@@ -342,7 +358,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 double Viewer::patience() const {
   if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
-  if (job_ || preview_job_ || !writing_.empty() || state_.lab.working) return loading;
+  if (job_ || preview_job_ || deviation_job_ || !writing_.empty() || state_.lab.working) return loading;
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
   return idle;
 }

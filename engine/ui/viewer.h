@@ -100,6 +100,8 @@ class Viewer {
   void give_up_loading();
   void ask_about(LoadRequest request);
   void tend_question();
+  /// Measures, off the frame's thread, how the model lies to its data once somebody wants to see it.
+  void tend_deviations();
   void show(std::shared_ptr<const LoadedModel> shown);
 
   // viewer.cpp: a frame
@@ -121,6 +123,8 @@ class Viewer {
   void escape();
   void go_to(const Camera& camera, double seconds = transition_seconds);
   void lead_to(const glm::dvec3& place);
+  /// Looks from where an X-ray tube would stand, from as far as now.
+  void swing_tube(double degrees);
   void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
 
   // viewer_lab.cpp: DB mode
@@ -296,6 +300,8 @@ class Viewer {
   std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
   std::unique_ptr<Job<VolumePreview>> preview_job_;
   std::vector<std::unique_ptr<Job<VolumePreview>>> stopped_previews_;
+  std::unique_ptr<Job<LoadedModel>> deviation_job_;
+  std::shared_ptr<const LoadedModel> deviations_of_;   // that the job is about
   std::unique_ptr<DbWorker> lab_worker_;
   std::vector<std::unique_ptr<DbWorker>> left_workers_;  // until they have noticed
   std::optional<LabOptions> lab_asked_;                  // of the worker

@@ -86,6 +86,8 @@ struct ViewerState {
   std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
   Scene scene;
   VolumeLayout volume_layout;
+  std::optional<double> tube_asked;              // degrees to the right of buccal, from where an X-ray tube would look: the camera goes there
+  std::optional<DataColours::Of> data_colours_asked;   // of a model whose deviations are not known yet: they are measured meanwhile
   Settings settings;
   std::vector<Language> languages;               // to choose from
   Tool tool = Tool::look;
@@ -115,6 +117,9 @@ struct ViewerState {
   std::vector<Action> todo;                // asked for, done in the next frame
   std::optional<LoadRequest> to_load;      // likewise
   bool cancel_loading = false;
+  /// Is an X-ray film shown: of the CT, or of a model without one?
+  bool film() const { return scene.volume.shows_volume() && scene.volume.cast == VolumeLook::Cast::radiograph; }
+  bool film_of_model() const { return film() && shown && !shown->values; }
   bool draft = false;                      // what is shown stands for a model that is being made
 };
 

@@ -1,8 +1,9 @@
-// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile.
+// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile; and what it works out of a volume that is shown.
 
 #include <algorithm>
 #include <utility>
 
+#include "engine/scene/deviation.h"
 #include "engine/ui/trouble.h"
 #include "engine/ui/viewer.h"
 
@@ -38,6 +39,29 @@ void Viewer::tend_question() {
     failure_ = std::current_exception();
     state_.trouble = words_for_current_exception();
   }
+}
+
+void Viewer::tend_deviations() {
+  if (!state_.shown || state_.draft) state_.data_colours_asked.reset();
+  if (state_.data_colours_asked && !deviation_job_) {
+    deviations_of_ = state_.shown;
+    deviation_job_ = std::make_unique<Job<LoadedModel>>([of = state_.shown](const Progress&) {
+      LoadedModel marked = *of;
+      mark_deviations(marked.model, *marked.values, marked.isos);
+      marked.deviations = deviations_in(marked.model);
+      return marked;
+    });
+  }
+  if (!deviation_job_ || !deviation_job_->finished()) return;
+  const auto job = std::move(deviation_job_);
+  auto marked = std::make_shared<const LoadedModel>(job->take());
+  const bool still_shown = std::exchange(deviations_of_, nullptr) == state_.shown;
+  const auto asked = std::exchange(state_.data_colours_asked, std::nullopt);
+  if (!still_shown || !asked) return;
+  gpu_model_ = upload(*gl_, marked->model);
+  state_.shown = std::move(marked);
+  if (state_.shown->deviations) state_.scene.data_colours = usual_data_colours(*asked, *state_.shown->deviations, *state_.shown->values);
+  frames_to_settle_ = 3;
 }
 
 }  // namespace odontoscope

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "engine/ui/film_panel.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/transfer_editor.h"
 #include "engine/ui/widgets.h"
@@ -16,9 +17,6 @@ namespace odontoscope {
 namespace {
 
 using widgets::scaled;
-
-/// How clear structures become around a volume.
-constexpr float around_volume = 0.15f;
 
 void lay_out_transfer(ViewerState& state) {
   const VolumeLayout& layout = state.volume_layout;
@@ -43,16 +41,12 @@ void choose_what_is_shown(ViewerState& state) {
   VolumeLook& look = state.scene.volume;
   int shows = static_cast<int>(look.shows);
   if (!widgets::choice("volume shows", shows, {"Surfaces", "Volume", "Both"})) return;
-  look.shows = static_cast<VolumeLook::Shows>(shows);
+  show_as(static_cast<VolumeLook::Shows>(shows), state.scene);
   if (look.transfer.empty()) {
     state.volume_layout.air = state.shown->greys->air;
     state.volume_layout.dentine = state.shown->greys->dentine;
     lay_out_transfer(state);
   }
-  if (look.shows != VolumeLook::Shows::both) return;
-  if (look.projects()) look.cast = VolumeLook::Cast::shaded;
-  for (Look& structure : state.scene.looks)
-    if (!structure.as_body) structure.opacity = std::min(structure.opacity, around_volume);
 }
 
 /// Two values of which the first stays below the other. true: one was moved.
@@ -62,6 +56,16 @@ bool two_values(const char* low_words, double& low, const char* high_words, doub
   if (low_moved) high = std::max(high, low + least);
   else if (high_moved) low = std::min(low, high - least);
   return low_moved || high_moved;
+}
+
+/// Opacity by slope: borders are seen, and what lies between them is clear.
+void slope_controls(ViewerState& state) {
+  Slopes& slopes = state.scene.volume.slopes;
+  const ValueGrid& values = *state.shown->values;
+  const double steepest = (values.usual.high - values.usual.low) / std::min({values.step_mm.x, values.step_mm.y, values.step_mm.z});
+  bool only_borders = slopes.count();
+  if (widgets::toggle("Borders only", only_borders)) slopes = only_borders ? Slopes{0.05 * steepest, 0.2 * steepest} : Slopes{};
+  if (slopes.count()) two_values("Too flat, values/mm", slopes.flat, "Steep enough, values/mm", slopes.steep, {0, std::max(steepest, slopes.steep)});
 }
 
 void transfer_controls(ViewerState& state, const Interface& interface) {
@@ -85,6 +89,7 @@ void transfer_controls(ViewerState& state, const Interface& interface) {
     layout.density = density / 100;
     lay_out_transfer(state);
   }
+  slope_controls(state);
   if (layout.edited.empty() && two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range)) lay_out_transfer(state);
 }
 
@@ -108,18 +113,25 @@ void data_legend(const DataColours& colours, const Interface& interface) {
 
 /// Model against data: distances and slopes on the surfaces.
 void data_colours(ViewerState& state, const Interface& interface) {
-  if (!state.shown->deviations) return;
-  const DeviationSummary& found = *state.shown->deviations;
+  if (!state.shown->deviations && state.shown->isos.empty()) return;
   std::optional<DataColours>& colours = state.scene.data_colours;
-  int chosen = !colours ? 0 : colours->of == DataColours::Of::distance ? 1 : 2;
+  const auto shown = colours ? std::optional(colours->of) : state.data_colours_asked;
+  int chosen = !shown ? 0 : *shown == DataColours::Of::distance ? 1 : 2;
   widgets::remark(interface, "Surfaces against the CT");
   if (widgets::choice("data colours", chosen, {"Own colours", "Distance", "Slope"})) {
-    const glm::dvec3& step = state.shown->values->step_mm;
-    if (chosen == 0) colours.reset();
-    else if (chosen == 1) colours = DataColours{DataColours::Of::distance, std::max({step.x, step.y, step.z})};
-    else colours = DataColours{DataColours::Of::slope, found.steep_slope > 0 ? found.steep_slope : 1};
+    colours.reset();
+    state.data_colours_asked.reset();
+    if (chosen > 0) {
+      const auto of = chosen == 1 ? DataColours::Of::distance : DataColours::Of::slope;
+      if (state.shown->deviations) colours = usual_data_colours(of, *state.shown->deviations, *state.shown->values);
+      else state.data_colours_asked = of;
+      for (Look& structure : state.scene.looks)
+        if (!structure.as_body && state.scene.volume.shows != VolumeLook::Shows::both) structure.opacity = 1;   // colours are to be told apart
+    }
   }
-  if (!colours) return;
+  if (state.data_colours_asked) widgets::remark(interface, "Comparing with the CT\xE2\x80\xA6");
+  if (!colours || !state.shown->deviations) return;
+  const DeviationSummary& found = *state.shown->deviations;
   const bool distance = colours->of == DataColours::Of::distance;
   const double most = distance ? std::max(found.most_mm, colours->reach) : 4 * std::max(found.steep_slope, 1e-9);
   widgets::slider(distance ? "Colours reach to, mm" : "Colours reach to, values/mm", colours->reach, most / 200, most, "%.3g");
@@ -156,6 +168,7 @@ void volume_section(ViewerState& state, const Interface& interface) {
   if (look.cast == VolumeLook::Cast::radiograph) {
     widgets::slider("White at attenuation", look.latitude, 0.5, 10, "%.1f");
     two_values("Air", look.black, "Dentine", look.white, state.shown->values->range);
+    tube_controls(state, interface);
     return;
   }
   if (look.projects()) two_values("Black", look.black, "White", look.white, state.shown->values->range);

@@ -42,7 +42,7 @@ double mass_attenuation(Element element, double energy_kev);
 /// 1/mm.
 double linear_attenuation(const Tissue& tissue, double energy_kev);
 
-inline constexpr double least_kv = 30, most_kv = 150;
+inline constexpr double least_kv = 30, most_kv = 150, usual_kv = 70;
 
 /// The energy of the single line that stands for a tube's whole spectrum: half of its peak. Filtered diagnostic beams are told to have a third to a half
 /// (Bushberg et al., "The Essential Physics of Medical Imaging"), and teeth, which swallow the softest rays first, are nearer to the half. Beam hardening itself

@@ -88,6 +88,7 @@ int benchmark(char** words) {
     gl.Finish();
     std::printf("%.3f %.3f", milliseconds_of(CLOCK_MONOTONIC) - wall, milliseconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor);
     if (line == "still") still = read_pixels(gl, pixels.id(), size);
+    if (std::getenv("DUMP")) std::ofstream(std::string(std::getenv("DUMP")) + line + ".png", std::ios::binary) << png_bytes(read_pixels(gl, pixels.id(), size));
     if (line == "full" && !still.rgba.empty()) {
       const auto [most, unlike] = difference(still, read_pixels(gl, pixels.id(), size));
       std::printf(" %d %d", most, unlike);

@@ -31,7 +31,7 @@ class Sheet : public ::testing::Test {
   const Model& model = molar.model;
   const VisitWorld world = molar.world();
   const ComfortRules rules;
-  const HeadsetPanelWords words{"Small molar", true, "DB on a grid of 64: 1 234 edges of cracks, 56 misoriented."};
+  const HeadsetPanelWords words{"Small molar", true, "DB on a grid of 64: 1 234 edges of cracks, 56 misoriented.", "", Certificate::Mark::good, true};
   HeadsetInput input = person();
   Visit visit;
 
@@ -109,6 +109,11 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   EXPECT_TRUE(visit.db);
   click("DT", {"method"});
   EXPECT_FALSE(visit.db);
+  click("Both", {"volume shows"});
+  EXPECT_EQ(visit.scene.volume.shows, VolumeLook::Shows::both);
+  EXPECT_LE(visit.scene.look_of("dentine")->opacity, around_volume);
+  click("Surfaces", {"volume shows"});
+  EXPECT_FALSE(visit.scene.volume.shows_volume());
   click("True size");
   EXPECT_EQ(visit.stage.magnification, 1);
   click("Enlarge it");

@@ -103,7 +103,7 @@ async function compared(change) {
   return judged;
 }
 
-const shaded = {shows: 'volume', cast: 'shaded', lit: true}, unlit = {...shaded, lit: false};
+const shaded = {shows: 'volume', cast: 'shaded', lit: true, slopes: [0, 0]}, unlit = {...shaded, lit: false};
 for (const [what, change] of [
   ['unlit', {volume: unlit}],
   ['its greatest values', {volume: {shows: 'volume', cast: 'maximum', window: [40, 230]}}],
@@ -121,6 +121,7 @@ for (const [what, change] of [
   ['unlit and cut open', {volume: unlit, cut: true}],
   ['lit', {volume: shaded}],
   ['lit and cut open', {volume: shaded, cut: true}],
+  ['its borders only', {volume: {...unlit, slopes: [20, 160]}}],
   ['surfaces within it', {volume: {...unlit, shows: 'both'}}],
   ['the raw surface of one value', {volume: {shows: 'volume', cast: 'surface', iso: 150}}],
 ])

@@ -34,6 +34,7 @@ TEST(HeadsetLoop, AWindowThatNobodySeesDoesNotHoldTheHeadsetUp) { run_on_display
 TEST(HeadsetLoop, ARuntimeThatDoesNotLetGoIsLeft) { run_on_display("Clinging"); }
 TEST(HeadsetLoop, ALossIsSaidAndTheDesktopGoesOn) { run_on_display("Lost"); }
 TEST(HeadsetLoop, TheHeadsetsOwnMenuCanEndIt) { run_on_display("Menu"); }
+TEST(HeadsetLoop, BothEyesSeeTheVolumeThatTheWindowShows) { run_on_display("Volume"); }
 
 class OnADisplay : public ::testing::Test {
  protected:
@@ -57,6 +58,19 @@ class OnADisplay : public ::testing::Test {
     for (const std::string& message : window->context().debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
     viewer.reset();
   }
+  static inline bool with_volume = false;
+  /// Dense stuff in half of a box around the ball, shown alone.
+  static void give_volume(LoadedModel& loaded) {
+    ValueGrid grid;
+    grid.size = {20, 20, 20};
+    grid.first_mm = glm::dvec3(-5.7);
+    grid.step_mm = glm::dvec3(0.6);
+    for (std::size_t i = 0; i < 8000; ++i) grid.values.push_back(i % 20 > 10 ? 200.0f : 0.0f);
+    grid.range = grid.usual = {0, 200};
+    loaded.values = std::make_shared<const ValueGrid>(std::move(grid));
+    loaded.greys = GreyValues{.air = 0, .dentine = 200};
+    loaded.scene.volume.shows = VolumeLook::Shows::volume;
+  }
   static LoadedModel loaded(const LoadRequest& request, const Progress&) {
     if (request.file == "broken.json") throw std::runtime_error("broken.json: no tooth in it");
     LoadedModel loaded;
@@ -64,6 +78,7 @@ class OnADisplay : public ::testing::Test {
     loaded.model = make_model({{"ball", ball({{}, request.file.empty() ? 5.0 : 3.0})}});
     loaded.scene = usual_scene(loaded.model, 1);
     loaded.pickable = std::make_shared<const Pickable>(loaded.model);
+    if (with_volume) give_volume(loaded);
     return loaded;
   }
   /// Ends after thousands of frames in any case.
@@ -121,6 +136,33 @@ TEST_F(OnADisplay, DISABLED_Dropped) {
   EXPECT_NEAR(height_after, 0.6 * height_before, 0.15 * height_before) << "not the new ball, which is 3 mm instead of 5";
   EXPECT_EQ(runtime.ended.back().views, 2);
   expect_the_desktop_goes_on();
+}
+
+/// Pixels that are not the background, left and right of the middle.
+std::array<int, 2> seen_on_either_side(const Gl& gl, const Target& target) {
+  const Image image = read_pixels(gl, target.framebuffer, target.size);
+  std::array<int, 2> seen{};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (image.pixel(x, y) != image.pixel(0, 0)) ++seen[x < image.width / 2 ? 0 : 1];
+  return seen;
+}
+
+// Of the ball's surface nothing is seen: it would be as wide on the left as on the right.
+TEST_F(OnADisplay, DISABLED_Volume) {
+  runtime.side = 256;
+  with_volume = true;
+  std::array<std::array<int, 2>, 2> eyes{};
+  EXPECT_TRUE(visit([&](const HeadsetFrame& frame, const Visit& now) {
+    EXPECT_GT(frame.beat, 0);
+    if (!now.placed || now.told != 0 || !frame.draw) return;
+    for (std::size_t eye = 0; eye < 2; ++eye) eyes[eye] = seen_on_either_side(window->context().gl(), frame.targets[eye]);
+    stop.request_stop();
+  })) << viewer->state().trouble;
+  for (const auto& [left, right] : eyes) {
+    EXPECT_GT(left + right, 300);
+    EXPECT_GT(std::max(left, right), 3 * std::min(left, right));
+  }
 }
 
 TEST_F(OnADisplay, DISABLED_Unreadable) {

@@ -57,11 +57,12 @@ void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::strin
   }
 }
 
-Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options) {
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options, float coarseness) {
   Renderer renderer(gl, shaders);
   const GpuModel gpu_model = upload(gl, model);
   const GpuValueGrid values = upload(gl, grid, gpu_model);
   GpuVolume volume(gl, grid, values.field());
+  volume.set_coarseness(coarseness);
   return picture_of(gl, renderer, gpu_model, model, scene, {.size = size, .render = options}, nullptr, &values, &volume);
 }
 

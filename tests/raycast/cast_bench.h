@@ -34,7 +34,7 @@ void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::strin
 inline constexpr RenderOptions one_ray_a_pixel{.side = 1};
 
 /// In the context that is current. `shaders` may be a folder of edited ones.
-Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options = one_ray_a_pixel);
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options = one_ray_a_pixel, float coarseness = 1);
 
 class CastTest : public testing_support::DrawingTest {
  protected:

@@ -163,9 +163,9 @@ TEST_P(Occlusion, HasMutantsThatAreNoticed) {
   const ShaderEdit edits[] = {{"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_opaque, at, 0).r)"},
                               {"volume.frag", "if (from_the_eye == 0) from = max(from, way_to(ray, texelFetch(depth_from, at, 0).r));", ""},
                               {"volume.frag", "min(way_to(ray, texelFetch(depth_opaque, at, 0).r), way_to(ray, texelFetch(depth_to, at, 0).r))", "way_to(ray, texelFetch(depth_to, at, 0).r)"},
-                              {"volume.frag", "colour = mean.a > 0.0 ? mean.rgb / mean.a", "colour = mean.a > 0.0 ? here.rgb / max(here.a, 1e-6)"},
-                              {"volume.frag", "part = left * swallowed(mean.a * (far - near));", "part = min(swallowed(mean.a * (far - near)), left);"},
-                              {"volume.frag", "swallowed(mean.a * (far - near))", "swallowed(mean.a * stride)"},
+                              {"volume.frag", "colours += part / mean.a * mean.rgb", "colours += part / max(here.here.a, 1e-6) * here.here.rgb"},
+                              {"volume.frag", "float part = left * swallowed(", "float part = min(1.0, left + 1.0) * swallowed("},
+                              {"volume.frag", "share_by_slope(place_at(ray, 0.5 * (near + far))) * (far - near)", "stride"},
                               {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""},
                               {"volume_ray.glsl", " - ray.begin) / stride, 1e8)))", " - ray.begin) / stride, 1e8)) + 12.0)"},
                               {"volume_ray.glsl", "return z / ray.eye_direction.z;", "return -z + 0.0002;"}};

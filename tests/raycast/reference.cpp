@@ -65,6 +65,13 @@ double value_at(const ValueGrid& grid, const glm::dvec3& place) {
   return sum;
 }
 
+double slope_at(const ValueGrid& grid, const glm::dvec3& place) {
+  const glm::dvec3 aside = 0.6 * grid.step_mm;
+  glm::dvec3 slope(0);
+  for (const glm::dvec3& corner : {glm::dvec3{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) slope += value_at(grid, place + aside * corner) * corner / (4.0 * aside);
+  return glm::length(slope);
+}
+
 Span span_of(const Ray& ray, const ValueGrid& grid, const std::optional<Section>& section) {
   Span span{ray.begin, infinite};
   for (int axis = 0; axis < 3; ++axis) {
@@ -95,7 +102,8 @@ Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const
       colour += here.a / parts * glm::dvec3(here);
     }
     if (!(extinction > 0)) return;
-    const double covers = 1 - std::exp(-extinction * length);
+    const double share = look.slopes.count() ? std::clamp((slope_at(grid, ray.at(way)) - look.slopes.flat) / (look.slopes.steep - look.slopes.flat), 0.0, 1.0) : 1;
+    const double covers = 1 - std::exp(-share * extinction * length);
     seen = over(seen, {covers / extinction * colour, covers});
   });
   return seen;

@@ -40,7 +40,10 @@ struct Seen {
 };
 Seen over(const Seen& before, const Seen& behind);
 
-/// Unlit emission and absorption between two places of a ray, by steps within which values run straight; `steps` to each of stride_of.
+/// How steep the values are, in values a millimetre: by differences of places 0.6 values aside along each axis, at every other corner of a box.
+double slope_at(const ValueGrid& grid, const glm::dvec3& place);
+
+/// Unlit emission and absorption between two places of a ray, by steps within which values run straight; `steps` to each of stride_of. What look.slopes leave is by the slope in a step's middle.
 Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to, double steps = 1);
 
 /// Of the values' places in the window along all of the ray.

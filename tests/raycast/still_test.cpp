@@ -39,10 +39,10 @@ class Still : public CastTest {
  protected:
   static constexpr PixelSize large{320, 240};
 
-  Unlike judged(const Model& model, const ValueGrid& grid, const Scene& scene, const std::vector<ShaderEdit>& edits = {}) {
+  Unlike judged(const Model& model, const ValueGrid& grid, const Scene& scene, const std::vector<ShaderEdit>& edits = {}, float coarseness = 1) {
     const testing_support::TemporaryFolder folder;
     write_edited_shaders(edits, folder.path().string());
-    return unlike(cast(model, grid, scene, {folder.path()}, large, still), cast(model, grid, scene, {}, large, every_sample));
+    return unlike(cast_with(gl(), model, grid, scene, {folder.path()}, large, still, coarseness), cast_with(gl(), model, grid, scene, {}, large, every_sample, coarseness));
   }
 
   static VolumeLook look_of(VolumeLook::Cast cast) {
@@ -96,7 +96,10 @@ TEST_F(Still, OfTheCtMolarIsThatOfARayThroughEverySample) {
   const Model model = box_model(grid);
   VolumeLook look = look_of(VolumeLook::Cast::shaded);
   look.transfer = transfer_of(TransferPreset::tooth, 78, 164);
-  expect_as_good(judged(model, grid, scene_of(model, usual_scene(model, 4.0 / 3).camera, look)), "CT");
+  const Scene scene = scene_of(model, usual_scene(model, 4.0 / 3).camera, look);
+  expect_as_good(judged(model, grid, scene), "CT");
+  // What is left are the fine lines of steps of half a voxel: finer steps have none.
+  EXPECT_EQ(judged(model, grid, scene, {}, 0.2f).pixels, 0);
 }
 
 TEST_F(Still, HasMutantsThatAreNoticed) {

@@ -1,5 +1,7 @@
 // The panel's section about grey values: what clicks change in the scene, and that the picture follows.
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "engine/picture/compare.h"
 #include "tests/ui/driver.h"
@@ -154,6 +156,52 @@ TEST_F(VolumePanel, ColoursSurfacesByTheirDistanceFromTheCt) {
   EXPECT_TRUE(differs(distance));
   click_control("Own colours", {"data colours"});
   EXPECT_FALSE(viewer().state().scene.data_colours);
+}
+
+// Nobody asked for them when the model was opened: they are measured once they are.
+TEST_F(VolumePanel, ComparesWithTheCtWhenAsked) {
+  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) {
+    LoadedModel loaded = tooth_of_a_volume();
+    loaded.isos = {{"enamel", 400}};
+    return loaded;
+  }});
+  frames(3);
+  EXPECT_FALSE(viewer().state().shown->deviations);
+  const Image own = picture();
+  click_control("Distance", {"data colours"});
+  for (int i = 0; i < 400 && !viewer().state().scene.data_colours; ++i) {
+    frames(1);
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  ASSERT_TRUE(viewer().state().scene.data_colours);
+  EXPECT_EQ(viewer().state().scene.data_colours->of, DataColours::Of::distance);
+  EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, 1);
+  LoadedModel right = tooth_of_a_volume();
+  mark_deviations(right.model, *right.values, {{"enamel", 400}});
+  ASSERT_TRUE(viewer().state().shown->deviations);
+  EXPECT_EQ(viewer().state().shown->deviations->median_mm, deviations_in(right.model)->median_mm);
+  EXPECT_TRUE(differs(own));
+  click_control("Slope", {"data colours"});   // known by now
+  EXPECT_EQ(viewer().state().scene.data_colours->of, DataColours::Of::slope);
+}
+
+TEST_F(VolumePanel, ShowsBordersOnly) {
+  click_control("Volume", {"volume shows"});
+  frames(3);
+  const Image all = picture();
+  click_control("Borders only");
+  const double steepest = 1600 / std::min({viewer().state().shown->values->step_mm.x, viewer().state().shown->values->step_mm.y, viewer().state().shown->values->step_mm.z});
+  EXPECT_TRUE(look().slopes.count());
+  EXPECT_NEAR(look().slopes.steep, 0.2 * steepest, 1e-9);
+  EXPECT_TRUE(differs(all));
+  keep_picture("borders-only");
+  frames(2);
+  const glm::dvec2 flat = control("Too flat, values/mm");   // near the right end: what is steep enough stays above
+  click(flat.x, flat.y);
+  EXPECT_GT(look().slopes.flat, 0.5 * steepest);
+  EXPECT_TRUE(look().slopes.sensible());
+  click_control("Borders only");
+  EXPECT_FALSE(look().slopes.count());
 }
 
 TEST_F(VolumePanel, SlidesFromModelToData) {

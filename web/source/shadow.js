@@ -4,6 +4,8 @@
 import {
   AddEquation, CustomBlending, DoubleSide, FloatType, GLSL3, HalfFloatType, Matrix4, Mesh, NearestFilter, OneFactor, OneMinusDstAlphaFactor, Scene, ShaderMaterial, Vector2, Vector3, Vector4, WebGLRenderTarget,
 } from 'three';
+import filmShader from '../../shaders/film.frag';
+import faceShader from '../../shaders/film_faces.frag';
 import tone from '../../shaders/tone.glsl';
 import {Sheet} from './sheet.js';
 
@@ -15,38 +17,6 @@ void main() {
   eye_place = eye.xyz;
   place = position;
   gl_Position = projectionMatrix * eye;
-}`;
-
-const faceShader = `
-in vec3 eye_place;
-in vec3 place;
-uniform vec4 section;        // keeps what has dot(xyz, place) <= w
-uniform float attenuation;   // 1/mm
-uniform float middle;        // a distance about which little is lost
-layout(location = 0) out vec4 out_swallowed;
-void main() {
-  if (dot(section.xyz, place) > section.w) discard;
-  float left = gl_FrontFacing ? -attenuation : attenuation;
-  out_swallowed = vec4(left * (length(eye_place) - middle), left, 0.0, 1.0);
-}`;
-
-const filmShader = `
-${tone}
-uniform sampler2D swallowed;
-uniform float latitude;   // attenuation that is white
-uniform float middle;
-uniform vec4 section;     // in eye space
-uniform mat4 clip_to_eye;
-uniform vec2 pixels;
-const float none = 1e-3;  // 1/mm, of what rounding leaves over
-
-layout(location = 0) out vec4 out_colour;
-void main() {
-  vec4 both = texelFetch(swallowed, ivec2(gl_FragCoord.xy), 0);
-  vec4 far = clip_to_eye * vec4(2.0 * gl_FragCoord.xy / pixels - 1.0, 1.0, 1.0);
-  float approach = dot(section.xyz, normalize(far.xyz / far.w)), sum = both.r;
-  if (abs(both.g) > none && approach != 0.0) sum -= both.g * (section.w / approach - middle);
-  out_colour = vec4(vec3(light_shown_as(clamp(sum / latitude, 0.0, 1.0))), 1.0);
 }`;
 
 export class Shadow {
@@ -65,7 +35,7 @@ export class Shadow {
     this.scene = new Scene();
     this.meshes = parts.map(part => {
       const mesh = new Mesh(part.geometry, new ShaderMaterial({
-        glslVersion: GLSL3, vertexShader, fragmentShader: faceShader, uniforms: {attenuation: {value: looks.get(part.structure).attenuation}, middle: {value: 0}, section: {value: new Vector4(0, 0, 0, 1)}},
+        glslVersion: GLSL3, vertexShader, fragmentShader: faceShader, uniforms: {attenuation: {value: looks.get(part.structure).attenuation}, middle: {value: 0}, parallel: {value: 0}, section: {value: new Vector4(0, 0, 0, 1)}},
         side: DoubleSide, depthTest: false, depthWrite: false, blending: CustomBlending, blendEquation: AddEquation, blendSrc: OneFactor, blendDst: OneFactor,
       }));
       mesh.frustumCulled = false;
@@ -74,7 +44,7 @@ export class Shadow {
     });
     const precise = renderer.extensions.has('EXT_float_blend');
     this.sums = new WebGLRenderTarget(4, 4, {type: precise ? FloatType : HalfFloatType, depthBuffer: false, minFilter: NearestFilter, magFilter: NearestFilter});
-    this.film = new Sheet(filmShader, {swallowed: null, latitude: 4, middle: 0, section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
+    this.film = new Sheet(filmShader.replace('#include "tone.glsl"', tone), {swallowed: null, latitude: 4, middle: 0, parallel: 0, least: 1e-3, section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
   }
 
   get projects() { return true; }

@@ -15,7 +15,7 @@ import {anyExtinction, entries, transferTable, understood} from './transfer.js';
 const shared = {'lighting.glsl': lighting, 'tone.glsl': tone, 'volume_ray.glsl': rayShader};
 const included = text => text.replace(/#include "([\w.]+)"/g, (_, name) => shared[name]);
 const under = {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor};   // what is there already stays in front
-const levels = 255, mostSteps = 8192, clearSlope = 0.125;   // as on the desktop
+const levels = 255, mostSteps = 8192, clearSlope = 0.0625;   // as on the desktop
 export const projections = ['maximum', 'average', 'radiograph'];
 
 function texture3d([width, height, depth], data, {type = UnsignedByteType, filter}) {
@@ -63,16 +63,19 @@ export class Volume {
   get showsSurfaces() { return !this.told.alone && (this.look.shows === 'surfaces' || (this.look.shows === 'both' && !this.projects)); }
   byte(value) { return (value - this.told.low) / this.unit; }
 
+  get bySlope() { return this.look.slopes[1] > 0; }
+
   sheetFor(cast) {
-    if (this.sheets.has(cast)) return this.sheets.get(cast);
+    const kind = cast === 'shaded' && this.bySlope ? 'shaded by slope' : cast;
+    if (this.sheets.has(kind)) return this.sheets.get(kind);
     const sheet = cast === 'surface'
       ? new Sheet(included(surfaceShader), {...this.ray, ...this.light, iso: 0, colour: new Color()})
       : cast === 'shaded'
-        ? new Sheet(`#define SHADED\n${included(castShader)}`, {...this.ray, ...this.light, transfer: this.transfer, among_surfaces: 1, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
+        ? new Sheet(`#define SHADED\n${kind === cast ? '' : '#define BY_SLOPE\n'}${included(castShader)}`, {...this.ray, ...this.light, ...(kind === cast ? {} : {slopes: new Vector2()}), transfer: this.transfer, among_surfaces: 1, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
           depth_to: null, depth_opaque: null, from_the_eye: 1}, under)
         : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1} : {})}, under);
     if (cast === 'surface') Object.assign(sheet.material, {depthTest: true, depthWrite: true});
-    this.sheets.set(cast, sheet);
+    this.sheets.set(kind, sheet);
     return sheet;
   }
 
@@ -113,6 +116,7 @@ export class Volume {
     this.sheetSeenBy(view).set({
       transfer_range: new Vector2(0, levels), lit: this.look.lit ? 1 : 0, among_surfaces: this.showsSurfaces ? 1 : 0, clear_slope: clearSlope * this.range / Math.max(...this.told.step_mm),
       depth_from: from ?? opaque, depth_to: to ?? opaque, depth_opaque: opaque, from_the_eye: from ? 0 : 1,
+      ...(this.bySlope ? {slopes: new Vector2(...this.look.slopes.map(slope => slope / this.unit))} : {}),
     }).draw(this.renderer, target);
     this.sheetFor('shaded').set({depth_from: null, depth_to: null, depth_opaque: null});   // no target may be read while it is drawn to
   }

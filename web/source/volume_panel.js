@@ -23,8 +23,13 @@ function castControls(viewer) {
   const black = told(t('Black'), range, value => viewer.setVolume({window: [Math.min(value, volume.look.window[1] - range.step), volume.look.window[1]]}));
   const white = told(t('White'), range, value => viewer.setVolume({window: [volume.look.window[0], Math.max(value, volume.look.window[0] + range.step)]}));
   const latitude = told(t('White at attenuation'), {low: 0.5, high: 10, step: 0.1, value: 4}, value => viewer.setVolume({latitude: value}));
+  const steepest = (high - low) / Math.min(...volume.told.step_mm), slope = {low: 0, high: steepest, step: steepest / 500, value: 0}, least = slope.step, of_slopes = () => volume.look.slopes;
+  const borders = element('input', {type: 'checkbox', id: 'borders', onchange: e => viewer.setVolume({slopes: e.target.checked ? [0.05 * steepest, 0.2 * steepest] : [0, 0]})});
+  const flat = told(t('Too flat, values/mm'), slope, value => viewer.setVolume({slopes: [Math.min(value, of_slopes()[1] - least), of_slopes()[1]]}));
+  const steep = told(t('Steep enough, values/mm'), slope, value => viewer.setVolume({slopes: [of_slopes()[0], Math.max(value, of_slopes()[0] + least)]}));
+  const only = element('label', {class: 'switch'}, borders, t('Borders only'));
   const iso = told(t('Value'), range, value => viewer.setVolume({iso: value})), tube = tubeControl(viewer);
-  const of = {shaded: [kinds, dense], maximum: [black, white], average: [black, white], radiograph: [latitude, tube], surface: [iso]}, all = [kinds, dense, black, white, latitude, tube, iso];
+  const of = {shaded: [kinds, dense, only, flat, steep], maximum: [black, white], average: [black, white], radiograph: [latitude, tube], surface: [iso]}, all = [kinds, dense, only, flat, steep, black, white, latitude, tube, iso];
   const begin = cast => ({
     cast, ...(['maximum', 'average', 'radiograph'].includes(cast) ? {shows: 'volume'} : {}), ...(cast === 'surface' ? {iso: isos[0] ?? 0.5 * (air + dentine)} : {}),
     ...(cast === 'radiograph' ? {window: [air, dentine], attenuation: swallowed} : ['maximum', 'average'].includes(cast) ? {window: [air, high]} : {}),
@@ -42,6 +47,10 @@ function castControls(viewer) {
     editor.show();
     cast.show(look.cast);
     for (const row of all) row.hidden = !of[look.cast].includes(row);
+    borders.checked = of_slopes()[1] > 0;
+    flat.hidden = steep.hidden = flat.hidden || !borders.checked;
+    flat.show(of_slopes()[0]);
+    steep.show(of_slopes()[1]);
     kinds.show(ready);
     dense.show(100 * density);
     black.show(look.window[0]);

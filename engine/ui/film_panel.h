@@ -1,0 +1,15 @@
+#pragma once
+// The panel's controls of an X-ray film: of the model where there is no CT, and for either how the tube stands and how long canals are on the film.
+
+#include "engine/ui/interface.h"
+#include "engine/ui/viewer_state.h"
+
+namespace odontoscope {
+
+/// The section of a model without grey values, if it is closed and anything is known of its tissues; else nothing.
+void film_section(ViewerState& state, const Interface& interface);
+
+/// The tube, and lengths on the film as the camera shows it.
+void tube_controls(ViewerState& state, const Interface& interface);
+
+}  // namespace odontoscope
