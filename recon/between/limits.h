@@ -1,7 +1,7 @@
 #pragma once
 // Bounds of what is told apart between two slices; those of blending itself are in recon/core/limits.h.
 
-namespace odontoscope::between::limits {
+namespace odontoscope::limits {
 
 /// A place where only one slice has material juts out like a strip if it is this many times as long as wide (between nested
 /// contours: once), surely so from the second number on.
@@ -25,4 +25,4 @@ inline constexpr int passage_steps = 12;
 inline constexpr double sudden_steps = 6;
 inline constexpr int most_drawn_back = 10;
 
-}  // namespace odontoscope::between::limits
+}  // namespace odontoscope::limits

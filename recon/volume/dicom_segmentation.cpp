@@ -28,7 +28,6 @@ constexpr std::string_view export_it = "export it as a label map (NRRD or NIfTI)
   throw InputError(cause, in_file(image.file.path), wrong, remedy);
 }
 
-Vector3 cross(const Vector3& a, const Vector3& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 
 /// In UTF-8, without control characters, as long as names may be.
 std::string name_of(const DicomImage& image, const DicomDataSet& segment) {

@@ -16,7 +16,6 @@
 namespace odontoscope {
 namespace {
 
-Vector3 cross(const Vector3& a, const Vector3& b) { return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]}; }
 Vector3 minus(const Vector3& a, const Vector3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 const DicomFrame& frame_of(const DicomPlane& plane) { return plane.image->frames[plane.frame]; }

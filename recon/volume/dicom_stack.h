@@ -27,4 +27,8 @@ DicomStack stack_planes(const std::vector<const DicomImage*>& images, const std:
 /// Distance of the slices of such a stack for a list: nothing where it would be refused.
 std::optional<double> slice_spacing_of(const std::vector<const DicomImage*>& images);
 
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 }  // namespace odontoscope
