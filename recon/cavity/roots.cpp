@@ -82,8 +82,8 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
     ++runs.back().second;
   }
   std::vector<std::size_t> sections;
-  for (const auto& [count, heights] : runs) {
-    const double tall = (top - bottom) * static_cast<double>(heights) / root_sections;
+  for (const auto& [count, times] : runs) {
+    const double tall = (top - bottom) * static_cast<double>(times) / root_sections;
     if (tall >= width && (sections.empty() || sections.back() != count)) sections.push_back(count);
   }
   if (sections.empty() && !runs.empty()) sections.push_back(runs.front().first);

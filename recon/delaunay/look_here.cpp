@@ -169,14 +169,14 @@ class Look {
   /// Voids that reach neither the outside nor the largest of those that are shut in.
   void look_at_shut_voids(const std::string& structure, Ends ends) {
     const std::vector<Section>& sections = ends.strands.sections();
-    struct Piece {
+    struct HollowRun {
       std::size_t first = 0, last = 0;  // sections
       double area = 0;
       bool open = false;
     };
-    std::map<std::uint32_t, Piece> pieces;
+    std::map<std::uint32_t, HollowRun> pieces;
     for (std::size_t s = 0; s < sections.size(); ++s) {
-      Piece& piece = pieces.try_emplace(ends.strands.piece(s), Piece{s, s, 0, false}).first->second;
+      HollowRun& piece = pieces.try_emplace(ends.strands.piece(s), HollowRun{s, s, 0, false}).first->second;
       piece.last = s;
       piece.area += sections[s].area;
       piece.open = piece.open || sections[s].open;
