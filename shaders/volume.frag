@@ -23,6 +23,7 @@ uniform float high;             // white
 #ifdef RADIOGRAPH
 uniform float attenuation;      // for each unit of length of `high`; `low` has none
 uniform float latitude;         // attenuation that is white
+uniform int inverted;           // 1: or black
 #endif
 
 layout(location = 0) out vec4 out_colour;
@@ -153,7 +154,8 @@ vec4 seen_along(Ray ray, ivec2 at) {
   found /= ray.end - ray.begin;
 #endif
 #ifdef RADIOGRAPH
-  found /= latitude;
+  found = clamp(found / latitude, 0.0, 1.0);
+  if (inverted != 0) found = 1.0 - found;
 #endif
   return vec4(vec3(light_shown_as(clamp(found, 0.0, 1.0))), 1.0);
 }

@@ -57,14 +57,38 @@ VoxelsAlone voxels_alone(const Volume& volume, const ValueGridLimits& limits) {
   return {greys, dense, std::make_shared<const ValueGrid>(value_grid(volume, with_margin(dense, volume), limits))};
 }
 
+namespace {
+
+/// Of a file of which `samples` were looked at: what is dense in them, read again and finer.
+VoxelsAlone voxels_around(const std::string& file, const Volume& samples, ReadVolumeOptions read, const ValueGridLimits& limits, Session& session) {
+  const GreyAnchors greys = grey_anchors(samples);
+  const Box dense = bounds_of_dense(samples, greys), wanted = with_margin(dense, samples);
+  VolumeBounds within;
+  const std::array<double, 3> origin{samples.origin.x, samples.origin.y, samples.origin.z};
+  for (int axis = 0; axis < 3; ++axis) {   // not beyond what was cropped
+    const auto n = static_cast<std::size_t>(axis);
+    within.low[n] = std::max(wanted.low[axis], origin[n]);
+    within.high[n] = std::min(wanted.high[axis], origin[n] + static_cast<double>(samples.size[n] - 1) * samples.spacing[n]);
+  }
+  read.part = VolumePart{.most_voxels = limits.most_values, .within = within};
+  return {greys, dense, std::make_shared<const ValueGrid>(value_grid(read_volume(file, read, session.progress()), wanted, limits))};
+}
+
+}  // namespace
+
 VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits, Session& session) {
   const VolumeRequest request = understood(words);
   if (request.reshape.upright || request.reshape.resample) throw UsageError("--upright and --resample need a surface", "Say with --iso where it lies.");
-  Volume volume = read_volume(file, request.read, session.progress());
+  ReadVolumeOptions read = request.read;
+  constexpr std::size_t enough_to_look_at = 16u << 20;
+  read.part = VolumePart{.whole_up_to = ValueGridLimits{}.most_values, .most_voxels = enough_to_look_at, .sampled = true};
+  Volume volume = read_volume(file, read, session.progress());
   tell_volume(file, volume, session.console);
   crop_told(volume, request.reshape, session.console);
   if (looks_like_labels(volume)) throw UsageError(fmt::format("{} looks like a label map, whose values are no grey", file), "Say with --label N what is solid");
-  return voxels_alone(volume, limits);
+  if (volume.merged == std::array<std::size_t, 3>{1, 1, 1}) return voxels_alone(volume, limits);
+  session.console.say("  It is too large to be held whole; what lies around the tooth is read now.");
+  return voxels_around(file, volume, std::move(read), limits, session);
 }
 
 }  // namespace odontoscope::app

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "engine/app/words.h"
@@ -63,8 +64,11 @@ double Thresholds::of(const AutoLevel& level) const {
 }
 
 void tell_volume(const std::string& file, const Volume& volume, Console& console) {
-  console.say(fmt::format("{}: {} x {} x {} voxels of {} x {} x {} mm", file, volume.size[0], volume.size[1], volume.size[2], measured(volume.spacing[0]),
-                          measured(volume.spacing[1]), measured(volume.spacing[2])));
+  const std::array<std::size_t, 3>&size = volume.size, &merged = volume.merged;
+  const std::array<std::string, 3> spacing{measured(volume.spacing[0]), measured(volume.spacing[1]), measured(volume.spacing[2])};
+  if (merged == std::array<std::size_t, 3>{1, 1, 1}) console.say(fmt::format("{}: {} x {} x {} voxels of {} x {} x {} mm", file, size[0], size[1], size[2], spacing[0], spacing[1], spacing[2]));
+  else console.say(fmt::format("{}: of {} x {} x {} voxels one, so that {} x {} x {} of them are looked at, {} x {} x {} mm apart", file, merged[0], merged[1], merged[2], size[0], size[1], size[2], spacing[0],
+                               spacing[1], spacing[2]));
   if (volume.tilt_degrees > limits::tilt_unspoken) {
     console.say(fmt::format("  its axes are turned by {:.1f} degrees in the file; the model keeps the image's own axes", volume.tilt_degrees));
   }

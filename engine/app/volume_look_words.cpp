@@ -141,7 +141,7 @@ void refuse_senseless(const VolumeLookWords& words) {
   VolumeLook look;
   look.cast = cast_from(words.cast).cast;
   if (!points_from(words.transfer) && !words.transfer.empty()) transfer_named(words.transfer);
-  slopes_from(words.slopes);
+  if (slopes_from(words.slopes).count() && look.cast != VolumeLook::Cast::shaded) throw UsageError("--slopes is about a shaded volume", "Leave --cast out, or --slopes.");
   if (words.any_of_volume() && words.show == "surfaces") throw UsageError("--cast, --transfer and --slopes are about a volume's grey values", "Show them: --show volume, or --show both.");
   if (words.show == "both" && look.projects())
     throw UsageError(fmt::format("--cast {}: greys along the whole ray have no depth, and show nothing else", words.cast), "Choose --show volume.");

@@ -15,7 +15,8 @@ namespace odontoscope::app {
 
 /// As typed; not yet understood.
 struct VolumeLookWords {
-  std::string show, cast, transfer, slopes;
+  std::string show, cast, transfer;
+  std::string slopes = {};
   bool any_of_volume() const { return !cast.empty() || !transfer.empty() || !slopes.empty(); }
 };
 

@@ -199,6 +199,7 @@ void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, 
   cast.set("high", static_cast<float>(look.white));
   cast.set("attenuation", metres_to_mm * static_cast<float>(look.attenuation));
   cast.set("latitude", static_cast<float>(look.latitude));
+  cast.set("inverted", look.inverted ? 1 : 0);
   cover_behind(cast, view, volume, Among::greys, picture);
 }
 

@@ -63,6 +63,9 @@ void FilmPass::draw(const FramePlan& plan, const GpuModel& model, const Scene& s
   film.set("clip_to_eye", glm::inverse(plan.view.eye_to_clip));
   film.set("pixels", glm::vec2(plan.size.width, plan.size.height));
   film.set("parallel", plan.parallel ? 1 : 0);
+  film.set("inverted", scene.volume.inverted ? 1 : 0);
+  film.set("film", glm::vec2(scene.volume.film_mm) / metres_to_mm);
+  film.set("film_centre", glm::vec3(plan.view.world_to_eye * glm::vec4(model.centre, 1)));
   sums_.bind_colour(0, 0);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);

@@ -15,7 +15,7 @@ class FilmPass {
   /// Programs are compiled when they are needed first.
   FilmPass(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Covers `picture` with greys. Solids that the scene does not show let rays through; what the plan's section cuts away does, too.
+  /// Covers `picture` with greys, beside the film, which hangs at the model's middle, with one. Solids that the scene does not show let rays through; what the plan's section cuts away does, too.
   /// Precondition: surfaces are closed and wound outwards, and the eye is outside of them.
   void draw(const FramePlan& plan, const GpuModel& model, const Scene& scene, const Framebuffer& picture);
 

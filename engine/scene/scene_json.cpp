@@ -253,6 +253,11 @@ void read_volume_look(const Reader& scene, const std::string& file, VolumeLook& 
   if (!(look.attenuation >= 0 && look.attenuation <= most)) reader.refuse("bad-value", "attenuation", "is no sensible attenuation");
   reader.read("latitude", look.latitude);
   if (!(look.latitude > 1 / most && look.latitude <= most)) reader.refuse("bad-value", "latitude", "is no sensible latitude");
+  reader.read("inverted", look.inverted);
+  ValueWindow film{look.film_mm.x, look.film_mm.y};
+  reader.read("film_mm", film);
+  look.film_mm = {film.low, film.high};
+  if (!(std::min(film.low, film.high) >= 0 && std::max(film.low, film.high) <= most)) reader.refuse("bad-value", "film_mm", "is no size of a film");
   reader.read("iso", look.iso);
   if (!(std::abs(look.iso) <= most_iso)) reader.refuse("bad-value", "iso", "is no sensible value");
   reader.read("iso_colour", look.iso_colour);
@@ -343,6 +348,8 @@ Json volume_json(const VolumeLook& look) {
           {"window", Json::array({look.black, look.white})},
           {"attenuation", look.attenuation},
           {"latitude", look.latitude},
+          {"inverted", look.inverted},
+          {"film_mm", Json::array({look.film_mm.x, look.film_mm.y})},
           {"iso", look.iso},
           {"iso_colour", hex(look.iso_colour)}};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace odontoscope {
 
@@ -82,8 +83,10 @@ ValueWindow usual_window(const std::vector<float>& values) {
 
 }  // namespace
 
-ValueGrid value_grid(const Volume& volume, const Box& bounds_mm, const ValueGridLimits& limits) {
-  const Crop crop = around(volume, bounds_mm);
+namespace {
+
+/// Everything but the values.
+ValueGrid grid_of(const Volume& volume, const Crop& crop, const ValueGridLimits& limits) {
   ValueGrid grid;
   grid.merged = merged_within(limits, crop, volume);
   const glm::dvec3 origin(volume.origin.x, volume.origin.y, volume.origin.z);
@@ -95,14 +98,37 @@ ValueGrid value_grid(const Volume& volume, const Box& bounds_mm, const ValueGrid
     // The middle of the first block, whose voxels' centres lie (together - 1) spacings apart.
     grid.first_mm[axis] = origin[axis] + (static_cast<double>(crop.first[n]) + 0.5 * (together - 1)) * volume.spacing[n];
   }
+  return grid;
+}
+
+/// Once it has its values.
+void finish(const Volume& volume, ValueGrid& grid) {
+  for (std::size_t n = 0; n < 3; ++n) grid.merged[n] *= volume.merged[n];
+  const auto [lowest, highest] = std::minmax_element(grid.values.begin(), grid.values.end());
+  grid.range = window(static_cast<double>(*lowest), static_cast<double>(*highest));
+  grid.usual = usual_window(grid.values);
+}
+
+}  // namespace
+
+ValueGrid value_grid(const Volume& volume, const Box& bounds_mm, const ValueGridLimits& limits) {
+  const Crop crop = around(volume, bounds_mm);
+  ValueGrid grid = grid_of(volume, crop, limits);
   grid.values.reserve(grid.size[0] * grid.size[1] * grid.size[2]);
   for (std::size_t k = 0; k < grid.size[2]; ++k)
     for (std::size_t j = 0; j < grid.size[1]; ++j)
       for (std::size_t i = 0; i < grid.size[0]; ++i)
         grid.values.push_back(mean(volume, {crop.first[0] + i * grid.merged[0], crop.first[1] + j * grid.merged[1], crop.first[2] + k * grid.merged[2]}, grid.merged));
-  const auto [lowest, highest] = std::minmax_element(grid.values.begin(), grid.values.end());
-  grid.range = window(static_cast<double>(*lowest), static_cast<double>(*highest));
-  grid.usual = usual_window(grid.values);
+  finish(volume, grid);
+  return grid;
+}
+
+ValueGrid value_grid(Volume&& volume, const Box& bounds_mm, const ValueGridLimits& limits) {
+  const Crop crop = around(volume, bounds_mm);
+  ValueGrid grid = grid_of(volume, crop, limits);
+  if (grid.size != volume.size) return value_grid(static_cast<const Volume&>(volume), bounds_mm, limits);
+  grid.values = std::move(volume.values);
+  finish(volume, grid);
   return grid;
 }
 

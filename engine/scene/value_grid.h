@@ -35,5 +35,7 @@ struct ValueGridLimits {
 /// Precondition: `volume` passes validate_volume. Keeps the voxels in `bounds_mm` and one more all around. Where that is more than `limits`
 /// allow, blocks of voxels become their mean, finest axis first; a block that reaches beyond the volume repeats its last voxel.
 ValueGrid value_grid(const Volume& volume, const Box& bounds_mm, const ValueGridLimits& limits = {});
+/// The same, of a volume that nobody needs any more: where all of it is kept as it is, nothing is copied.
+ValueGrid value_grid(Volume&& volume, const Box& bounds_mm, const ValueGridLimits& limits = {});
 
 }  // namespace odontoscope

@@ -1,6 +1,7 @@
 #pragma once
 // How the grey values of a volume are shown, beside or instead of the surfaces that were made from them.
 
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <string_view>
 #include <vector>
@@ -39,7 +40,9 @@ struct VolumeLook {
   bool lit = true;                             // by the values' slope, as if it were a surface
   double black = 0, white = 1;                 // of maximum and average; air and dentine of a radiograph
   double attenuation = 0.25;                   // 1/mm of value `white`, for a radiograph
-  double latitude = 4;                         // attenuation that it shows white
+  double latitude = 4;                         // attenuation that it shows white,
+  bool inverted = false;                       // or black
+  glm::dvec2 film_mm{0};                       // width and height of a model's film; 0: it has no edge
   double iso = 0;
   Colour iso_colour = colour_of(0xeddebd);
 

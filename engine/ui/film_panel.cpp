@@ -16,6 +16,8 @@ namespace odontoscope {
 namespace {
 
 constexpr double farthest_swing_deg = 40;
+/// Intraoral film of size 2, upright.
+constexpr glm::dvec2 usual_film_mm{31, 41};
 
 /// How far the camera stands to the right of buccal, seen from there.
 double swing_of(const Camera& camera) {
@@ -59,6 +61,7 @@ void lengths_on_film(const ViewerState& state, const Interface& interface) {
 }  // namespace
 
 void tube_controls(ViewerState& state, const Interface& interface) {
+  widgets::toggle("Inverted", state.scene.volume.inverted);
   double swing = std::clamp(std::round(swing_of(state.scene.camera)), -farthest_swing_deg, farthest_swing_deg);
   if (widgets::slider("Tube swung by", swing, -farthest_swing_deg, farthest_swing_deg, "%.0f\xC2\xB0")) state.tube_asked = std::round(swing);
   widgets::remark(interface, "Same lingual, opposite buccal: of two canals that lie one behind the other, the one that moves with the tube lies lingually.");
@@ -75,6 +78,8 @@ void film_section(ViewerState& state, const Interface& interface) {
   }
   if (!on) return;
   widgets::slider("White at attenuation", state.scene.volume.latitude, 0.5, 10, "%.1f");
+  bool edged = state.scene.volume.film_mm.x > 0;
+  if (widgets::toggle("Film of 31 x 41 mm", edged)) state.scene.volume.film_mm = edged ? usual_film_mm : glm::dvec2(0);
   tube_controls(state, interface);
 }
 

@@ -128,6 +128,7 @@ PictureWords understood(const py::dict& given) {
   take(given, "show", words.look.show);
   take(given, "cast", words.look.cast);
   take(given, "transfer", words.look.transfer);
+  take(given, "slopes", words.look.slopes);
   take(given, "tour", words.tour.line);
   take(given, "void", words.tour.void_number);
   take(given, "reverse", words.tour.reverse);

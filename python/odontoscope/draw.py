@@ -96,7 +96,7 @@ def _count(given: Any, option: str) -> int:
 def words(*, view: str = "", size: Any = None, samples: int | None = None, scene: Any = None, camera: Any = None, parallel: bool = False,
           zoom: float = 1, hide: Any = None, opacity: Any = None, colour: Any = None, section: str = "", cap: str = "", cull: str = "",
           wire: bool = False, wall_depth: bool = False, overlay: Any = None, occlusion: float | None = None, background: str = "",
-          show: str = "", cast: str = "", transfer: str = "", colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "", focus: Any = None, tube: Any = None,
+          show: str = "", cast: str = "", transfer: str = "", slopes: Any = None, colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "", focus: Any = None, tube: Any = None,
           film: Any = None, pixel: Any = None, exposure: Any = None, inverted: bool = False, attenuation: Any = None, turntable: Any = None, tour: str = "",
           reverse: bool = False, void: int = 1, frames: Any = None, contact_sheet: Any = None, backend: str = "auto", save_scene: Any = None) -> dict[str, Any]:
     """As the module wants them. UsageError for what makes no sense whatever the model."""
@@ -112,7 +112,7 @@ def words(*, view: str = "", size: Any = None, samples: int | None = None, scene
             "hide": _options.names(hide), "opacity": _pairs(opacity, "opacity"), "colour": _pairs(colour, "colour"), "section": str(section),
             "cap": str(cap), "cull": str(cull), "wire": bool(wire), "wall_depth": bool(wall_depth), "overlay": _options.names(overlay),
             "occlusion": None if occlusion is None else _within(occlusion, "occlusion", 0, 4), "background": str(background),
-            "show": str(show), "cast": str(cast), "transfer": str(transfer), "colour_by": str(colour_by),
+            "show": str(show), "cast": str(cast), "transfer": str(transfer), "slopes": _options.numbers(slopes, "slopes", 2), "colour_by": str(colour_by),
             **_radiograph_words(radiograph, kv, beam, focus, tube, film, pixel, exposure, inverted, attenuation, grey),
             "turntable": _count(turntable, "turntable"), "tour": str(tour), "reverse": bool(reverse), "void": _count(void, "void"), "frames": pictures,
             "contact_sheet": sheet, "backend": str(backend), "save_scene": "" if save_scene is None else _options.path(save_scene)}

@@ -213,7 +213,7 @@ class Model:
                scene: Optional[File] = None, camera: Optional[File] = None, parallel: bool = False, zoom: float = 1, hide: Union[str, Iterable[str], None] = None,
                opacity: Look = None, colour: Look = None, section: str = "", cap: str = "", cull: str = "", wire: bool = False,
                wall_depth: bool = False, overlay: Union[str, Iterable[str], None] = None, occlusion: Optional[float] = None,
-               background: str = "", show: str = "", cast: str = "", transfer: str = "", colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "",
+               background: str = "", show: str = "", cast: str = "", transfer: str = "", slopes: Any = None, colour_by: str = "", grey: Any = None, radiograph: bool = False, kv: float = 70, beam: str = "",
                focus: Optional[float] = None, tube: Any = None, film: Any = None, pixel: Optional[float] = None, exposure: Optional[float] = None, inverted: bool = False,
                attenuation: Look = None, turntable: Optional[int] = None, tour: str = "", reverse: bool = False, void: int = 1, frames: Optional[int] = None,
                contact_sheet: Any = None, backend: str = "auto", save_scene: Optional[File] = None, progress: Optional[Progress] = None) -> Any:
@@ -238,7 +238,8 @@ class Model:
             occlusion: darkening of hollows, 0 to 4.
             background: "white", "black", "transparent", "#rrggbb", or two colours from top to bottom.
             show, cast, transfer: "surfaces", "volume" or "both", of a model made from a volume: its grey values as "shaded", "maximum", "average", "radiograph" or "surface=T";
-                "tooth", "enamel", "dentine", "pulp", "soft" (docs/volume.md). grey: what values mean: of air, of dentine.
+                "tooth", "enamel", "dentine", "pulp", "soft" (docs/volume.md). slopes: ``(100, 400)`` shows borders: nothing flatter, all that is steeper, values a millimetre. grey: what values mean: of air, of
+                dentine.
             colour_by: "distance", "distance=0.2" (mm), "slope": surfaces by how they lie to the values of the volume that they were taken from, with a legend.
             radiograph: an X-ray film instead, through the solids (of a Volume through its voxels), 0.05 mm a pixel. kv, beam, focus, tube, film, pixel, exposure,
                 inverted, attenuation: docs/volume.md; ``tube=(20, 0)`` degrees, ``film=(31, 41)`` mm, ``attenuation={"crown": 0.4}`` 1/mm.

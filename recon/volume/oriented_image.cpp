@@ -96,6 +96,7 @@ Volume grid_along(const FileImage& image, const AxisMap& map) {
     const std::size_t axis = map.along[n];
     volume.size[axis] = image.size[n];
     volume.spacing[axis] = image.spacing[n];
+    volume.merged[axis] = image.merged[n];
     if (map.reversed[n] && image.size[n] > 0) {
       origin[axis] -= static_cast<double>(image.size[n] - 1) * image.spacing[n];
     }
@@ -128,6 +129,21 @@ std::vector<float> reordered(const FileImage& image, const Volume& grid, const A
 }
 
 }  // namespace
+
+std::array<IndexRange, 3> index_ranges(const FileImage& image, const VolumeBounds& bounds) {
+  const AxisMap map = nearest_axes(image.direction);
+  const Volume grid = grid_along(image, map);
+  const std::array<double, 3> origin{grid.origin.x, grid.origin.y, grid.origin.z};
+  std::array<IndexRange, 3> ranges;
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t axis = map.along[n];
+    const double last = static_cast<double>(image.size[n] - 1);
+    const auto index = [&](double place) { return std::clamp((place - origin[axis]) / image.spacing[n], -1.0, last + 1); };
+    const double low = std::clamp(std::floor(index(bounds.low[axis])) - 1, 0.0, last), high = std::clamp(std::ceil(index(bounds.high[axis])) + 1, low, last);
+    ranges[n] = {static_cast<std::size_t>(map.reversed[n] ? last - high : low), static_cast<std::size_t>(high - low) + 1};
+  }
+  return ranges;
+}
 
 Volume oriented_grid(const FileImage& image) {
   check_square(image);

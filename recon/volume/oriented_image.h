@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/volume/read_volume.h"
 #include "recon/volume/volume.h"
 
 namespace odontoscope {
@@ -23,7 +24,17 @@ struct FileImage {
   std::array<Vector3, 3> direction{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<float> values;
   std::string source;
+  /// As Volume::merged, along the file's axes.
+  std::array<std::size_t, 3> merged{1, 1, 1};
 };
+
+/// Voxels along an axis: from `first` on.
+struct IndexRange {
+  std::size_t first = 0, count = 0;
+};
+
+/// Those of the image, along its own axes, that lie within bounds along x, y and z of its Volume, mm, and one more at either end; never none. Precondition: oriented_grid(image) does not throw.
+std::array<IndexRange, 3> index_ranges(const FileImage& image, const VolumeBounds& bounds);
 
 /// The grid of `image` along x, y, z without values. Throws InputError sheared-volume and what validate_grid throws.
 Volume oriented_grid(const FileImage& image);

@@ -115,24 +115,32 @@ class Decoder {
   Encoding encoding_;
 };
 
-void append_texts(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, std::vector<float>& values) {
+using Visit = std::function<void(const float* values, std::size_t count)>;
+
+constexpr std::size_t pixels_at_once = 1u << 16;
+
+void visit_texts(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, const Visit& visit) {
+  std::vector<float> some;
   for (std::size_t n = 0; n < count; ++n) {
     double value = 0;
     if (!decoder.number(value)) throw_truncated(path, fmt::format("{} numbers", count), fmt::format("{}", n));
-    values.push_back(static_cast<float>(files.slope * value + files.intercept));
+    some.push_back(static_cast<float>(files.slope * value + files.intercept));
+    if (some.size() < pixels_at_once && n + 1 < count) continue;
+    visit(some.data(), some.size());
+    some.clear();
   }
 }
 
-void append_bytes(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, std::vector<float>& values) {
+void visit_bytes(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, const Visit& visit) {
   const std::size_t each = bytes_of(files.type);
-  constexpr std::size_t pixels_at_once = 1u << 16;
   std::vector<char> raw(pixels_at_once * each);
+  std::vector<float> values(pixels_at_once);
   for (std::size_t n = 0; n < count;) {
     const std::size_t some = std::min(pixels_at_once, count - n);
     const std::size_t got = decoder.read(raw.data(), some * each);
     if (got < some * each) throw_truncated(path, fmt::format("{} bytes of pixels", count * each), fmt::format("{}", n * each + got));
-    values.resize(values.size() + some);
-    convert_pixels(files.type, files.swapped, files.slope, files.intercept, raw.data(), some, values.data() + values.size() - some);
+    convert_pixels(files.type, files.swapped, files.slope, files.intercept, raw.data(), some, values.data());
+    visit(values.data(), some);
     n += some;
   }
 }
@@ -203,18 +211,25 @@ void check_pixel_files(const PixelFiles& files, std::size_t count) {
   for (const std::string& path : files.paths) check_file(files, path, count / files.paths.size());
 }
 
-std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const Progress& progress) {
+void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress, const std::function<void(const float* values, std::size_t count)>& visit) {
   check_pixel_files(files, count);
-  std::vector<float> values;
-  values.reserve(count);  // only as much of it is really taken as pixels come
   const std::size_t each = count / files.paths.size();
+  std::size_t done = 0;
   for (const std::string& path : files.paths) {
     progress.check();
-    progress.tell("read", static_cast<double>(values.size()) / static_cast<double>(std::max<std::size_t>(count, 1)));
+    progress.tell("read", static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(count, 1)));
     Decoder decoder(files, path, each * bytes_of(files.type));
-    if (files.encoding == Encoding::text) append_texts(decoder, files, path, each, values);
-    else append_bytes(decoder, files, path, each, values);
+    if (files.encoding == Encoding::text) visit_texts(decoder, files, path, each, visit);
+    else visit_bytes(decoder, files, path, each, visit);
+    done += each;
   }
+}
+
+std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const Progress& progress) {
+  std::vector<float> values;
+  check_pixel_files(files, count);
+  values.reserve(count);  // only as much of it is really taken as pixels come
+  for_each_run(files, count, progress, [&](const float* some, std::size_t how_many) { values.insert(values.end(), some, some + how_many); });
   return values;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct PixelFiles {
 /// ones: not even at limits::compression_ratio), too-well-packed where few bytes are to become very many (limits::suspicious_ratio).
 /// Nothing is unpacked for it.
 void check_pixel_files(const PixelFiles& files, std::size_t count);
+
+/// Calls `visit` with the pixels, converted, in the file's order, a run of them after the other. Throws and tells as read_pixels does.
+void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress, const std::function<void(const float* values, std::size_t count)>& visit);
 
 /// The pixels, converted. Memory is taken as they come. Throws what check_pixel_files throws, InputError damaged-volume if unpacking fails or
 /// a number is none, truncated-volume. Stage "read".

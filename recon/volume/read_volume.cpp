@@ -11,6 +11,7 @@
 #include "recon/volume/byte_source.h"
 #include "recon/volume/dicom_file.h"
 #include "recon/volume/oriented_image.h"
+#include "recon/volume/read_part.h"
 #include "recon/volume/read_volume_dicom.h"
 #include "recon/volume/volume_header.h"
 
@@ -52,8 +53,13 @@ Volume read_file_volume(VolumeFormat format, const std::string& path, const Read
   check_pixel_files(header.pixels, voxels);
   oriented_grid(image);  // throws what is wrong with it before memory is asked for
   check_thickness(image);
-  check_memory(path, voxels);
-  image.values = read_pixels(header.pixels, voxels, progress);
+  if (options.part && voxels > options.part->whole_up_to) {
+    check_memory(path, std::min(voxels, options.part->most_voxels));
+    image = read_part(std::move(image), header.pixels, *options.part, progress);
+  } else {
+    check_memory(path, voxels);
+    image.values = read_pixels(header.pixels, voxels, progress);
+  }
   Volume volume = oriented(std::move(image));
   volume.labels = std::move(header.labels);
   volume.remarks = std::move(header.remarks);

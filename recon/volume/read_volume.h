@@ -25,12 +25,26 @@
 
 namespace odontoscope {
 
+/// Bounds along x, y and z of a volume, mm.
+struct VolumeBounds {
+  std::array<double, 3> low{}, high{};
+};
+
+/// No more of a file than is wanted, so that memory stays bounded however large it is. NRRD, MetaImage and NIfTI only: DICOM is read whole.
+struct VolumePart {
+  std::size_t whole_up_to = 0;              // files of no more voxels are read whole, whatever follows
+  std::size_t most_voxels = 1u << 27;       // of more, blocks become one, finest axis first
+  bool sampled = false;                     // blocks become their first voxel; else their mean
+  std::optional<VolumeBounds> within = {};  // and only what lies in these
+};
+
 struct ReadVolumeOptions {
   /// Instead of the header's, along the file's own first, second and third axis (columns, rows, slices), mm. The origin
   /// stays, unless its unit is unknown: then it is scaled with the first.
   std::optional<std::array<double, 3>> spacing = {};
   /// Of several DICOM series the one to read: its number in the list that several-series tells, its UID or its description.
   std::string series = {};
+  std::optional<VolumePart> part = {};
   /// Read pixels from a file outside the folder of the NRRD or MetaImage header that names it.
   bool allow_outside = false;
 };

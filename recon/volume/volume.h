@@ -46,6 +46,8 @@ struct Volume {
   std::vector<VolumeLabel> labels;
   /// By value. None of the values is a label.
   std::vector<LabelOverlap> overlaps;
+  /// Voxels of the file that became one of these, along x, y and z: of a large file that was not wanted whole (VolumePart).
+  std::array<std::size_t, 3> merged{1, 1, 1};
   /// What the file does not say and was assumed, and what was left out: one line each, to be told.
   std::vector<std::string> remarks;
 

@@ -67,7 +67,7 @@ TEST_F(VolumeLooks, DifferInEveryWayToCast) {
   given("a.nrrd", nrrd());
   std::vector<Image> seen;
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{}, {"--cast", "maximum"}, {"--cast", "maximum=0,4000"}, {"--cast", "average"}, {"--cast", "radiograph"}, {"--cast", "radiograph", "--grey", "10,3000"},
-                                                                                      {"--cast", "surface=500"}, {"--transfer", "enamel"}, {"--transfer", "pulp"}, {"--transfer", "500:#ff0000:0,900:#ff0000:9"}, {"--grey", "10,500"}}) {
+                                                                                      {"--cast", "surface=500"}, {"--transfer", "enamel"}, {"--transfer", "pulp"}, {"--slopes", "100,700"}, {"--transfer", "500:#ff0000:0,900:#ff0000:9"}, {"--grey", "10,500"}}) {
     std::vector<std::string> all{"--show", "volume"};
     all.insert(all.end(), words.begin(), words.end());
     const Ending ending = shown(all);
@@ -110,7 +110,7 @@ TEST_F(VolumeLooks, RefuseWhatMakesNoSense) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"--show", "all"}, {"--cast", "shaded"}, {"--transfer", "tooth"}, {"--show", "both"}, {"--show", "surfaces", "--cast", "maximum"}, {"--show", "volume", "--cast", "net"},
            {"--show", "volume", "--cast", "maximum=5,5"}, {"--show", "volume", "--cast", "maximum=nan,5"}, {"--show", "volume", "--cast", "surface"}, {"--show", "volume", "--cast", "surface=inf"},
-           {"--show", "volume", "--cast", "shaded=4"}, {"--show", "volume", "--transfer", "bone"}, {"--show", "volume", "--transfer", "5:#ff0000"}, {"--show", "volume", "--transfer", "5:red:4"},
+           {"--show", "volume", "--cast", "shaded=4"}, {"--show", "volume", "--slopes", "9,5"}, {"--show", "volume", "--slopes", "5"}, {"--show", "volume", "--slopes", "0,0"}, {"--show", "volume", "--slopes", "-1,5"}, {"--show", "volume", "--cast", "maximum", "--slopes", "5,9"}, {"--slopes", "5,9"}, {"--show", "volume", "--transfer", "bone"}, {"--show", "volume", "--transfer", "5:#ff0000"}, {"--show", "volume", "--transfer", "5:red:4"},
            {"--show", "volume", "--transfer", "5:#ff0000:-1"}, {"--show", "volume", "--transfer", "9:#ff0000:1,5:#ff0000:1"}, {"--show", "volume", "--transfer", ":"}, {"--show", "volume", "--grey", "9,5"},
            {"--grey", "5,9", "--iso", "500"}, {"--show", "both", "--iso", "500", "--cast", "average"}, {"--show", "volume", "--upright"}, {"--show", "volume", "--links", "x.json"}, {"--radiograph", "--show", "volume"}})
     EXPECT_NE(code(words, "a.nrrd"), 0) << words[0] << " " << words.back();

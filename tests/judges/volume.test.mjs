@@ -278,6 +278,48 @@ test('beside the film stand the canals\u2019 lengths on it and their own', async
   await close();
 });
 
+test('two places of the film are measured where they are clicked; a film has an edge, and a negative', async () => {
+  const {page, watched, close} = await openedIn(chromium, made('model.html'), {size: {width: 900, height: 700}});
+  await page.evaluate(() => { viewer.setFilm(true); viewer.swingTube(10); document.getElementById('film-ruler').click(); });
+  await page.waitForFunction(() => viewer.picture.finished(viewer.wayOf(viewer.quality.still)));
+  const box = await page.locator('canvas').first().boundingBox(), middle = [box.x + 0.5 * box.width, box.y + 0.5 * box.height];
+  await page.mouse.click(middle[0] - 60, middle[1] + 20);
+  await page.mouse.click(middle[0] + 40, middle[1] - 55);
+  const {words, right} = await page.evaluate(([across, down]) => {
+    const {camera, bounds: {centre}, canvas} = viewer, depth = -centre.clone().applyMatrix4(camera.matrixWorldInverse).z;
+    return {words: document.getElementById('pins').textContent, right: Math.hypot(across, down) * 2 * depth * Math.tan(camera.fov * Math.PI / 360) / canvas.clientHeight};
+  }, [100, 75]);
+  assert.match(words, /^[0-9.]+ mm on the film$/);
+  assert.ok(Math.abs(parseFloat(words) - right) < 0.06, JSON.stringify({words, right}));
+  // The film's own sheet, drawn to a target of eight bits: the usual one, a negative, and one with an edge.
+  const shown = await page.evaluate(() => {
+    viewer.renderer.setAnimationLoop(null);
+    const {shadow, renderer, camera, section, canvas} = viewer, gl = renderer.getContext(), {width, height} = canvas, target = shadow.sums.clone();
+    target.setSize(width, height);
+    const seen = () => {
+      renderer.setRenderTarget(target);
+      renderer.clear(true, false, false);
+      shadow.drawProjection({camera, pixels: new shadow.film.uniforms.pixels.value.constructor(width, height), section: section.plane() ?? shadow.film.uniforms.section.value.clone().set(0, 0, 0, 1)}, target);
+      const light = new Float32Array(4 * width * height);
+      renderer.setRenderTarget(target);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, light);
+      renderer.setRenderTarget(null);
+      return [[0.5, 0.5], [0.02, 0.5]].map(([x, y]) => light[4 * (Math.floor(y * height) * width + Math.floor(x * width))]);
+    };
+    const usual = seen();
+    shadow.inverted = true;
+    const negative = seen();
+    shadow.inverted = false;
+    shadow.size = [4, 4];
+    return {usual, negative, edged: seen()};
+  });
+  assert.ok(shown.usual[0] > 0.02 && shown.usual[1] < 0.001, JSON.stringify(shown));      // the tooth, and nothing in the way
+  assert.ok(shown.negative[1] > 0.9 && shown.negative[0] < shown.negative[1], JSON.stringify(shown));
+  assert.ok(Math.abs(shown.edged[0] - shown.usual[0]) < 1e-3 && Math.abs(shown.edged[1] - ((0.16 + 0.055) / 1.055) ** 2.4) < 1e-3, JSON.stringify(shown));
+  assert.deepEqual(watched, []);
+  await close();
+});
+
 test('the transfer function is edited on the histogram, by hand and by number', async () => {
   const {page, watched, close} = await openedIn(chromium, made('both.html'), {size: {width: 1100, height: 900}});
   await page.evaluate(() => viewer.setVolume({shows: 'volume', cast: 'shaded'}));

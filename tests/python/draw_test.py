@@ -61,6 +61,7 @@ class Pictures(unittest.TestCase):
         size = ["--size", "160x120", "--backend", "egl"]
         for given, words in [({"show": "volume"}, ["--show", "volume"]),
                              ({"show": "volume", "cast": "maximum", "transfer": "", "view": "buccal"}, ["--show", "volume", "--cast", "maximum", "--view", "buccal"]),
+                             ({"show": "volume", "slopes": (20, 200), "view": "buccal"}, ["--show", "volume", "--slopes", "20,200", "--view", "buccal"]),
                              ({"show": "volume", "transfer": "enamel", "grey": (10, 120)}, ["--show", "volume", "--transfer", "enamel", "--grey", "10,120"]),
                              ({"iso": 100, "show": "both"}, ["--iso", "100", "--show", "both"]),
                              ({"iso": 100, "section": "buccal", "cap": "ct", "view": "buccal"}, ["--iso", "100", "--section", "buccal", "--cap", "ct", "--view", "buccal"]),

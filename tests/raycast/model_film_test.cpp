@@ -99,6 +99,29 @@ TEST_P(ModelFilm, IsCutBySections) {
   }
 }
 
+// In the middle of the model, square to where the camera looks: what lies there has its own size.
+TEST_P(ModelFilm, HasAnEdgeAndMayBeInverted) {
+  Scene edged = scene(std::nullopt);
+  edged.volume.film_mm = {3.1, 4.1};
+  Scene inverted = scene(std::nullopt);
+  inverted.volume.inverted = true;
+  const Image usual = drawn(scene(std::nullopt)), film = drawn(edged), negative = drawn(inverted);
+  const glm::dvec3 ahead = glm::normalize(edged.camera.target - edged.camera.position), right = glm::normalize(glm::cross(ahead, edged.camera.up)), up = glm::cross(right, ahead), centre = model.bounds_mm.centre();
+  int wrong = 0, within = 0, unlike = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Ray ray = ray_through(edged.camera, picture, x, y);
+      const glm::dvec3 off = ray.at(glm::dot(centre - ray.origin, ahead) / glm::dot(ray.direction, ahead)) - centre;
+      const bool inside = std::abs(glm::dot(off, right)) < 1.55 && std::abs(glm::dot(off, up)) < 2.05;
+      within += inside;
+      wrong += film.pixel(x, y) != (inside ? usual.pixel(x, y) : std::array<std::uint8_t, 4>{41, 41, 41, 255});
+      unlike += std::abs(255 - usual.pixel(x, y)[1] - negative.pixel(x, y)[1]) > 1;
+    }
+  EXPECT_GT(within, 40);
+  EXPECT_LE(wrong, 4);   // on its edge
+  EXPECT_EQ(unlike, 0);
+}
+
 TEST_P(ModelFilm, LeavesOutWhatIsHidden) {
   Scene without = scene(std::nullopt);
   without.look_of("enamel")->visible = false;

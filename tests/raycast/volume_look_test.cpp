@@ -59,7 +59,7 @@ TEST(VolumeLooks, HavePresetsThatShowWhatTheyAreCalledAfter) {
 TEST(VolumeLooks, ComeBackFromJson) {
   Scene scene;
   EXPECT_EQ(to_json(scene).find("\"volume\""), std::string::npos);
-  scene.volume = {VolumeLook::Shows::both, VolumeLook::Cast::surface, {{10, colour_of(0x102030), 0}, {20, colour_of(0xffee01), 4}}, {12, 90}, false, 30, 90, 0.5, 3, 77, colour_of(0x010203)};
+  scene.volume = {VolumeLook::Shows::both, VolumeLook::Cast::surface, {{10, colour_of(0x102030), 0}, {20, colour_of(0xffee01), 4}}, {12, 90}, false, 30, 90, 0.5, 3, true, {31, 41}, 77, colour_of(0x010203)};
   EXPECT_EQ(scene_from_json(to_json(scene), Scene{}), scene);
 }
 
@@ -77,6 +77,7 @@ TEST(VolumeLooks, RefuseJsonThatMakesNoSense) {
   EXPECT_EQ(cause("{\"shows\":\"all\"}"), "bad-value");
   EXPECT_EQ(cause("{\"cast\":\"net\"}"), "bad-value");
   EXPECT_EQ(cause("{\"slopes\":[4,9]}"), "");
+  EXPECT_EQ(cause("{\"film_mm\":[31,-41]}"), "bad-value");
   EXPECT_EQ(cause("{\"slopes\":[9,4]}"), "bad-value");
   EXPECT_EQ(cause("{\"slopes\":[-1,4]}"), "bad-value");
   EXPECT_EQ(cause("{\"transfer\":3}"), "wrong-type");

@@ -39,6 +39,13 @@ TEST_F(FilmPanel, ShowsTheFilmAndTheSurfacesAgain) {
   click(latitude.x, latitude.y);
   EXPECT_GT(state().scene.volume.latitude, 8);
   EXPECT_TRUE(differs(film));
+  Image before = picture();
+  click_control("Inverted");
+  EXPECT_TRUE(state().scene.volume.inverted);
+  EXPECT_TRUE(differs(before));
+  before = picture();
+  click_control("Film of 31 x 41 mm");
+  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(31, 41));
   click_control("As an X-ray film shows it");
   EXPECT_FALSE(state().film());
   EXPECT_FALSE(differs(surfaces));

@@ -32,6 +32,8 @@ export class Shadow {
     this.bounds = bounds;
     this.on = false;
     this.latitude = 4;
+    this.inverted = false;
+    this.size = [0, 0];   // of the film, mm; 0: it has no edge
     this.scene = new Scene();
     this.meshes = parts.map(part => {
       const mesh = new Mesh(part.geometry, new ShaderMaterial({
@@ -44,7 +46,7 @@ export class Shadow {
     });
     const precise = renderer.extensions.has('EXT_float_blend');
     this.sums = new WebGLRenderTarget(4, 4, {type: precise ? FloatType : HalfFloatType, depthBuffer: false, minFilter: NearestFilter, magFilter: NearestFilter});
-    this.film = new Sheet(filmShader.replace('#include "tone.glsl"', tone), {swallowed: null, latitude: 4, middle: 0, parallel: 0, least: 1e-3, section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
+    this.film = new Sheet(filmShader.replace('#include "tone.glsl"', tone), {swallowed: null, latitude: 4, middle: 0, parallel: 0, least: 1e-3, inverted: 0, film: new Vector2(), film_centre: new Vector3(), section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
   }
 
   get projects() { return true; }
@@ -66,6 +68,6 @@ export class Shadow {
     renderer.render(this.scene, camera);
     const normal = new Vector3(section.x, section.y, section.z).transformDirection(camera.matrixWorldInverse);
     const seen = new Vector4(normal.x, normal.y, normal.z, section.w - camera.position.dot(new Vector3(section.x, section.y, section.z)));
-    this.film.set({swallowed: sums.texture, latitude: this.latitude, middle, section: seen, clip_to_eye: camera.projectionMatrixInverse, pixels}).draw(renderer, target);
+    this.film.set({swallowed: sums.texture, latitude: this.latitude, middle, section: seen, clip_to_eye: camera.projectionMatrixInverse, pixels, inverted: this.inverted ? 1 : 0, film: new Vector2(...this.size), film_centre: this.bounds.centre.clone().applyMatrix4(camera.matrixWorldInverse)}).draw(renderer, target);
   }
 }

@@ -73,7 +73,7 @@ export class Volume {
       : cast === 'shaded'
         ? new Sheet(`#define SHADED\n${kind === cast ? '' : '#define BY_SLOPE\n'}${included(castShader)}`, {...this.ray, ...this.light, ...(kind === cast ? {} : {slopes: new Vector2()}), transfer: this.transfer, among_surfaces: 1, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
           depth_to: null, depth_opaque: null, from_the_eye: 1}, under)
-        : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1} : {})}, under);
+        : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1, inverted: 0} : {})}, under);
     if (cast === 'surface') Object.assign(sheet.material, {depthTest: true, depthWrite: true});
     this.sheets.set(kind, sheet);
     return sheet;
@@ -123,7 +123,7 @@ export class Volume {
 
   drawProjection(view, target) {
     const {window: [black, white], attenuation, latitude, cast} = this.look, sheet = this.sheetSeenBy(view).set({low: this.byte(black), high: this.byte(white)});
-    if (cast === 'radiograph') sheet.set({attenuation, latitude});
+    if (cast === 'radiograph') sheet.set({attenuation, latitude, inverted: this.look.inverted ? 1 : 0});
     sheet.draw(this.renderer, target);
   }
 

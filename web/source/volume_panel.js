@@ -1,9 +1,12 @@
 // The controls of grey values and of X-ray films.
 import {choice, element} from './dom.js';
+import {FilmRuler} from './film_ruler.js';
 import {lengthOnFilm, trueLength} from './film_length.js';
 import {capital, named, number, said, t} from './language.js';
 import {told} from './slider_row.js';
 import {TransferEditor} from './transfer_editor.js';
+
+const filmSize = [31, 41];   // mm: intraoral film of size 2, upright
 
 function tubeControl(viewer) {
   const tube = told(t('Tube swung by'), {low: -40, high: 40, step: 1, value: 0}, degrees => { tube.show(degrees); viewer.swingTube(degrees); }, degrees => `${degrees}\u00b0`);
@@ -28,8 +31,9 @@ function castControls(viewer) {
   const flat = told(t('Too flat, values/mm'), slope, value => viewer.setVolume({slopes: [Math.min(value, of_slopes()[1] - least), of_slopes()[1]]}));
   const steep = told(t('Steep enough, values/mm'), slope, value => viewer.setVolume({slopes: [of_slopes()[0], Math.max(value, of_slopes()[0] + least)]}));
   const only = element('label', {class: 'switch'}, borders, t('Borders only'));
+  const negative = element('input', {type: 'checkbox', onchange: e => viewer.setVolume({inverted: e.target.checked})}), inverted = element('label', {class: 'switch'}, negative, t('Inverted'));
   const iso = told(t('Value'), range, value => viewer.setVolume({iso: value})), tube = tubeControl(viewer);
-  const of = {shaded: [kinds, dense, only, flat, steep], maximum: [black, white], average: [black, white], radiograph: [latitude, tube], surface: [iso]}, all = [kinds, dense, only, flat, steep, black, white, latitude, tube, iso];
+  const of = {shaded: [kinds, dense, only, flat, steep], maximum: [black, white], average: [black, white], radiograph: [latitude, inverted, tube], surface: [iso]}, all = [kinds, dense, only, flat, steep, black, white, latitude, inverted, tube, iso];
   const begin = cast => ({
     cast, ...(['maximum', 'average', 'radiograph'].includes(cast) ? {shows: 'volume'} : {}), ...(cast === 'surface' ? {iso: isos[0] ?? 0.5 * (air + dentine)} : {}),
     ...(cast === 'radiograph' ? {window: [air, dentine], attenuation: swallowed} : ['maximum', 'average'].includes(cast) ? {window: [air, high]} : {}),
@@ -56,6 +60,7 @@ function castControls(viewer) {
     black.show(look.window[0]);
     white.show(look.window[1]);
     latitude.show(look.latitude);
+    negative.checked = look.inverted;
     iso.show(look.iso);
   };
   return body;
@@ -94,9 +99,16 @@ function filmLengths(viewer) {
 function filmSection(viewer) {
   const {shadow} = viewer, on = element('input', {type: 'checkbox', id: 'film', onchange: e => viewer.setFilm(e.target.checked)});
   const latitude = told(t('White at attenuation'), {low: 0.5, high: 10, step: 0.1, value: 4}, value => { shadow.latitude = value; viewer.dress(); });
-  const body = element('div', {}, latitude, tubeControl(viewer), filmLengths(viewer));
+  const inverted = element('input', {type: 'checkbox', id: 'film-inverted', onchange: e => { shadow.inverted = e.target.checked; viewer.dress(); }});
+  const edged = element('input', {type: 'checkbox', id: 'film-edge', onchange: e => { shadow.size = e.target.checked ? filmSize : [0, 0]; viewer.dress(); }});
+  const ruler = new FilmRuler(viewer, () => shadow.on);
+  const switches = [[inverted, t('Inverted')], [edged, t('Film of 31 x 41 mm')]].map(([input, words]) => element('label', {class: 'switch'}, input, words));
+  const body = element('div', {}, latitude, ...switches, tubeControl(viewer), filmLengths(viewer), ruler.body);
   const show = () => {
+    if (!shadow.on) ruler.clear();
     on.checked = shadow.on;
+    inverted.checked = shadow.inverted;
+    edged.checked = shadow.size[0] > 0;
     body.hidden = !shadow.on;
     latitude.show(shadow.latitude);
   };
