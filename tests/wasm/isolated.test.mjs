@@ -49,7 +49,7 @@ for (const [how, headers, words] of [['isolated: several threads', isolating, /^
     }
     await page.click('#make');
     await page.waitForSelector('#cancel:not([hidden])');
-    await page.click('#cancel');
+    await page.$eval('#cancel', button => button.click());   // at once, while it is there
     await page.waitForSelector('#failure:not([hidden])');
     await page.click('.sample[value=incisor]');
     await page.waitForFunction(() => document.getElementById('given').textContent === 'incisor.json');
