@@ -42,6 +42,8 @@ headers_alone(CLI11::CLI11)
 headers_alone(glm::glm)
 headers_alone(TinyGLTF::TinyGLTF TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
 if(ODONTOSCOPE_WASM_THREADS)
+  find_program(ODONTOSCOPE_WASM_PYTHON NAMES python3 NO_CMAKE_FIND_ROOT_PATH REQUIRED)   # emscripten is written in it
+  set_property(GLOBAL PROPERTY RULE_LAUNCH_COMPILE "${ODONTOSCOPE_WASM_PYTHON} ${CMAKE_CURRENT_LIST_DIR}/catch_by_thread.py")
   add_compile_options(-pthread)
   include_directories(BEFORE SYSTEM ${CMAKE_CURRENT_LIST_DIR}/stand_ins_threads)
   add_library(tbb STATIC ${CMAKE_CURRENT_LIST_DIR}/stand_ins_threads/pool.cpp)

@@ -117,12 +117,17 @@ async function manyThreads(folder, threads) {
   return {make, module, threads, settings: {mainScriptUrlOrBlob: url('odontoscope.js').href, locateFile: name => url(name).href}};
 }
 
-/// Ends the threads that an instance has made besides the first.
-function endThreads(instance) {
-  if (!instance.PThread) return;
+/// Ends the threads that an instance has made besides the first. Nothing of theirs is given back to the instance's memory: some may be about to begin.
+async function endThreads(instance) {
+  const {PThread} = instance;
+  if (!PThread) return;
   instance.threads = 1;
   instance._odontoscope_be_alone();
-  instance.PThread.terminateAllThreads();
+  const workers = new Set([...PThread.unusedWorkers, ...PThread.runningWorkers, ...Object.values(PThread.pthreads).map(thread => thread?.worker)]);
+  await Promise.all([...workers].filter(Boolean).map(worker => {
+    worker.onmessage = worker.onerror = () => {};
+    return worker.terminate();
+  }));
 }
 
 /// The compiled engine. Each call is a run of its own: nothing is kept from one to the next but what `save` of a page's result holds, and an error in one is none in another.
@@ -150,7 +155,7 @@ export class Engine {
     FS.chdir(folder);
     const threads = this.threads > 1 && !line.includes('--threads') ? ['--threads', this.threads] : [];
     const result = ran(instance, [...threads, ...line], files);
-    endThreads(instance);
+    await endThreads(instance);
     // A page's model lives on with the instance, for as long as somebody holds the result.
     result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
       instance.onProgress = listener;
@@ -165,6 +170,7 @@ export class Engine {
       ...settings,
       threads,
       noInitialRun: true,
+      quit: (status, end) => { throw end; },   // else Node.js itself ends with the program's exit code
       thisProgram: 'odontoscope',
       print: text => instance.said.push(text),
       printErr: text => instance.complained.push(text),
