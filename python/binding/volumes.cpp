@@ -40,7 +40,7 @@ VolumeImage volume_of(const Voxels& voxels, const Vector3& spacing, const Vector
 VolumeImage read_image(const std::string& file, std::optional<Vector3> spacing, const std::string& series,
                        bool allow_outside, const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    return VolumeImage{std::make_shared<const Volume>(read_volume(file, {spacing, series, allow_outside}, progress))};
+    return VolumeImage{std::make_shared<const Volume>(read_volume(file, {.spacing = spacing, .series = series, .allow_outside = allow_outside}, progress))};
   });
 }
 
