@@ -7,7 +7,7 @@ namespace odontoscope::partition::limits {
 
 /// How far a point is raised off its slice, over the slab's height: little, since a face that ends becomes a step so high; where no number lies so near to the
 /// slice, by the second share. From both slices together less than the whole, with room between.
-inline constexpr double raise_share = 0.02, raise_share_narrow = 0.25;
+inline constexpr double raise_share = 0.05, raise_share_narrow = 0.25;
 /// Rounds in which one vertex may be mended by relabelling single parts of its link before the whole of its surroundings gets one label.
 inline constexpr std::size_t single_mends = 3;
 /// Structures of one partition: one bit each.
