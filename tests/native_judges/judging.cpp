@@ -46,7 +46,7 @@ const Reconstruction& Judge::tooth() const {
   const auto at = made.find(GetParam());
   if (at != made.end()) return at->second;
   const bool sample = GetParam() == Tooth::sample_molar;
-  return made.emplace(GetParam(), reconstruct(sample ? sample_tooth(ToothKind::molar) : ct_contours())).first->second;
+  return made.emplace(GetParam(), reconstruct(sample ? sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}) : ct_contours())).first->second;
 }
 
 std::string Judge::file_of(const Reconstruction& model, const std::string& name) const {

@@ -144,7 +144,11 @@ glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::
 }
 
 void ViewerTest::click_control(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
-  const glm::dvec2 place = control(label, inside, window);
+  glm::dvec2 place = control(label, inside, window);
+  for (int turns = 0; turns < 30 && place.y > static_cast<double>(size_.height) - 12; ++turns) {   // below what the panel shows
+    scroll(place.x, size_.height / 2.0, -1);
+    place = control(label, inside, window);
+  }
   click(place.x, place.y);
 }
 
