@@ -3,36 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "recon/core/union_find.h"
 #include "recon/mesh/exact_predicates.h"
+#include "recon/mesh/half_edges.h"
 
 namespace odontoscope {
 namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// An edge of a triangle, from its lower vertex to its higher one.
-struct Side {
-  PointIndex low = 0, high = 0;
-  std::uint32_t triangle = 0;
-  std::uint8_t corner = 0;    // that it leaves from, as the triangle runs
-  bool forward = false;       // the triangle runs from low to high
-};
-
-bool same_edge(const Side& a, const Side& b) { return a.low == b.low && a.high == b.high; }
+using Edge = std::span<const HalfEdge>;   // its half-edges: more than two
 
 class WallParting {
  public:
-  explicit WallParting(const SurfaceMesh& mesh) : mesh_(mesh), partner_(mesh.triangles.size(), none), corners_(3 * mesh.triangles.size()), surfaces_(mesh.triangles.size()) {}
+  explicit WallParting(const SurfaceMesh& mesh)
+      : mesh_(mesh), edges_(edge_mates(mesh)), partner_(mesh.triangles.size(), none), corners_(3 * mesh.triangles.size()), surfaces_(mesh.triangles.size()) {}
 
   std::size_t run(SurfaceMesh& parted) {
+    if (edges_.crowded.empty()) return 0;   // two that lie on each other by themselves are one surface
     const std::size_t walls = find_partners();
     if (walls == 0) return 0;
     join_along_edges();
@@ -73,92 +68,89 @@ class WallParting {
   }
 
   void join_along_edges() {
-    std::vector<Side> sides;
+    for (HalfEdge h = 0; h < edges_.mate.size(); ++h)
+      if (const HalfEdge mate = edges_.mate[h]; mate < EdgeMates::no_edge && h < mate) join(h, mate);
+    const Edge crowded = edges_.crowded;
+    for (std::size_t i = 0, end = 0; i < crowded.size(); i = end) {
+      while (end < crowded.size() && low(crowded[end]) == low(crowded[i]) && high(crowded[end]) == high(crowded[i])) ++end;
+      join_round(crowded.subspan(i, end - i));
+    }
+    join_beside_walls();
+  }
+
+  /// Vertices of no wall stay whole, and triangles without edges stay where they are.
+  void join_beside_walls() {
     std::vector<bool> on_wall(mesh_.points.size(), false);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Triangle& one = mesh_.triangles[t];
-      for (std::uint8_t i = 0; i < 3; ++i) {
-        const PointIndex a = one[i], b = one[(i + 1) % 3];
-        sides.push_back({std::min(a, b), std::max(a, b), t, i, a < b});
-        if (partner_[t] != none) on_wall[a] = true;
-      }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-      return std::array{a.low, a.high, a.triangle, std::uint32_t{a.corner}} < std::array{b.low, b.high, b.triangle, std::uint32_t{b.corner}};
-    });
-    for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-      while (end < sides.size() && same_edge(sides[end], sides[i])) ++end;
-      join({sides.begin() + static_cast<std::ptrdiff_t>(i), sides.begin() + static_cast<std::ptrdiff_t>(end)});
-    }
+    for (std::uint32_t t = 0; t < partner_.size(); ++t)
+      if (partner_[t] != none)
+        for (const PointIndex v : mesh_.triangles[t]) on_wall[v] = true;
     std::vector<std::uint32_t> first(mesh_.points.size(), none);
-    for (std::uint32_t c = 0; c < 3 * mesh_.triangles.size(); ++c) {
-      const PointIndex v = mesh_.triangles[c / 3][c % 3];
-      if (on_wall[v]) continue;
-      if (first[v] == none) first[v] = c;
-      corners_.join(first[v], c);
+    for (HalfEdge corner = 0; corner < 3 * mesh_.triangles.size(); ++corner) {
+      const PointIndex v = start(mesh_, corner);
+      if (first[v] == none) first[v] = corner;
+      if (!on_wall[v] || edges_.mate[corner] == EdgeMates::no_edge) corners_.join(first[v], corner);
     }
   }
 
-  void join(const std::vector<Side>& edge) {
-    const bool walled = std::any_of(edge.begin(), edge.end(), [&](const Side& side) { return partner_[side.triangle] != none; });
-    if (walled && edge.size() > 2) {
-      if (const auto pairs = pairs_of(edge)) {
-        for (const auto& [a, b] : *pairs) join(edge[a], edge[b]);
-        return;
-      }
+  void join_round(Edge edge) {
+    const bool walled = std::any_of(edge.begin(), edge.end(), [&](HalfEdge h) { return partner_[h / 3] != none; });
+    if (const auto pairs = walled ? pairs_of(edge) : std::nullopt) {
+      for (const auto& [a, b] : *pairs) join(a, b);
+      return;
     }
-    for (std::size_t i = 1; i < edge.size(); ++i) join(edge[0], edge[i]);
+    for (const HalfEdge h : edge) join(edge[0], h);
   }
 
-  void join(const Side& a, const Side& b) {
-    surfaces_.join(a.triangle, b.triangle);
-    corners_.join(corner(a, a.forward), corner(b, b.forward));
-    corners_.join(corner(a, !a.forward), corner(b, !b.forward));
+  void join(HalfEdge a, HalfEdge b) {
+    surfaces_.join(a / 3, b / 3);
+    const bool alike = start(mesh_, a) == start(mesh_, b);
+    corners_.join(a, alike ? b : next(b));
+    corners_.join(next(a), alike ? next(b) : b);
   }
 
-  /// Of the two ends of a side: the one that the triangle leaves from, or the other.
-  static std::uint32_t corner(const Side& side, bool leaving) { return 3 * side.triangle + (leaving ? side.corner : (side.corner + 1) % 3); }
-
-  PointIndex opposite(const Side& side) const { return mesh_.triangles[side.triangle][(side.corner + 2) % 3]; }
+  PointIndex low(HalfEdge h) const { return std::min(start(mesh_, h), end(mesh_, h)); }
+  PointIndex high(HalfEdge h) const { return std::max(start(mesh_, h), end(mesh_, h)); }
+  bool forward(HalfEdge h) const { return start(mesh_, h) == low(h); }
+  PointIndex opposite(HalfEdge h) const { return start(mesh_, previous(h)); }
+  bool lie(HalfEdge a, HalfEdge b) const { return partner_[a / 3] == b / 3; }
 
   /// Round an edge, turning about it from low to high, material begins at triangles that run backward and ends at those that run forward. So each of those
   /// belongs with the next of these; none if that is not clear.
-  std::optional<std::vector<std::pair<std::size_t, std::size_t>>> pairs_of(const std::vector<Side>& edge) const {
-    const std::optional<std::vector<std::size_t>> order = turning(edge);
+  std::optional<std::vector<std::pair<HalfEdge, HalfEdge>>> pairs_of(Edge edge) const {
+    const std::optional<std::vector<HalfEdge>> order = turning(edge);
     if (!order) return std::nullopt;
     const std::size_t count = order->size();
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    std::vector<std::pair<HalfEdge, HalfEdge>> pairs;
     std::size_t begin = 0;
-    while (begin < count && !(edge[(*order)[begin]].forward && !edge[(*order)[(begin + 1) % count]].forward)) ++begin;
+    while (begin < count && !(forward((*order)[begin]) && !forward((*order)[(begin + 1) % count]))) ++begin;
     if (begin == count) return std::nullopt;
     for (std::size_t i = 1; i <= count; i += 2) {
-      const std::size_t from = (*order)[(begin + i) % count], to = (*order)[(begin + i + 1) % count];
-      if (edge[from].forward || !edge[to].forward || partner_[edge[from].triangle] == edge[to].triangle) return std::nullopt;
+      const HalfEdge from = (*order)[(begin + i) % count], to = (*order)[(begin + i + 1) % count];
+      if (forward(from) || !forward(to) || lie(from, to)) return std::nullopt;
       pairs.emplace_back(from, to);
     }
     return pairs;
   }
 
   /// The triangles of an edge in order of their angle about it, of two that lie on each other the one that ends material first; none if others are level.
-  std::optional<std::vector<std::size_t>> turning(const std::vector<Side>& edge) const {
+  std::optional<std::vector<HalfEdge>> turning(Edge edge) const {
     if (edge.size() == 4)
       if (auto forced = the_only_way(edge)) return forced;
-    const Point3 &low = mesh_.points[edge[0].low], &high = mesh_.points[edge[0].high];
+    const Point3 &from = mesh_.points[low(edge[0])], &to = mesh_.points[high(edge[0])];
     const PointIndex first = opposite(edge[0]);
-    const auto about = [&](PointIndex from, PointIndex to) { return from == to ? 0 : orientation(low, high, mesh_.points[from], mesh_.points[to]); };
+    const auto about = [&](PointIndex a, PointIndex b) { return a == b ? 0 : orientation(from, to, mesh_.points[a], mesh_.points[b]); };
     bool level = false;
     const auto half = [&](PointIndex v) {
       const int turn = about(first, v);
       if (turn == 0 && v != first) level = true;
       return v == first ? 0 : (turn > 0 ? 1 : 2);
     };
-    std::vector<std::size_t> order(edge.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      const PointIndex va = opposite(edge[a]), vb = opposite(edge[b]);
+    std::vector<HalfEdge> order(edge.begin(), edge.end());
+    std::sort(order.begin(), order.end(), [&](HalfEdge a, HalfEdge b) {
+      const PointIndex va = opposite(a), vb = opposite(b);
       const int ha = half(va), hb = half(vb);
       if (ha != hb) return ha < hb;
-      if (va == vb) return std::pair{!edge[a].forward, a} < std::pair{!edge[b].forward, b};
+      if (va == vb) return std::pair{!forward(a), a} < std::pair{!forward(b), b};
       const int turn = about(va, vb);
       if (turn == 0) level = true;
       return turn != 0 ? turn > 0 : a < b;
@@ -168,14 +160,13 @@ class WallParting {
   }
 
   /// Of four triangles two lie on each other: each of them belongs with the other one that it can, whatever the angles.
-  std::optional<std::vector<std::size_t>> the_only_way(const std::vector<Side>& edge) const {
-    std::vector<std::size_t> forward, backward;
-    for (std::size_t i = 0; i < 4; ++i) (edge[i].forward ? forward : backward).push_back(i);
-    if (forward.size() != 2) return std::nullopt;
-    const auto lie = [&](std::size_t a, std::size_t b) { return partner_[edge[a].triangle] == edge[b].triangle; };
-    if (lie(forward[0], backward[1]) || lie(forward[1], backward[0])) std::swap(backward[0], backward[1]);
-    if (!lie(forward[0], backward[0]) && !lie(forward[1], backward[1])) return std::nullopt;
-    return std::vector<std::size_t>{forward[0], backward[0], forward[1], backward[1]};
+  std::optional<std::vector<HalfEdge>> the_only_way(Edge edge) const {
+    std::vector<HalfEdge> ends, begins;   // of material
+    for (const HalfEdge h : edge) (forward(h) ? ends : begins).push_back(h);
+    if (ends.size() != 2) return std::nullopt;
+    if (lie(ends[0], begins[1]) || lie(ends[1], begins[0])) std::swap(begins[0], begins[1]);
+    if (!lie(ends[0], begins[0]) && !lie(ends[1], begins[1])) return std::nullopt;
+    return std::vector<HalfEdge>{ends[0], begins[0], ends[1], begins[1]};
   }
 
   void number_anew(SurfaceMesh& parted) {
@@ -192,6 +183,7 @@ class WallParting {
   }
 
   const SurfaceMesh& mesh_;
+  const EdgeMates edges_;
   std::vector<std::uint32_t> partner_;
   UnionFind corners_, surfaces_;
 };
