@@ -11,9 +11,10 @@ using delaunay::SlabTetrahedron;
 
 namespace {
 
-double raise_share(double lower, double upper) {
+/// How far points are raised off slices at these heights.
+double raise_step(double lower, double upper) {
   const double step = limits::raise_share * (upper - lower);
-  return lower < lower + step && upper - step < upper ? limits::raise_share : limits::raise_share_narrow;
+  return lower < lower + step && upper - step < upper ? step : limits::raise_share_narrow * (upper - lower);
 }
 
 }  // namespace
@@ -24,8 +25,8 @@ SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& uppe
       tets_(std::move(tetrahedra)),
       offset_(static_cast<std::uint32_t>(lower.planar.points.size())),
       on_slices_(offset_ + static_cast<std::uint32_t>(upper.planar.points.size())),
-      raised_lower_(lower.z + raise_share(lower.z, upper.z) * (upper.z - lower.z)),
-      raised_upper_(upper.z - raise_share(lower.z, upper.z) * (upper.z - lower.z)),
+      raised_lower_(lower.z + raise_step(lower.z, upper.z)),
+      raised_upper_(upper.z - raise_step(lower.z, upper.z)),
       labels_(tets_.size(), void_label),
       raised_(on_slices_, false),
       changed_(2 * std::size_t{on_slices_}, true) {

@@ -6,13 +6,11 @@
 
 #include "recon/core/error.h"
 #include "recon/core/union_find.h"
+#include "recon/delaunay/planar.h"
 
 namespace odontoscope::partition {
-namespace {
 
-constexpr std::uint32_t no_triangle = 0xffffffffu;
-
-}  // namespace
+using delaunay::none;
 
 VertexLink::VertexLink(std::vector<LinkTriangle> triangles) : triangles_(std::move(triangles)) {
   number_corners();
@@ -34,13 +32,13 @@ void VertexLink::number_corners() {
 }
 
 void VertexLink::match_edges() {
-  across_.assign(triangles_.size(), {no_triangle, no_triangle, no_triangle});
+  across_.assign(triangles_.size(), {none, none, none});
   const auto match = [&](std::uint32_t one, std::uint32_t other) {   // 3 * triangle + side
     across_[one / 3][one % 3] = other / 3;
     across_[other / 3][other % 3] = one / 3;
   };
   constexpr std::size_t few = 64;   // a table of all pairs is small then
-  std::vector<std::uint32_t> seen(vertices_ <= few ? vertices_ * vertices_ : 0, no_triangle);
+  std::vector<std::uint32_t> seen(vertices_ <= few ? vertices_ * vertices_ : 0, none);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;   // corners as one number, and 3 * triangle + side
   for (std::uint32_t t = 0; t < triangles_.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -48,7 +46,7 @@ void VertexLink::match_edges() {
       const std::size_t edge = a * vertices_ + b;
       if (seen.empty()) {
         sides.emplace_back(static_cast<std::uint32_t>(edge), 3 * t + k);
-      } else if (seen[edge] == no_triangle) {
+      } else if (seen[edge] == none) {
         seen[edge] = 3 * t + k;
       } else {
         match(seen[edge], 3 * t + k);
@@ -75,16 +73,16 @@ bool VertexLink::is_disc(const Part& part) const {
   std::vector<std::uint8_t> used(vertices_, 0);
   std::vector<std::uint32_t> stack;
   std::size_t faces = 0, inner = 0;
-  std::uint32_t first = no_triangle;
+  std::uint32_t first = none;
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     if (!part.has(triangles_[t].label)) continue;
     ++faces;
-    if (first == no_triangle) first = t;
+    if (first == none) first = t;
     for (int k = 0; k < 3; ++k) {
       ++fans[corners_[t][k]];
       used[corners_[t][k]] = 1;
       const std::uint32_t other = across_[t][k];
-      if (other == no_triangle || other < t || !part.has(triangles_[other].label)) continue;
+      if (other == none || other < t || !part.has(triangles_[other].label)) continue;
       ++inner;
       --fans[corners_[t][(k + 1) % 3]];
       --fans[corners_[t][(k + 2) % 3]];
@@ -104,7 +102,7 @@ bool VertexLink::is_disc(const Part& part) const {
     stack.pop_back();
     ++reached;
     for (const std::uint32_t other : across_[t]) {
-      if (other == no_triangle || seen[other] || !part.has(triangles_[other].label)) continue;
+      if (other == none || seen[other] || !part.has(triangles_[other].label)) continue;
       seen[other] = 1;
       stack.push_back(other);
     }
@@ -125,7 +123,7 @@ std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<boo
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
     if (!in[t]) continue;
     for (int k = 0; k < 3; ++k) {
-      if (across_[t][k] == no_triangle) {
+      if (across_[t][k] == none) {
         if (with_outside) joined.join(t, outside);
       } else if (in[across_[t][k]]) {
         joined.join(t, across_[t][k]);
@@ -151,8 +149,8 @@ Label VertexLink::commonest_beside(const std::vector<std::uint32_t>& piece, bool
   std::map<Label, std::size_t> edges;
   for (const std::uint32_t t : piece)
     for (const std::uint32_t other : across_[t]) {
-      const Label beside = other == no_triangle ? void_label : triangles_[other].label;
-      if (other != no_triangle && in[other]) continue;
+      const Label beside = other == none ? void_label : triangles_[other].label;
+      if (other != none && in[other]) continue;
       if (!material || beside != void_label) ++edges[beside];
     }
   Label best = void_label;

@@ -227,9 +227,10 @@ void for_each_run(const PixelFiles& files, std::size_t count, const Progress& pr
 
 std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const Progress& progress) {
   std::vector<float> values;
-  check_pixel_files(files, count);
-  values.reserve(count);  // only as much of it is really taken as pixels come
-  for_each_run(files, count, progress, [&](const float* some, std::size_t how_many) { values.insert(values.end(), some, some + how_many); });
+  for_each_run(files, count, progress, [&](const float* some, std::size_t how_many) {
+    values.reserve(count);  // only as much of it is really taken as pixels come
+    values.insert(values.end(), some, some + how_many);
+  });
   return values;
 }
 
