@@ -12,6 +12,7 @@
 
 #include "engine/app/piped_process.h"
 #include "engine/gpu/graphics_error.h"
+#include "engine/picture/other_program.h"
 #include "engine/picture/png.h"
 #include "recon/core/error.h"
 

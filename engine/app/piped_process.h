@@ -50,9 +50,6 @@ class OwnFolder {
   std::string path_;
 };
 
-/// The programs of PATH by these names, the first that there is; empty: none.
-std::string program_in_path(const std::vector<std::string>& names);
-
 /// Is the user the machine's administrator, whom browsers refuse their sandbox?
 bool is_root();
 
