@@ -3,34 +3,23 @@
 
 #include <glm/geometric.hpp>
 
-#include "engine/gpu/context.h"
 #include "engine/headset/eye_painter.h"
 #include "engine/picture/png.h"
 #include "engine/view/offscreen.h"
+#include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
 #include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
-class Eyes : public ::testing::Test {
+class Eyes : public Drawing {
  protected:
   static constexpr PixelSize size{320, 300};
-  std::unique_ptr<GlContext> context;
   Framebuffer pixels[2];
 
-  void SetUp() override {
-    try {
-      context = make_context({.debug = true});
-    } catch (const GraphicsError& error) {
-      GTEST_SKIP() << "nothing can be drawn here: " << error.what();
-    }
+  void begin() override {
     for (Framebuffer& eye : pixels) eye = Framebuffer(context->gl(), {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
-  }
-  void TearDown() override {
-    if (!context) return;
-    for (const std::string& message : context->debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
-    EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
   std::vector<Image> seen(EyePainter& painter, const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
     const Target targets[2] = {{pixels[0].id(), 0, 0, size, true}, {pixels[1].id(), 0, 0, size, true}};

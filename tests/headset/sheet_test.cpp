@@ -10,10 +10,10 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "engine/gpu/context.h"
 #include "engine/headset/eye_painter.h"
 #include "engine/picture/png.h"
 #include "engine/view/offscreen.h"
+#include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
 #include "tests/render/shapes.h"
 
@@ -22,10 +22,9 @@ namespace {
 
 constexpr double tick = 1.0 / 90;
 
-class Sheet : public ::testing::Test {
+class Sheet : public Drawing {
  protected:
   static constexpr PixelSize size{800, 760};
-  std::unique_ptr<GlContext> context;
   std::unique_ptr<HeadsetSheet> sheet;
   const MolarWorld& molar = MolarWorld::once();
   const Model& model = molar.model;
@@ -35,19 +34,11 @@ class Sheet : public ::testing::Test {
   HeadsetInput input = person();
   Visit visit;
 
-  void SetUp() override {
-    try {
-      context = make_context({.debug = true});
-    } catch (const GraphicsError& error) {
-      GTEST_SKIP() << "nothing can be drawn here: " << error.what();
-    }
+  void begin() override {
     sheet = std::make_unique<HeadsetSheet>(context->gl(), ShaderLibrary{});
     step(3);
   }
-  void TearDown() override {
-    if (!context) return;
-    for (const std::string& message : context->debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
-    EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+  void finish() override {
     sheet.reset();
   }
   void step(int times = 1) {

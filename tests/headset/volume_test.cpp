@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 
-#include "engine/gpu/context.h"
 #include "engine/headset/eye_painter.h"
 #include "engine/view/offscreen.h"
+#include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
 
 namespace odontoscope::testing_support {
@@ -52,32 +52,21 @@ std::shared_ptr<const ValueGrid> balls_ct() {
   return std::make_shared<const ValueGrid>(std::move(grid));
 }
 
-class VolumeInTheHeadset : public ::testing::Test {
+class VolumeInTheHeadset : public Drawing {
  protected:
   static constexpr PixelSize size{160, 150};
   const BallWorld& balls = BallWorld::once();
   const std::shared_ptr<const ValueGrid> values = balls_ct();
-  std::unique_ptr<GlContext> context;
   Framebuffer pixels[2];
   HeadsetInput input = person();
   Visit visit;
 
-  void SetUp() override {
-    try {
-      context = make_context({.debug = true});
-    } catch (const GraphicsError& error) {
-      GTEST_SKIP() << "nothing can be drawn here: " << error.what();
-    }
+  void begin() override {
     for (Framebuffer& eye : pixels) eye = Framebuffer(context->gl(), {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
     input.hands = {};
     visit = stepped({}, input, balls.world(), {}, 0.01);
     visit.told = 0;
     visit.scene.volume.transfer = {{40, colour_of(0xc04030), 0}, {70, colour_of(0xc04030), 0.3}, {120, colour_of(0xeec488), 0.1}, {190, colour_of(0xf4f4ff), 0.6}};
-  }
-  void TearDown() override {
-    if (!context) return;
-    for (const std::string& message : context->debug_messages()) ADD_FAILURE() << "OpenGL says: " << message;
-    EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
   Target target(std::size_t eye) const { return {pixels[eye].id(), 0, 0, size, true}; }
 
