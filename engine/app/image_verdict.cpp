@@ -9,6 +9,7 @@
 
 #include "engine/app/words.h"
 #include "engine/picture/png.h"
+#include "recon/core/base64.h"
 #include "recon/output/html_text.h"
 
 namespace odontoscope::app {
@@ -73,7 +74,7 @@ bool is_small(const PixelBox& box, const Image& image) {
 
 std::string picture_data(const Image& image) {
   const std::string png = png_bytes(image);
-  return "data:image/png;base64," + base64({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+  return "data:image/png;base64," + base64(png);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "engine/gpu/graphics_error.h"
 #include "engine/picture/other_program.h"
 #include "engine/picture/png.h"
+#include "recon/core/base64.h"
 #include "recon/core/error.h"
 
 namespace odontoscope::app {
@@ -70,23 +71,6 @@ std::string url_of(const std::string& page) {
     url += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
   return url;
-}
-
-std::string from_base64(std::string_view text) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3);
-  unsigned held = 0, bits = 0;
-  for (const char letter : text) {
-    const std::size_t value = letters.find(letter);
-    if (value == letters.npos) break;
-    held = held << 6 | static_cast<unsigned>(value);
-    bits += 6;
-    if (bits < 8) continue;
-    bits -= 8;
-    bytes.push_back(static_cast<char>(held >> bits & 0xff));
-  }
-  return bytes;
 }
 
 }  // namespace
@@ -205,7 +189,7 @@ Image PageShots::shoot(const std::string& page, int width, int height) {
                                   ? "its script cannot be run"
                                   : drawn.value("/result/value"_json_pointer, "it was left");
   if (!failure.empty()) talk.fail(fmt::format("it says that it cannot be drawn: {}", failure));
-  const std::string png = from_base64(talk.ask("Page.captureScreenshot", {{"format", "png"}}).value("data", ""));
+  const std::string png = from_base64(talk.ask("Page.captureScreenshot", {{"format", "png"}}).value("data", "")).value_or("");
   talk.attach("");
   talk.ask("Target.closeTarget", {{"targetId", target}});
   const std::string file = (std::filesystem::path(talk.folder()) / "shot.png").string();

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/web/gzip.h"
+#include "recon/core/base64.h"
 #include "recon/core/error.h"
 #include "recon/output/html_text.h"
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "recon/core/base64.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/read_file.h"
@@ -16,33 +18,6 @@ namespace odontoscope::gltf {
 namespace {
 
 using nlohmann::json;
-
-/// Of one of 64 characters (RFC 4648, the URL's alphabet too); -1 for any other.
-int six_bits(char c) {
-  if (c >= 'A' && c <= 'Z') return c - 'A';
-  if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-  if (c >= '0' && c <= '9') return c - '0' + 52;
-  if (c == '+' || c == '-') return 62;
-  return c == '/' || c == '_' ? 63 : -1;
-}
-
-std::string from_base64(const Glb& glb, std::string_view text) {
-  while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-  std::string bytes;
-  bytes.reserve(text.size() / 4 * 3 + 3);
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    const int six = six_bits(c);
-    if (six < 0) glb.refuse("unparsable", "a buffer's data is not in base64");
-    bits = bits << 6 | static_cast<std::uint32_t>(six);
-    count += 6;
-    if (count < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> count & 0xff);
-  }
-  return bytes;
-}
 
 int hex_digit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
@@ -65,7 +40,10 @@ std::string from_data_uri(const Glb& glb, std::string_view uri) {
   const std::size_t comma = uri.find(',');
   if (comma == uri.npos) glb.refuse("unparsable", "a data URI has no comma");
   const std::string_view data = uri.substr(comma + 1);
-  return uri.substr(0, comma).ends_with(";base64") ? from_base64(glb, data) : unescaped(data);
+  if (!uri.substr(0, comma).ends_with(";base64")) return unescaped(data);
+  std::optional<std::string> bytes = from_base64(data);
+  if (!bytes) glb.refuse("unparsable", "a buffer's data is not in base64");
+  return std::move(*bytes);
 }
 
 bool leads_below(const std::filesystem::path& folder, const std::filesystem::path& file) {

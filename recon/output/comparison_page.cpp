@@ -1,3 +1,4 @@
+#include "recon/core/base64.h"
 #include "recon/output/comparison_page.h"
 
 #include <fmt/format.h>

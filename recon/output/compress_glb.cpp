@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "recon/core/error.h"
-#include "recon/output/base64.h"
+#include "recon/core/base64.h"
 #include "recon/output/little_endian.h"
 
 namespace odontoscope {

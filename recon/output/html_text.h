@@ -1,8 +1,6 @@
 #pragma once
 // What the writers of web pages have in common.
 
-#include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,8 +8,5 @@ namespace odontoscope {
 
 /// Text as text, in an element or in a quoted attribute, whatever is in it.
 std::string escaped_html(std::string_view text);
-
-/// RFC 4648, padded, in one line.
-std::string base64(std::span<const std::uint8_t> bytes);
 
 }  // namespace odontoscope

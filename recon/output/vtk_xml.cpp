@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "recon/output/base64.h"
+#include "recon/core/base64.h"
 #include "recon/output/little_endian.h"
 #include "recon/output/text_values.h"
 

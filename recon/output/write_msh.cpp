@@ -123,7 +123,7 @@ std::string nodes(const std::vector<Part>& parts) {
   return text + "$EndNodes\n";
 }
 
-std::string elements(const std::vector<Part>& parts) {
+std::string elements_of(const std::vector<Part>& parts) {
   std::size_t blocks = 0, count = 0;
   std::string text;
   const auto add = [&](std::size_t first_node, const auto& corners) {
@@ -244,7 +244,7 @@ std::string msh_text(const Reconstruction& reconstruction) {
   return "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n" +
          fmt::format("$Comments\nmade by odontoscope; millimetres; {}\n$EndComments\n",
                      certificate_in_words(WrittenModel(reconstruction))) +
-         names(parts) + entities(parts) + nodes(parts) + elements(parts);
+         names(parts) + entities(parts) + nodes(parts) + elements_of(parts);
 }
 
 }  // namespace odontoscope
