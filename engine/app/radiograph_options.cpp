@@ -16,6 +16,7 @@
 #include "engine/app/options.h"
 #include "engine/app/tell_volume.h"
 #include "engine/app/words.h"
+#include "engine/scene/volume_look.h"
 #include "recon/radiograph/film.h"
 #include "recon/radiograph/length_inside.h"
 #include "recon/radiograph/sum_through.h"
@@ -25,8 +26,6 @@
 namespace odontoscope::app {
 namespace {
 
-/// Intraoral film of size 2, upright.
-constexpr glm::dvec2 usual_film_mm{31, 41};
 /// From the focus to the film, as of a long tube.
 constexpr double usual_focus_mm = 400;
 constexpr double usual_pixel_mm = 0.05;

@@ -134,7 +134,7 @@ void refuse_senseless(const WebWords& words) {
   if (words.db.any() && !words.with_db) throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --db");
   refuse_senseless(words.look);
   greys_from(words.grey);
-  if (!words.with_volume() && !(words.look.cast + words.look.transfer + words.look.slopes + words.grey).empty())
+  if (!words.with_volume() && (words.look.any_of_volume() || !words.grey.empty()))
     throw UsageError("--cast, --transfer and --grey are about a volume's grey values", "Put them into the page: --show volume, or --show both.");
   if (words.with_volume() && words.input.empty()) throw UsageError("only a volume has grey values to show", "Name one, with --show volume, or with --iso and --show both.");
   if (words.alone()) {

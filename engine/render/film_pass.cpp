@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <glm/matrix.hpp>
 
+#include "engine/scene/model.h"
+
 namespace odontoscope {
 
 namespace {
 
-constexpr float metres_to_mm = 1000;
+constexpr auto metres_to_mm = static_cast<float>(1 / metres_per_mm);
 constexpr float nothing_left = 1e-3f;   // 1/mm
 
 /// The section's plane as the eye has it; the eye does not scale.

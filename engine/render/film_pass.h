@@ -2,7 +2,6 @@
 // The X-ray film of a model: each ray's length inside each solid, times what a millimetre of its tissue swallows (GpuPart::attenuation). The camera is the tube's focus. Of solids alone: a
 // volume's film is engine/raycast's.
 
-#include <map>
 #include <optional>
 
 #include "engine/gpu/program.h"

@@ -28,6 +28,9 @@ struct Slopes {
   friend bool operator==(const Slopes&, const Slopes&) = default;
 };
 
+/// Of intraoral film, size 2, upright.
+inline constexpr glm::dvec2 usual_film_mm{31, 41};
+
 struct VolumeLook {
   enum class Shows { surfaces, volume, both };
   /// Shaded: emission and absorption after the transfer function. Maximum and average: along the ray, of the values' places in the window; radiograph: what is

@@ -9,6 +9,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "engine/measure/film_length.h"
+#include "engine/scene/vector.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 
@@ -16,9 +17,6 @@ namespace odontoscope {
 namespace {
 
 constexpr double farthest_swing_deg = 40;
-/// Intraoral film of size 2, upright.
-constexpr glm::dvec2 usual_film_mm{31, 41};
-
 /// How far the camera stands to the right of buccal, seen from there.
 double swing_of(const Camera& camera) {
   const AnatomicalFrame tooth;
@@ -32,8 +30,8 @@ bool film_possible(const LoadedModel& shown) {
 
 std::vector<glm::dvec3> points_of(const CentreLine& line) {
   std::vector<glm::dvec3> points;
-  for (const CentrePoint& point : line.points) points.emplace_back(point.at.x, point.at.y, point.at.z);
-  points.emplace_back(line.end.x, line.end.y, line.end.z);
+  for (const CentrePoint& point : line.points) points.push_back(vec(point.at));
+  points.push_back(vec(line.end));
   return points;
 }
 

@@ -61,7 +61,7 @@ PageWords page_words(const py::dict& given) {
   words.look = {text("show"), text("cast"), text("transfer")};
   app::refuse_senseless(words.look);
   app::greys_from(words.grey);
-  if (!words.with_volume() && !(words.look.cast + words.look.transfer + words.grey).empty())
+  if (!words.with_volume() && (words.look.any_of_volume() || !words.grey.empty()))
     throw UsageError("cast, transfer and grey are about a volume's grey values", "Put them into the page: show=\"volume\" or show=\"both\"");
   return words;
 }
