@@ -1,16 +1,22 @@
 // The page's picture, pixel by pixel, against what rays say lies there.
 import assert from 'node:assert/strict';
 import {after, test} from 'node:test';
-import {browser, made, needPackages, openedIn, pageOrSkip} from './support.mjs';
+import {browser, made, needPackages, odontoscope, openedIn, pageOrSkip} from './support.mjs';
 
 needPackages();
 const chromium = await browser();
 after(() => chromium.close());
 pageOrSkip('--triangles', '6000', '-o', 'layers.html');
-const {page, watched} = await openedIn(chromium, made('layers.html'), {size: {width: 680, height: 240}});
+const {page, watched} = await opened('layers.html');
+
+async function opened(name) {
+  const window = await openedIn(chromium, made(name), {size: {width: 680, height: 240}});
+  await window.page.evaluate(prepare);
+  return window;
+}
 
 /// What is on a ray, found by looking at every triangle; and the light of one thing on it alone, drawn between two planes of its own.
-await page.evaluate(() => {
+function prepare() {
   const {renderer} = viewer, V = viewer.bounds.centre.constructor;
   globalThis.Vector = V;
 
@@ -57,13 +63,13 @@ await page.evaluate(() => {
     return last < 0 ? hits : hits.slice(0, last + 1);
   };
 
-  /// Pixels whose rays meet several things, well apart: {place, hits}, no more than `count`.
-  globalThis.pixelsWithLayers = (camera, count) => {
+  /// Pixels whose rays meet so many `layers` or more, well apart: {place, hits}, no more than `count`.
+  globalThis.pixelsWithLayers = (camera, count, layers) => {
     const {width, height} = viewer.canvas, found = [];
     for (let k = 0; k < 6000 && found.length < count; ++k) {
       const place = {x: Math.floor(width * (0.2 + 0.6 * ((0.5 + k * 0.7548776662) % 1))), y: Math.floor(height * (0.1 + 0.8 * ((0.5 + k * 0.5698402910) % 1)))};
       const hits = hitsAt(camera, place);
-      if (hits.length < 3 || !hits.every((hit, i) => i === 0 || hit.deep - hits[i - 1].deep > 0.05)) continue;
+      if (hits.length < layers || !hits.every((hit, i) => i === 0 || hit.deep - hits[i - 1].deep > 0.05)) continue;
       // Where the neighbours meet the same things the pixel lies on no edge.
       const alike = [[-1, 0], [1, 0], [0, -1], [0, 1]].every(([dx, dy]) => {
         const there = hitsAt(camera, {x: place.x + dx, y: place.y + dy});
@@ -75,7 +81,7 @@ await page.evaluate(() => {
   };
 
   /// The light at these pixels, as drawn and as computed from each thing's own, and how many things there are.
-  globalThis.compared = (camera, count) => pixelsWithLayers(camera, count).map(({place, hits}) => {
+  globalThis.compared = (camera, count, layers = 3) => pixelsWithLayers(camera, count, layers).map(({place, hits}) => {
     const way = {layers: true, shade: false}, drawn = lightAt(camera, place, way), nearest = lightAt(camera, place, {layers: false, shade: false});
     const sum = [0, 0, 0, 0];
     viewer.picture.layers.counter.limit = 3;   // one thing alone needs no more
@@ -98,7 +104,19 @@ await page.evaluate(() => {
     camera.updateMatrixWorld();
     return camera;
   };
-});
+
+  /// In the pulp chamber, where the first tour is soon after its start.
+  globalThis.within = () => {
+    const camera = settled();
+    camera.position.copy(viewer.tours[0].place(0));
+    camera.near = 0.02;
+    camera.fov = 70;
+    camera.lookAt(camera.position.clone().add(new V(0.3, 1, 0.2)));
+    camera.updateProjectionMatrix();
+    camera.updateMatrixWorld();
+    return camera;
+  };
+}
 
 function allMatch(pixels, what) {
   assert.ok(pixels.length >= 3, `${what}: only ${pixels.length} pixels`);
@@ -136,23 +154,23 @@ test('cut open, with caps that are seen through', async () => {
   assert.ok(pixels.some(({things}) => things.some(thing => thing.includes('(cap)'))), JSON.stringify(pixels));
 });
 
-test('from within the pulp', async () => {
-  const pixels = await page.evaluate(() => {
-    const camera = settled();
-    camera.position.copy(viewer.tours[0].place(0));
-    camera.near = 0.02;
-    camera.fov = 70;
-    camera.lookAt(camera.position.clone().add(new Vector(0.3, 1, 0.2)));
-    camera.updateProjectionMatrix();
-    camera.updateMatrixWorld();
+test('from within the pulp: the walls of the chamber, and enamel behind them', async () => {
+  const pixels = await page.evaluate(() => compared(within(), 3, 2));
+  allMatch(pixels, 'within');
+  assert.ok(pixels.every(({things}) => things[0] === 'dentine cavity' && things.at(-1) === 'enamel'), JSON.stringify(pixels));
+});
+
+test('from within the pulp, seen from both sides', async () => {
+  odontoscope('sample', 'molar', '--apart', '-o', 'apart.json');   // where walls are shared, a ray meets two faces in one place
+  pageOrSkip('apart.json', '--triangles', '6000', '-o', 'apart.html');
+  const apart = await opened('apart.html'), pixels = await apart.page.evaluate(() => {
     viewer.setFaces('show');
     viewer.setLook('pulp', {opacity: 0.3});
-    const made = compared(camera, 3);
-    viewer.setFaces('cull');
-    viewer.setLook('pulp', {opacity: 1});
-    return made;
+    return compared(within(), 3);
   });
-  allMatch(pixels, 'within');
+  allMatch(pixels, 'within, from both sides');
+  assert.deepEqual(apart.watched, []);
+  await apart.page.close();
 });
 
 test('hollows are darker, nothing is lighter, and it can be switched off', async () => {
