@@ -189,7 +189,8 @@ Image PageShots::shoot(const std::string& page, int width, int height) {
                                   ? "its script cannot be run"
                                   : drawn.value("/result/value"_json_pointer, "it was left");
   if (!failure.empty()) talk.fail(fmt::format("it says that it cannot be drawn: {}", failure));
-  const std::string png = from_base64(talk.ask("Page.captureScreenshot", {{"format", "png"}}).value("data", "")).value_or("");
+  const std::string png =
+      from_base64(talk.ask("Page.captureScreenshot", {{"format", "png"}}).value("data", "")).value_or("");
   talk.attach("");
   talk.ask("Target.closeTarget", {{"targetId", target}});
   const std::string file = (std::filesystem::path(talk.folder()) / "shot.png").string();

@@ -34,7 +34,10 @@ struct PipedProcess::Ends {
 PipedProcess::PipedProcess(const std::vector<std::string>& words) : ends_(std::make_unique<Ends>()) {
   Ends& ends = *ends_;
   const bool ready = ends.to.childs.number() >= 0 && ends.from.childs.number() >= 0 && ends.said.number() >= 0;
-  const int error = ready ? ends.program.start(words, {{ends.said.number(), STDERR_FILENO}, {ends.to.childs.number(), child_reads}, {ends.from.childs.number(), child_writes}}) : errno;
+  const int error = ready ? ends.program.start(words, {{ends.said.number(), STDERR_FILENO},
+                                                       {ends.to.childs.number(), child_reads},
+                                                       {ends.from.childs.number(), child_writes}})
+                          : errno;
   ends.to.childs.close();
   ends.from.childs.close();
   if (error != 0 || !ready)

@@ -15,8 +15,10 @@ constexpr double most_at_once = 2, less_at_once = 0.95;
 void VolumePace::took(double drawing_seconds, double beat_seconds) {
   if (!(drawing_seconds > 0) || !(beat_seconds > 0)) return;
   const double share = drawing_seconds / beat_seconds;
-  if (share > most_share) coarseness_ *= std::min(share / most_share, most_at_once);
-  else if (share < easy_share) coarseness_ *= less_at_once;
+  if (share > most_share)
+    coarseness_ *= std::min(share / most_share, most_at_once);
+  else if (share < easy_share)
+    coarseness_ *= less_at_once;
   coarseness_ = std::clamp(coarseness_, 1.0, coarsest);
 }
 

@@ -18,8 +18,10 @@ double length_on_film(std::span<const glm::dvec3> points, const Camera& camera, 
   for (const glm::dvec3& point : points) {
     const glm::dvec3 way = point - camera.position;
     const double depth = glm::dot(way, ahead);
-    if (camera.projection == Camera::Projection::parallel) shadow.push_back(way - depth * ahead);
-    else if (depth > 0) shadow.push_back(film / depth * way);
+    if (camera.projection == Camera::Projection::parallel)
+      shadow.push_back(way - depth * ahead);
+    else if (depth > 0)
+      shadow.push_back(film / depth * way);
   }
   return length_of(shadow);
 }

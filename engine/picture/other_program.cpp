@@ -104,8 +104,10 @@ int OtherProgram::start(std::vector<std::string> words, const std::vector<std::p
 bool OtherProgram::ended(int& status) {
   const pid_t ended = ::waitpid(child_, &status, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return false;
-  if (ended < 0) status = -1;
-  else ::kill(-child_, SIGKILL);   // what it left behind
+  if (ended < 0)
+    status = -1;
+  else
+    ::kill(-child_, SIGKILL);  // what it left behind
   child_ = -1;
   return true;
 }
@@ -118,7 +120,8 @@ std::string program_in_path(const std::vector<std::string>& names) {
       const std::size_t end = std::min(folders.find(':', at), folders.size());
       const std::filesystem::path program = std::filesystem::path(folders.substr(at, end - at)) / name;
       std::error_code error;
-      if (end > at && std::filesystem::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0) return program.string();
+      if (end > at && std::filesystem::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0)
+        return program.string();
       at = end + 1;
     }
   return {};

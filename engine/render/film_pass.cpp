@@ -10,7 +10,7 @@ namespace odontoscope {
 namespace {
 
 constexpr auto metres_to_mm = static_cast<float>(1 / metres_per_mm);
-constexpr float nothing_left = 1e-3f;   // 1/mm
+constexpr float nothing_left = 1e-3f;  // 1/mm
 
 /// The section's plane as the eye has it; the eye does not scale.
 glm::vec4 in_eye_space(const glm::vec4& plane, const glm::mat4& world_to_eye) {
@@ -27,15 +27,20 @@ bool counts(const GpuPart& part, const Scene& scene) {
 }  // namespace
 
 bool shows_film_of_model(const Scene& scene, const GpuModel& model) {
-  return scene.volume.shows_volume() && scene.volume.cast == VolumeLook::Cast::radiograph && std::any_of(model.parts.begin(), model.parts.end(), [](const GpuPart& part) { return part.attenuation > 0; });
+  return scene.volume.shows_volume() && scene.volume.cast == VolumeLook::Cast::radiograph &&
+         std::any_of(model.parts.begin(), model.parts.end(), [](const GpuPart& part) { return part.attenuation > 0; });
 }
 
-FilmPass::FilmPass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), shaders_(shaders), no_vertices_(make_vertex_array(gl)) {}
+FilmPass::FilmPass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), shaders_(shaders), no_vertices_(make_vertex_array(gl)) {}
 
 void FilmPass::draw(const FramePlan& plan, const GpuModel& model, const Scene& scene, const Framebuffer& picture) {
-  if (!programs_) programs_ = Programs{Program(*gl_, shaders_, {"film_faces.vert", "film_faces.frag"}), Program(*gl_, shaders_, {"fullscreen.vert", "film.frag"})};
+  if (!programs_)
+    programs_ = Programs{Program(*gl_, shaders_, {"film_faces.vert", "film_faces.frag"}),
+                         Program(*gl_, shaders_, {"fullscreen.vert", "film.frag"})};
   if (sums_.size() != plan.size) sums_ = Framebuffer(*gl_, {plan.size, {GL_RG32F}});
-  const float middle = plan.parallel ? -(plan.view.world_to_eye * glm::vec4(model.centre, 1)).z : glm::length(glm::vec3(plan.view.world_to_eye * glm::vec4(model.centre, 1)));
+  const float middle = plan.parallel ? -(plan.view.world_to_eye * glm::vec4(model.centre, 1)).z
+                                     : glm::length(glm::vec3(plan.view.world_to_eye * glm::vec4(model.centre, 1)));
   constexpr GLfloat nothing[4] = {0, 0, 0, 0};
   gl_->Disable(GL_SCISSOR_TEST);
   sums_.bind();

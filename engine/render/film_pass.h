@@ -1,6 +1,6 @@
 #pragma once
-// The X-ray film of a model: each ray's length inside each solid, times what a millimetre of its tissue swallows (GpuPart::attenuation). The camera is the tube's focus. Of solids alone: a
-// volume's film is engine/raycast's.
+// The X-ray film of a model: each ray's length inside each solid, times what a millimetre of its tissue swallows
+// (GpuPart::attenuation). The camera is the tube's focus. Of solids alone: a volume's film is engine/raycast's.
 
 #include <optional>
 
@@ -14,8 +14,9 @@ class FilmPass {
   /// Programs are compiled when they are needed first.
   FilmPass(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Covers `picture` with greys, beside the film, which hangs at the model's middle, with one. Solids that the scene does not show let rays through; what the plan's section cuts away does, too.
-  /// Precondition: surfaces are closed and wound outwards, and the eye is outside of them.
+  /// Covers `picture` with greys, beside the film, which hangs at the model's middle, with one. Solids that the scene
+  /// does not show let rays through; what the plan's section cuts away does, too. Precondition: surfaces are closed and
+  /// wound outwards, and the eye is outside of them.
   void draw(const FramePlan& plan, const GpuModel& model, const Scene& scene, const Framebuffer& picture);
 
  private:
@@ -29,7 +30,8 @@ class FilmPass {
   Framebuffer sums_;
 };
 
-/// Is the film of the model wanted, since there is no volume to cast rays through, and is anything known of what it is made of?
+/// Is the film of the model wanted, since there is no volume to cast rays through, and is anything known of what it is
+/// made of?
 bool shows_film_of_model(const Scene& scene, const GpuModel& model);
 
 }  // namespace odontoscope

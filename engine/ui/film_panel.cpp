@@ -25,7 +25,9 @@ double swing_of(const Camera& camera) {
 }
 
 bool film_possible(const LoadedModel& shown) {
-  return shown.certificate.verdict != Certificate::Verdict::wanting && std::any_of(shown.model.parts.begin(), shown.model.parts.end(), [](const ModelPart& part) { return part.attenuation > 0; });
+  return shown.certificate.verdict != Certificate::Verdict::wanting &&
+         std::any_of(shown.model.parts.begin(), shown.model.parts.end(),
+                     [](const ModelPart& part) { return part.attenuation > 0; });
 }
 
 std::vector<glm::dvec3> points_of(const CentreLine& line) {
@@ -40,7 +42,8 @@ void lengths_on_film(const ViewerState& state, const Interface& interface) {
   const std::vector<CentreLine>& canals = state.shown->flight->cavities.front().lines.canals;
   if (canals.empty() || !ImGui::BeginTable("##lengths", 3)) return;
   ImGui::TableSetupColumn("##line", ImGuiTableColumnFlags_WidthStretch);
-  for (const char* column : {"##film", "##true"}) ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, widgets::scaled(62));
+  for (const char* column : {"##film", "##true"})
+    ImGui::TableSetupColumn(column, ImGuiTableColumnFlags_WidthFixed, widgets::scaled(62));
   const auto cell = [&](const std::string& words) {
     ImGui::TableNextColumn();
     widgets::text(words);
@@ -53,7 +56,10 @@ void lengths_on_film(const ViewerState& state, const Interface& interface) {
     cell(fmt::format("{:.1f} mm", length_of(points)));
   }
   ImGui::EndTable();
-  widgets::remark(interface, "From the chamber to the end of the root. The film hangs at the middle of the tooth, square to the rays: what leans towards the tube or away from it is shown shorter, what lies nearer the tube larger.");
+  widgets::remark(
+      interface,
+      "From the chamber to the end of the root. The film hangs at the middle of the tooth, square to the rays: what "
+      "leans towards the tube or away from it is shown shorter, what lies nearer the tube larger.");
 }
 
 }  // namespace
@@ -61,8 +67,11 @@ void lengths_on_film(const ViewerState& state, const Interface& interface) {
 void tube_controls(ViewerState& state, const Interface& interface) {
   widgets::toggle("Inverted", state.scene.volume.inverted);
   double swing = std::clamp(std::round(swing_of(state.scene.camera)), -farthest_swing_deg, farthest_swing_deg);
-  if (widgets::slider("Tube swung by", swing, -farthest_swing_deg, farthest_swing_deg, "%.0f\xC2\xB0")) state.tube_asked = std::round(swing);
-  widgets::remark(interface, "Same lingual, opposite buccal: of two canals that lie one behind the other, the one that moves with the tube lies lingually.");
+  if (widgets::slider("Tube swung by", swing, -farthest_swing_deg, farthest_swing_deg, "%.0f\xC2\xB0"))
+    state.tube_asked = std::round(swing);
+  widgets::remark(interface,
+                  "Same lingual, opposite buccal: of two canals that lie one behind the other, the one that moves with "
+                  "the tube lies lingually.");
   lengths_on_film(state, interface);
 }
 

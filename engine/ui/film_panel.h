@@ -1,5 +1,6 @@
 #pragma once
-// The panel's controls of an X-ray film: of the model where there is no CT, and for either how the tube stands and how long canals are on the film.
+// The panel's controls of an X-ray film: of the model where there is no CT, and for either how the tube stands and how
+// long canals are on the film.
 
 #include "engine/ui/interface.h"
 #include "engine/ui/viewer_state.h"

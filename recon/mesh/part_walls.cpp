@@ -19,15 +19,19 @@ namespace {
 
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-using Edge = std::span<const HalfEdge>;   // its half-edges: more than two
+using Edge = std::span<const HalfEdge>;  // its half-edges: more than two
 
 class WallParting {
  public:
   explicit WallParting(const SurfaceMesh& mesh)
-      : mesh_(mesh), edges_(edge_mates(mesh)), partner_(mesh.triangles.size(), none), corners_(3 * mesh.triangles.size()), surfaces_(mesh.triangles.size()) {}
+      : mesh_(mesh),
+        edges_(edge_mates(mesh)),
+        partner_(mesh.triangles.size(), none),
+        corners_(3 * mesh.triangles.size()),
+        surfaces_(mesh.triangles.size()) {}
 
   std::size_t run(SurfaceMesh& parted) {
-    if (edges_.crowded.empty()) return 0;   // two that lie on each other by themselves are one surface
+    if (edges_.crowded.empty()) return 0;  // two that lie on each other by themselves are one surface
     const std::size_t walls = find_partners();
     if (walls == 0) return 0;
     join_along_edges();
@@ -72,7 +76,8 @@ class WallParting {
       if (const HalfEdge mate = edges_.mate[h]; mate < EdgeMates::no_edge && h < mate) join(h, mate);
     const Edge crowded = edges_.crowded;
     for (std::size_t i = 0, end = 0; i < crowded.size(); i = end) {
-      while (end < crowded.size() && low(crowded[end]) == low(crowded[i]) && high(crowded[end]) == high(crowded[i])) ++end;
+      while (end < crowded.size() && low(crowded[end]) == low(crowded[i]) && high(crowded[end]) == high(crowded[i]))
+        ++end;
       join_round(crowded.subspan(i, end - i));
     }
     join_beside_walls();
@@ -114,8 +119,8 @@ class WallParting {
   PointIndex opposite(HalfEdge h) const { return start(mesh_, previous(h)); }
   bool lie(HalfEdge a, HalfEdge b) const { return partner_[a / 3] == b / 3; }
 
-  /// Round an edge, turning about it from low to high, material begins at triangles that run backward and ends at those that run forward. So each of those
-  /// belongs with the next of these; none if that is not clear.
+  /// Round an edge, turning about it from low to high, material begins at triangles that run backward and ends at those
+  /// that run forward. So each of those belongs with the next of these; none if that is not clear.
   std::optional<std::vector<std::pair<HalfEdge, HalfEdge>>> pairs_of(Edge edge) const {
     const std::optional<std::vector<HalfEdge>> order = turning(edge);
     if (!order) return std::nullopt;
@@ -132,13 +137,16 @@ class WallParting {
     return pairs;
   }
 
-  /// The triangles of an edge in order of their angle about it, of two that lie on each other the one that ends material first; none if others are level.
+  /// The triangles of an edge in order of their angle about it, of two that lie on each other the one that ends
+  /// material first; none if others are level.
   std::optional<std::vector<HalfEdge>> turning(Edge edge) const {
     if (edge.size() == 4)
       if (auto forced = the_only_way(edge)) return forced;
     const Point3 &from = mesh_.points[low(edge[0])], &to = mesh_.points[high(edge[0])];
     const PointIndex first = opposite(edge[0]);
-    const auto about = [&](PointIndex a, PointIndex b) { return a == b ? 0 : orientation(from, to, mesh_.points[a], mesh_.points[b]); };
+    const auto about = [&](PointIndex a, PointIndex b) {
+      return a == b ? 0 : orientation(from, to, mesh_.points[a], mesh_.points[b]);
+    };
     bool level = false;
     const auto half = [&](PointIndex v) {
       const int turn = about(first, v);
@@ -161,7 +169,7 @@ class WallParting {
 
   /// Of four triangles two lie on each other: each of them belongs with the other one that it can, whatever the angles.
   std::optional<std::vector<HalfEdge>> the_only_way(Edge edge) const {
-    std::vector<HalfEdge> ends, begins;   // of material
+    std::vector<HalfEdge> ends, begins;  // of material
     for (const HalfEdge h : edge) (forward(h) ? ends : begins).push_back(h);
     if (ends.size() != 2) return std::nullopt;
     if (lie(ends[0], begins[1]) || lie(ends[1], begins[0])) std::swap(begins[0], begins[1]);
@@ -199,7 +207,8 @@ std::size_t part_walls(SurfaceMesh& mesh) {
 
 void part_walls_told(NamedMesh& mesh) {
   if (const std::size_t walls = part_walls(mesh.surface))
-    mesh.remarks.push_back(fmt::format("{} of its triangles lie on each other, face to face: surfaces that share walls were parted there", walls));
+    mesh.remarks.push_back(fmt::format(
+        "{} of its triangles lie on each other, face to face: surfaces that share walls were parted there", walls));
 }
 
 }  // namespace odontoscope

@@ -19,8 +19,10 @@ Materials materials_of(const ContourStack& stack, const std::vector<std::string>
   Place place;
   place.file = stack.source;
   if (count > limits::most_structures)
-    throw InputError("too-many-structures", place, fmt::format("a partition of {} structures; at most {} are supported", count, limits::most_structures),
-                     "Leave some out, or reconstruct them independently");
+    throw InputError(
+        "too-many-structures", place,
+        fmt::format("a partition of {} structures; at most {} are supported", count, limits::most_structures),
+        "Leave some out, or reconstruct them independently");
   for (const std::string& name : priority)
     if (std::find(materials.structures.begin(), materials.structures.end(), name) == materials.structures.end())
       throw InputError("unknown-structure", place, fmt::format("no structure is called \"{}\"", name),

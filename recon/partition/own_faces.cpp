@@ -12,7 +12,9 @@ ContourStack own_faces(const ContourStack& stack, const std::vector<Borders>& bo
   for (std::size_t k = 0; k < borders.size(); ++k) {
     Slice slice{stack.slices[k].z, {}};
     for (Label l = 1; l <= materials.structures.size(); ++l)
-      for (Contour& face : face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; })) slice.contours.push_back(std::move(face));
+      for (Contour& face :
+           face_contours(borders[k], materials.structures[l - 1], [l](Label label) { return label == l; }))
+        slice.contours.push_back(std::move(face));
     own.slices.push_back(std::move(slice));
   }
   return own;

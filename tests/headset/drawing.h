@@ -1,5 +1,6 @@
 #pragma once
-// Tests that draw what the headset shows: they skip themselves, saying why, where nothing can be drawn, and fail if OpenGL complains.
+// Tests that draw what the headset shows: they skip themselves, saying why, where nothing can be drawn, and fail if
+// OpenGL complains.
 
 #include <gtest/gtest.h>
 

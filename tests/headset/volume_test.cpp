@@ -17,10 +17,10 @@ TEST(AVolumesPace, BecomesCoarserAtOnceAndFinerByAndBy) {
   VolumePace pace;
   pace.took(0.004, 0.011);
   EXPECT_EQ(pace.coarseness(), 1);
-  pace.took(0.022, 0.011);   // a picture is missed
+  pace.took(0.022, 0.011);  // a picture is missed
   EXPECT_GT(pace.coarseness(), 1.5);
   const double coarse = pace.coarseness();
-  pace.took(0.006, 0.011);   // it just keeps up
+  pace.took(0.006, 0.011);  // it just keeps up
   EXPECT_EQ(pace.coarseness(), coarse);
   pace.took(0.003, 0.011);
   EXPECT_LT(pace.coarseness(), coarse);
@@ -66,7 +66,10 @@ class VolumeInTheHeadset : public Drawing {
     input.hands = {};
     visit = stepped({}, input, balls.world(), {}, 0.01);
     visit.told = 0;
-    visit.scene.volume.transfer = {{40, colour_of(0xc04030), 0}, {70, colour_of(0xc04030), 0.3}, {120, colour_of(0xeec488), 0.1}, {190, colour_of(0xf4f4ff), 0.6}};
+    visit.scene.volume.transfer = {{40, colour_of(0xc04030), 0},
+                                   {70, colour_of(0xc04030), 0.3},
+                                   {120, colour_of(0xeec488), 0.1},
+                                   {190, colour_of(0xf4f4ff), 0.6}};
   }
   Target target(std::size_t eye) const { return {pixels[eye].id(), 0, 0, size, true}; }
 
@@ -92,13 +95,14 @@ class VolumeInTheHeadset : public Drawing {
   }
 
   struct Unlike {
-    int worst = 0, many = 0;   // of 255; pixels off by more than two
+    int worst = 0, many = 0;  // of 255; pixels off by more than two
   };
   static Unlike unlike(const Image& one, const Image& other) {
     Unlike found;
     for (std::size_t i = 0; i < one.rgba.size(); i += 4) {
       int here = 0;
-      for (std::size_t channel = i; channel < i + 3; ++channel) here = std::max(here, std::abs(one.rgba[channel] - other.rgba[channel]));
+      for (std::size_t channel = i; channel < i + 3; ++channel)
+        here = std::max(here, std::abs(one.rgba[channel] - other.rgba[channel]));
       found.worst = std::max(found.worst, here);
       found.many += here > 2;
     }
@@ -114,7 +118,7 @@ TEST_F(VolumeInTheHeadset, IsWhatTheDesktopShowsFromWhereEachEyeIs) {
     for (std::size_t eye = 0; eye < 2; ++eye) {
       const Unlike found = unlike(eyes[eye], from_the_desktop(eye));
       EXPECT_LE(found.worst, 6) << name(shows) << eye;
-      EXPECT_LE(found.many, 8) << name(shows) << eye;   // of some 2,000: rays are told by those around them
+      EXPECT_LE(found.many, 8) << name(shows) << eye;  // of some 2,000: rays are told by those around them
     }
     EXPECT_GT(unlike(eyes[0], eyes[1]).many, 500);
     EyePainter without(context->gl(), ShaderLibrary{}, balls.model);

@@ -22,7 +22,7 @@ TEST(LengthOnFilm, OfWhatLiesInItsPlaneIsItsOwn) {
 }
 
 TEST(LengthOnFilm, OfWhatLeansIsShorter) {
-  const std::array line{glm::dvec3(1, 2, 10), glm::dvec3(1, 6, 7)};   // 3 down, 4 towards the tube
+  const std::array line{glm::dvec3(1, 2, 10), glm::dvec3(1, 6, 7)};  // 3 down, 4 towards the tube
   EXPECT_NEAR(length_of(line), 5, 1e-12);
   EXPECT_NEAR(length_on_film(line, parallel, centre), 3, 1e-12);
   EXPECT_NEAR(length_on_film(line, tube, centre), 3 * 100 / 96.0, 1e-12);

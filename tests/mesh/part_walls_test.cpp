@@ -30,8 +30,10 @@ SurfaceMesh prism(Point2 a, Point2 b, Point2 c) {
     const PointIndex j = (i + 1) % 3;
     const Point3 &p = mesh.points[i], &q = mesh.points[j];
     const bool first = p.x < q.x || (p.x == q.x && p.y < q.y);
-    if (first) mesh.triangles.insert(mesh.triangles.end(), {{i, j, j + 3}, {i, j + 3, i + 3}});
-    else mesh.triangles.insert(mesh.triangles.end(), {{i, j, i + 3}, {j, j + 3, i + 3}});
+    if (first)
+      mesh.triangles.insert(mesh.triangles.end(), {{i, j, j + 3}, {i, j + 3, i + 3}});
+    else
+      mesh.triangles.insert(mesh.triangles.end(), {{i, j, i + 3}, {j, j + 3, i + 3}});
   }
   return mesh;
 }
@@ -59,7 +61,7 @@ TEST(PartWalls, OfTwoCubesFaceToFace) {
 TEST(PartWalls, RoundAnEdgeInWhichSeveralMeet) {
   for (const int count : {2, 3, 4, 7})
     for (const bool open : {false, true}) {
-      if (count == 2 && !open) continue;   // half circles have no inside as triangles
+      if (count == 2 && !open) continue;  // half circles have no inside as triangles
       const SurfaceReport report = inspect(parted(pie(count, open)));
       EXPECT_TRUE(report.closed_oriented_manifold()) << count << open;
       ASSERT_EQ(report.shells.size(), static_cast<std::size_t>(count)) << open;

@@ -1,4 +1,5 @@
-// The film of a model without a volume, against lengths inside its solids in double precision: one ray through every triangle.
+// The film of a model without a volume, against lengths inside its solids in double precision: one ray through every
+// triangle.
 
 #include <algorithm>
 #include <cmath>
@@ -14,11 +15,14 @@ namespace {
 
 /// A ray's way inside a closed solid, in what a section leaves.
 double length_inside(const SurfaceMesh& mesh, const Ray& ray, const std::optional<Section>& section) {
-  std::vector<std::pair<double, int>> faces;   // where, and +1 where the ray enters
-  const auto corner = [&](PointIndex index) { return glm::dvec3(mesh.points[index].x, mesh.points[index].y, mesh.points[index].z); };
+  std::vector<std::pair<double, int>> faces;  // where, and +1 where the ray enters
+  const auto corner = [&](PointIndex index) {
+    return glm::dvec3(mesh.points[index].x, mesh.points[index].y, mesh.points[index].z);
+  };
   for (const Triangle& triangle : mesh.triangles) {
     // Moller and Trumbore, Journal of Graphics Tools 2(1), 1997.
-    const glm::dvec3 a = corner(triangle[0]), u = corner(triangle[1]) - a, v = corner(triangle[2]) - a, p = glm::cross(ray.direction, v);
+    const glm::dvec3 a = corner(triangle[0]), u = corner(triangle[1]) - a, v = corner(triangle[2]) - a,
+                     p = glm::cross(ray.direction, v);
     const double det = glm::dot(u, p);
     if (det == 0) continue;
     const glm::dvec3 s = ray.origin - a, q = glm::cross(s, u);
@@ -28,7 +32,8 @@ double length_inside(const SurfaceMesh& mesh, const Ray& ray, const std::optiona
   std::sort(faces.begin(), faces.end());
   double from = -1e9, to = 1e9;
   if (section) {
-    const double speed = glm::dot(section->normal, ray.direction), way = glm::dot(section->normal, section->point_mm - ray.origin) / speed;
+    const double speed = glm::dot(section->normal, ray.direction),
+                 way = glm::dot(section->normal, section->point_mm - ray.origin) / speed;
     (speed > 0 ? to : from) = way;
   }
   double sum = 0;
@@ -43,10 +48,14 @@ double length_inside(const SurfaceMesh& mesh, const Ray& ray, const std::optiona
 class ModelFilm : public CastTest, public ::testing::WithParamInterface<NamedCamera> {
  protected:
   static constexpr PixelSize picture{80, 80};
-  SurfaceMesh crown = block({-2.9, -2.2, 0.4}, {2.4, 2.6, 3.3}), body = ball({0.3, -0.2, -0.4}, 2.6, 24, 16), pulp = ball({0.4, 0.1, -0.6}, 1.1, 20, 12);
-  Model model = make_model({{"enamel", crown}, {"dentine", body}, {"pulp", pulp}, {"marble", block({-4, -4, -4}, {-3.2, -3.1, -2.8})}});
+  SurfaceMesh crown = block({-2.9, -2.2, 0.4}, {2.4, 2.6, 3.3}), body = ball({0.3, -0.2, -0.4}, 2.6, 24, 16),
+              pulp = ball({0.4, 0.1, -0.6}, 1.1, 20, 12);
+  Model model = make_model(
+      {{"enamel", crown}, {"dentine", body}, {"pulp", pulp}, {"marble", block({-4, -4, -4}, {-3.2, -3.1, -2.8})}});
 
-  static double attenuation(const char* name) { return linear_attenuation(*tissue_called(name), effective_energy_kev(usual_kv)); }
+  static double attenuation(const char* name) {
+    return linear_attenuation(*tissue_called(name), effective_energy_kev(usual_kv));
+  }
 
   Scene scene(const std::optional<Section>& section) const {
     VolumeLook look;
@@ -106,7 +115,9 @@ TEST_P(ModelFilm, HasAnEdgeAndMayBeInverted) {
   Scene inverted = scene(std::nullopt);
   inverted.volume.inverted = true;
   const Image usual = drawn(scene(std::nullopt)), film = drawn(edged), negative = drawn(inverted);
-  const glm::dvec3 ahead = glm::normalize(edged.camera.target - edged.camera.position), right = glm::normalize(glm::cross(ahead, edged.camera.up)), up = glm::cross(right, ahead), centre = model.bounds_mm.centre();
+  const glm::dvec3 ahead = glm::normalize(edged.camera.target - edged.camera.position),
+                   right = glm::normalize(glm::cross(ahead, edged.camera.up)), up = glm::cross(right, ahead),
+                   centre = model.bounds_mm.centre();
   int wrong = 0, within = 0, unlike = 0;
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x) {
@@ -118,7 +129,7 @@ TEST_P(ModelFilm, HasAnEdgeAndMayBeInverted) {
       unlike += std::abs(255 - usual.pixel(x, y)[1] - negative.pixel(x, y)[1]) > 1;
     }
   EXPECT_GT(within, 40);
-  EXPECT_LE(wrong, 4);   // on its edge
+  EXPECT_LE(wrong, 4);  // on its edge
   EXPECT_EQ(unlike, 0);
 }
 
@@ -131,16 +142,22 @@ TEST_P(ModelFilm, LeavesOutWhatIsHidden) {
 TEST_P(ModelFilm, HasMutantsThatAreNoticed) {
   Section section = cut;
   section.normal = glm::normalize(section.normal);
-  for (const ShaderEdit& edit : {ShaderEdit{"film_faces.frag", "gl_FrontFacing ? -attenuation : attenuation", "attenuation"}, {"film_faces.frag", "if (dot(section.xyz, place) > section.w) discard;", ""},
-                                 {"film_faces.frag", "parallel != 0 ? -eye_place.z : length(eye_place)", "parallel == 0 ? -eye_place.z : length(eye_place)"}, {"film.frag", "approach - middle", "approach"},
-                                 {"film.frag", "- dot(section.xyz, begin)", "- 0.001"}, {"film.frag", "sum / latitude", "1.03 * sum / latitude"}}) {
+  for (const ShaderEdit& edit :
+       {ShaderEdit{"film_faces.frag", "gl_FrontFacing ? -attenuation : attenuation", "attenuation"},
+        {"film_faces.frag", "if (dot(section.xyz, place) > section.w) discard;", ""},
+        {"film_faces.frag", "parallel != 0 ? -eye_place.z : length(eye_place)",
+         "parallel == 0 ? -eye_place.z : length(eye_place)"},
+        {"film.frag", "approach - middle", "approach"},
+        {"film.frag", "- dot(section.xyz, begin)", "- 0.001"},
+        {"film.frag", "sum / latitude", "1.03 * sum / latitude"}}) {
     const bool of_parallel_rays = edit.to == "- 0.001";
     if (of_parallel_rays && GetParam().camera.projection != Camera::Projection::parallel) continue;
     EXPECT_GT(off(scene(section), drawn(scene(section), {edit})), 2) << edit.from << " -> " << edit.to;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(From, ModelFilm, ::testing::Values(cameras()[0], cameras()[1]), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(From, ModelFilm, ::testing::Values(cameras()[0], cameras()[1]),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace odontoscope::test

@@ -31,8 +31,11 @@ TEST_F(FilmPanel, ShowsTheFilmAndTheSurfacesAgain) {
   EXPECT_TRUE(differs(surfaces));
   keep_picture("film-of-a-model");
   const Image film = picture();
-  const auto corner = film.pixel(film.width - 60, film.height - 150), middle = film.pixel(static_cast<int>(viewer().panes().front().area.left + viewer().panes().front().area.width / 2), film.height / 2);
-  EXPECT_LT(corner[0], 3);    // nothing is in the way there
+  const auto corner = film.pixel(film.width - 60, film.height - 150),
+             middle = film.pixel(
+                 static_cast<int>(viewer().panes().front().area.left + viewer().panes().front().area.width / 2),
+                 film.height / 2);
+  EXPECT_LT(corner[0], 3);  // nothing is in the way there
   EXPECT_GT(middle[0], 60);
   EXPECT_EQ(middle[0], middle[2]);
   const glm::dvec2 latitude = control("White at attenuation");
@@ -87,7 +90,8 @@ TEST_F(FilmPanel, IsNotThereForWhatIsNotClosed) {
     return loaded;
   }});
   frames(2);
-  for (const Interface::Place& place : viewer().interface().places) EXPECT_NE(place.id, control_id("As an X-ray film shows it"));
+  for (const Interface::Place& place : viewer().interface().places)
+    EXPECT_NE(place.id, control_id("As an X-ray film shows it"));
 }
 
 }  // namespace

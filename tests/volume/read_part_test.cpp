@@ -1,4 +1,5 @@
-// Large files, of which no more is kept than is wanted: every block lies where its voxels lie in the file, whichever way its axes run.
+// Large files, of which no more is kept than is wanted: every block lies where its voxels lie in the file, whichever
+// way its axes run.
 
 #include <gtest/gtest.h>
 
@@ -41,8 +42,10 @@ std::string nrrd(const Axes& axes, bool packed) {
   file.type = "float";
   file.sizes = "24 18 30";
   file.more = "endian: little\nspace: left-posterior-superior\nspace directions:";
-  for (const auto& step : axes.steps) file.more += " (" + std::to_string(step[0]) + "," + std::to_string(step[1]) + "," + std::to_string(step[2]) + ")";
-  file.more += "\nspace origin: (" + std::to_string(axes.origin[0]) + "," + std::to_string(axes.origin[1]) + "," + std::to_string(axes.origin[2]) + ")\n";
+  for (const auto& step : axes.steps)
+    file.more += " (" + std::to_string(step[0]) + "," + std::to_string(step[1]) + "," + std::to_string(step[2]) + ")";
+  file.more += "\nspace origin: (" + std::to_string(axes.origin[0]) + "," + std::to_string(axes.origin[1]) + "," +
+               std::to_string(axes.origin[2]) + ")\n";
   file.pixels = bytes_of(values);
   if (packed) {
     file.encoding = "gzip";
@@ -65,7 +68,9 @@ double worst(const Volume& volume) {
   for (std::size_t k = 0; k < volume.size[2]; ++k)
     for (std::size_t j = 0; j < volume.size[1]; ++j)
       for (std::size_t i = 0; i < volume.size[0]; ++i) {
-        const double right = field(volume.origin.x + static_cast<double>(i) * volume.spacing[0], volume.origin.y + static_cast<double>(j) * volume.spacing[1], volume.origin.z + static_cast<double>(k) * volume.spacing[2]);
+        const double right = field(volume.origin.x + static_cast<double>(i) * volume.spacing[0],
+                                   volume.origin.y + static_cast<double>(j) * volume.spacing[1],
+                                   volume.origin.z + static_cast<double>(k) * volume.spacing[2]);
         most = std::max(most, std::abs(right - static_cast<double>(volume.slice(k)[j * volume.size[0] + i])));
       }
   return most;
@@ -80,7 +85,8 @@ TEST(PartsOfVolumes, AreWholeWhereThatIsLittle) {
 TEST(PartsOfVolumes, HaveTheMeansOfBlocksWhereTheirMiddlesLie) {
   for (const Axes& axes : {usual, turned_round})
     for (const bool packed : {false, true}) {
-      const Volume part = read(axes, VolumePart{.most_voxels = 24 * 18 * 30 / 12}, packed);   // 2 x 2 x 3: finest axis first
+      const Volume part =
+          read(axes, VolumePart{.most_voxels = 24 * 18 * 30 / 12}, packed);  // 2 x 2 x 3: finest axis first
       EXPECT_LE(part.values.size(), 24u * 18 * 30 / 12);
       EXPECT_EQ(part.values.size(), part.size[0] * part.size[1] * part.size[2]);
       EXPECT_GT(part.merged[0] * part.merged[1] * part.merged[2], 11u);
@@ -99,7 +105,8 @@ TEST(PartsOfVolumes, AreCutToBounds) {
     EXPECT_GE(low[axis] + static_cast<double>(part.size[axis] - 1) * part.spacing[axis], within.high[axis]);
     EXPECT_GT(low[axis], within.low[axis] - 2.01 * part.spacing[axis]);
   }
-  const Volume coarse = read(turned_round, VolumePart{.most_voxels = 200, .within = VolumeBounds{{-3, 0, 12}, {2, 4, 17}}});
+  const Volume coarse =
+      read(turned_round, VolumePart{.most_voxels = 200, .within = VolumeBounds{{-3, 0, 12}, {2, 4, 17}}});
   EXPECT_LE(coarse.values.size(), 200u);
 }
 
@@ -109,7 +116,8 @@ TEST(PartsOfVolumes, AreSampledWhereTheirFirstVoxelsLie) {
     const Volume samples = read(axes, VolumePart{.most_voxels = 700, .sampled = true}), whole = read(axes, {});
     EXPECT_LE(samples.values.size(), 700u);
     EXPECT_LT(worst(samples), 1e-4);
-    for (const float value : samples.values) EXPECT_NE(std::find(whole.values.begin(), whole.values.end(), value), whole.values.end());
+    for (const float value : samples.values)
+      EXPECT_NE(std::find(whole.values.begin(), whole.values.end(), value), whole.values.end());
   }
 }
 

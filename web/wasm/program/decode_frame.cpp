@@ -1,5 +1,6 @@
-// In place of recon/volume/decode_frame.cpp: GDCM's decoders are a module of their own (decoder.cpp), so that what a damaged frame does to memory is done to
-// theirs. What dies there is told as what a child process dies of; what never returns is ended with the worker.
+// In place of recon/volume/decode_frame.cpp: GDCM's decoders are a module of their own (decoder.cpp), so that what a
+// damaged frame does to memory is done to theirs. What dies there is told as what a child process dies of; what never
+// returns is ended with the worker.
 #include <emscripten.h>
 
 #include "recon/volume/decode_apart.h"
@@ -25,9 +26,11 @@ namespace odontoscope {
 bool is_decodable(const std::string& syntax) { return odontoscope_decoder_knows(syntax.c_str()) != 0; }
 
 bool decode_here(const CompressedFrame& frame, char* to) {
-  const unsigned numbers[] = {frame.rows, frame.columns, frame.bits_allocated, frame.bits_stored, frame.high_bit, frame.is_signed ? 1u : 0u};
-  return odontoscope_decoder_decodes(frame.syntax.c_str(), frame.photometric.c_str(), numbers, std::size(numbers), frame.bytes.data(),
-                                     static_cast<unsigned>(frame.bytes.size()), to, static_cast<unsigned>(frame.decoded_bytes())) != 0;
+  const unsigned numbers[] = {frame.rows,        frame.columns,  frame.bits_allocated,
+                              frame.bits_stored, frame.high_bit, frame.is_signed ? 1u : 0u};
+  return odontoscope_decoder_decodes(frame.syntax.c_str(), frame.photometric.c_str(), numbers, std::size(numbers),
+                                     frame.bytes.data(), static_cast<unsigned>(frame.bytes.size()), to,
+                                     static_cast<unsigned>(frame.decoded_bytes())) != 0;
 }
 
 }  // namespace odontoscope

@@ -1,5 +1,5 @@
-// The module that decodes compressed DICOM frames (recon/volume/decode_frame.cpp, as it stands) for the engine, which is another module. JavaScript carries
-// bytes between the two (npm/decoder.mjs).
+// The module that decodes compressed DICOM frames (recon/volume/decode_frame.cpp, as it stands) for the engine, which
+// is another module. JavaScript carries bytes between the two (npm/decoder.mjs).
 #include <cstdlib>
 #include <new>
 #include <string>
@@ -21,8 +21,8 @@ char* odontoscope_memory(std::size_t bytes) { return static_cast<char*>(std::mal
 bool odontoscope_knows(const char* syntax) { return odontoscope::is_decodable(syntax); }
 
 /// The next frame's head. Strings end with a zero.
-void odontoscope_head(const char* syntax, const char* photometric, unsigned rows, unsigned columns, unsigned bits_allocated, unsigned bits_stored,
-                      unsigned high_bit, bool is_signed) {
+void odontoscope_head(const char* syntax, const char* photometric, unsigned rows, unsigned columns,
+                      unsigned bits_allocated, unsigned bits_stored, unsigned high_bit, bool is_signed) {
   frame = {{}, syntax, photometric, rows, columns, bits_allocated, bits_stored, high_bit, is_signed, {}};
 }
 
