@@ -16,7 +16,8 @@ std::string text(const GLubyte* characters) {
   return characters ? std::string(reinterpret_cast<const char*>(characters)) : std::string("unknown");
 }
 
-void GLAD_API_PTR keep_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message, const void* list) {
+void GLAD_API_PTR keep_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei, const GLchar* message,
+                               const void* list) {
   if (severity == GL_DEBUG_SEVERITY_NOTIFICATION) return;
   static_cast<std::vector<std::string>*>(const_cast<void*>(list))->emplace_back(message);
 }
@@ -24,14 +25,18 @@ void GLAD_API_PTR keep_message(GLenum, GLenum, GLuint, GLenum severity, GLsizei,
 }  // namespace
 
 GraphicsError::GraphicsError(std::string_view cause, std::string_view wrong, std::string_view remedy)
-    : Error(ExitCode::graphics, fmt::format("{}. {} [{}]", wrong, remedy, cause)), cause_(cause) {}
+    : Error(ExitCode::graphics, fmt::format("{}. {} [{}]", wrong, remedy, cause), wrong, remedy), cause_(cause) {}
 
 const char* name(Backend backend) {
   switch (backend) {
-    case Backend::automatic: return "auto";
-    case Backend::window: return "window";
-    case Backend::egl: return "egl";
-    case Backend::osmesa: return "osmesa";
+    case Backend::automatic:
+      return "auto";
+    case Backend::window:
+      return "window";
+    case Backend::egl:
+      return "egl";
+    case Backend::osmesa:
+      return "osmesa";
   }
   return "unknown";
 }
@@ -44,11 +49,13 @@ Backend backend_named(std::string_view wanted) {
 
 void GlContext::load(GLADloadfunc get_function, const ContextOptions& options) {
   const int version = gladLoadGLContext(&gl_, get_function);
-  if (version == 0) throw GraphicsError("no-gl", "OpenGL's functions cannot be found", "Install a driver, e.g. libgl1-mesa-dri.");
+  if (version == 0)
+    throw GraphicsError("no-gl", "OpenGL's functions cannot be found", "Install a driver, e.g. libgl1-mesa-dri.");
   const std::string renderer = text(gl_.GetString(GL_RENDERER));
   if (version < oldest_version)
-    throw GraphicsError("gl-too-old", fmt::format("{} offers OpenGL {}, and 4.1 is needed", renderer, text(gl_.GetString(GL_VERSION))),
-                        "Update the driver, or draw in software with --backend osmesa.");
+    throw GraphicsError(
+        "gl-too-old", fmt::format("{} offers OpenGL {}, and 4.1 is needed", renderer, text(gl_.GetString(GL_VERSION))),
+        "Update the driver, or draw in software with --backend osmesa.");
   in_words_ = fmt::format("{}, OpenGL {}, {}", name(backend_), text(gl_.GetString(GL_VERSION)), renderer);
   if (!options.debug || !gl_.KHR_debug) return;
   gl_.Enable(GL_DEBUG_OUTPUT);
@@ -66,10 +73,14 @@ bool names_a_display() {
 
 std::unique_ptr<GlContext> make_context(const ContextOptions& options) {
   switch (options.backend) {
-    case Backend::window: return open_window({.visible = false, .debug = options.debug});
-    case Backend::egl: return make_egl_context(options);
-    case Backend::osmesa: return make_osmesa_context(options);
-    case Backend::automatic: break;
+    case Backend::window:
+      return open_window({.visible = false, .debug = options.debug});
+    case Backend::egl:
+      return make_egl_context(options);
+    case Backend::osmesa:
+      return make_osmesa_context(options);
+    case Backend::automatic:
+      break;
   }
   std::vector<Backend> candidates;
   if (options.window_allowed && names_a_display()) candidates.push_back(Backend::window);

@@ -17,12 +17,12 @@ namespace odontoscope {
 
 enum class ExitCode : int {
   done = 0,
-  found_wanting = 1,   // checked, and it is no closed oriented manifold
+  found_wanting = 1,  // checked, and it is no closed oriented manifold
   usage = 2,
   bad_input = 3,
-  file = 4,            // could not read or write
-  graphics = 5,        // no display, no OpenGL, or too old a one
-  internal = 70,       // our bug
+  file = 4,       // could not read or write
+  graphics = 5,   // no display, no OpenGL, or too old a one
+  internal = 70,  // our bug
 };
 
 /// Where in the user's data the trouble is. Slices are counted from 0 in the order of the file, contours from 0
@@ -34,8 +34,8 @@ struct Place {
   std::optional<std::size_t> contour;
   std::optional<std::size_t> point;
   std::optional<Point2> at;
-  std::optional<std::size_t> line;   // of a text file, from 1
-  std::optional<std::size_t> byte;   // offset in a binary file, from 0
+  std::optional<std::size_t> line;  // of a text file, from 1
+  std::optional<std::size_t> byte;  // offset in a binary file, from 0
 
   /// "teeth.json: slice 3 (z = 1.5), contour 2, point 17 at (1.25, 3)"; empty if nothing is known.
   std::string in_words() const;
@@ -45,12 +45,17 @@ struct Place {
 class Error : public std::runtime_error {
  public:
   ExitCode exit_code() const { return exit_code_; }
+  /// What is wrong: a clause, without place and full stop.
+  const std::string& wrong() const { return wrong_; }
+  /// What to do about it: a sentence, or empty.
+  const std::string& remedy() const { return remedy_; }
 
  protected:
-  Error(ExitCode code, std::string message) : std::runtime_error(std::move(message)), exit_code_(code) {}
+  Error(ExitCode code, std::string message, std::string_view wrong, std::string_view remedy);
 
  private:
   ExitCode exit_code_;
+  std::string wrong_, remedy_;
 };
 
 /// Data that breaks a documented rule. `cause` is a stable kebab-case name listed in docs/formats.md
@@ -70,6 +75,10 @@ class InputError : public Error {
 class FileError : public Error {
  public:
   FileError(std::string_view file, std::string_view wrong, std::string_view remedy);
+  const std::string& file() const { return file_; }
+
+ private:
+  std::string file_;
 };
 
 /// A command line or call that makes no sense.
