@@ -1,7 +1,6 @@
 #include "engine/app/batch_items.h"
 
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
 #include "recon/core/read_file.h"
+#include "recon/core/system_files.h"
 
 namespace odontoscope::app {
 namespace {
@@ -31,14 +31,12 @@ bool is_pattern(const std::string& source) {
 }
 
 void add_matching(const std::string& pattern, std::vector<BatchItem>& items) {
-  glob_t found{};
-  const int failed = ::glob(pattern.c_str(), 0, nullptr, &found);
-  for (std::size_t n = 0; failed == 0 && n < found.gl_pathc; ++n) items.push_back({found.gl_pathv[n], {}, {}});
-  ::globfree(&found);
-  if (failed == GLOB_NOMATCH)
+  const auto found = system::files_matching(pattern);
+  if (!found) throw FileError(pattern, "cannot be looked for", "Check the folders' permissions");
+  for (const std::string& file : *found) items.push_back({file, {}, {}});
+  if (found->empty())
     throw UsageError(fmt::format("nothing matches {}", pattern),
                      "Give files, a pattern that matches some, or a list of them");
-  if (failed != 0) throw FileError(pattern, "cannot be looked for", "Check the folders' permissions");
 }
 
 void add_listed(const std::string& list, std::vector<BatchItem>& items) {

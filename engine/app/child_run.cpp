@@ -1,11 +1,6 @@
 #include "engine/app/child_run.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -14,48 +9,25 @@
 #include <cstring>
 
 #include "recon/core/error.h"
+#include "recon/core/progress.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* this_program = "/proc/self/exe";
-
-/// Between fork and exec of a process with threads: system calls alone.
-[[noreturn]] void become(char* const* argv, int err, const ChildBounds& bounds) {
-  ::setpgid(0, 0);   // so that its own children end with it
-  sigset_t none;
-  sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
-  const rlim_t bytes = static_cast<rlim_t>(bounds.megabytes) << 20;
-  const rlimit memory{bytes, bytes}, no_core{0, 0};
-  ::setrlimit(RLIMIT_AS, &memory);
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  const int nothing = ::open("/dev/null", O_RDWR);
-  if (::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(nothing, STDOUT_FILENO) >= 0 && ::dup2(err, STDERR_FILENO) >= 0) ::execv(this_program, argv);
-  ::_exit(127);
-}
-
-/// Keeps the end of what comes; false when no more will.
-bool take(int descriptor, std::string& text) {
-  std::array<char, 4096> buffer;
-  const ssize_t count = ::read(descriptor, buffer.data(), buffer.size());
-  if (count < 0 && errno == EINTR) return true;
-  if (count <= 0) return false;
-  constexpr std::size_t kept = 16384;
-  text.append(buffer.data(), static_cast<std::size_t>(count));
-  if (text.size() > 2 * kept) text.erase(0, text.size() - kept);
-  return true;
-}
-
-/// What it says, until it ends, the time is over, or the work is stopped. True if it had its time.
-bool listen(int descriptor, Clock::time_point deadline, const std::stop_token& stop, std::string& text) {
+/// What it says, the end of it kept, until it ends, the time is over, or the work is stopped. True if it had its time.
+bool listen(const system::Descriptor& child, Clock::time_point deadline, const std::stop_token& stop,
+            std::string& text) {
   constexpr int patience_ms = 50;
+  constexpr std::size_t kept = 16384;
+  std::array<char, 4096> piece;
   while (!stop.stop_requested() && Clock::now() < deadline) {
-    pollfd watched{descriptor, POLLIN, 0};
-    if (::poll(&watched, 1, patience_ms) > 0 && !take(descriptor, text)) return true;
+    const std::ptrdiff_t got = system::read_within(child, piece.data(), piece.size(), patience_ms);
+    if (got == 0 || got == -1) return true;
+    if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
+    if (text.size() > 2 * kept) text.erase(0, text.size() - kept);
   }
   return false;
 }
@@ -71,40 +43,32 @@ std::string ChildEnding::in_words() const {
 
 bool ChildEnding::is_bad() const {
   constexpr int aborted = 128 + SIGABRT, no_program = 127;
-  return late || signal != 0 || exit_code == static_cast<int>(ExitCode::internal) || exit_code == aborted || exit_code == no_program;
+  return late || signal != 0 || exit_code == static_cast<int>(ExitCode::internal) || exit_code == aborted ||
+         exit_code == no_program;
 }
 
-ChildEnding run_again(const std::vector<std::string>& arguments, const ChildBounds& bounds, const std::stop_token& stop) {
-  std::vector<std::string> words{"odontoscope"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  std::array<int, 2> ends{-1, -1};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw FileError("a pipe", std::strerror(errno), "Try again with less at work");
+ChildEnding run_again(const std::vector<std::string>& arguments, const ChildBounds& bounds,
+                      const std::stop_token& stop) {
+  system::Connection connection = system::connect();
+  if (!connection.childs.is_open())
+    throw FileError("a connection", std::strerror(errno), "Try again with less at work");
   const auto start = Clock::now();
-  const pid_t child = ::fork();
-  if (child == 0) become(argv.data(), ends[1], bounds);
-  ::close(ends[1]);
+  const auto deadline =
+      start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(bounds.seconds));
+  system::Process child;
+  if (!child.start_this_program(arguments, connection.childs, {.bytes = bounds.megabytes << 20}))
+    throw FileError("a process", "cannot be started", "Try again with less at work");
+  connection.childs.close();
   ChildEnding ending;
-  bool in_time = false;
-  if (child > 0) {
-    ::setpgid(child, child);
-    in_time = listen(ends[0], start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(bounds.seconds)), stop, ending.err);
-  }
-  ::close(ends[0]);
-  if (child < 0) throw FileError("a process", "cannot be started", "Try again with less at work");
-  if (!in_time) ::kill(-child, SIGKILL);
-  int status = 0;
-  rusage usage{};
-  while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
-  }
+  ending.late = !listen(connection.ours, deadline, stop, ending.err);
+  if (ending.late) child.kill();
+  const system::Ending ended = child.wait();
   if (stop.stop_requested()) throw Cancelled{};
-  ending.late = !in_time;
-  if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);
-  if (WIFSIGNALED(status)) ending.signal = WTERMSIG(status);
+  constexpr double megabyte = 1 << 20;
+  ending.exit_code = ended.exit_code;
+  ending.signal = ended.signal;
   ending.seconds = seconds_since(start);
-  ending.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+  ending.megabytes = ended.peak_bytes / megabyte;
   return ending;
 }
 

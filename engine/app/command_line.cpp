@@ -1,13 +1,10 @@
 #include "engine/app/command_line.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
@@ -20,6 +17,7 @@
 #include "engine/app/options.h"
 #include "engine/app/spelling.h"
 #include "engine/app/version.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope::app {
 namespace {
@@ -50,8 +48,10 @@ const CLI::App* chosen_subcommand(const CLI::App& root) {
 /// The first word that is no option; --threads has a value.
 std::string first_word(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (arguments[i] == "--threads") ++i;
-    else if (!arguments[i].starts_with('-')) return arguments[i];
+    if (arguments[i] == "--threads")
+      ++i;
+    else if (!arguments[i].starts_with('-'))
+      return arguments[i];
   }
   return {};
 }
@@ -77,8 +77,9 @@ std::string on_unexpected(const CLI::App& root, const CLI::App& chosen) {
     return fmt::format("{} has no option {}{}", chosen.get_name(), argument,
                        meant ? fmt::format(". Did you mean {}?", *meant) : "");
   }
-  return fmt::format("{} is one argument too many. Options that may be repeated want their name each time, as in -o A -o B",
-                     unexpected.empty() ? "there" : unexpected.front());
+  return fmt::format(
+      "{} is one argument too many. Options that may be repeated want their name each time, as in -o A -o B",
+      unexpected.empty() ? "there" : unexpected.front());
 }
 
 void explain_usage(Console& console, const CLI::App& root, const std::vector<std::string>& arguments,
@@ -92,7 +93,8 @@ void explain_usage(Console& console, const CLI::App& root, const std::vector<std
     wrong = on_unexpected(root, *chosen);
   }
   if (wrong.back() != '?') wrong += '.';
-  console.complain(fmt::format("{}\nSee odontoscope{}{} --help.", wrong, chosen ? " " : "", chosen ? chosen->get_name() : ""));
+  console.complain(
+      fmt::format("{}\nSee odontoscope{}{} --help.", wrong, chosen ? " " : "", chosen ? chosen->get_name() : ""));
 }
 
 /// "help" and "help view" are what "--help" and "view --help" say.
@@ -103,14 +105,16 @@ std::vector<std::string> without_help_word(std::vector<std::string> arguments) {
   return arguments;
 }
 
-/// Elsewhere "-" stands for what comes in or goes out. Files are written whole or not at all, and read more than once: that takes names.
+/// Elsewhere "-" stands for what comes in or goes out. Files are written whole or not at all, and read more than once:
+/// that takes names.
 void refuse_dash(const std::vector<std::string>& arguments) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i] != "-") continue;
     const bool output = i > 0 && (arguments[i - 1] == "-o" || arguments[i - 1] == "--output");
-    if (!output && i > 0 && arguments[i - 1].starts_with("-")) continue;   // some other option's value
-    throw CLI::ValidationError(output ? "-o -: nothing is written to standard output. Give the file a name; its ending says the format"
-                                      : "-: nothing is read from standard input. Give the name of a file");
+    if (!output && i > 0 && arguments[i - 1].starts_with("-")) continue;  // some other option's value
+    throw CLI::ValidationError(
+        output ? "-o -: nothing is written to standard output. Give the file a name; its ending says the format"
+               : "-: nothing is read from standard input. Give the name of a file");
   }
 }
 
@@ -125,9 +129,9 @@ std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv
   try {
     refuse_dash(arguments);
     const std::vector<std::string> meant = without_help_word(arguments);
-    root.parse(std::vector<std::string>(meant.rbegin(), meant.rend()));   // which takes them from the end
+    root.parse(std::vector<std::string>(meant.rbegin(), meant.rend()));  // which takes them from the end
     return std::nullopt;
-  } catch (const CLI::Success& asked) {   // --help, --version
+  } catch (const CLI::Success& asked) {  // --help, --version
     root.exit(asked);
     console.finish();
     return static_cast<int>(ExitCode::done);
@@ -138,7 +142,8 @@ std::optional<int> parse(CLI::App& root, Console& console, int argc, char** argv
 }
 
 const Command& chosen_of(const std::vector<Command>& commands) {
-  const auto chosen = std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.parser->parsed(); });
+  const auto chosen =
+      std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.parser->parsed(); });
   if (chosen == commands.end()) throw InternalError("no subcommand was chosen");
   return *chosen;
 }
@@ -155,19 +160,12 @@ int run_command(const Command& command, Session& session) try {
   return static_cast<int>(error.exit_code());
 }
 
-/// A program that was started with standard output closed would give its number to the next file that it opens, and write its words into a model.
-/// What stands there instead takes no words, so that Console::finish tells of their loss.
-void occupy_closed_descriptors() {
-  for (const int standard : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(standard, F_GETFD) < 0) (void)!::open("/dev/null", O_RDONLY);
-  }
-}
-
 /// The system refuses memory in several ways: a thread that cannot be started is one.
 bool tells_of_memory(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
   const auto* system = dynamic_cast<const std::system_error*>(&error);
-  return system != nullptr && (system->code() == std::errc::not_enough_memory || system->code() == std::errc::resource_unavailable_try_again);
+  return system != nullptr && (system->code() == std::errc::not_enough_memory ||
+                               system->code() == std::errc::resource_unavailable_try_again);
 }
 
 int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** argv) {
@@ -178,7 +176,8 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
   GlobalOptions options;
   add_global_options(root, options);
   const std::vector<Command> commands = add_commands(root);
-  for (const Command& command : commands) command.parser->fallthrough();   // --quiet and --threads may stand behind the subcommand too
+  for (const Command& command : commands)
+    command.parser->fallthrough();  // --quiet and --threads may stand behind the subcommand too
   if (const auto over = parse(root, console, argc, argv)) return *over;
   if (options.quiet) console.be_quiet();
   Session session{console, interrupts, options.threads, {}};
@@ -188,9 +187,8 @@ int parse_and_run(Console& console, Interrupts& interrupts, int argc, char** arg
 }  // namespace
 
 int run(int argc, char** argv) {
-  occupy_closed_descriptors();
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that went away makes a write fail, and does not end the program in the middle of its files
-  std::signal(SIGXFSZ, SIG_IGN);  // so does a limit on the size of files
+  system::occupy_closed_standard_files();  // and Console::finish tells of words that were lost there
+  system::let_writes_fail();
   std::optional<Interrupts> interrupts;
   Console console;
   const auto end = [&console](ExitCode code, std::string_view message) {
@@ -198,7 +196,7 @@ int run(int argc, char** argv) {
     return static_cast<int>(code);
   };
   try {
-    interrupts.emplace();   // starts a thread, for which there may be no memory
+    interrupts.emplace();  // starts a thread, for which there may be no memory
     return parse_and_run(console, *interrupts, argc, argv);
   } catch (const Cancelled&) {
     console.complain("stopped; no file was touched.");
@@ -208,7 +206,8 @@ int run(int argc, char** argv) {
   } catch (const std::exception& error) {
     if (tells_of_memory(error)) {
       return end(ExitCode::file,
-                 "this machine has not enough memory for that input. Make it smaller: fewer slices, contours --simplify, a larger --min-area; "
+                 "this machine has not enough memory for that input. Make it smaller: fewer slices, contours "
+                 "--simplify, a larger --min-area; "
                  "of a volume --crop or --resample. [out-of-memory]");
     }
     return end(ExitCode::internal, InternalError(error.what()).what());

@@ -1,14 +1,13 @@
 #include "engine/app/console.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
 #include "recon/core/error.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope::app {
 namespace {
@@ -24,13 +23,7 @@ void put(std::FILE* to, std::string_view text) { std::fwrite(text.data(), 1, tex
 
 bool stderr_is_terminal() {
   const char* kind = std::getenv("TERM");
-  return ::isatty(STDERR_FILENO) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
-}
-
-int terminal_columns() {
-  constexpr int customary = 80;
-  winsize size{};
-  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : customary;
+  return system::errors_go_to_terminal() && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
 }  // namespace
@@ -65,12 +58,16 @@ void Console::progress(std::string_view stage, double fraction) {
   const bool news = stages_told_.emplace(stage).second;
   if (!news && now - last_told_ < log_interval) return;
   last_told_ = now;
-  if (news) put(stderr, fmt::format("{}\n", stage));
-  else put(stderr, fmt::format("{}: {:.0f} %\n", stage, 100 * std::clamp(fraction, 0.0, 1.0)));
+  if (news)
+    put(stderr, fmt::format("{}\n", stage));
+  else
+    put(stderr, fmt::format("{}: {:.0f} %\n", stage, 100 * std::clamp(fraction, 0.0, 1.0)));
 }
 
 void Console::draw_bar(std::string_view stage, double fraction) {
-  const int cells = std::clamp(terminal_columns() - words_beside_bar, narrowest_bar, widest_bar);
+  constexpr int customary_columns = 80;
+  const int columns = system::terminal_columns().value_or(customary_columns);
+  const int cells = std::clamp(columns - words_beside_bar, narrowest_bar, widest_bar);
   const int full = static_cast<int>(fraction * cells);
   put(stderr, fmt::format("\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", cells - full, 100 * fraction, stage));
   std::fflush(stderr);
@@ -88,7 +85,8 @@ void Console::finish(bool wrote) {
   const std::lock_guard lock(mutex_);
   erase_bar();
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    if (wrote) return put(stderr, "odontoscope: standard output did not take all that was to be said; the files are written.\n");
+    if (wrote)
+      return put(stderr, "odontoscope: standard output did not take all that was to be said; the files are written.\n");
     throw FileError("standard output", "did not take what was to be said", "Is the disk full?");
   }
 }

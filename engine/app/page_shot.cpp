@@ -16,6 +16,7 @@
 #include "engine/picture/png.h"
 #include "recon/core/base64.h"
 #include "recon/core/error.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope::app {
 namespace {
@@ -47,7 +48,7 @@ std::vector<std::string> words_for(const std::string& program, const std::string
                                  "--proxy-server=127.0.0.1:9",
                                  "--proxy-bypass-list=<-loopback>",
                                  "--host-resolver-rules=MAP * ~NOTFOUND"};
-  if (is_root()) words.push_back("--no-sandbox");
+  if (system::is_administrator()) words.push_back("--no-sandbox");
   words.push_back("about:blank");
   return words;
 }

@@ -50,7 +50,4 @@ class OwnFolder {
   std::string path_;
 };
 
-/// Is the user the machine's administrator, whom browsers refuse their sandbox?
-bool is_root();
-
 }  // namespace odontoscope::app

@@ -15,8 +15,8 @@
 #include "engine/app/outputs.h"
 #include "engine/app/scene_options.h"
 #include "engine/app/scene_words.h"
-#include "engine/app/view_script.h"
 #include "engine/app/shown_input.h"
+#include "engine/app/view_script.h"
 #include "engine/app/volume_look_words.h"
 #include "engine/app/volume_options.h"
 #include "engine/language/language.h"
@@ -27,6 +27,7 @@
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
 #include "recon/cavity/names.h"
+#include "recon/core/system_processes.h"
 #include "recon/radiograph/tissue.h"
 #include "recon/sample/tooth_number.h"
 #include "recon/volume/read_volume.h"
@@ -56,7 +57,7 @@ constexpr PixelSize usual_view{1000, 800};
 
 VolumeWords volume_words(const LoadRequest& request, const ViewArguments& options) {
   VolumeWords words = request.from_command_line ? options.volume : VolumeWords{};
-  words.voxels = true;   // the panel may show them at any time
+  words.voxels = true;  // the panel may show them at any time
   if (!request.volume) return words;
   if (request.volume->iso) words.isos = {fmt::format("{}", *request.volume->iso)};
   for (const std::int64_t label : request.volume->labels) words.labels.push_back(fmt::format("{}", label));
@@ -78,7 +79,13 @@ std::string title_of(const std::string& file) {
 
 GreyValues grey_values(const Shown& shown) {
   const ValueGrid& grid = *shown.values;
-  GreyValues greys{shown.greys->air, shown.greys->dentine, linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)), {}, grid.range.low, grid.range.high, {}};
+  GreyValues greys{shown.greys->air,
+                   shown.greys->dentine,
+                   linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv)),
+                   {},
+                   grid.range.low,
+                   grid.range.high,
+                   {}};
   for (const IsoOf& each : shown.isos) greys.isos.push_back(each.iso);
   constexpr std::size_t bars = 96;
   std::vector<double> counts(bars, 0);
@@ -96,18 +103,23 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   session.watched = progress;
   const bool draft_there = request.show_meanwhile && request.file.empty();
   if (draft_there) request.show_meanwhile(draft_of_sample(title_of(request.file), progress));
-  Shown shown = shown_from(request.file, volume_words(request, options), request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
-    if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
-    if (!request.show_meanwhile || draft_there) return;
-    if (auto draft = draft_of(stack, title_of(request.file), progress)) request.show_meanwhile(std::move(*draft));
-  });
+  Shown shown = shown_from(request.file, volume_words(request, options),
+                           request.from_command_line ? options.dt : DtWords{}, session, [&](const ContourStack& stack) {
+                             if (request.from_command_line) refuse_unknown_structures(options.scene, stack);
+                             if (!request.show_meanwhile || draft_there) return;
+                             if (auto draft = draft_of(stack, title_of(request.file), progress))
+                               request.show_meanwhile(std::move(*draft));
+                           });
   LoadedModel loaded;
   loaded.title = title_of(request.file);
   loaded.certificate = shown.proven ? certificate_of(*shown.proven) : certificate_of(shown.surfaces, progress);
   for (const NamedSurface& named : shown.surfaces) loaded.triangles += named.surface.triangles.size();
   const SceneWords words = request.from_command_line ? options.scene : SceneWords{};
   loaded.scene = scene_from(words, shown.model, shown.overlays, shown.values.get(), usual_view);
-  if (request.from_command_line) show_volume({options.look, options.grey, usual_kv, words.opacity, !words.background.empty() || !words.scene_file.empty()}, shown, loaded.scene, session);
+  if (request.from_command_line)
+    show_volume(
+        {options.look, options.grey, usual_kv, words.opacity, !words.background.empty() || !words.scene_file.empty()},
+        shown, loaded.scene, session);
   if (request.from_command_line) colour_by_data(options.colour_by, words.opacity, shown, loaded.scene, session);
   if (shown.values && shown.greys) loaded.greys = grey_values(shown);
   if (shown.values) loaded.isos = shown.isos;
@@ -121,14 +133,16 @@ LoadedModel load(const LoadRequest& request, const Progress& progress, const Vie
   loaded.overlays = std::move(shown.overlays);
   loaded.values = std::move(shown.values);
   const bool whole_scene = !words.scene_file.empty();
-  loaded.camera_given = whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
+  loaded.camera_given =
+      whole_scene || !words.camera_file.empty() || !words.view.empty() || words.zoom != 1 || words.parallel;
   loaded.background_given = whole_scene || !words.background.empty();
   loaded.looks_given = whole_scene || !words.opacity.empty() || !words.colour.empty();
   loaded.back_faces_given = whole_scene || !words.back_faces.empty();
   return loaded;
 }
 
-/// What was asked for, was chosen before, or the environment speaks. Pictures without a window depend on what is asked alone.
+/// What was asked for, was chosen before, or the environment speaks. Pictures without a window depend on what is asked
+/// alone.
 Language language_of(const ViewArguments& options, const std::string& chosen, bool by_hand) {
   if (!options.language.empty()) return language_asked(options.language);
   return by_hand ? known_language(knows_language(chosen) ? chosen : environment_language()) : Language{};
@@ -136,26 +150,34 @@ Language language_of(const ViewArguments& options, const std::string& chosen, bo
 
 ViewerOptions viewer_options(const ViewArguments& options, const Settings& settings, const Session& session) {
   ViewerOptions viewer;
-  viewer.load = [&options, session](const LoadRequest& request, const Progress& progress) { return load(request, progress, options, session); };
+  viewer.load = [&options, session](const LoadRequest& request, const Progress& progress) {
+    return load(request, progress, options, session);
+  };
   viewer.wants_level = [&options](const LoadRequest& request) {
     const bool said = request.volume || (request.from_command_line && options.volume.any_level());
     return !said && named_like_a_volume(request.file);
   };
-  viewer.preview = [&options](const LoadRequest& request, const Progress& progress) { return preview(request, progress, options); };
+  viewer.preview = [&options](const LoadRequest& request, const Progress& progress) {
+    return preview(request, progress, options);
+  };
   viewer.settings = settings;
   return viewer;
 }
 
-LoadRequest first_request(const ViewArguments& options) { return {.file = options.input, .volume = {}, .from_command_line = true}; }
+LoadRequest first_request(const ViewArguments& options) {
+  return {.file = options.input, .volume = {}, .from_command_line = true};
+}
 
 /// What the window would show, drawn without one, after what a script does in it.
 ExitCode take_screenshots(const ViewArguments& options, Session& session) {
   Settings settings;
-  settings.hints = false;   // nobody is there to follow them
+  settings.hints = false;  // nobody is there to follow them
   if (!options.size.empty()) settings.window = size_from(options.size);
   std::vector<ScriptStep> steps;
-  if (options.script) steps = script_steps(*options.script);
-  else known_ending(options.screenshot, {".png"});
+  if (options.script)
+    steps = script_steps(*options.script);
+  else
+    known_ending(options.screenshot, {".png"});
   PlannedFiles files{.inputs = {}, .outputs = files_of(steps)};
   if (!options.input.empty()) files.inputs.push_back(options.input);
   if (!options.screenshot.empty()) files.outputs.push_back(options.screenshot);
@@ -165,7 +187,7 @@ ExitCode take_screenshots(const ViewArguments& options, Session& session) {
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
   viewer_settings.coarse_when_slow = false;
   viewer_settings.language = language_of(options, {}, false);
-  viewer_settings.wants_level = [](const LoadRequest&) { return false; };   // nobody is there to answer
+  viewer_settings.wants_level = [](const LoadRequest&) { return false; };  // nobody is there to answer
   Viewer viewer(context->gl(), shaders_from_environment(), std::move(viewer_settings));
   viewer.state().drawn_with = context->in_words();
   viewer.open(first_request(options));
@@ -190,15 +212,17 @@ ExitCode take_screenshots(const ViewArguments& options, Session& session) {
 
 void enter_headset(const ViewArguments& options, Viewer& viewer, Window& window, Session& session) {
   // Where there is no runtime, OpenXR's loader writes pages to the terminal; our own message says it.
-  setenv("XR_LOADER_DEBUG", "none", 0);
+  system::set_environment("XR_LOADER_DEBUG", "none");
   HeadsetVisitOptions visit;
   visit.headset.resolution = options.headset_resolution;
   while (visit.quality.side * visit.quality.side < options.headset_samples) ++visit.quality.side;
   visit.say = [&session](const std::string& words) { session.console.say(words); };
-  if (!visit_in_headset(viewer, window, shaders_from_environment(), session.interrupts.token(), visit)) session.console.complain(viewer.state().trouble);
+  if (!visit_in_headset(viewer, window, shaders_from_environment(), session.interrupts.token(), visit))
+    session.console.complain(viewer.state().trouble);
 }
 
-ExitCode show_window(const ViewArguments& options, const ReadSettings& read, const std::filesystem::path& remembered, Session& session) {
+ExitCode show_window(const ViewArguments& options, const ReadSettings& read, const std::filesystem::path& remembered,
+                     Session& session) {
   Settings settings = read.settings;
   if (!options.size.empty()) settings.window = size_from(options.size);
   const Language language = language_of(options, settings.language, true);
@@ -207,7 +231,8 @@ ExitCode show_window(const ViewArguments& options, const ReadSettings& read, con
   ViewerOptions viewer_settings = viewer_options(options, settings, session);
   viewer_settings.language = language;
   viewer_settings.with_drafts = true;
-  viewer_settings.clipboard = {[&window] { return window.clipboard(); }, [&window](const std::string& text) { window.set_clipboard(text); }};
+  viewer_settings.clipboard = {[&window] { return window.clipboard(); },
+                               [&window](const std::string& text) { window.set_clipboard(text); }};
   Viewer viewer(window.context().gl(), shaders_from_environment(), std::move(viewer_settings));
   viewer.state().drawn_with = window.context().in_words();
   if (!read.complaint.empty()) viewer.state().notices.push_back({read.complaint, true, 12});
@@ -234,7 +259,8 @@ ExitCode view(const ViewArguments& options, Session& session) {
   refuse_senseless(options.look);
   refuse_senseless_colour_by(options.colour_by);
   greys_from(options.grey);
-  if (!options.grey.empty() && !wants_voxels(options.look, options.scene.scene_file)) throw UsageError("--grey says what values mean, and none are shown", "Ask for --show volume or --show both.");
+  if (!options.grey.empty() && !wants_voxels(options.look, options.scene.scene_file))
+    throw UsageError("--grey says what values mean, and none are shown", "Ask for --show volume or --show both.");
   if (options.volume.any_level()) understood(options.volume);
   refuse_senseless(options.dt);
   const std::filesystem::path remembered = settings_file();
@@ -253,19 +279,37 @@ Command view_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("view", "A window to look at a model: turn it, cut it open, measure it");
   const auto options = std::make_shared<ViewArguments>();
   parser->add_option("INPUT", options->input, "Contour stack, mesh or volume; none: the sample molar")->type_name("");
-  parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")->type_name("WxH");
-  parser->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")->type_name("FILE.png");
-  parser->add_option("--script", options->script, "Keys, clicks, waits and shots, without hands or display; @FILE holds them")->type_name("STEPS");
-  parser->add_flag("--vr", options->headset, "Show it in the headset, through OpenXR; the window shows what the left eye sees")->excludes("--screenshot")->excludes("--script");
-  parser->add_option("--vr-samples", options->headset_samples, "In the headset, samples a pixel: 1, or 4 for calm edges where the graphics card has time for four times the work")
+  parser->add_option("--size", options->size, "Width and height of the window (default: as it was last)")
+      ->type_name("WxH");
+  parser
+      ->add_option("--screenshot", options->screenshot, "Write what the window would show and leave; needs no display")
+      ->type_name("FILE.png");
+  parser
+      ->add_option("--script", options->script,
+                   "Keys, clicks, waits and shots, without hands or display; @FILE holds them")
+      ->type_name("STEPS");
+  parser
+      ->add_flag("--vr", options->headset,
+                 "Show it in the headset, through OpenXR; the window shows what the left eye sees")
+      ->excludes("--screenshot")
+      ->excludes("--script");
+  parser
+      ->add_option("--vr-samples", options->headset_samples,
+                   "In the headset, samples a pixel: 1, or 4 for calm edges where the graphics card has time for four "
+                   "times the work")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4}).description(""))
       ->capture_default_str();
-  parser->add_option("--vr-resolution", options->headset_resolution, "In the headset, pixels along each side, of what its runtime recommends: 0.25 to 2")
+  parser
+      ->add_option("--vr-resolution", options->headset_resolution,
+                   "In the headset, pixels along each side, of what its runtime recommends: 0.25 to 2")
       ->type_name("SHARE")
       ->check(CLI::Range(0.25, 2.0).description(""))
       ->capture_default_str();
-  parser->add_option("--language", options->language, "Language: de, en, or a file of another; remembered (default: the environment's)")->type_name("LANGUAGE");
+  parser
+      ->add_option("--language", options->language,
+                   "Language: de, en, or a file of another; remembered (default: the environment's)")
+      ->type_name("LANGUAGE");
   add_scene_options(*parser, options->scene);
   add_volume_look_options(*parser, options->look);
   add_colour_by_option(*parser, options->colour_by);

@@ -1,15 +1,10 @@
 #include "recon/core/atomic_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
 #include <charconv>
-#include <csignal>
 #include <cstring>
 #include <mutex>
 #include <optional>
@@ -17,6 +12,7 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope {
 namespace {
@@ -31,15 +27,15 @@ namespace fs = std::filesystem;
 /// allows.
 fs::path temporary_name(const fs::path& folder) {
   static std::atomic<unsigned> count{0};
-  return folder / fmt::format(".odontoscope-{}-{}.tmp", ::getpid(), count++);
+  return folder / fmt::format(".odontoscope-{}-{}.tmp", system::own_number(), count++);
 }
 
 /// The process that a temporary file's name tells; nothing if it is none of ours.
-std::optional<pid_t> owner_of(std::string_view name) {
+std::optional<int> owner_of(std::string_view name) {
   constexpr std::string_view begin = ".odontoscope-", end = ".tmp";
   if (!name.starts_with(begin) || !name.ends_with(end) || name.size() < begin.size() + end.size()) return std::nullopt;
   name = name.substr(begin.size(), name.size() - begin.size() - end.size());
-  pid_t process = 0;
+  int process = 0;
   unsigned count = 0;
   const char* const last = name.data() + name.size();
   const auto [dash, wrong] = std::from_chars(name.data(), last, process);
@@ -55,22 +51,8 @@ std::mutex& making() {
   return mutex;
 }
 
-/// Best effort: a file system without locks is no reason to write nothing.
-void lock_in_use(int descriptor) { (void)!::flock(descriptor, LOCK_SH | LOCK_NB); }
-
-bool is_still_named(int descriptor, const fs::path& file) {
-  struct stat opened {}, named {};
-  return ::fstat(descriptor, &opened) == 0 && ::lstat(file.c_str(), &named) == 0 && opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
-}
-
-void remove_if_left(const fs::path& file, pid_t owner) {
-  if (owner != ::getpid() && (::kill(owner, 0) == 0 || errno != ESRCH)) return;
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-  if (descriptor < 0) return;
-  struct stat status {};
-  const bool is_file = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-  if (is_file && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_still_named(descriptor, file)) ::unlink(file.c_str());
-  ::close(descriptor);
+void remove_if_left(const fs::path& file, int owner) {
+  if (owner == system::own_number() || !system::runs(owner)) system::remove_unless_in_use(file);
 }
 
 /// Where `file` really lies, links followed; checks that something regular, or nothing, is there.
@@ -82,7 +64,7 @@ fs::path resolved_target(const fs::path& file) {
   if (fs::exists(status) && !fs::is_regular_file(status)) {
     cannot_write(file, "it is a device or a pipe", "Name a regular file");
   }
-  if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) {
+  if (fs::exists(status) && !system::may_write(file)) {
     cannot_write(file, std::strerror(errno), "Change its mode or choose another name");
   }
   if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
@@ -100,24 +82,18 @@ fs::path folder_of(const fs::path& target) {
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path target) : asked_for_(std::move(target)), target_(resolved_target(asked_for_)) {
-  constexpr mode_t everyone_as_umask_allows = 0666;
   {
     const std::lock_guard guard(making());
     do {
       temporary_ = temporary_name(folder_of(target_));
-      descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, everyone_as_umask_allows);
-    } while (descriptor_ < 0 && errno == EEXIST);
-    if (descriptor_ >= 0) {
-      lock_in_use(descriptor_);
-      lock_ = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);   // keeps the lock when the descriptor is closed before the rename
-    }
+      written_ = system::create(temporary_);
+    } while (!written_.is_open() && errno == EEXIST);
+    if (written_.is_open()) lock_ = system::lock_in_use(written_);  // kept when the file is closed before the rename
   }
-  if (descriptor_ < 0) {
+  if (!written_.is_open()) {
     cannot_write(asked_for_, std::strerror(errno), "Check that its folder exists and that you may write there");
   }
-  struct stat existing {};
-  // Best effort: a file system without modes is no reason to write nothing.
-  if (::stat(target_.c_str(), &existing) == 0) (void)!::fchmod(descriptor_, existing.st_mode & 07777);
+  system::copy_mode(target_, written_);
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept { *this = std::move(other); }
@@ -128,44 +104,37 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
   asked_for_ = std::move(other.asked_for_);
   target_ = std::move(other.target_);
   temporary_ = std::exchange(other.temporary_, {});
-  descriptor_ = std::exchange(other.descriptor_, -1);
-  lock_ = std::exchange(other.lock_, -1);
+  written_ = std::move(other.written_);
+  lock_ = std::move(other.lock_);
   return *this;
 }
 
 AtomicFile::~AtomicFile() { abandon(); }
 
 void AtomicFile::abandon() noexcept {
-  if (descriptor_ >= 0) ::close(descriptor_);
-  descriptor_ = -1;
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  written_.close();
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove(temporary_, ignored);
   temporary_.clear();
-  if (lock_ >= 0) ::close(lock_);
-  lock_ = -1;
+  lock_.close();
 }
 
 void AtomicFile::write(std::string_view bytes) {
-  if (descriptor_ < 0) throw InternalError("a file was written to after it was closed");
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) {
-      cannot_write(asked_for_, written < 0 ? std::strerror(errno) : "nothing more is taken", "Free some space");
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!written_.is_open()) throw InternalError("a file was written to after it was closed");
+  if (!system::write(written_, bytes))
+    cannot_write(asked_for_, errno != 0 ? std::strerror(errno) : "nothing more is taken", "Free some space");
 }
 
 void AtomicFile::close() {
-  if (descriptor_ < 0) return;
-  // Network file systems tell of a full disk only here.
-  if (::close(std::exchange(descriptor_, -1)) != 0) cannot_write(asked_for_, std::strerror(errno), "Free some space");
+  if (!written_.close()) cannot_write(asked_for_, std::strerror(errno), "Free some space");
 }
 
 void AtomicFile::commit() {
   if (temporary_.empty()) throw InternalError("a file was committed twice");
   close();
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) cannot_write(asked_for_, std::strerror(errno));
+  std::error_code error;
+  fs::rename(temporary_, target_, error);
+  if (error) cannot_write(asked_for_, error.message());
   temporary_.clear();
   abandon();
 }
@@ -173,11 +142,12 @@ void AtomicFile::commit() {
 void remove_leftovers(const fs::path& folder) noexcept try {
   const std::lock_guard guard(making());
   std::error_code error;
-  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end; entry.increment(error)) {
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+       entry.increment(error)) {
     const fs::path file = entry->path();
     if (const auto owner = owner_of(file.filename().native())) remove_if_left(file, *owner);
   }
-} catch (...) {   // no memory for a name: they stay
+} catch (...) {  // no memory for a name: they stay
 }
 
 namespace {
@@ -204,7 +174,7 @@ class Rollback {
   Rollback(Rollback&& other) noexcept
       : target_(std::move(other.target_)),
         backup_(std::exchange(other.backup_, {})),
-        lock_(std::exchange(other.lock_, -1)),
+        lock_(std::move(other.lock_)),
         replaced_(std::exchange(other.replaced_, false)) {}
   Rollback& operator=(Rollback&&) = delete;
   ~Rollback() {
@@ -212,7 +182,6 @@ class Rollback {
     if (replaced_ && backup_.empty()) fs::remove(target_, ignored);
     if (replaced_ && !backup_.empty()) fs::rename(backup_, target_, ignored);
     if (!backup_.empty()) fs::remove(backup_, ignored);  // renaming a link onto itself leaves both names
-    if (lock_ >= 0) ::close(lock_);
   }
 
   void target_was_replaced() { replaced_ = true; }
@@ -220,12 +189,12 @@ class Rollback {
 
  private:
   void lock_backup() {
-    lock_ = ::open(backup_.c_str(), O_RDONLY | O_CLOEXEC);
-    if (lock_ >= 0) lock_in_use(lock_);
+    lock_ = system::open_to_read(backup_);
+    if (lock_.is_open()) system::lock_in_use(lock_);
   }
 
   fs::path target_, backup_;
-  int lock_ = -1;
+  system::Descriptor lock_;
   bool replaced_ = false;
 };
 

@@ -2,17 +2,19 @@
 // Files that are written whole or not at all.
 //
 // The bytes go to a temporary file in the target's own folder, which a rename then puts in the target's place: at
-// no moment does the target's name show a half-written file. POSIX. Nothing is forced to the disk (no fsync): this
+// no moment does the target's name show a half-written file. Nothing is forced to the disk (no fsync): this
 // guards against errors and interruption of the program, not against loss of power.
 //
-// A temporary file is locked (flock) while it is in use, so that remove_leftovers, of whatever process, machine or container that shares the folder,
-// can tell it from one whose program was killed.
+// A temporary file is locked while it is in use, so that remove_leftovers, of whatever process, machine or container
+// that shares the folder, can tell it from one whose program was killed.
 
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "recon/core/system_files.h"
 
 namespace odontoscope {
 
@@ -41,11 +43,11 @@ class AtomicFile {
   void abandon() noexcept;
 
   std::filesystem::path asked_for_, target_, temporary_;
-  int descriptor_ = -1, lock_ = -1;
+  system::Descriptor written_, lock_;
 };
 
-/// Removes temporary files that a killed run left in `folder`: named as ours, no longer locked, and no process of that number but this one lives.
-/// What cannot be listed or removed stays; nothing else is touched.
+/// Removes temporary files that a killed run left in `folder`: named as ours, no longer locked, and no process of that
+/// number but this one lives. What cannot be listed or removed stays; nothing else is touched.
 void remove_leftovers(const std::filesystem::path& folder) noexcept;
 
 struct FileContent {

@@ -1,7 +1,6 @@
 #include "recon/core/free_memory.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "recon/core/error.h"
+#include "recon/core/system_processes.h"
 
 namespace odontoscope {
 namespace {
@@ -27,23 +27,16 @@ double available_on_machine() {
   return unknown;
 }
 
-/// What a limit on the address space leaves.
-double left_by_limit() {
-  rlimit limit{};
-  if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return unknown;
-  constexpr double page = 4096;
-  double pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return std::max(0.0, static_cast<double>(limit.rlim_cur) - pages * page);
-}
-
 }  // namespace
 
 void check_memory(const std::string& file, double bytes, std::string_view remedy) {
-  const double there = std::min(available_on_machine(), left_by_limit());
+  const double there = std::min(available_on_machine(), system::memory_left_by_limit());
   if (bytes <= there) return;
   constexpr double megabyte = 1e6;
-  throw FileError(file, fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", bytes / megabyte, there / megabyte), remedy);
+  throw FileError(file,
+                  fmt::format("would take {:.0f} MB of memory, and this machine has {:.0f} MB left", bytes / megabyte,
+                              there / megabyte),
+                  remedy);
 }
 
 }  // namespace odontoscope

@@ -1,10 +1,7 @@
 #include "recon/core/read_file.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -13,13 +10,6 @@
 
 namespace odontoscope {
 namespace {
-
-struct Descriptor {
-  int number = -1;
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-};
 
 [[noreturn]] void cannot_read(const std::string& file, std::string_view why, std::string_view remedy) {
   throw FileError(file, fmt::format("cannot be read: {}", why), remedy);
@@ -35,14 +25,15 @@ struct Descriptor {
 }  // namespace
 
 std::string read_file(const std::string& file, std::size_t most_bytes, const std::stop_token& stop) {
-  Descriptor in{open_to_read(file)};
-  if (in.number < 0) cannot_read(file, std::strerror(errno), "Check its name and your rights to it");
-  struct stat status {};
-  if (::fstat(in.number, &status) != 0) cannot_read(file, std::strerror(errno), {});
-  if (S_ISDIR(status.st_mode)) cannot_read(file, "it is a folder", "Name a file in it");
+  const system::Descriptor in = system::open_to_read(file);
+  if (!in.is_open()) cannot_read(file, std::strerror(errno), "Check its name and your rights to it");
+  const auto opened = system::look_at(in);
+  if (!opened) cannot_read(file, std::strerror(errno), {});
+  using Kind = system::OpenedFile::Kind;
+  if (opened->kind == Kind::folder) cannot_read(file, "it is a folder", "Name a file in it");
   // An endless device would fill the memory up to the limit before it is refused.
-  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode)) cannot_read(file, "it is no regular file", {});
-  const auto size = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0));
+  if (opened->kind == Kind::other) cannot_read(file, "it is no regular file", {});
+  const std::size_t size = opened->bytes;
   if (size > most_bytes) too_large(file, most_bytes);
 
   // One byte more than the size tells, so that the end is met without growing; a pipe tells no size and grows.
@@ -50,7 +41,7 @@ std::string read_file(const std::string& file, std::size_t most_bytes, const std
   std::size_t filled = 0;
   for (;;) {
     if (filled == bytes.size()) bytes.resize(2 * bytes.size());
-    const std::ptrdiff_t got = read_some(in.number, bytes.data() + filled, bytes.size() - filled, stop);
+    const std::ptrdiff_t got = read_some(in, bytes.data() + filled, bytes.size() - filled, stop);
     if (got < 0) cannot_read(file, std::strerror(errno), {});
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);

@@ -15,9 +15,8 @@ JsonSource JsonSource::from_file(const std::string& file, std::stop_token stop) 
   JsonSource source;
   source.name_ = file;
   source.stop_ = std::move(stop);
-  const int descriptor = open_to_read(file);
-  if (descriptor >= 0) source.file_.reset(::fdopen(descriptor, "rb"));
-  if (!source.file_) {
+  source.file_ = system::open_to_read(file);
+  if (!source.file_.is_open()) {
     throw FileError(file, fmt::format("cannot be read: {}", std::strerror(errno)),
                     "Check its name and your rights to it");
   }
@@ -33,7 +32,7 @@ JsonSource JsonSource::from_bytes(std::string_view bytes, std::string name) {
 }
 
 bool JsonSource::fetch() {
-  if (!file_) {
+  if (!file_.is_open()) {
     ended_ = true;
     return false;
   }
@@ -49,7 +48,7 @@ bool JsonSource::fetch() {
   line_start_ = taken_before_ - column_of_end;
   position_ = counted_ = counted_ends_ = 0;
   piece_ = {};
-  const std::ptrdiff_t read = read_some(::fileno(file_.get()), buffer_.data(), buffer_.size(), stop_);
+  const std::ptrdiff_t read = read_some(file_, buffer_.data(), buffer_.size(), stop_);
   const auto got = static_cast<std::size_t>(std::max<std::ptrdiff_t>(read, 0));
   if (read < 0) {
     throw FileError(name_, fmt::format("cannot be read: {}", std::strerror(errno)), "Check that it is a file");

@@ -3,15 +3,14 @@
 // large file never lies in memory as a whole.
 
 #include <cstddef>
-#include <cstdio>
 #include <iterator>
-#include <memory>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "recon/core/error.h"
+#include "recon/core/system_files.h"
 
 namespace odontoscope {
 
@@ -76,13 +75,10 @@ class JsonSource {
   Iterator end() { return {}; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   bool fetch();
 
   std::string name_;
-  std::unique_ptr<std::FILE, Close> file_;
+  system::Descriptor file_;
   std::stop_token stop_;
   std::vector<char> buffer_;
   std::string_view piece_;

@@ -1,8 +1,20 @@
-// In place of recon/core/work_apart.cpp: a WebAssembly module can start no process, and is one itself. What dies in it ends the run, and nothing else of the page;
-// what never returns is ended with its worker. Limits of time and memory are those of the module.
+// In place of recon/core/work_apart.cpp and posix_processes.cpp: a WebAssembly module can start no process, and is one
+// itself. What dies in it ends the run, and nothing else of the page; what never returns is ended with its worker.
+// Limits of time and memory are those of the module.
 #include "recon/core/work_apart.h"
 
+#include <limits>
+
+#include "recon/core/system_processes.h"
+
 namespace odontoscope {
+namespace system {
+
+int own_number() { return 1; }
+bool runs(int process) { return process == own_number(); }
+double memory_left_by_limit() { return std::numeric_limits<double>::infinity(); }
+
+}  // namespace system
 
 DoneApart work_apart(const std::function<void(const SendToParent&)>& work, const ApartLimits&, const Progress& progress) {
   progress.check();
