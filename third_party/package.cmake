@@ -36,5 +36,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, so that their absence is no reason not to start.
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libegl1, libegl-mesa0, libgl1-mesa-dri, libosmesa6")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "ffmpeg, chromium")   # films; pictures of pages
 set(CPACK_PACKAGE_FILE_NAME "odontoscope-${PROJECT_VERSION}-${CMAKE_SYSTEM_NAME}-${CMAKE_SYSTEM_PROCESSOR}")
 include(CPack)

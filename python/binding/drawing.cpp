@@ -58,11 +58,11 @@ PageWords page_words(const py::dict& given) {
   words.lesson = text("lesson");
   words.language = text("language");
   words.grey = text("grey");
-  words.look = {text("show"), text("cast"), text("transfer")};
+  words.look = {text("show"), text("cast"), text("transfer"), text("slopes")};
   app::refuse_senseless(words.look);
   app::greys_from(words.grey);
   if (!words.with_volume() && (words.look.any_of_volume() || !words.grey.empty()))
-    throw UsageError("cast, transfer and grey are about a volume's grey values", "Put them into the page: show=\"volume\" or show=\"both\"");
+    throw UsageError("cast, transfer, slopes and grey are about a volume's grey values", "Put them into the page: show=\"volume\" or show=\"both\"");
   return words;
 }
 

@@ -150,10 +150,12 @@ def png(pixels: Any) -> bytes:
     return _drawing().png(pixels)
 
 
-def page(shown: Any, title: str, lesson: Any, db: Any, language: Any, show: str, cast: str, transfer: str, grey: Any, progress: Any) -> str:
+def page(shown: Any, title: str, lesson: Any, db: Any, language: Any, show: str, cast: str, transfer: str, slopes: Any, grey: Any,
+         progress: Any) -> str:
     """One HTML file. ``shown``: the compiled module's Model or Volume; ``db``: its Model, or None."""
     asked = {"title": title, "lesson": "" if lesson is None else _options.path(lesson), "language": "" if language is None else _options.path(language),
-             "show": str(show), "cast": str(cast), "transfer": str(transfer), "grey": _options.numbers(grey, "grey", 2)}
+             "show": str(show), "cast": str(cast), "transfer": str(transfer), "slopes": _options.numbers(slopes, "slopes", 2),
+             "grey": _options.numbers(grey, "grey", 2)}
     return _drawing().page(shown, asked, db, progress).decode("utf-8")
 
 

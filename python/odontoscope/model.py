@@ -278,7 +278,7 @@ class Model:
         return _draw.film(self._core, file, progress, frames, tour=tour, size=size, **looks)
 
     def page(self, title: str = "", *, lesson: Optional[File] = None, db: Optional[Model] = None, language: Optional[File] = None, show: str = "", cast: str = "",
-             transfer: str = "", grey: Any = None, progress: Optional[Progress] = None) -> str:
+             transfer: str = "", slopes: Any = None, grey: Any = None, progress: Optional[Progress] = None) -> str:
         """The page of ``odontoscope web`` as text: one HTML file that opens from disk in any browser and asks the network for nothing.
 
         Args:
@@ -286,7 +286,7 @@ class Model:
             lesson: a file of notes, or the title of one that comes with the program.
             db: a model of the same contours by ``method="db"``, and a switch between both.
             language: "de", "en", or a file of another; the browser's where it is left out.
-            show: "volume" or "both", of a model made from a volume: the page carries its grey values, too. cast, transfer, grey: as for ``render``.
+            show: "volume" or "both", of a model made from a volume: the page carries its grey values, too. cast, transfer, slopes, grey: as for ``render``.
 
             >>> import odontoscope
             >>> odontoscope.reconstruct(odontoscope.sample("incisor")).page(show="both")
@@ -295,7 +295,7 @@ class Model:
             odontoscope.errors.UsageError: only a model of a volume has grey values to show. Leave show out, or make it from the volume with iso.
         """
         return _draw.page(self._core, title or pathlib.PurePath(self._source).stem or "Model", lesson, None if db is None else db._core, language, show, cast, transfer,
-                          grey, progress)
+                          slopes, grey, progress)
 
     def _repr_png_(self) -> Optional[bytes]:
         """For notebooks; None where the machine cannot draw."""

@@ -181,7 +181,7 @@ class Volume:
         made._core = core
         return made
 
-    def page(self, title: str = "", *, lesson: Optional[File] = None, language: Optional[File] = None, show: str = "volume", cast: str = "", transfer: str = "",
+    def page(self, title: str = "", *, lesson: Optional[File] = None, language: Optional[File] = None, show: str = "volume", cast: str = "", transfer: str = "", slopes: Any = None,
              grey: Any = None, progress: Optional[Progress] = None) -> str:
         """The page of ``odontoscope web --show volume`` as text: grey values alone, to be turned and cut open in any browser. Its words are those of ``Model.page``.
 
@@ -191,7 +191,7 @@ class Volume:
             ...
             odontoscope.errors.UsageError: nothing says where in the volume the surface lies. Say show="volume", or make a model of it with iso or label.
         """
-        return _draw.page(self._core, title or pathlib.PurePath(self.source).stem or "Volume", lesson, None, language, show, cast, transfer, grey, progress)
+        return _draw.page(self._core, title or pathlib.PurePath(self.source).stem or "Volume", lesson, None, language, show, cast, transfer, slopes, grey, progress)
 
     @property
     def values(self) -> np.ndarray:

@@ -211,12 +211,12 @@ class Notebooks(unittest.TestCase):
         volume = odontoscope.Volume((np.clip(9 - np.hypot(i - 12, j - 11.5), 0, 4) * 60).astype("float32"), (0.2, 0.2, 0.4))
         with tempfile.TemporaryDirectory() as folder:
             self.write_nrrd(volume, f"{folder}/rod.nrrd")
-            for words, made in [(["--iso", "100", "--show", "both", "--transfer", "enamel", "--language", "de"],
-                                 lambda read: odontoscope.reconstruct(read, iso=100).page("Rod", show="both", transfer="enamel", language="de")),
+            for words, made in [(["--iso", "100", "--show", "both", "--transfer", "enamel", "--slopes", "50,300", "--language", "de"],
+                                 lambda read: odontoscope.reconstruct(read, iso=100).page("Rod", show="both", transfer="enamel", slopes=(50, 300), language="de")),
                                 (["--show", "volume", "--cast", "maximum"], lambda read: read.page("Rod", cast="maximum"))]:
                 subprocess.run([PROGRAM, "--quiet", "web", f"{folder}/rod.nrrd", "-o", f"{folder}/page.html", "--title", "Rod", *words], check=True)
                 self.assertTrue(made(odontoscope.read_volume(f"{folder}/rod.nrrd")).encode() == pathlib.Path(f"{folder}/page.html").read_bytes(), words)
-        for refused in [{"show": "both"}, {"cast": "maximum"}, {"show": "nothing"}, {"language": "none.json"}, {"grey": (3, 1)}]:
+        for refused in [{"show": "both"}, {"cast": "maximum"}, {"show": "nothing"}, {"language": "none.json"}, {"grey": (3, 1)}, {"slopes": (50, 300)}]:
             with self.assertRaises(odontoscope.Error, msg=str(refused)):
                 self.model.page(**refused)
 
