@@ -84,7 +84,8 @@ void put(std::vector<TransferPoint>& transfer, std::size_t index, double value, 
 std::size_t added(std::vector<TransferPoint>& transfer, double value, double extinction) {
   const auto above = std::upper_bound(transfer.begin(), transfer.end(), value, [](double wanted, const TransferPoint& point) { return wanted < point.value; });
   const Colour colour = above == transfer.begin() ? above->colour : (above - 1)->colour;
-  return static_cast<std::size_t>(transfer.insert(above, {value, colour, extinction}) - transfer.begin());
+  const auto place = transfer.insert(above, {value, colour, extinction});   // the points may lie elsewhere from here on
+  return static_cast<std::size_t>(place - transfer.begin());
 }
 
 bool take_away(std::vector<TransferPoint>& transfer, std::size_t index, std::size_t& chosen) {
