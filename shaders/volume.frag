@@ -21,6 +21,7 @@ uniform float low;              // black
 uniform float high;             // white
 #endif
 #ifdef RADIOGRAPH
+#include "film_edge.glsl"
 uniform float attenuation;      // for each unit of length of `high`; `low` has none
 uniform float latitude;         // attenuation that is white
 uniform int inverted;           // 1: or black
@@ -127,6 +128,10 @@ vec4 seen_along(Ray ray, ivec2 at) {
 }
 #else
 vec4 seen_along(Ray ray, ivec2 at) {
+#ifdef RADIOGRAPH
+  if (misses_film(ray.eye_origin, ray.eye_direction)) return vec4(vec3(light_shown_as(beside_film)), 1.0);
+  if (!(ray.begin < ray.end)) return vec4(vec3(light_shown_as(inverted != 0 ? 1.0 : 0.0)), 1.0);
+#endif
   if (!(ray.begin < ray.end)) return vec4(0.0);
   int number = 0, last = int(ceil((ray.end - ray.begin) / stride));
   float found = 0.0;

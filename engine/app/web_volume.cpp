@@ -82,7 +82,7 @@ PageGreys page_greys(const Volume& volume, const ContourStack& stack, const Repo
   PageGreys greys;
   greys.anchors = grey_anchors(volume);
   greys.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
-  for (const auto& [structure, iso] : facts.isos) greys.isos.push_back(iso);
+  for (const auto& [structure, iso] : facts.isos) greys.isos.push_back({structure, iso});
   return greys;
 }
 

@@ -28,7 +28,7 @@ void tell_web_volume(const WebVolume& volume, const ValueGrid& grid, Session& se
 struct PageGreys {
   std::shared_ptr<const ValueGrid> values;
   GreyAnchors anchors;
-  std::vector<double> isos;
+  std::vector<WebIso> isos;
 };
 
 /// Around the contours, which were made of it. Throws as grey_anchors does.

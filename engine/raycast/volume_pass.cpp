@@ -200,6 +200,8 @@ void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, 
   cast.set("attenuation", metres_to_mm * static_cast<float>(look.attenuation));
   cast.set("latitude", static_cast<float>(look.latitude));
   cast.set("inverted", look.inverted ? 1 : 0);
+  cast.set("film", glm::vec2(look.film_mm) / metres_to_mm);
+  cast.set("film_centre", view.film_centre);
   cover_behind(cast, view, volume, Among::greys, picture);
 }
 

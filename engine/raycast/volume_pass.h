@@ -31,6 +31,7 @@ struct CastView {
   glm::vec4 lamp{0};               // as in FramePlan
   glm::ivec2 touched_low{0}, touched_high{0};   // as in FramePlan: elsewhere nothing is cast
   bool every_ray = false;          // through every sample, however alike its neighbours are
+  glm::vec3 film_centre{0, 0, -1}; // of a radiograph, in eye space: before the eye
 };
 
 /// How far what rays in a row saw may stray from a straight run, of 1 as a screen shows it, if others between them are interpolated; by twice as much they may differ. The first is for
@@ -56,7 +57,8 @@ class VolumePass {
   /// Blends what lies between the depths under what `picture` holds, which has a depth buffer for the pass's own use. Precondition: `volume` is prepared for `look`, whose cast is shaded.
   void draw_between(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const CastDepths& depths, const Framebuffer& picture);
 
-  /// Covers what the box covers with greys, black for nothing. Precondition: look.projects(), `volume` is prepared for it.
+  /// Covers what the box covers with greys, black for nothing; of a radiograph all that may be touched, what lies beside
+  /// look.film_mm in one grey. Precondition: look.projects(), `volume` is prepared for it.
   void draw_projection(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const Framebuffer& picture);
 
   /// The surface of look.iso, into the layer that is bound, with light, ambient light and depth. Precondition as above.

@@ -39,12 +39,15 @@ void limit_to_touched(const Gl& gl, const FramePlan& plan) {
 }
 
 CastView cast_view(const FramePlan& plan, bool every_ray) {
-  return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel, plan.size, plan.section, plan.lamp, plan.touched.low, plan.touched.high, every_ray};
+  const glm::vec3 film_centre(plan.view.world_to_eye * glm::vec4(plan.centre, 1));
+  return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel,     plan.size, plan.section,
+          plan.lamp,              plan.touched.low,      plan.touched.high, every_ray, film_centre};
 }
-
 
 void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan) {
   touch_box(volume.low(), volume.high(), plan);
+  // A film reaches beyond what it shows, and beside it is its edge.
+  if (look.cast == VolumeLook::Cast::radiograph) plan.touched = {{0, 0}, {plan.size.width, plan.size.height}};
   if (look.shows_surfaces()) return;
   plan.opaque.clear();
   plan.translucent.clear();

@@ -27,6 +27,16 @@ auto one_named(const All& all, std::string_view wanted, std::string_view what) {
   throw UsageError(fmt::format("there is no {} \"{}\"", what, wanted), fmt::format("Choose one of {}.", names));
 }
 
+}  // namespace
+
+std::optional<std::size_t> dental_film(const glm::dvec2& mm) {
+  for (std::size_t i = 0; i < dental_films_mm.size(); ++i)
+    if (mm == dental_films_mm[i] || mm == glm::dvec2(dental_films_mm[i].y, dental_films_mm[i].x)) return i;
+  return std::nullopt;
+}
+
+namespace {
+
 /// Where it lies between air (0) and dentine (1).
 struct Anchored {
   double place;

@@ -1,8 +1,11 @@
 #pragma once
 // How the grey values of a volume are shown, beside or instead of the surfaces that were made from them.
 
+#include <array>
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -28,8 +31,11 @@ struct Slopes {
   friend bool operator==(const Slopes&, const Slopes&) = default;
 };
 
-/// Of intraoral film, size 2, upright.
-inline constexpr glm::dvec2 usual_film_mm{31, 41};
+/// Intraoral films by their size, upright: 0 and 1 for children and front teeth, 2 the usual one, 3 of bitewings, 4 occlusal.
+inline constexpr std::array<glm::dvec2, 5> dental_films_mm{{{22, 35}, {24, 40}, {31, 41}, {27, 54}, {57, 76}}};
+inline constexpr glm::dvec2 usual_film_mm = dental_films_mm[2];
+/// The size of a film, upright or across; nothing: none of them.
+std::optional<std::size_t> dental_film(const glm::dvec2& mm);
 
 struct VolumeLook {
   enum class Shows { surfaces, volume, both };
@@ -45,7 +51,7 @@ struct VolumeLook {
   double attenuation = 0.25;                   // 1/mm of value `white`, for a radiograph
   double latitude = 4;                         // attenuation that it shows white,
   bool inverted = false;                       // or black
-  glm::dvec2 film_mm{0};                       // width and height of a model's film; 0: it has no edge
+  glm::dvec2 film_mm{0};                       // width and height of a film; 0: it has no edge
   double iso = 0;
   Colour iso_colour = colour_of(0xeddebd);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "engine/measure/film_length.h"
 #include "engine/scene/vector.h"
@@ -62,10 +63,39 @@ void lengths_on_film(const ViewerState& state, const Interface& interface) {
       "leans towards the tube or away from it is shown shorter, what lies nearer the tube larger.");
 }
 
+/// One of the usual films, upright or across, or none with an edge. true: another was chosen.
+bool choose_film(glm::dvec2& film_mm, const Interface& interface) {
+  const glm::dvec2 before = film_mm;
+  const auto size = dental_film(film_mm);
+  bool across = film_mm.x > film_mm.y;
+  int chosen = size ? 1 + static_cast<int>(*size) : film_mm.x > 0 ? -1 : 0;
+  const auto turned = [&](const glm::dvec2& upright) { return across ? glm::dvec2(upright.y, upright.x) : upright; };
+  widgets::remark(interface, "Film, by its size");
+  if (widgets::choice("film", chosen, {"No edge", "0", "1", "2", "3", "4"}))
+    film_mm = chosen > 0 ? turned(dental_films_mm[static_cast<std::size_t>(chosen - 1)]) : glm::dvec2(0);
+  if (film_mm.x > 0) {
+    if (widgets::toggle("Lies across", across)) std::swap(film_mm.x, film_mm.y);
+    widgets::remark(interface, fmt::format("{:g} x {:g} mm, at the middle of the tooth", film_mm.x, film_mm.y));
+  }
+  return film_mm != before;
+}
+
+/// The camera is the tube.
+void choose_beam(ViewerState& state, const Interface& interface) {
+  const Camera& camera = state.scene.camera;
+  int beam = camera.projection == Camera::Projection::parallel ? 1 : 0;
+  if (widgets::choice("beam", beam, {"Cone beam", "Parallel beam"})) state.todo.push_back(Action::toggle_projection);
+  const double focus_mm = glm::distance(camera.position, state.shown->model.bounds_mm.centre());
+  widgets::remark(interface, beam == 1 ? "All rays run one way, and all is shown in its own size."
+                                       : fmt::format("Rays come from a focus {:.0f} mm before the film.", focus_mm));
+}
+
 }  // namespace
 
-void tube_controls(ViewerState& state, const Interface& interface) {
+void film_controls(ViewerState& state, const Interface& interface) {
   widgets::toggle("Inverted", state.scene.volume.inverted);
+  if (choose_film(state.scene.volume.film_mm, interface)) state.film_asked = true;
+  choose_beam(state, interface);
   double swing = std::clamp(std::round(swing_of(state.scene.camera)), -farthest_swing_deg, farthest_swing_deg);
   if (widgets::slider("Tube swung by", swing, -farthest_swing_deg, farthest_swing_deg, "%.0f\xC2\xB0"))
     state.tube_asked = std::round(swing);
@@ -85,9 +115,7 @@ void film_section(ViewerState& state, const Interface& interface) {
   }
   if (!on) return;
   widgets::slider("White at attenuation", state.scene.volume.latitude, 0.5, 10, "%.1f");
-  bool edged = state.scene.volume.film_mm.x > 0;
-  if (widgets::toggle("Film of 31 x 41 mm", edged)) state.scene.volume.film_mm = edged ? usual_film_mm : glm::dvec2(0);
-  tube_controls(state, interface);
+  film_controls(state, interface);
 }
 
 }  // namespace odontoscope

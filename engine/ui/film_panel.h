@@ -10,7 +10,7 @@ namespace odontoscope {
 /// The section of a model without grey values, if it is closed and anything is known of its tissues; else nothing.
 void film_section(ViewerState& state, const Interface& interface);
 
-/// The tube, and lengths on the film as the camera shows it.
-void tube_controls(ViewerState& state, const Interface& interface);
+/// The film's size, the beam and the tube, and lengths on the film as the camera shows it.
+void film_controls(ViewerState& state, const Interface& interface);
 
 }  // namespace odontoscope

@@ -72,6 +72,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   for (const Action action : std::exchange(state_.todo, {})) perform(action);
   if (const auto place = std::exchange(state_.look_at, {})) lead_to(*place);
   if (const auto degrees = std::exchange(state_.tube_asked, {})) swing_tube(*degrees);
+  if (std::exchange(state_.film_asked, false)) show_film();
   if (const auto line = std::exchange(state_.fly.ride_asked, {})) begin_ride(*line);
   tend_notes();
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
@@ -135,18 +136,6 @@ void Viewer::lead_to(const glm::dvec3& place) {
   const double half = half_height_at(goal, depth_of(goal, place)), wanted = seen * state_.shown->model.radius_mm;
   go_to(within_reach(zoom(goal, half / wanted, place), state_.shown->model));
   state_.looked_at = place;
-}
-
-void Viewer::swing_tube(double degrees) {
-  if (!state_.shown || state_.fly.on) return;
-  const AnatomicalFrame tooth;
-  Camera camera = transition_ ? transition_->goal() : state_.scene.camera;
-  const double far = glm::distance(camera.position, camera.target), angle = glm::radians(degrees);
-  camera.target = state_.shown->model.bounds_mm.centre();
-  camera.position = camera.target + far * (std::cos(angle) * tooth.buccal + std::sin(angle) * glm::cross(tooth.occlusal, tooth.buccal));
-  camera.up = tooth.occlusal;
-  transition_.reset();
-  state_.scene.camera = camera;
 }
 
 void Viewer::perform(Action action) {

@@ -125,6 +125,8 @@ class Viewer {
   void lead_to(const glm::dvec3& place);
   /// Looks from where an X-ray tube would stand, from as far as now.
   void swing_tube(double degrees);
+  /// Goes so far back that the film's edge is in the picture, too.
+  void show_film();
   void notice(std::string words, bool bad = false, double seconds = Notice{}.seconds_left);
 
   // viewer_lab.cpp: DB mode

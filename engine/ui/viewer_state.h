@@ -86,6 +86,7 @@ struct ViewerState {
   std::shared_ptr<const LoadedModel> shown;      // null until something is loaded
   Scene scene;
   VolumeLayout volume_layout;
+  bool film_asked = false;                       // another film was chosen: the camera goes where all of it is seen
   std::optional<double> tube_asked;              // degrees to the right of buccal, from where an X-ray tube would look: the camera goes there
   std::optional<DataColours::Of> data_colours_asked;   // of a model whose deviations are not known yet: they are measured meanwhile
   Settings settings;

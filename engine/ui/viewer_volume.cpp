@@ -1,9 +1,14 @@
-// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile; and what it works out of a volume that is shown.
+// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile; what it works out
+// of a volume that is shown; and where it looks at a film from.
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <utility>
 
 #include "engine/scene/deviation.h"
+#include "engine/scene/fit_visible.h"
 #include "engine/ui/trouble.h"
 #include "engine/ui/viewer.h"
 
@@ -62,6 +67,35 @@ void Viewer::tend_deviations() {
   state_.shown = std::move(marked);
   if (state_.shown->deviations) state_.scene.data_colours = usual_data_colours(*asked, *state_.shown->deviations, *state_.shown->values);
   frames_to_settle_ = 3;
+}
+
+void Viewer::swing_tube(double degrees) {
+  if (!state_.shown || state_.fly.on) return;
+  const AnatomicalFrame tooth;
+  Camera camera = transition_ ? transition_->goal() : state_.scene.camera;
+  const double far = glm::distance(camera.position, camera.target), angle = glm::radians(degrees);
+  camera.target = state_.shown->model.bounds_mm.centre();
+  camera.position = camera.target + far * (std::cos(angle) * tooth.buccal + std::sin(angle) * glm::cross(tooth.occlusal, tooth.buccal));
+  camera.up = tooth.occlusal;
+  transition_.reset();
+  state_.scene.camera = camera;
+}
+
+void Viewer::show_film() {
+  if (!state_.shown || state_.fly.on) return;
+  constexpr double room = 1.08;
+  const Camera goal = transition_ ? transition_->goal() : state_.scene.camera;
+  const double aspect = panes_.front().area.aspect();
+  Camera camera = fit_without(hidden_in(state_.scene), goal, state_.shown->model, aspect);
+  const glm::dvec2& film = state_.scene.volume.film_mm;
+  const double height = room * std::max(film.y, film.x / aspect);
+  const glm::dvec3 towards = camera.position - camera.target;
+  const double far = 0.5 * height / std::tan(glm::radians(camera.field_of_view_deg) / 2);
+  if (film.x > 0) camera.target = state_.shown->model.bounds_mm.centre();
+  camera.position = camera.target + std::max(1.0, far / glm::length(towards)) * towards;
+  camera.height_mm = std::max(camera.height_mm, height);
+  transition_.reset();
+  state_.scene.camera = camera;
 }
 
 }  // namespace odontoscope

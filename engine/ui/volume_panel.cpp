@@ -168,7 +168,7 @@ void volume_section(ViewerState& state, const Interface& interface) {
   if (look.cast == VolumeLook::Cast::radiograph) {
     widgets::slider("White at attenuation", look.latitude, 0.5, 10, "%.1f");
     two_values("Air", look.black, "Dentine", look.white, state.shown->values->range);
-    tube_controls(state, interface);
+    film_controls(state, interface);
     return;
   }
   if (look.projects()) two_values("Black", look.black, "White", look.white, state.shown->values->range);

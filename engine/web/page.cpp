@@ -48,10 +48,11 @@ std::string packed(const WebVolume& volume) {
 
 Json json_of(const WebVolume& volume) {
   const auto triple = [](const Point3& p) { return Json::array({p.x, p.y, p.z}); };
-  Json transfers = Json::object();
+  Json transfers = Json::object(), isos = Json::array();
+  for (const WebIso& iso : volume.isos) isos.push_back({{"structure", iso.structure}, {"value", iso.value}});
   for (const auto& [name, points] : volume.transfers) transfers[name] = Json::parse(points);
   return {{"element", "volume"}, {"size", volume.size}, {"first_mm", triple(volume.first_mm)}, {"step_mm", triple(volume.step_mm)}, {"low", volume.low}, {"high", volume.high},
-          {"air", volume.air}, {"dentine", volume.dentine}, {"dentine_attenuation", volume.dentine_attenuation}, {"isos", volume.isos}, {"bars", volume.bars},
+          {"air", volume.air}, {"dentine", volume.dentine}, {"dentine_attenuation", volume.dentine_attenuation}, {"isos", isos}, {"bars", volume.bars},
           {"look", Json::parse(volume.look)}, {"transfers", transfers}, {"alone", volume.alone}};
 }
 

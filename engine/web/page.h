@@ -48,6 +48,12 @@ struct WebLook {
   std::optional<double> attenuation = {};   // of X-rays, 1/mm; none: no tissue is known by this name
 };
 
+/// The value at which the surface of a structure was taken.
+struct WebIso {
+  std::string structure;
+  double value = 0;
+};
+
 /// Grey values of the volume that the model came from. Value (i, j, k) belongs to the place first_mm + (i, j, k) * step_mm.
 struct WebVolume {
   std::array<std::size_t, 3> size{};
@@ -56,7 +62,7 @@ struct WebVolume {
   std::string bytes;               // x runs fastest, then y, then z
   double air = 0, dentine = 1;     // what values mean
   double dentine_attenuation = 0;  // of X-rays, 1/mm
-  std::vector<double> isos;        // at which surfaces were taken
+  std::vector<WebIso> isos;        // at which surfaces were taken
   std::vector<double> bars;        // of a histogram from `low` to `high`, 0 to 1
   std::string look;                // JSON, as a scene file has it under "volume"
   std::vector<std::pair<std::string, std::string>> transfers;   // ready-made ones: a name, and JSON as the look's "transfer"

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "recon/radiograph/sum_through.h"
 #include "tests/output/temporary_folder.h"
@@ -68,6 +70,48 @@ TEST_P(Projection, OfARadiographSumsAsTheFilmDoes) {
   EXPECT_LT(whole_one.worst, one_level);
   const Judged cut = judged(volume, look, Section{{0.3, 0, 0.2}, {0.2, 1, -0.3}}, wanted);
   EXPECT_LT(cut.worst, one_level);
+}
+
+// The film covers all that the rays pass beside the box, too, and hangs at the model's middle, square to where the
+// camera looks.
+TEST_P(Projection, OfARadiographHasAnEdgeAndMayBeInverted) {
+  const ValueGrid grid = whole(lumps());
+  const Model model = box_model(grid);
+  Camera camera = GetParam().camera;  // the box is but a part of the picture
+  camera.height_mm *= 3;
+  camera.field_of_view_deg = 80;
+  const bool within_it = GetParam().name == std::string("Inside");
+  const glm::dvec2 size_mm = within_it ? glm::dvec2(0.6, 0.8) : glm::dvec2(5.1, 7.3);
+  const auto drawn = [&](const glm::dvec2& film_mm, bool inverted, const std::vector<ShaderEdit>& edits = {}) {
+    const testing_support::TemporaryFolder folder;
+    write_edited_shaders(edits, folder.path().string());
+    VolumeLook look = look_of(VolumeLook::Cast::radiograph);
+    look.film_mm = film_mm;
+    look.inverted = inverted;
+    return cast(model, grid, scene_of(model, camera, look), {folder.path()});
+  };
+  const Image usual = drawn({0, 0}, false), negative = drawn({0, 0}, true), film = drawn(size_mm, false);
+  const Image larger = drawn(size_mm, false, {{"film_edge.glsl", "0.5 * film", "0.6 * film"}});
+  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position),
+                   right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead),
+                   centre = model.bounds_mm.centre();
+  int wrong = 0, noticed = 0, within = 0, unlike = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const Ray ray = ray_through(camera, picture, x, y);
+      const glm::dvec3 off = ray.at(glm::dot(centre - ray.origin, ahead) / glm::dot(ray.direction, ahead)) - centre;
+      const glm::dvec2 from_centre(std::abs(glm::dot(off, right)), std::abs(glm::dot(off, up)));
+      const bool inside = glm::all(glm::lessThan(from_centre, 0.5 * size_mm));
+      const auto wanted = inside ? usual.pixel(x, y) : std::array<std::uint8_t, 4>{41, 41, 41, 255};
+      within += inside;
+      wrong += film.pixel(x, y) != wanted;
+      noticed += larger.pixel(x, y) != wanted;
+      unlike += std::abs(255 - usual.pixel(x, y)[1] - negative.pixel(x, y)[1]) > 1;
+    }
+  EXPECT_GT(within, 40);
+  EXPECT_LE(wrong, 12);  // on its edge
+  EXPECT_GT(noticed, 24) << "a larger film";
+  EXPECT_EQ(unlike, 0);
 }
 
 // Noise from voxel to voxel, with values below that of air.

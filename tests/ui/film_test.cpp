@@ -1,6 +1,8 @@
 // The X-ray film of a model without a CT: what the panel's controls do, and what is measured on it.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <utility>
 
 #include "engine/measure/film_length.h"
 #include "engine/picture/compare.h"
@@ -46,12 +48,52 @@ TEST_F(FilmPanel, ShowsTheFilmAndTheSurfacesAgain) {
   click_control("Inverted");
   EXPECT_TRUE(state().scene.volume.inverted);
   EXPECT_TRUE(differs(before));
-  before = picture();
-  click_control("Film of 31 x 41 mm");
-  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(31, 41));
   click_control("As an X-ray film shows it");
   EXPECT_FALSE(state().film());
   EXPECT_FALSE(differs(surfaces));
+}
+
+// Of these only the smallest is smaller than the picture.
+TEST_F(FilmPanel, HasTheUsualFilmsUprightAndAcross) {
+  click_control("As an X-ray film shows it");
+  frames(2);
+  const Image whole = picture();
+  for (const auto& [size, mm] : {std::pair{"1", glm::dvec2(24, 40)}, {"2", {31, 41}}, {"3", {27, 54}}, {"4", {57, 76}}}) {
+    click_control(size, {"film"});
+    EXPECT_EQ(state().scene.volume.film_mm, mm);
+  }
+  click_control("0", {"film"});
+  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(22, 35));
+  EXPECT_TRUE(differs(whole));
+  keep_picture("film-of-size-0");
+  const Image upright = picture();
+  click_control("Lies across");
+  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(35, 22));
+  EXPECT_TRUE(differs(upright));
+  click_control("1", {"film"});
+  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(40, 24)) << "another film lies as the one before did";
+  click_control("No edge", {"film"});
+  EXPECT_EQ(state().scene.volume.film_mm, glm::dvec2(0));
+  EXPECT_FALSE(differs(whole));
+}
+
+// What is nearer to the tube than the film is enlarged by a cone alone.
+TEST_F(FilmPanel, HasAConeAndAParallelBeam) {
+  click_control("As an X-ray film shows it");
+  frames(2);
+  const Image cone = picture();
+  const double height = 2 * glm::distance(state().scene.camera.position, state().scene.camera.target) *
+                        std::tan(glm::radians(state().scene.camera.field_of_view_deg) / 2);
+  click_control("Parallel beam", {"beam"});
+  frames(2);
+  EXPECT_EQ(state().scene.camera.projection, Camera::Projection::parallel);
+  EXPECT_NEAR(state().scene.camera.height_mm, height, 1e-9) << "what lies at the film keeps its size";
+  EXPECT_TRUE(differs(cone));
+  keep_picture("film-of-a-parallel-beam");
+  click_control("Cone beam", {"beam"});
+  frames(2);
+  EXPECT_EQ(state().scene.camera.projection, Camera::Projection::perspective);
+  EXPECT_FALSE(differs(cone));
 }
 
 TEST_F(FilmPanel, SwingsTheTubeToTheRightOfBuccal) {

@@ -81,6 +81,21 @@ TEST_F(VolumePanel, CastsInSeveralWays) {
   EXPECT_EQ(look().cast, VolumeLook::Cast::shaded);
 }
 
+TEST_F(VolumePanel, HasTheUsualFilmsAndBothBeams) {
+  click_control("Volume", {"volume shows"});
+  click_control("X-ray", {"cast"});
+  frames(3);
+  const Image cone = picture();
+  click_control("0", {"film"});
+  EXPECT_EQ(look().film_mm, glm::dvec2(22, 35));
+  EXPECT_TRUE(differs(cone));
+  keep_picture("volume-x-ray-film");
+  const Image film = picture();
+  click_control("Parallel beam", {"beam"});
+  EXPECT_TRUE(differs(film));
+  EXPECT_EQ(viewer().state().scene.camera.projection, Camera::Projection::parallel);
+}
+
 TEST_F(VolumePanel, HasTransferFunctions) {
   click_control("Volume", {"volume shows"});
   const Image before = picture();

@@ -1,5 +1,5 @@
 // Where one looks from: the named views of a tooth, all of it in the picture, and the way from one view to the next.
-import {MathUtils, PerspectiveCamera, Vector3} from 'three';
+import {MathUtils, OrthographicCamera, PerspectiveCamera, Vector3} from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
 import {t} from './language.js';
 
@@ -20,15 +20,17 @@ export class Orbit {
   /// `changed` is called whenever the picture must be drawn anew.
   constructor(canvas, bounds, sample, changed) {
     this.bounds = bounds;
-    this.sample = sample;   // points that must be in the picture
+    this.sample = sample;   // points that must be in the picture,
+    this.filmSize = () => [0, 0];   // and width and height of a film that hangs at the middle, mm
     this.changed = changed;
     this.still = matchMedia('(prefers-reduced-motion: reduce)');
     this.camera = new PerspectiveCamera(fieldOfView, 1, 0.1, 1000);
     this.camera.up.set(0, 0, 1);
+    this.parallelCamera = new OrthographicCamera();
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.minDistance = 0.15 * bounds.radius;
-    this.controls.maxDistance = 30 * bounds.radius;
+    this.farthest = this.controls.maxDistance = 30 * bounds.radius;
     this.controls.addEventListener('change', changed);
     this.controls.addEventListener('start', () => { this.move = this.view = null; });
     this.move = null;
@@ -39,11 +41,26 @@ export class Orbit {
     this.camera.updateProjectionMatrix();
   }
 
+  /// Looks along the camera's line of sight by rays that all run one way: what lies at the middle of the model keeps its size.
+  get parallel() {
+    const {camera, parallelCamera: own, bounds: {centre}} = this;
+    const depth = centre.clone().sub(camera.position).dot(camera.getWorldDirection(new Vector3()));
+    own.top = Math.max(depth, camera.near) * Math.tan(MathUtils.degToRad(camera.fov) / 2);
+    own.right = own.top * camera.aspect;
+    Object.assign(own, {bottom: -own.top, left: -own.right, near: camera.near, far: camera.far});
+    own.position.copy(camera.position);
+    own.quaternion.copy(camera.quaternion);
+    own.updateProjectionMatrix();
+    own.updateMatrixWorld();
+    return own;
+  }
+
   /// Far enough for every sampled point to be seen from this side.
   distanceFrom(towards, up) {
     const right = new Vector3().crossVectors(up, towards).normalize(), top = new Vector3().crossVectors(towards, right);
     const tanY = Math.tan(MathUtils.degToRad(fieldOfView) / 2) / margin, tanX = tanY * this.camera.aspect;
-    let distance = 0;
+    const [width, height] = this.filmSize();
+    let distance = Math.max(0.5 * width / tanX, 0.5 * height / tanY);
     for (const p of this.sample) {
       const v = p.clone().sub(this.bounds.centre), deep = v.dot(towards);
       distance = Math.max(distance, deep + Math.abs(v.dot(right)) / tanX, deep + Math.abs(v.dot(top)) / tanY);
@@ -62,7 +79,9 @@ export class Orbit {
   goTo(view, atOnce = false) {
     const towards = new Vector3(...view.towards).normalize(), up = new Vector3(...view.up), {pose} = view, goal = pose ? new Vector3(...pose.target) : this.bounds.centre;
     if (Math.abs(towards.z) > 0.9995) towards.addScaledVector(up, -0.02).normalize();   // what is up in the picture is told by a little tilt
-    const position = goal.clone().addScaledVector(towards, pose ? this.distanceOf(pose) : this.distanceFrom(towards, up));
+    const distance = pose ? this.distanceOf(pose) : this.distanceFrom(towards, up);
+    this.controls.maxDistance = Math.max(this.farthest, distance);   // a film may be much larger than what it shows
+    const position = goal.clone().addScaledVector(towards, distance);
     this.view = view;
     if (atOnce || this.still.matches) {
       this.move = null;

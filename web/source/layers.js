@@ -89,7 +89,9 @@ export class Layers {
   draw(scene, camera, model, {layers, shade, reach, bounds, caster = null, scale = 1, complete = false, sample}) {
     const {renderer, shared, opaque, peeled} = this, screen = renderer.getDrawingBufferSize(new Vector2());
     this.fit(screen.multiplyScalar(scale).ceil());
-    this.keepTo(camera, caster ? new Box3(caster.low, caster.high).union(bounds.box) : bounds.box);
+    camera.updateMatrixWorld();
+    if (caster?.isFilm) this.keepToAll();   // a film reaches beyond what it shows, and beside it is its edge
+    else this.keepTo(camera, caster ? new Box3(caster.low, caster.high).union(bounds.box) : bounds.box);
     this.shading = shade ? {camera, reach} : null;
     if (sample === 2) [this.sum, this.mean] = [this.mean, this.sum];   // the first one was the mean by itself
     this.sum.scissorTest = this.mean.scissorTest = false;
@@ -179,7 +181,6 @@ export class Layers {
     const {low, high} = this.box, {width, height} = this.opaque, p = new Vector3();
     low.set(width, height);
     high.set(0, 0);
-    camera.updateMatrixWorld();
     for (let corner = 0; corner < 8; ++corner) {
       p.set(...['x', 'y', 'z'].map((axis, k) => (corner >> k & 1 ? box.max : box.min)[axis])).applyMatrix4(camera.matrixWorldInverse);
       if (p.z > -camera.near) {   // beside or behind the eye
@@ -193,6 +194,17 @@ export class Layers {
     }
     low.clampScalar(0, Infinity);
     high.min({x: width, y: height});
+    this.scissor();
+  }
+
+  keepToAll() {
+    this.box.low.set(0, 0);
+    this.box.high.set(this.opaque.width, this.opaque.height);
+    this.scissor();
+  }
+
+  scissor() {
+    const {low, high} = this.box;
     for (const target of [this.opaque, ...this.peeled, this.hollows, this.sum, this.mean])
       target.scissor.set(low.x, low.y, Math.max(0, high.x - low.x), Math.max(0, high.y - low.y));
   }

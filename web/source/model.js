@@ -45,14 +45,18 @@ export class ShownModel {
   }
 
   /// Puts looks, faces and section on. `inside`: from within the void, where walls are opaque and what fills the void is left out.
-  dress({faces, section, inside, wallDepth}) {
+  /// `data`: 1 or 2 for the colours of distance or slope, of parts that have them.
+  dress({faces, section, inside, wallDepth, data = 0}) {
     const cut = section && !inside;
     for (const part of this.parts) {
       const look = this.looks.get(part.key), opacity = inside ? 1 : look.opacity;
       const wall = inside && this.voids.has(part.geometry), left_out = inside && !wall && (this.bodies || this.fills(part));
       const body = inside ? wall && part.kind !== 'cavity' : look.as_body && !cut;   // cut open, a cavity shows its wall
       part.seen = look.visible && opacity > 0 && !left_out;
-      for (const mesh of [part.shown, part.first]) mesh.material.uniforms.show_depth.value = Boolean(wall && wallDepth);
+      for (const {material: {uniforms}} of [part.shown, part.first]) {
+        uniforms.show_depth.value = Boolean(wall && wallDepth);
+        uniforms.show_data.value = part.geometry.hasAttribute('data') ? data : 0;
+      }
       this.put(part, {colour: look.colour, opacity, faces, body, depth: look.depth});
     }
     if (cut && !this.cutBy?.equals(section)) {

@@ -6,6 +6,7 @@ import {
 } from 'three';
 import filmShader from '../../shaders/film.frag';
 import faceShader from '../../shaders/film_faces.frag';
+import filmEdge from '../../shaders/film_edge.glsl';
 import tone from '../../shaders/tone.glsl';
 import {Sheet} from './sheet.js';
 
@@ -33,7 +34,7 @@ export class Shadow {
     this.on = false;
     this.latitude = 4;
     this.inverted = false;
-    this.size = [0, 0];   // of the film, mm; 0: it has no edge
+    this.film_mm = [0, 0];   // 0: it has no edge
     this.scene = new Scene();
     this.meshes = parts.map(part => {
       const mesh = new Mesh(part.geometry, new ShaderMaterial({
@@ -46,20 +47,23 @@ export class Shadow {
     });
     const precise = renderer.extensions.has('EXT_float_blend');
     this.sums = new WebGLRenderTarget(4, 4, {type: precise ? FloatType : HalfFloatType, depthBuffer: false, minFilter: NearestFilter, magFilter: NearestFilter});
-    this.film = new Sheet(filmShader.replace('#include "tone.glsl"', tone), {swallowed: null, latitude: 4, middle: 0, parallel: 0, least: 1e-3, inverted: 0, film: new Vector2(), film_centre: new Vector3(), section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
+    this.film = new Sheet(filmShader.replace('#include "tone.glsl"', tone).replace('#include "film_edge.glsl"', filmEdge), {swallowed: null, latitude: 4, middle: 0, parallel: 0, least: 1e-3, inverted: 0, film: new Vector2(), film_centre: new Vector3(), section: new Vector4(), clip_to_eye: new Matrix4(), pixels: new Vector2()}, {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor});
   }
 
+  get isFilm() { return true; }
   get projects() { return true; }
   get showsSurfaces() { return false; }
   get low() { return this.bounds.box.min; }
   get high() { return this.bounds.box.max; }
 
   drawProjection({camera, pixels, section}, target) {
-    const {renderer, sums} = this, middle = camera.position.distanceTo(this.bounds.centre);
+    const {renderer, sums} = this, film_centre = this.bounds.centre.clone().applyMatrix4(camera.matrixWorldInverse);
+    const parallel = camera.isOrthographicCamera ? 1 : 0, middle = parallel ? -film_centre.z : film_centre.length();
     if (sums.width !== pixels.x || sums.height !== pixels.y) sums.setSize(pixels.x, pixels.y);
     for (const {mesh, structure} of this.meshes) {
       mesh.visible = this.looks.get(structure).visible;
       mesh.material.uniforms.middle.value = middle;
+      mesh.material.uniforms.parallel.value = parallel;
       mesh.material.uniforms.section.value = section;
     }
     renderer.setClearColor(0x000000, 0);
@@ -68,6 +72,9 @@ export class Shadow {
     renderer.render(this.scene, camera);
     const normal = new Vector3(section.x, section.y, section.z).transformDirection(camera.matrixWorldInverse);
     const seen = new Vector4(normal.x, normal.y, normal.z, section.w - camera.position.dot(new Vector3(section.x, section.y, section.z)));
-    this.film.set({swallowed: sums.texture, latitude: this.latitude, middle, section: seen, clip_to_eye: camera.projectionMatrixInverse, pixels, inverted: this.inverted ? 1 : 0, film: new Vector2(...this.size), film_centre: this.bounds.centre.clone().applyMatrix4(camera.matrixWorldInverse)}).draw(renderer, target);
+    this.film.set({
+      swallowed: sums.texture, latitude: this.latitude, middle, parallel, section: seen, clip_to_eye: camera.projectionMatrixInverse,
+      pixels, inverted: this.inverted ? 1 : 0, film: new Vector2(...this.film_mm), film_centre,
+    }).draw(renderer, target);
   }
 }

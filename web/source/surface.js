@@ -3,10 +3,12 @@ import {
   AddEquation, BackSide, Color, CustomBlending, DoubleSide, FrontSide, GLSL3, LessEqualDepth, Matrix3, OneFactor, OneMinusSrcAlphaFactor, ShaderMaterial,
   SRGBColorSpace, Vector4,
 } from 'three';
+import dataColour from '../../shaders/data_colour.glsl';
 import grain from '../../shaders/grain.glsl';
 import lighting from '../../shaders/lighting.glsl';
 import tone from '../../shaders/tone.glsl';
 import wallDepth from '../../shaders/wall_depth.glsl';
+import {dataUniforms} from './data_colours.js';
 
 const alarm = 0xff00bf, alarmOpacity = 0.9;   // of faces seen from behind
 
@@ -15,12 +17,15 @@ export const noPeel = -1;
 
 const vertexShader = `
 in float wall_depth;   // in steps, see wall_depth.glsl
+in vec2 data;          // see data_colour.glsl
 out float depth_here;
+out vec2 data_here;
 centroid out vec3 place;   // in the model's millimetres
 out vec3 eye_place;
 out vec3 eye_normal;
 void main() {
   depth_here = wall_depth;
+  data_here = data;
   place = position;
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   eye_place = eye.xyz;
@@ -33,8 +38,10 @@ ${lighting}
 ${tone}
 ${grain}
 ${wallDepth}
+${dataColour}
 centroid in vec3 place;
 in float depth_here;
+in vec2 data_here;
 uniform bool show_depth;
 in vec3 eye_place;
 in vec3 eye_normal;
@@ -71,6 +78,7 @@ void main() {
   if (!front) alpha = max(alpha, least_back_opacity);
   vec3 base = front ? colour : back_colour;
   float pixel = fwidth(depth_here);
+  if (show_data != 0 && front) base = colour_of_data(data_here);
   if (show_depth) base = with_depth(base, depth_here, pixel);
   if (grain_size > 0.0) base *= grain(place / grain_size);
   Reflected light = reflected(light_frame * eye_place, light_frame * normal, light_frame * to_eye, base, 0.38);
@@ -94,6 +102,7 @@ export function sharedUniforms() {
     peel: {value: noPeel},
     layer_before: {value: null},
     opaque_depth: {value: null},
+    ...dataUniforms(),
   };
 }
 
@@ -107,7 +116,7 @@ export function surfaceMaterial(shared, hex) {
     fragmentShader,
     uniforms: {
       ...shared, colour: {value: colour}, back_colour: {value: colour.clone()}, opacity: {value: 1}, least_back_opacity: {value: 0}, normal_sign: {value: 1},
-      turned: {value: false}, grain_size: {value: 0}, show_depth: {value: false},
+      turned: {value: false}, grain_size: {value: 0}, show_depth: {value: false}, show_data: {value: 0},
     },
     blending: CustomBlending,
     blendEquation: AddEquation,

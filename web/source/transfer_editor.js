@@ -112,7 +112,7 @@ export class TransferEditor {
       context.fillRect(left, height * (1 - shareOf(extinction)), width / bars.length, height);
     });
     context.fillStyle = ink('--accent', '#2ab');
-    for (const iso of isos) context.fillRect(width * (iso - low) / (high - low) - 1.5, 0, 3, height);
+    for (const {value: iso} of isos) context.fillRect(width * (iso - low) / (high - low) - 1.5, 0, 3, height);
     if (!this.editable) return;
     const place = ({value, extinction}) => [width * this.x(value), height * (1 - shareOf(extinction))];
     context.strokeStyle = ink('--text', '#111');

@@ -2,6 +2,7 @@
 import {BufferAttribute, Group, Scene, Vector3, WebGLRenderer} from 'three';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
+import {DataColours} from './data_colours.js';
 import {boundsOf, partsOf, trianglesOf, voidsOf, volumeValues} from './data.js';
 import {depthStep, wallDepths} from './depth.js';
 import {Headset} from './headset.js';
@@ -72,9 +73,11 @@ export class Viewer extends EventTarget {
       this.world.add(shown.group);
       return shown;
     });
-    this.volume = values && this.picture.layers ? new Volume(this.renderer, description.volume, values) : null;
+    this.volume = values && this.picture.layers ? new Volume(this.renderer, description.volume, values, this.bounds) : null;
     this.shadow = values ? null : Shadow.of(this.renderer, {models, looks: this.looks, certificate: description.models[0].certificate}, this.bounds);
+    this.data = this.volume ? DataColours.of(this, description.volume, values) : null;
     this.chosen = 0;
+    this.beam = 'cone';   // of films, or 'parallel'
     this.faces = 'cull';
     this.wallDepth = true;   // canals' walls tell how deep one is,
     this.wallThickness = false;   // or how far it is to the outside
@@ -83,6 +86,7 @@ export class Viewer extends EventTarget {
     this.labels = new Labels(models[0].parts, this.looks);
     this.labels.changed = () => this.touch();
     this.pins = new Pins(this);
+    this.orbit.filmSize = () => (this.film ? this.filmLook.film_mm : [0, 0]);
     this.led = false;   // a lesson is moving the picture
     this.prepareInside();
     this.wallColours = new Map();   // by geometry: what has been measured
@@ -127,7 +131,11 @@ export class Viewer extends EventTarget {
   }
 
   get inside() { return this.journey.mode !== null; }
-  get camera() { return this.headset.present ? this.headset.camera : this.inside ? this.journey.camera : this.orbit.camera; }
+  get camera() {
+    if (this.headset.present) return this.headset.camera;
+    if (this.inside) return this.journey.camera;
+    return this.film && this.beam === 'parallel' ? this.orbit.parallel : this.orbit.camera;
+  }
   get model() { return this.models[this.chosen]; }
 
   /// The picture must be drawn anew.
@@ -140,7 +148,7 @@ export class Viewer extends EventTarget {
     else this.shared.section.value.set(0, 0, 0, 1);
     this.shown.forEach((shown, index) => {
       shown.group.visible = index === this.chosen;
-      shown.dress({faces: this.faces, section, inside: this.inside, wallDepth: this.wallDepth || this.wallThickness});
+      shown.dress({faces: this.faces, section, inside: this.inside, wallDepth: this.wallDepth || this.wallThickness, data: this.data?.uniform});
     });
     this.orbit.controls.enabled = !this.inside;
     this.touch();
@@ -177,6 +185,16 @@ export class Viewer extends EventTarget {
     this.dress();
   }
   setFilm(on) { this.shadow.on = on; this.dress(); }
+  /// What shows an X-ray film, of the CT or of the model; null: nothing does.
+  get film() { return this.caster?.isFilm ? this.caster : null; }
+  /// {latitude, inverted, film_mm} of the film that is shown, or would be.
+  get filmLook() { return this.volume?.look ?? this.shadow; }
+  setFilmLook(change) {
+    Object.assign(this.filmLook, change);
+    if (change.film_mm && this.film && !this.inside) this.orbit.fit();   // its edge is to be seen
+    this.dress();
+  }
+  setBeam(beam) { this.beam = beam; this.dress(); }
   /// Looks from where the tube of an X-ray machine stands, swung from buccal by degrees; positive: to the right of whoever looks.
   swingTube(degrees) {
     if (this.inside) this.leave();
@@ -238,6 +256,13 @@ export class Viewer extends EventTarget {
         geometry.setAttribute('wall_depth', new BufferAttribute(known[what], 1));
       }
     });
+  }
+  /// Of a geometry that has other corners now.
+  forgetWalls(geometry) {
+    geometry.deleteAttribute('wall_depth');
+    this.wallColours.delete(geometry);
+    this.marked = null;
+    if (this.inside) this.markWalls();
   }
   leave() {
     this.journey.leave();

@@ -8,11 +8,12 @@ import tone from '../../shaders/tone.glsl';
 import castShader from '../../shaders/volume.frag';
 import rayShader from '../../shaders/volume_ray.glsl';
 import surfaceShader from '../../shaders/volume_surface.frag';
+import filmEdge from '../../shaders/film_edge.glsl';
 import {brickGrid, brickSide, distancesToShown} from './bricks.js';
 import {Sheet} from './sheet.js';
 import {anyExtinction, entries, transferTable, understood} from './transfer.js';
 
-const shared = {'lighting.glsl': lighting, 'tone.glsl': tone, 'volume_ray.glsl': rayShader};
+const shared = {'film_edge.glsl': filmEdge, 'lighting.glsl': lighting, 'tone.glsl': tone, 'volume_ray.glsl': rayShader};
 const included = text => text.replace(/#include "([\w.]+)"/g, (_, name) => shared[name]);
 const under = {blendSrc: OneMinusDstAlphaFactor, blendDst: OneFactor};   // what is there already stays in front
 const levels = 255, mostSteps = 8192, clearSlope = 0.0625;   // as on the desktop
@@ -31,11 +32,12 @@ function valueTexture(size, bytes) {
 }
 
 export class Volume {
-  /// `told`: the page's description of it; `bytes`: its values.
-  constructor(renderer, told, bytes) {
+  /// `told`: the page's description of it; `bytes`: its values; `bounds`: of the model, at whose middle a film hangs.
+  constructor(renderer, told, bytes, bounds) {
     const most = renderer.getContext().getParameter(renderer.getContext().MAX_3D_TEXTURE_SIZE);
     if (Math.max(...told.size) > most) throw new Error(`the volume has ${Math.max(...told.size)} values along one side, and this browser draws ${most}`);
     this.renderer = renderer;
+    this.bounds = bounds;
     this.told = told;
     this.look = structuredClone(told.look);
     this.grid = brickGrid(told.size, bytes);
@@ -59,6 +61,7 @@ export class Volume {
   }
 
   get showsVolume() { return this.look.shows !== 'surfaces'; }
+  get isFilm() { return this.look.cast === 'radiograph'; }
   get projects() { return projections.includes(this.look.cast); }
   get showsSurfaces() { return !this.told.alone && (this.look.shows === 'surfaces' || (this.look.shows === 'both' && !this.projects)); }
   byte(value) { return (value - this.told.low) / this.unit; }
@@ -73,7 +76,7 @@ export class Volume {
       : cast === 'shaded'
         ? new Sheet(`#define SHADED\n${kind === cast ? '' : '#define BY_SLOPE\n'}${included(castShader)}`, {...this.ray, ...this.light, ...(kind === cast ? {} : {slopes: new Vector2()}), transfer: this.transfer, among_surfaces: 1, transfer_range: new Vector2(), lit: 1, clear_slope: 1, depth_from: null,
           depth_to: null, depth_opaque: null, from_the_eye: 1}, under)
-        : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1, inverted: 0} : {})}, under);
+        : new Sheet(`#define ${cast.toUpperCase()}\n${included(castShader)}`, {...this.ray, low: 0, high: 1, ...(cast === 'radiograph' ? {attenuation: 0, latitude: 1, inverted: 0, film: new Vector2(), film_centre: new Vector3()} : {})}, under);
     if (cast === 'surface') Object.assign(sheet.material, {depthTest: true, depthWrite: true});
     this.sheets.set(kind, sheet);
     return sheet;
@@ -105,7 +108,7 @@ export class Volume {
     const {look} = this, sheet = this.sheetFor(look.cast), step = 0.5 * this.finest;
     sheet.set({
       eye_to_world: camera.matrixWorld, eye_to_clip: camera.projectionMatrix, clip_to_eye: camera.projectionMatrixInverse, pixels, section, bricks: this.ray.bricks,
-      stride: this.coarseness * Math.max(step, this.diagonal / mostSteps),
+      parallel: camera.isOrthographicCamera ? 1 : 0, stride: this.coarseness * Math.max(step, this.diagonal / mostSteps),
     });
     if (sheet.uniforms.lamp) sheet.set({lamp});
     return sheet;
@@ -122,8 +125,11 @@ export class Volume {
   }
 
   drawProjection(view, target) {
-    const {window: [black, white], attenuation, latitude, cast} = this.look, sheet = this.sheetSeenBy(view).set({low: this.byte(black), high: this.byte(white)});
-    if (cast === 'radiograph') sheet.set({attenuation, latitude, inverted: this.look.inverted ? 1 : 0});
+    const {window: [black, white], attenuation, latitude, cast, film_mm} = this.look, sheet = this.sheetSeenBy(view).set({low: this.byte(black), high: this.byte(white)});
+    if (cast === 'radiograph') {
+      const film_centre = this.bounds.centre.clone().applyMatrix4(view.camera.matrixWorldInverse);
+      sheet.set({attenuation, latitude, inverted: this.look.inverted ? 1 : 0, film: new Vector2(...film_mm), film_centre});
+    }
     sheet.draw(this.renderer, target);
   }
 
