@@ -210,13 +210,13 @@ TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
   ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
   const VolumeQuestion& question = *viewer().state().question;
   const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
-  move(bar.x - 250, bar.y);
+  move(bar.x - 190, bar.y);
   press();
   frame();
   double before = -1;
   std::vector<std::size_t> outlines;
   for (int step = 0; step < 5; ++step) {
-    move(bar.x - 250 + 60 * step, bar.y);
+    move(bar.x - 190 + 35 * step, bar.y);
     frames(2);
     EXPECT_GT(question.iso, before);
     EXPECT_EQ(question.drawn.iso, question.iso);
@@ -225,7 +225,7 @@ TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
   }
   release();
   frame();
-  move(bar.x - 250, bar.y);   // without the button nothing moves
+  move(bar.x - 190, bar.y);   // without the button nothing moves
   frames(2);
   EXPECT_EQ(question.iso, before);
   EXPECT_GT(std::set<std::size_t>(outlines.begin(), outlines.end()).size(), 1u);
