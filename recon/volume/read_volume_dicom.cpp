@@ -36,13 +36,6 @@ std::string message_of(const InputError& error) {
   return words;
 }
 
-/// What is wrong alone, without place and remedy.
-std::string wrong_in(const InputError& error) {
-  const std::string words = message_of(error), place = error.place().in_words() + ": ";
-  const std::size_t begin = words.starts_with(place) ? place.size() : 0;
-  return words.substr(begin, words.find(". ", begin) - begin);
-}
-
 void tell_unknown(const DicomFolder& folder, Found& found) {
   for (const DicomFile& file : folder.unknown)
     found.remarks.push_back(fmt::format("{} is damaged, does not tell its series, and was passed over", file.path));
@@ -154,7 +147,7 @@ Found in_folder(const std::string& path, const ReadVolumeOptions& options, const
   if (const std::string file = dicom_directory_in(path); !file.empty()) {
     const DicomFile read = read_dicom_file(file);
     if (read.trouble) {
-      remarks.push_back(fmt::format("its DICOMDIR is damaged and was passed over ({})", wrong_in(*read.trouble)));
+      remarks.push_back(fmt::format("its DICOMDIR is damaged and was passed over ({})", read.trouble->wrong()));
     } else {
       const DicomDirectory directory = dicom_directory(read, options.allow_outside, progress);
       const std::string unnamed = unnamed_in(path, file, directory, progress);
@@ -200,7 +193,7 @@ Found files_of(const std::string& path, const ReadVolumeOptions& options, const 
   DicomFile file = read_dicom_file(path);
   const bool is_directory = is_dicom_directory(file);
   if (file.trouble && is_directory) {
-    throw InputError(file.trouble->cause(), file.trouble->place(), wrong_in(*file.trouble),
+    throw InputError(file.trouble->cause(), file.trouble->place(), file.trouble->wrong(),
                      "Get a whole copy of it, or give its folder, which is then searched without it");
   }
   if (file.trouble) throw *file.trouble;
