@@ -21,6 +21,7 @@
 #include "recon/exchange/repair_contours.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
+#include "recon/volume/dicom_file.h"
 
 namespace odontoscope::app {
 namespace {
@@ -155,6 +156,13 @@ void refuse_senseless(const ForeignWords& words, bool of_volume) {
 }
 
 bool is_contour_file(const std::string& file) { return contour_file_kind(head_of(file)).has_value(); }
+
+bool begins_like_a_volume(const std::string& file) {
+  const std::string head = head_of(file);
+  if (head.empty() || contour_file_kind(head)) return false;
+  const FileKind kind = kind_of(head, file);
+  return kind == FileKind::volume || (kind == FileKind::unknown && looks_like_dicom(file));
+}
 
 bool needs_conversion(const std::string& file, const ForeignWords& words) {
   const std::string head = head_of(file);

@@ -31,6 +31,9 @@ void refuse_senseless(const ForeignWords& words, bool of_volume);
 /// Is it a contour file of another program? False for what is no plain file, or cannot be read.
 bool is_contour_file(const std::string& file);
 
+/// Does it begin like a volume, and no structure set? False as for is_contour_file.
+bool begins_like_a_volume(const std::string& file);
+
 /// Is the file something else than a contour stack of ours, or do `words` ask for more than reading it? False for what cannot be
 /// looked into without using it up (pipes), or cannot be read.
 bool needs_conversion(const std::string& file, const ForeignWords& words);

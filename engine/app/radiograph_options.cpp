@@ -337,7 +337,7 @@ void radiographs(const RadiographWords& words, const Volume& volume, const std::
 }
 
 void radiographs(const RadiographWords& words, const RadiographInput& input, const RadiographPose& pose, Session& session, const TakeFilm& take) {
-  const bool voxels = !input.file.empty() && named_like_a_volume(input.file) && !input.volume.any_level();
+  const bool voxels = !input.file.empty() && looks_like_a_volume(input.file) && !input.volume.any_level();
   if (!voxels && !words.grey.empty()) throw UsageError("--grey is about a radiograph through the voxels of a volume", "Leave it out, or leave out --iso and --label.");
   if (voxels) return through_file(words, input, pose, session, take);
   radiographs(words, shown_from(input.file, input.volume, input.dt, session), input.file, pose, session, take);

@@ -113,8 +113,8 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
 Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
   if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session, check);
   if (words.any_level()) return found_in_volume(file, words, dt, session, check);
-  if (words.voxels && named_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
-  if (named_like_a_volume(file)) refuse(FileKind::volume, file);
+  if (words.voxels && looks_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
+  if (looks_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session, check);
   const FileKind kind = kind_of(bytes, file);

@@ -57,6 +57,7 @@ constexpr PixelSize usual_view{1000, 800};
 
 VolumeWords volume_words(const LoadRequest& request, const ViewArguments& options) {
   VolumeWords words = request.from_command_line ? options.volume : VolumeWords{};
+  if (!request.series.empty()) words.series = request.series;
   words.voxels = true;  // the panel may show them at any time
   if (!request.volume) return words;
   if (request.volume->iso) words.isos = {fmt::format("{}", *request.volume->iso)};
@@ -67,7 +68,15 @@ VolumeWords volume_words(const LoadRequest& request, const ViewArguments& option
 
 /// On the viewer's thread for such work.
 VolumePreview preview(const LoadRequest& request, const Progress& progress, const ViewArguments& options) {
-  return volume_preview(read_volume(request.file, understood(volume_words(request, options)).read, progress));
+  ReadVolumeOptions read = understood(volume_words(request, options)).read;
+  read.part = previewed_part;
+  try {
+    return volume_preview(read_volume(request.file, read, progress));
+  } catch (const SeveralSeries& several) {
+    VolumePreview to_choose;
+    to_choose.series = several.series();
+    return to_choose;
+  }
 }
 
 std::string title_of(const std::string& file) {
@@ -155,7 +164,7 @@ ViewerOptions viewer_options(const ViewArguments& options, const Settings& setti
   };
   viewer.wants_level = [&options](const LoadRequest& request) {
     const bool said = request.volume || (request.from_command_line && options.volume.any_level());
-    return !said && named_like_a_volume(request.file);
+    return !said && looks_like_a_volume(request.file);
   };
   viewer.preview = [&options](const LoadRequest& request, const Progress& progress) {
     return preview(request, progress, options);

@@ -150,7 +150,7 @@ void add_volume_options(CLI::App& parser, VolumeWords& words) {
       ->type_name("X,Y,Z")->group(group);
   parser.add_option("--series", words.series, "Of several DICOM series the one to read: number, UID or description")
       ->type_name("N")->group(group);
-  parser.add_flag("--allow-outside", words.allow_outside, "Let a header name a file of pixels outside its own folder")->group(group);
+  parser.add_flag("--allow-outside", words.allow_outside, "Let a header or DICOMDIR name files outside its own folder")->group(group);
   parser.add_option("--smooth", words.smooth, "Smooth the borders of labels, by MM and half a voxel at most")
       ->type_name("MM")->check(at_least_zero())->group(group);
   add_reshape_options(parser, words.reshape);
@@ -234,13 +234,13 @@ ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOpti
   return std::move(simpler.stack);
 }
 
-bool named_like_a_volume(const std::string& file) {
+bool looks_like_a_volume(const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return true;
   for (const std::string_view ending : {".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".hdr", ".img", ".dcm"}) {
     if (file.ends_with(ending)) return !is_contour_file(file);   // structure sets are DICOM, too
   }
-  return false;
+  return begins_like_a_volume(file);
 }
 
 ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
@@ -268,7 +268,7 @@ void refuse_volume_without_level(const std::string& file, const VolumeWords& wor
                      "and nothing says where in a volume the surface lies",
                      "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }
-  if (named_like_a_volume(file)) {
+  if (looks_like_a_volume(file)) {
     throw UsageError(fmt::format("{} looks like a volume, and nothing says where in it the surface lies", file),
                      "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }

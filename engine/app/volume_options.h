@@ -91,7 +91,7 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
 /// UsageError for a volume, or words about one, without a word on where its surface lies.
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words);
 
-/// Does the name look like a volume's: a folder, or an ending that read_volume knows?
-bool named_like_a_volume(const std::string& file);
+/// A folder, a name that ends like a volume's, or a beginning like one's (DICOM seldom has an ending)? Pipes are left alone.
+bool looks_like_a_volume(const std::string& file);
 
 }  // namespace odontoscope::app

@@ -147,7 +147,7 @@ void refuse_senseless(const WebWords& words) {
   if (words.volume.any_level()) understood(words.volume);
 }
 
-bool WebWords::alone() const { return with_volume() && !volume.any_level() && named_like_a_volume(input); }
+bool WebWords::alone() const { return with_volume() && !volume.any_level() && looks_like_a_volume(input); }
 
 WebPage web_page_of(const WebWords& words, Session& session) {
   if (words.alone()) {

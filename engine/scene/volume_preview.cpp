@@ -59,8 +59,10 @@ glm::dvec2 in_picture(const ValueGrid& values, double i, double j) { return {i +
 
 VolumePreview volume_preview(const Volume& volume) {
   VolumePreview preview;
-  preview.size = volume.size;
-  preview.spacing_mm = volume.spacing;
+  for (std::size_t n = 0; n < 3; ++n) {
+    preview.size[n] = volume.size_before[n] > 0 ? volume.size_before[n] : volume.size[n];
+    preview.spacing_mm[n] = volume.spacing[n] / static_cast<double>(volume.merged[n]);
+  }
   preview.values = value_grid(volume, all_of(volume), preview_size);
   const Histogram histogram = histogram_of(volume, validate_volume(volume));
   preview.low = histogram.low;

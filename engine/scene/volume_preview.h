@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/scene/value_grid.h"
+#include "recon/volume/read_volume.h"
 
 namespace odontoscope {
 
@@ -17,7 +18,7 @@ struct VolumePreview {
   struct Label {
     std::int64_t value = 0;
     std::string name;              // of the file; may be empty
-    std::size_t voxels = 0;
+    std::size_t voxels = 0;        // of those that were looked at
   };
 
   ValueGrid values;                // all of the volume, coarser where it is large
@@ -28,9 +29,14 @@ struct VolumePreview {
   double low = 0, high = 1;
   std::vector<double> thresholds;  // Otsu's between two classes, then those between three; empty where all values are equal
   std::vector<Label> labels;       // ascending, without 0; empty: grey values
+  /// Of several DICOM series one is to be chosen first, and nothing else is known yet; empty: there is one.
+  std::vector<SeriesOffer> series;
 };
 
-/// Precondition: `volume` passes validate_volume.
+/// So much of a file is enough for it: of a large one every so many-th voxel, which keeps labels labels and takes little memory.
+inline constexpr VolumePart previewed_part{.whole_up_to = 32u << 20, .most_voxels = 16u << 20, .sampled = true, .within = {}};
+
+/// Precondition: `volume` passes validate_volume; it may be a part as above.
 VolumePreview volume_preview(const Volume& volume);
 
 /// One of the grid's slices, seen from +z: rows from the top, y upwards.

@@ -57,12 +57,12 @@ void trouble_card(ViewerState& state, const Interface& interface, const Area& vi
 }
 
 void question_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const float with_picture = 760, alone = 460;
-  const Card card("question", viewport, state.question->preview ? with_picture : alone);
+  const float with_picture = 760, with_series = 560, alone = 460;
+  const Card card("question", viewport, state.question->preview ? with_picture : state.question->series.empty() ? alone : with_series);
   title(interface, name_of(state.question->request.file).c_str());
-  const VolumeAnswer answer = volume_card(*state.question, interface);
-  if (answer == VolumeAnswer::make) state.to_load = answer_of(*state.question);
-  if (answer != VolumeAnswer::none) state.question.reset();
+  VolumeAnswer answer = volume_card(*state.question, interface);
+  if (answer.open) state.to_load = std::move(answer.open);
+  if (answer.put_away) state.question.reset();
 }
 
 /// Recent files, and the folder to go through; the file that was pressed, or nothing.

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "recon/core/lower_case.h"
+#include "recon/volume/dicom_file.h"
 
 namespace odontoscope {
 
@@ -25,11 +26,15 @@ FolderList list_folder(const std::filesystem::path& folder) {
     list.trouble = error.message();
     return list;
   }
+  std::size_t looked_into = 0;
   for (const std::filesystem::directory_iterator end; entry != end && !error; entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     std::error_code unknown;
     const bool folder_there = entry->is_directory(unknown);
-    if (name.starts_with(".") || (!folder_there && !openable(name))) continue;
+    if (name.starts_with(".")) continue;
+    // Plain files alone: a pipe would be waited for.
+    const auto is_dicom = [&] { return entry->is_regular_file(unknown) && looked_into++ < most_looked_into && looks_like_dicom(entry->path().string()); };
+    if (!folder_there && !openable(name) && !is_dicom()) continue;
     list.entries.push_back({name, folder_there});
   }
   std::sort(list.entries.begin(), list.entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

@@ -22,10 +22,12 @@ struct FolderList {
 };
 
 inline constexpr std::size_t most_listed = 500;
+/// Files without a known ending that are looked into for the mark of DICOM, which seldom has one.
+inline constexpr std::size_t most_looked_into = 2000;
 
 /// By its ending: contours, meshes, volumes, lessons.
 bool openable(std::string_view name);
-/// What begins with a dot is left out. Never throws for what the disk holds.
+/// What begins with a dot is left out; what is DICOM by its content is in, whatever its name. Never throws for what the disk holds.
 FolderList list_folder(const std::filesystem::path& folder);
 
 }  // namespace odontoscope

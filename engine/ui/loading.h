@@ -39,6 +39,7 @@ struct LoadedModel;
 struct LoadRequest {
   std::string file = {};         // empty: the sample molar
   std::optional<VolumeChoice> volume = {};
+  std::string series = {};       // of several in DICOM: its number, from 1 on
   bool from_command_line = false;
   std::optional<std::size_t> lesson = {};   // of built_in_lessons(): instead of a file
   /// For the loader, on its thread: something true to look at until the model is there. Empty: nobody looks.

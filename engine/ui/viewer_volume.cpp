@@ -34,6 +34,7 @@ void Viewer::tend_question() {
     stopped_previews_.push_back(std::move(preview_job_));
     return;
   }
+  state_.question->read = preview_job_->stage().fraction;
   if (!preview_job_->finished()) return;
   const auto job = std::move(preview_job_);
   try {

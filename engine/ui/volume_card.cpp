@@ -117,9 +117,39 @@ std::string size_in_words(const VolumePreview& preview) {
   return fmt::format("{} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm", preview.size[0], preview.size[1], preview.size[2], preview.spacing_mm[0], preview.spacing_mm[1], preview.spacing_mm[2]);
 }
 
+std::string size_in_words(const SeriesOffer& offer) {
+  if (!offer.trouble.empty()) return fmt::format("It cannot be read ({}).", offer.trouble);
+  if (!offer.segments.empty()) return fmt::format("{} segments", offer.segments.size());
+  if (!offer.pixel_mm || !offer.apart_mm) return fmt::format("{} x {} pixels, {} slices", offer.columns, offer.rows, offer.slices);
+  return fmt::format("{} x {} pixels of {:.3g} x {:.3g} mm, {} slices {:.3g} mm apart", offer.columns, offer.rows, (*offer.pixel_mm)[0], (*offer.pixel_mm)[1], offer.slices,
+                     *offer.apart_mm);
+}
+
+/// The place of the one that was pressed.
+std::optional<std::size_t> chosen_of(const std::vector<SeriesOffer>& series, const Interface& interface) {
+  std::optional<std::size_t> chosen;
+  widgets::remark(interface, "There are several series of images in it. Which one is to be seen?");
+  constexpr std::size_t rows_seen = 6;
+  const float row = ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing();
+  ImGui::BeginChild("series", {0, row * static_cast<float>(std::min(series.size(), rows_seen))});
+  for (std::size_t n = 0; n < series.size(); ++n) {
+    const SeriesOffer& offer = series[n];
+    ImGui::PushID(offer.first_file.c_str());
+    if (widgets::wide_button(fmt::format("{}   {}   {}", n + 1, offer.modality, offer.description).c_str())) chosen = n;
+    widgets::remark(interface, size_in_words(offer));
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  return chosen;
+}
+
 }  // namespace
 
 VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface) {
+  if (!question.series.empty()) {
+    if (const auto place = chosen_of(question.series, interface)) return {about_series(question, *place), true};
+    return {{}, widgets::wide_button("Cancel")};
+  }
   draw_anew(question);
   if (question.preview) {
     widgets::remark(interface, size_in_words(*question.preview));
@@ -138,11 +168,11 @@ VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface) {
     ask(question, interface);
     ImGui::EndChild();
   } else {
-    widgets::remark(interface, question.reading ? "Reading its slices\xE2\x80\xA6" : "This is a volume.");
+    widgets::remark(interface, question.reading ? fmt::format("Reading its slices\xE2\x80\xA6 {:.0f} %", 100 * question.read) : "This is a volume.");
     ask(question, interface);
   }
-  if (question.answered() && widgets::wide_button("Make the model", true)) return VolumeAnswer::make;
-  return widgets::wide_button("Cancel") ? VolumeAnswer::cancel : VolumeAnswer::none;
+  if (question.answered() && widgets::wide_button("Make the model", true)) return {answer_of(question), true};
+  return {{}, widgets::wide_button("Cancel")};
 }
 
 }  // namespace odontoscope

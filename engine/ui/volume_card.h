@@ -1,12 +1,18 @@
 #pragma once
-// The card that asks where a volume's surface lies, beside a slice with the outline that the answer would give, and the grey values.
+// The card that asks where a volume's surface lies, beside a slice with the outline that the answer would give, and the grey values. Of several DICOM series
+// it asks first which one is meant.
+
+#include <optional>
 
 #include "engine/ui/interface.h"
 #include "engine/ui/volume_question.h"
 
 namespace odontoscope {
 
-enum class VolumeAnswer { none, make, cancel };
+struct VolumeAnswer {
+  std::optional<LoadRequest> open;   // what is to be made, or asked about next
+  bool put_away = false;             // the card has done its work
+};
 
 /// What the card holds below its title.
 VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface);

@@ -7,6 +7,8 @@ namespace odontoscope {
 
 void take_preview(VolumeQuestion& question, VolumePreview preview) {
   question.reading = false;
+  question.series = std::move(preview.series);
+  if (!question.series.empty()) return;
   if (!question.iso_said && !preview.thresholds.empty()) question.iso = preview.thresholds.front();
   for (const VolumePreview::Label& label : preview.labels) question.labels.insert(label.value);
   constexpr double any_label = 0.5;
@@ -29,6 +31,12 @@ void draw_anew(VolumeQuestion& question) {
   drawn.labels = question.labels;
   drawn.as_grey = question.as_grey;
   drawn.outline = question.of_labels() ? label_outline(preview.values, question.slice, question.labels) : slice_outline(preview.values, question.slice, question.iso);
+}
+
+LoadRequest about_series(const VolumeQuestion& question, std::size_t place) {
+  LoadRequest request = question.request;
+  request.series = std::to_string(place + 1);
+  return request;
 }
 
 LoadRequest answer_of(const VolumeQuestion& question) {

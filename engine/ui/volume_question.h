@@ -17,6 +17,8 @@ struct VolumeQuestion {
   LoadRequest request = {};                            // that raised it
   std::shared_ptr<const VolumePreview> preview = {};   // null: there is none, or it is still being read
   bool reading = false;
+  double read = 0;                                     // of it, 0 to 1
+  std::vector<SeriesOffer> series = {};                // to choose from before there is anything to see
   double iso = 120;
   bool iso_said = false;                               // by the person: a preview leaves it as it is
   double min_area_pixels = 4;
@@ -26,7 +28,7 @@ struct VolumeQuestion {
   bool as_grey = false;                                // of what looks like a label map: it is none
 
   bool of_labels() const { return preview && !preview->labels.empty() && !as_grey; }
-  bool answered() const { return !of_labels() || !labels.empty(); }
+  bool answered() const { return series.empty() && (!of_labels() || !labels.empty()); }
 
   /// What of the slice is drawn, and for which answer.
   struct Drawn {
@@ -45,6 +47,9 @@ void take_preview(VolumeQuestion& question, VolumePreview preview);
 
 /// Makes anew what is drawn if slice or answer are others than it is for.
 void draw_anew(VolumeQuestion& question);
+
+/// Asks again, about the series of that place in the list.
+LoadRequest about_series(const VolumeQuestion& question, std::size_t place);
 
 /// Precondition: answered().
 LoadRequest answer_of(const VolumeQuestion& question);

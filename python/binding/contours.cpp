@@ -128,7 +128,7 @@ Contours read(const std::string& file, const ReadOptions& options, const Progres
 
 /// "volume", "mesh", "contours" or "unknown".
 std::string kind_of_file(const std::string& file) {
-  if (app::named_like_a_volume(file)) return "volume";
+  if (app::looks_like_a_volume(file)) return "volume";
   const std::string bytes = read_file(file);
   if (contour_file_kind(bytes)) return "contours";
   switch (app::kind_of(bytes, file)) {

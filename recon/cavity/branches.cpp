@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "recon/cavity/limits.h"
 #include "recon/cavity/linking.h"
@@ -60,6 +61,19 @@ Chamber chamber_of(const MedialGraph& graph) {
     }
   }
   return {std::move(inside), best};
+}
+
+/// Does the way stay in the chamber but for its tip, and lead aside from where the longest one does? It is a lobe of a chamber much wider than thick. Opposite the
+/// longest way lie horns, and the other arm of a taper.
+bool is_lobe(const MedialGraph& graph, const Chamber& chamber, const std::vector<NodeIndex>& path, const std::vector<NodeIndex>& longest) {
+  const double radius = graph.nodes[chamber.centre].radius;
+  double outside = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (!chamber.inside[path[i]]) outside += length(graph.nodes[path[i]].at - graph.nodes[path[i - 1]].at);
+  if (outside > limits::lobe_tip * radius) return false;
+  const Point3& from = graph.nodes[chamber.centre].at;
+  const Direction aside = graph.nodes[path.back()].at - from, along = graph.nodes[longest.back()].at - from;
+  return dot(aside, along) > -limits::lobe_aside * length(aside) * length(along);
 }
 
 /// Without the last nodes whose balls reach hardly farther ahead than one a little before them: ways into a corner of the end.
@@ -220,6 +234,9 @@ Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long h
     found_handles = handles_of(graph, tree, *linking, least_handle(graph, tree));
   }
   std::vector<MedialCanal> found = Explorer(graph, tree, result.root, found_handles).explore();
+  std::vector<MedialCanal> all = std::exchange(found, {});
+  for (MedialCanal& one : all)
+    if (found.empty() || !is_lobe(graph, chamber, one.path, all.front().path)) found.push_back(one);
   double widths = 0;
   for (const MedialCanal& one : found) widths = std::max(widths, median_radius(graph, one.path));
   for (const Handle& handle : found_handles) widths = std::max(widths, median_radius(graph, handle.loop()));

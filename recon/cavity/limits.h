@@ -20,6 +20,9 @@ inline constexpr double chamber_share = 0.5;
 inline constexpr double chamber_over_tube = 1.5;
 /// Where both ends are farther from its widest place than so many of its radii, it is enough that it is so many times as wide: a taper is widest at an end.
 inline constexpr double chamber_arms = 3, chamber_over_arms = 1.2;
+/// A way that leaves the chamber for no more than this share of its radius, and leads aside from the longest one (the cosine between them is above minus so much),
+/// is a lobe of a flat chamber.
+inline constexpr double lobe_tip = 0.5, lobe_aside = 0.5;
 /// A branch of the void counts if it protrudes from what is known by this many times its own mean radius: a corner of the chamber
 /// or a bump of a scan protrudes by about one.
 inline constexpr double branch_slenderness = 2.5;

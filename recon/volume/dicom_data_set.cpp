@@ -46,7 +46,11 @@ std::size_t binary_width(const DicomElement& element) {
     case dicom::segment_number:
     case dicom::referenced_segment:
     case dicom::fraction_of:
+    case dicom::record_in_use:
     case dicom::frame_increment: return 2;
+    case dicom::first_record:
+    case dicom::next_record:
+    case dicom::lower_record:
     case dicom::temporal_index: return 4;
     case dicom::slice_location_vector: return 0;
     default: return 0;

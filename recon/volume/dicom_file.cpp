@@ -60,11 +60,13 @@ namespace {
 constexpr std::size_t preamble = 128;
 constexpr std::string_view mark = "DICM";
 constexpr std::uint32_t undefined_length = 0xffffffff;
+constexpr std::uint64_t item_head = 8;   // a tag and a length
 constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syntax = dicom::tag(0x0002, 0x0010);
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 67> wanted{
+constexpr std::array<std::uint32_t, 69> wanted{
+    dicom::first_record, dicom::records,
     dicom::image_type, dicom::class_uid, dicom::instance_uid, dicom::modality, dicom::series_description, dicom::slice_thickness,
     dicom::spacing_between_slices, dicom::frame_time, dicom::frame_time_vector, dicom::magnification, dicom::imager_spacing,
     dicom::slice_location_vector, dicom::nominal_spacing, dicom::series_uid, dicom::instance_number, dicom::position, dicom::orientation,
@@ -79,6 +81,11 @@ constexpr std::array<std::uint32_t, 67> wanted{
     dicom::referenced_instance};
 
 bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
+
+/// And of the records of a DICOMDIR, each of which repeats much of what its file says.
+constexpr std::array<std::uint32_t, 6> wanted_of_record{dicom::next_record, dicom::record_in_use, dicom::lower_record, dicom::record_type, dicom::file_id, dicom::series_uid};
+
+bool is_wanted_of_record(std::uint32_t tag) { return std::find(wanted_of_record.begin(), wanted_of_record.end(), tag) != wanted_of_record.end(); }
 
 bool is_pixels(std::uint32_t tag) { return tag == dicom::pixel_data || tag == dicom::float_pixels || tag == dicom::double_pixels; }
 
@@ -215,17 +222,19 @@ class Walk {
     if (is_pixels(head.tag) && head.is_undefined()) return skip_fragments(implicit_vr, end);  // of an icon
     // Of unknown representation and length: a sequence in implicit coding, says PS3.5, 6.2.2.
     const bool inner_implicit = implicit_vr || (head.is("UN") && head.is_undefined());
-    const bool wanted_sequence = is_wanted_sequence(head.tag);
+    const bool wanted_sequence = !in_records_ && is_wanted_sequence(head.tag);
     const bool is_sequence = head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
     if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
     if (is_sequence) refuse_odd(head);
     if (!is_sequence) {
-      if (!is_wanted(head.tag)) return skip(head.length, end);
+      if (in_records_ ? !is_wanted_of_record(head.tag) : !is_wanted(head.tag)) return skip(head.length, end);
       keep({head.tag, head.vr, big_endian_, value(head, end), {}}, data);
       return;
     }
     DicomElement sequence{head.tag, head.vr, big_endian_, {}, {}};
     std::vector<DicomDataSet>* items = wanted_sequence ? &sequence.items : nullptr;
+    const bool of_records = wanted_sequence && head.tag == dicom::records;
+    in_records_ = in_records_ || of_records;
     if (head.is_undefined()) {
       take_items(inner_implicit, end, depth + 1, items);
     } else {
@@ -233,6 +242,7 @@ class Walk {
       const std::uint64_t own_end = at_ + head.length;
       while (at_ < own_end) take_item(next(inner_implicit, own_end), inner_implicit, own_end, depth + 1, items);
     }
+    if (of_records) in_records_ = false;
     if (wanted_sequence) keep(std::move(sequence), data);
   }
 
@@ -243,7 +253,7 @@ class Walk {
   }
 
   static bool is_wanted_sequence(std::uint32_t tag) {
-    if (tag == dicom::segments || tag == dicom::segment_identification || tag == dicom::referenced_series || tag == dicom::referenced_instances) return true;
+    if (tag == dicom::records || tag == dicom::segments || tag == dicom::segment_identification || tag == dicom::referenced_series || tag == dicom::referenced_instances) return true;
     return tag == dicom::frame_content || tag == dicom::plane_position || tag == dicom::plane_orientation || tag == dicom::modality_table ||
            tag == dicom::pixel_measures || tag == dicom::value_transformation || tag == dicom::shared_groups || tag == dicom::frame_groups;
   }
@@ -270,6 +280,7 @@ class Walk {
     DicomDataSet unwanted;
     if (items != nullptr && ++kept_ > limits::dicom_elements) refuse("it has too many items about its place");
     DicomDataSet& data = items == nullptr ? unwanted : items->emplace_back();
+    data.at = at_ - item_head;
     while (head.is_undefined() || at_ < own_end) {
       const Head inner = next(implicit_vr, own_end);
       if (inner.tag == item_end && head.is_undefined()) return;
@@ -327,7 +338,7 @@ class Walk {
   DicomFile& file_;
   std::uint64_t at_ = 0;
   std::size_t kept_ = 0;
-  bool big_endian_ = false;
+  bool big_endian_ = false, in_records_ = false;
 };
 
 /// The first bytes of an object without preamble: a short element of group 8, as every one begins with.

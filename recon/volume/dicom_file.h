@@ -25,6 +25,8 @@ struct DicomElement;
 /// Elements in the order of the file, wanted ones only.
 struct DicomDataSet {
   std::vector<DicomElement> elements;
+  /// Of an item: where it begins, as the records of a DICOMDIR name each other.
+  std::uint64_t at = 0;
 
   /// Null if it is not there.
   const DicomElement* find(std::uint32_t tag) const;
@@ -101,6 +103,8 @@ bool looks_like_dicom(const std::string& path);
 namespace dicom {
 constexpr std::uint32_t tag(std::uint32_t group, std::uint32_t element) { return group << 16 | element; }
 inline constexpr std::uint32_t
+    first_record = tag(0x0004, 0x1200), records = tag(0x0004, 0x1220), next_record = tag(0x0004, 0x1400), record_in_use = tag(0x0004, 0x1410),
+    lower_record = tag(0x0004, 0x1420), record_type = tag(0x0004, 0x1430), file_id = tag(0x0004, 0x1500),
     image_type = tag(0x0008, 0x0008), class_uid = tag(0x0008, 0x0016), instance_uid = tag(0x0008, 0x0018), modality = tag(0x0008, 0x0060),
     series_description = tag(0x0008, 0x103e), slice_thickness = tag(0x0018, 0x0050), spacing_between_slices = tag(0x0018, 0x0088),
     frame_time = tag(0x0018, 0x1063), frame_time_vector = tag(0x0018, 0x1065), magnification = tag(0x0018, 0x1114), imager_spacing = tag(0x0018, 0x1164),

@@ -12,4 +12,9 @@ inline constexpr std::size_t label_overlaps = 4096;
 /// Frames within this distance of each other lie in one plane, mm: well below any voxel, and above what positions of 16 characters round to.
 inline constexpr double one_plane = 1e-4;
 
+/// Characters and parts of a name in a DICOMDIR; the standard allows 8 parts of 8 characters.
+inline constexpr std::size_t file_id_length = 1024, file_id_parts = 16;
+/// Names of files that a message repeats.
+inline constexpr std::size_t names_told = 3;
+
 }  // namespace odontoscope::limits

@@ -97,6 +97,7 @@ Volume grid_along(const FileImage& image, const AxisMap& map) {
     volume.size[axis] = image.size[n];
     volume.spacing[axis] = image.spacing[n];
     volume.merged[axis] = image.merged[n];
+    volume.size_before[axis] = image.size_before[n];
     if (map.reversed[n] && image.size[n] > 0) {
       origin[axis] -= static_cast<double>(image.size[n] - 1) * image.spacing[n];
     }

@@ -24,8 +24,8 @@ struct FileImage {
   std::array<Vector3, 3> direction{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::vector<float> values;
   std::string source;
-  /// As Volume::merged, along the file's axes.
-  std::array<std::size_t, 3> merged{1, 1, 1};
+  /// As in Volume, along the file's axes.
+  std::array<std::size_t, 3> merged{1, 1, 1}, size_before{};
 };
 
 /// Voxels along an axis: from `first` on.

@@ -116,6 +116,7 @@ FileImage read_part(FileImage image, const PixelFiles& files, const VolumePart& 
     for (std::size_t x = 0; x < 3; ++x) image.origin[x] += off * image.direction[n][x];
   }
   for (std::size_t n = 0; n < 3; ++n) {
+    image.size_before[n] = blocks.count[n];
     image.size[n] = blocks.kept(n);
     image.spacing[n] *= static_cast<double>(blocks.merged[n]);
     image.merged[n] = blocks.merged[n];

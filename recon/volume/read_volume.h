@@ -19,7 +19,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "recon/core/error.h"
 #include "recon/core/progress.h"
 #include "recon/volume/volume.h"
 
@@ -45,8 +47,31 @@ struct ReadVolumeOptions {
   /// Of several DICOM series the one to read: its number in the list that several-series tells, its UID or its description.
   std::string series = {};
   std::optional<VolumePart> part = {};
-  /// Read pixels from a file outside the folder of the NRRD or MetaImage header that names it.
+  /// Read pixels from a file outside the folder of the NRRD or MetaImage header or the DICOMDIR that names it.
   bool allow_outside = false;
+};
+
+/// A DICOM series to choose.
+struct SeriesOffer {
+  std::string modality, description;           // printable and short; may be empty
+  std::size_t columns = 0, rows = 0, slices = 0;   // 0: it is none that could be read
+  std::optional<std::array<double, 2>> pixel_mm;
+  std::optional<double> apart_mm;              // its slices, if evenly
+  std::string trouble;                         // the cause for which it cannot be read; empty if nothing is known against it
+  std::string first_file;
+  std::size_t files = 0;
+  std::vector<std::string> segments;           // of a segmentation: their names
+};
+
+/// InputError several-series, with what there is to choose from by its number, from 1 on.
+class SeveralSeries : public InputError {
+ public:
+  SeveralSeries(Place place, std::string_view wrong, std::vector<SeriesOffer> series)
+      : InputError("several-series", std::move(place), wrong, "Choose one by its number (--series N), or give a file of it"), series_(std::move(series)) {}
+  const std::vector<SeriesOffer>& series() const { return series_; }
+
+ private:
+  std::vector<SeriesOffer> series_;
 };
 
 /// Reads a volume that passes validate_volume. Stage "read". May be called from several threads at once.

@@ -110,13 +110,17 @@ bool lies_below(const fs::path& file, const fs::path& folder) {
 
 }  // namespace
 
-/// Links followed: one in the header's folder that leads out of it lies outside.
-void check_inside(const std::string& header, const std::string& file) {
+/// A link in the header's folder that leads out of it lies outside.
+bool lies_inside(const std::string& header, const std::string& file) {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(file, error);
   const fs::path beside = fs::weakly_canonical(fs::absolute(header).parent_path(), error);
   const fs::path beside_real = fs::weakly_canonical(header, error).parent_path();
-  if (lies_below(real, beside) || lies_below(real, beside_real)) return;
+  return lies_below(real, beside) || lies_below(real, beside_real);
+}
+
+void check_inside(const std::string& header, const std::string& file) {
+  if (lies_inside(header, file)) return;
   throw InputError("outside-folder", in_file(header), fmt::format("its pixels are to come from {}, which lies outside the header's own folder", file),
                    "put the pixels beside the header, or give --allow-outside if you trust it");
 }

@@ -58,6 +58,9 @@ bool number_of(std::string_view word, double& number);
 std::vector<std::string> data_files_of(const std::string& header, const std::string& field, const std::vector<std::string>& list,
                                        bool allow_outside);
 
+/// Does `file`, with links followed, lie in the header's folder or below it?
+bool lies_inside(const std::string& header, const std::string& file);
+
 /// Throws InputError outside-folder if `file`, with links followed, lies neither in the header's folder nor below it.
 void check_inside(const std::string& header, const std::string& file);
 

@@ -48,6 +48,8 @@ struct Volume {
   std::vector<LabelOverlap> overlaps;
   /// Voxels of the file that became one of these, along x, y and z: of a large file that was not wanted whole (VolumePart).
   std::array<std::size_t, 3> merged{1, 1, 1};
+  /// How many there were along x, y and z before that, which need be no multiple; zeros if none were merged.
+  std::array<std::size_t, 3> size_before{};
   /// What the file does not say and was assumed, and what was left out: one line each, to be told.
   std::vector<std::string> remarks;
 

@@ -78,6 +78,17 @@ TEST_F(Volumes, OfLabelsAreToldFromImagesAndTakenByName) {
   EXPECT_TRUE(none.complains("Dentine (1), Pulp (2)")) << none.err;
 }
 
+TEST_F(Volumes, AreKnownWhateverTheirNames) {
+  given("scan", nrrd(block, ""));
+  given("IM0001", std::string(128, '\0') + "DICM");
+  for (const char* name : {"scan", "IM0001"}) {
+    const Ending ending = odontoscope({"reconstruct", name, "-o", "a.glb"});
+    EXPECT_EQ(ending.exit_code, 2) << name;
+    EXPECT_TRUE(ending.complains("looks like a volume")) << ending.err;
+  }
+  EXPECT_EQ(odontoscope({"render", "scan", "--show", "volume", "-o", "a.png"}).exit_code, 0);
+}
+
 TEST_F(Volumes, SayWhatTheyAssume) {
   given("a.nrrd", nrrd(block, ""));
   EXPECT_TRUE(odontoscope({"contours", "a.nrrd", "--iso", "500", "-o", "a.json"}).says("1 mm is assumed; --spacing X,Y,Z"));

@@ -43,6 +43,26 @@ TEST_P(CanalsOfTheFamily, AreToldRightFromSlicesOfATenthOfAMillimetre) {
 // A leaning oval canal, an arc of 8 mm, a leaning one of 15 mm, two leaning tapers, an accessory canal, an isthmus of type II, a ribbon, type VII with nodes of the medial graph in one place.
 INSTANTIATE_TEST_SUITE_P(OfEachKind, CanalsOfTheFamily, ::testing::Values(0, 9, 10, 13, 16, 18, 20, 27), [](const auto& seed) { return std::to_string(seed.param); });
 
+// The ends of a chamber three times as wide as thick protrude like canals.
+TEST(CanalFamily, ALobeOfAFlatChamberIsNoCanal) {
+  ReconstructOptions engine;
+  engine.between = Between::blended;
+  test::KnownRoot root = test::random_root(104);
+  for (const double oval : {root.oval, 3.2, 3.5}) {
+    root.oval = oval;
+    const test::FamilyVerdict verdict = test::judge(root, test::anatomy_of(reconstruct(test::slices_of(root, 0.2), engine)));
+    EXPECT_TRUE(verdict.counted && verdict.beside) << oval << ": " << verdict.told;
+    for (const test::FigureVerdict& one : verdict.figures) {
+      if (one.name == "length") {
+        EXPECT_LT(std::abs(one.error()), 0.03) << oval << ": " << verdict.told;
+      }
+      if (one.name == "mean width") {
+        EXPECT_LT(std::abs(one.error()), 0.03) << oval << ": " << verdict.told;
+      }
+    }
+  }
+}
+
 // As a GLB has it.
 TEST(CanalFamily, IsToldAlikeInSinglePrecision) {
   ReconstructOptions engine;

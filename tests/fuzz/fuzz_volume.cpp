@@ -1,5 +1,5 @@
 // Any bytes as a volume in one file (NRRD, MetaImage, NIfTI or DICOM), or as a DICOM folder of several: "FOLDER" and then files, each with its length in
-// two bytes before it. All of it is code of ours but the decoders of compressed pixels, which run in a process of their own: GDCM comes compiled,
+// two bytes before it; one that is a DICOMDIR is called so. All of it is code of ours but the decoders of compressed pixels, which run in a process of their own: GDCM comes compiled,
 // without counters and sanitizers.
 #include <algorithm>
 #include <filesystem>
@@ -42,13 +42,14 @@ class Folder {
       if (bytes.size() < 2) break;
       const std::size_t length = static_cast<unsigned char>(bytes[0]) | static_cast<std::size_t>(static_cast<unsigned char>(bytes[1])) << 8;
       bytes.remove_prefix(2);
-      put(name, bytes.substr(0, length));
+      put(is_directory(bytes.substr(0, length)) ? "DICOMDIR" : name, bytes.substr(0, length));
       bytes.remove_prefix(std::min(length, bytes.size()));
     }
     return path_.string();
   }
 
  private:
+  static bool is_directory(std::string_view bytes) { return bytes.find("1.2.840.10008.1.3.10") != bytes.npos; }
   void clear() {
     for (const std::filesystem::path& file : files_) std::filesystem::remove(file);
     files_.clear();

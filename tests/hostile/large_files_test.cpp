@@ -10,6 +10,7 @@
 #include "tests/exchange/made_files.h"
 #include "tests/hostile/bounded.h"
 #include "tests/hostile/readers.h"
+#include "tests/volume/dicomdir.h"
 
 namespace odontoscope::hostile {
 namespace {
@@ -195,6 +196,13 @@ std::string png_header(std::uint32_t width, std::uint32_t height) {
 
 std::string nrrd(const std::string& lines) { return "NRRD0004\ntype: uint8\ndimension: 3\nencoding: raw\n" + lines + "\n"; }
 
+/// A DICOMDIR whose names come `times` each, one record after the other.
+std::string directory_of(std::size_t records, std::size_t times) {
+  std::vector<std::string> names;
+  for (std::size_t n = 0; n < records; ++n) names.push_back("A\\" + std::to_string(n / times));
+  return test::DicomDir{.records = test::records_of({{"1.2.3.4", names}})}.bytes();
+}
+
 std::vector<Large> mesh_files() {
   return {
       {"stl", "four thousand million triangles that do not come", [] { return std::string(80, ' ') + little_endian(0xffffffff); }, "truncated"},
@@ -235,6 +243,9 @@ std::vector<Large> mesh_files() {
       {"volume", "more voxels than there are", [] { return nrrd("sizes: 100000 100000 100000\n"); }, "too-many-voxels"},
       {"volume", "as many voxels as are allowed, without one of them", [] { return nrrd("sizes: 1024 1024 1024\n"); }, "truncated-volume"},
       {"volume", "pixels in a device that never ends", [] { return nrrd("sizes: 1024 1024 1024\ndata file: /dev/zero\n"); }, "outside-folder"},
+      {"volume", "a directory of more names than are looked for", [] { return directory_of(limits::dicom_files + 1, 1); }, "too-many-files"},
+      {"volume", "a directory of a quarter of a million records of one name", [] { return directory_of(250'000, 250'000); }, "no-dicom-images"},
+      {"volume", "a directory of a million records", [] { return directory_of(1'000'000, 1'000'000); }, "unreadable-volume"},
       {"png", "as large as is allowed, without a pixel", [] { return png_header(16'384, 16'384); }, "not-a-png"},
       {"png", "larger than is allowed", [] { return png_header(0x7fffffff, 0x7fffffff); }, "not-a-png"},
   };

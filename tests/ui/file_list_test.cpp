@@ -2,6 +2,8 @@
 
 #include "engine/ui/file_list.h"
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include "tests/ui/driver.h"
@@ -20,6 +22,14 @@ TEST(FileList, HasFoldersThenWhatCanBeOpened) {
   EXPECT_TRUE(list.trouble.empty());
   EXPECT_FALSE(list_folder("/no/such/folder").trouble.empty());
   EXPECT_EQ(list_folder(scratch.path() / "teeth/").folder, scratch.path() / "teeth");
+}
+
+TEST(FileList, HasDicomWhateverItsName) {
+  const ScratchFolder scratch;
+  for (const char* name : {"IM0001", "1.2.840.9", "DICOMDIR"}) std::ofstream(scratch.path() / name) << std::string(128, '\0') << "DICM and more";
+  put(scratch.path() / "README");
+  ASSERT_EQ(::mkfifo((scratch.path() / "pipe").c_str(), 0600), 0);   // to be left alone: nobody writes to it
+  EXPECT_EQ(list_folder(scratch.path()).entries, (std::vector<FolderEntry>{{"1.2.840.9"}, {"DICOMDIR"}, {"IM0001"}}));
 }
 
 TEST(FileList, ListsNoMoreThanCanBeRead) {

@@ -147,6 +147,16 @@ Volume ball(bool labels) {
   return volume;
 }
 
+TEST(VolumePreviews, TellTheSizeOfTheFileAndNotOfTheSamples) {
+  Volume samples = ball(false);
+  samples.merged = {2, 2, 1};
+  samples.size_before = {79, 60, 20};
+  const VolumePreview preview = volume_preview(samples);
+  EXPECT_EQ(preview.size, (std::array<std::size_t, 3>{79, 60, 20}));
+  EXPECT_EQ(preview.spacing_mm, (std::array<double, 3>{0.25, 0.25, 1}));
+  EXPECT_EQ(preview.values.size, samples.size);
+}
+
 class VolumeAsked : public Loading {
  protected:
   /// As ImGui names a window within another.
@@ -193,6 +203,66 @@ TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
   EXPECT_EQ(got.volume->iso, iso);
   EXPECT_TRUE(got.volume->labels.empty());
   EXPECT_TRUE(got.from_command_line);   // its looks and the rest of what was said hold
+}
+
+TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
+  ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(false)); });
+  ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
+  const VolumeQuestion& question = *viewer().state().question;
+  const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
+  move(bar.x - 190, bar.y);
+  press();
+  frame();
+  double before = -1;
+  std::vector<std::size_t> outlines;
+  for (int step = 0; step < 5; ++step) {
+    move(bar.x - 190 + 35 * step, bar.y);
+    frames(2);
+    EXPECT_GT(question.iso, before);
+    EXPECT_EQ(question.drawn.iso, question.iso);
+    before = question.iso;
+    outlines.push_back(question.drawn.outline.size());
+  }
+  release();
+  frame();
+  move(bar.x - 190, bar.y);   // without the button nothing moves
+  frames(2);
+  EXPECT_EQ(question.iso, before);
+  EXPECT_GT(std::set<std::size_t>(outlines.begin(), outlines.end()).size(), 1u);
+}
+
+TEST_F(VolumeAsked, OfSeveralSeriesItIsAskedFirstWhichOne) {
+  std::vector<std::string> previewed;
+  ask([&previewed](const LoadRequest& request, const Progress&) {
+    previewed.push_back(request.series);
+    if (!request.series.empty()) return volume_preview(ball(false));
+    VolumePreview several;
+    several.series.resize(3);
+    several.series[0] = {.modality = "CT", .description = "Scout", .columns = 512, .rows = 512, .slices = 2, .first_file = "/data/A/IM0001", .files = 2};
+    several.series[1] = {.modality = "CT", .description = "Bone 0.5", .columns = 512, .rows = 512, .slices = 300, .pixel_mm = std::array<double, 2>{0.25, 0.25}, .apart_mm = 0.5, .first_file = "/data/B/IM0001", .files = 300};
+    several.series[2] = {.modality = "MR", .description = "Film", .trouble = "time-series", .first_file = "/data/C/IM0001", .files = 9};
+    return several;
+  });
+  ASSERT_TRUE(viewer().state().question);
+  EXPECT_EQ(viewer().state().question->series.size(), 3u);
+  EXPECT_FALSE(viewer().state().question->preview);
+  keep_picture("series-question");
+  press_key(Key::enter);   // nothing to make yet
+  frames(2);
+  ASSERT_TRUE(viewer().state().question);
+  click_control("2   CT   Bone 0.5", {"/data/B/IM0001"}, child_of("question", "series"));
+  for (int i = 0; i < 500 && !(viewer().state().question && viewer().state().question->preview); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    frame();
+  }
+  frames(4);
+  EXPECT_EQ(previewed, (std::vector<std::string>{"", "2"}));
+  click_control("Make the model", {}, "question");
+  frame();
+  wait_until_loaded();
+  EXPECT_EQ(got.series, "2");
+  EXPECT_TRUE(got.volume && got.volume->iso);
+  EXPECT_TRUE(got.from_command_line);
 }
 
 TEST_F(VolumeAsked, OfTheCtMolarOtsuFindsTheTooth) {

@@ -102,14 +102,14 @@ DicomObject& DicomObject::all(const DicomObject& other) {
   return *this;
 }
 
-std::string DicomObject::file(const std::string& syntax) const {
+std::string DicomObject::file(const std::string& syntax, const std::string& storage_class) const {
   std::string name = syntax;
   if (name.empty()) {
     name = coding_ == DicomCoding::implicit_little ? "1.2.840.10008.1.2" : coding_ == DicomCoding::explicit_big ? "1.2.840.10008.1.2.2"
          : coding_ == DicomCoding::deflated ? "1.2.840.10008.1.2.1.99" : "1.2.840.10008.1.2.1";
   }
   DicomObject meta;
-  meta.text(2, 2, "UI", "1.2.840.10008.5.1.4.1.1.2").text(2, 3, "UI", "1.2.3.4.1").text(2, 0x10, "UI", name).text(2, 0x12, "UI", "1.2.3");
+  meta.text(2, 2, "UI", storage_class).text(2, 3, "UI", "1.2.3.4.1").text(2, 0x10, "UI", name).text(2, 0x12, "UI", "1.2.3");
   DicomObject length;
   length.shorts(2, 0, {static_cast<std::uint16_t>(meta.bytes_.size()), 0}, "UL");
   return std::string(128, '\0') + "DICM" + length.bytes_ + meta.bytes_ + (coding_ == DicomCoding::deflated ? bare_deflated(bytes_) : bytes_);

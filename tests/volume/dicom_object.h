@@ -26,7 +26,7 @@ class DicomObject {
   DicomObject& all(const DicomObject& other);
 
   /// With preamble and meta information, or bare.
-  std::string file(const std::string& syntax = {}) const;
+  std::string file(const std::string& syntax = {}, const std::string& storage_class = "1.2.840.10008.5.1.4.1.1.2") const;
   const std::string& bare() const { return bytes_; }
 
  private:

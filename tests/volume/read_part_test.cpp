@@ -115,6 +115,8 @@ TEST(PartsOfVolumes, AreSampledWhereTheirFirstVoxelsLie) {
   for (const Axes& axes : {usual, turned_round}) {
     const Volume samples = read(axes, VolumePart{.most_voxels = 700, .sampled = true}), whole = read(axes, {});
     EXPECT_LE(samples.values.size(), 700u);
+    EXPECT_EQ(samples.size_before, whole.size);
+    EXPECT_EQ(whole.size_before, (std::array<std::size_t, 3>{}));
     EXPECT_LT(worst(samples), 1e-4);
     for (const float value : samples.values)
       EXPECT_NE(std::find(whole.values.begin(), whole.values.end(), value), whole.values.end());
