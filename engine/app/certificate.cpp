@@ -17,7 +17,8 @@ constexpr std::size_t most_shells_told = 4;
 /// "mm²" where the terminal's words say "mm^2".
 std::string typeset(std::string words) {
   for (const auto& [plain, raised] : {std::pair{"^2", "\xC2\xB2"}, {"^3", "\xC2\xB3"}})
-    for (std::size_t at = words.find(plain); at != std::string::npos; at = words.find(plain, at)) words.replace(at, 2, raised);
+    for (std::size_t at = words.find(plain); at != std::string::npos; at = words.find(plain, at))
+      words.replace(at, 2, raised);
   return words;
 }
 
@@ -78,7 +79,8 @@ Certificate certificate_of(const std::vector<std::string>& structures, const std
     if (!reports[i].closed_oriented_manifold()) certificate.verdict = Certificate::Verdict::wanting;
     add_shells(structures[i], reports[i], certificate);
   }
-  if (certificate.verdict == Certificate::Verdict::wanting) certificate.headline = "Found wanting: not a closed oriented manifold";
+  if (certificate.verdict == Certificate::Verdict::wanting)
+    certificate.headline = "Found wanting: not a closed oriented manifold";
   return certificate;
 }
 

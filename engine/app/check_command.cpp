@@ -37,15 +37,17 @@ void tell_all_shells(const std::vector<Shell>& shells, Console& console) {
 
 void tell_surface(const NamedSurfaceReport& mesh, Console& console) {
   const SurfaceReport& report = mesh.report;
-  console.say(fmt::format("{}: {}, {}", mesh.name.empty() ? "surface" : mesh.name, counted(report.triangles, "triangle"),
-                          counted(report.vertices, "vertex", "vertices")));
+  console.say(fmt::format("{}: {}, {}", mesh.name.empty() ? "surface" : mesh.name,
+                          counted(report.triangles, "triangle"), counted(report.vertices, "vertex", "vertices")));
   tell_all_shells(report.shells, console);
   console.say(fmt::format("  smallest angle {} degrees (median {}), aspect ratio at most {} (median {})",
                           measured(report.smallest_angle_deg.min), measured(report.smallest_angle_deg.median),
                           measured(report.aspect_ratio.max), measured(report.aspect_ratio.median)));
   const std::vector<std::string> defects = defects_in_words(report);
-  if (defects.empty()) console.say("  closed, oriented and manifold");
-  else console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
+  if (defects.empty())
+    console.say("  closed, oriented and manifold");
+  else
+    console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
 }
 
 ExitCode check_meshes(const std::vector<NamedMesh>& meshes, const CheckArguments& options, Session& session) {
@@ -89,7 +91,8 @@ ExitCode check_stack(const ContourStack& stack, const CheckArguments& options, S
   refuse_empty(file);
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is neither a contour stack nor a glTF, STL, PLY or OBJ mesh",
+  throw InputError("unknown-format", std::move(place),
+                   "this is neither a contour stack nor a glTF, STL, PLY or OBJ mesh",
                    "Give a file of one of these formats");
 }
 

@@ -13,16 +13,17 @@
 
 namespace odontoscope::app {
 
-struct MadeModel;   // engine/app/model.h
+struct MadeModel;  // engine/app/model.h
 
 /// What every subcommand is given when it runs.
 struct Session {
   Console& console;
   Interrupts& interrupts;
-  int threads = 0;   // 0: as many as the machine has
+  int threads = 0;  // 0: as many as the machine has
   /// Work for somebody else than the terminal: who watches and stops it instead.
   std::optional<Progress> watched = {};
-  /// Takes the model that a page shows, from whoever can write it to files later without making it again (web/wasm); empty: nobody does.
+  /// Takes the model that a page shows, from whoever can write it to files later without making it again (web/wasm);
+  /// empty: nobody does.
   std::function<void(MadeModel&&)> keep = {};
 
   /// For long work: shows a bar or lines, and stops on Ctrl-C.
@@ -33,13 +34,13 @@ struct Session {
 };
 
 struct Command {
-  CLI::App* parser = nullptr;   // owned by the root parser
+  CLI::App* parser = nullptr;  // owned by the root parser
   /// Throws what recon/core/error.h lists.
   std::function<ExitCode(Session&)> run;
 };
 
-/// The subcommands that this program has, added to its parser, and what its help says last. In commands.cpp; the program for browsers
-/// (web/wasm/program) has fewer.
+/// The subcommands that this program has, added to its parser, and what its help says last. In commands.cpp; the
+/// program for browsers (web/wasm/program) has fewer.
 std::vector<Command> add_commands(CLI::App& root);
 const char* first_steps();
 

@@ -78,14 +78,16 @@ ExitCode compare_methods(const CompareArguments& options, Session& session) {
   const ContourStack stack = contours_of_input(options.input, options.words, session);
   engines.dt = understood(options.dt, stack, session);
   Comparison comparison = compare(stack, engines, session.progress());
-  const std::string no_pictures = options.report.empty() && options.html.empty() ? std::string() : add_comparison_pictures(comparison, session);
+  const std::string no_pictures =
+      options.report.empty() && options.html.empty() ? std::string() : add_comparison_pictures(comparison, session);
   std::vector<FileContent> contents;
   if (!options.report.empty()) contents.push_back({options.report, comparison_json(comparison)});
   if (!options.html.empty()) contents.push_back({options.html, comparison_page(comparison)});
   session.progress().check();
   write_all(contents, session.interrupts);
   tell(comparison, session.console);
-  if (!no_pictures.empty()) session.console.say(fmt::format("No pictures, and nothing about what is seen through: {}", no_pictures));
+  if (!no_pictures.empty())
+    session.console.say(fmt::format("No pictures, and nothing about what is seen through: {}", no_pictures));
   for (const FileContent& file : contents) session.console.say(fmt::format("Wrote {}", file.file.string()));
   return ExitCode::done;
 }
@@ -99,7 +101,8 @@ Command compare_command(CLI::App& root) {
       ->required()
       ->type_name("");
   parser->add_option("--report", options->report, "All that was measured, for scripts")->type_name("FILE.json");
-  parser->add_option("--html", options->html, "The same as a page, with pictures where this machine can draw")->type_name("FILE.html");
+  parser->add_option("--html", options->html, "The same as a page, with pictures where this machine can draw")
+      ->type_name("FILE.html");
   add_dt_options(*parser, options->dt);
   add_volume_options(*parser, options->words);
   add_db_options(*parser, options->db);

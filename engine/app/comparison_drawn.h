@@ -8,7 +8,8 @@
 
 namespace odontoscope::app {
 
-/// Pictures of each method's model, and what is seen through it. Empty, or why this machine cannot draw. Throws Cancelled.
+/// Pictures of each method's model, and what is seen through it. Empty, or why this machine cannot draw. Throws
+/// Cancelled.
 std::string add_comparison_pictures(Comparison& comparison, Session& session);
 
 }  // namespace odontoscope::app

@@ -9,8 +9,9 @@
 
 namespace odontoscope::app {
 
-/// Results go to standard output. Progress goes to standard error: a bar that redraws itself on a terminal, otherwise one
-/// line a stage and a sign of life now and then. Quiet: neither. Safe to call from several threads. Whoever has no terminal (the Python package) takes complaints otherwise.
+/// Results go to standard output. Progress goes to standard error: a bar that redraws itself on a terminal, otherwise
+/// one line a stage and a sign of life now and then. Quiet: neither. Safe to call from several threads. Whoever has no
+/// terminal (the Python package) takes complaints otherwise.
 class Console {
  public:
   Console();
@@ -25,8 +26,9 @@ class Console {
   void progress(std::string_view stage, double fraction);
   /// Errors are said however quiet: "odontoscope: MESSAGE" on standard error.
   virtual void complain(std::string_view message);
-  /// Takes the bar away and makes sure that all that was said has left; throws FileError if standard output took it not,
-  /// unless files were written meanwhile (`wrote`): what happened to them is told by the exit code, and on standard error what was lost.
+  /// Takes the bar away and makes sure that all that was said has left; throws FileError if standard output took it
+  /// not, unless files were written meanwhile (`wrote`): what happened to them is told by the exit code, and on
+  /// standard error what was lost.
   void finish(bool wrote = false);
 
  private:

@@ -21,7 +21,11 @@ constexpr Rgb paper{24, 26, 30}, bright{236, 236, 232}, dim{160, 164, 170};
 struct Layout {
   int gap = 0, letters = 0, line = 0, width = 0, height = 0;
   Layout(const SheetSize& size, int w, int h)
-      : gap(std::max(4, w / 40)), letters(std::clamp(w / 18, 10, 28)), line(letters + gap), width(size.columns * (w + gap) + gap), height(size.rows * (h + line) + gap) {}
+      : gap(std::max(4, w / 40)),
+        letters(std::clamp(w / 18, 10, 28)),
+        line(letters + gap),
+        width(size.columns * (w + gap) + gap),
+        height(size.rows * (h + line) + gap) {}
 };
 
 void copy(const Image& from, Image& to, int left, int top) {
@@ -35,7 +39,7 @@ void copy(const Image& from, Image& to, int left, int top) {
 /// The words, or as many of their letters as have room.
 std::string shortened(const std::string& words, const Lettering& lettering, double room) {
   if (lettering.width(words) <= room) return words;
-  const auto within_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; };   // UTF-8
+  const auto within_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) == 0x80u; };  // UTF-8
   for (std::size_t length = words.size(); length-- > 1;) {
     if (within_letter(words[length]) || words[length - 1] == ' ' || words[length - 1] == ',') continue;
     std::string some = words.substr(0, length) + "\u2026";
@@ -46,7 +50,8 @@ std::string shortened(const std::string& words, const Lettering& lettering, doub
 
 /// What is seen at the left, when at the right; where there is no room for both, the time is left out.
 void letter(Image& sheet, const Lettering& lettering, const SheetPicture& picture, double left, double below) {
-  const double room = picture.image.width, time = std::ceil(lettering.width(picture.time)), space = 0.5 * lettering.height();
+  const double room = picture.image.width, time = std::ceil(lettering.width(picture.time)),
+               space = 0.5 * lettering.height();
   const bool both = lettering.width(picture.words) + space + time <= room;
   lettering.draw(sheet, shortened(picture.words, lettering, room), left, below, bright);
   if (both) lettering.draw(sheet, picture.time, left + room - time, below, dim);
@@ -58,17 +63,20 @@ SheetSize sheet_from(const std::string& text) {
   SheetSize size;
   const char* const end = text.data() + text.size();
   const auto columns = std::from_chars(text.data(), end, size.columns);
-  const bool both = columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x' && std::from_chars(columns.ptr + 1, end, size.rows).ptr == end;
+  const bool both = columns.ec == std::errc() && columns.ptr != end && *columns.ptr == 'x' &&
+                    std::from_chars(columns.ptr + 1, end, size.rows).ptr == end;
   constexpr int most = 20;
   if (!both || std::min(size.columns, size.rows) < 1 || std::max(size.columns, size.rows) > most)
-    throw UsageError(fmt::format("--contact-sheet {}: these are no columns and rows", text), fmt::format("Give both, 1 to {}: 4x3.", most));
+    throw UsageError(fmt::format("--contact-sheet {}: these are no columns and rows", text),
+                     fmt::format("Give both, 1 to {}: 4x3.", most));
   return size;
 }
 
 void refuse_too_large(const SheetSize& sheet, int width, int height) {
   const Layout layout(sheet, width, height);
   if (std::max(layout.width, layout.height) > most_picture_side)
-    throw UsageError(fmt::format("--contact-sheet: {} x {} pixels are too many", layout.width, layout.height), fmt::format("Give a smaller --size; a side has at most {}.", most_picture_side));
+    throw UsageError(fmt::format("--contact-sheet: {} x {} pixels are too many", layout.width, layout.height),
+                     fmt::format("Give a smaller --size; a side has at most {}.", most_picture_side));
 }
 
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetSize& size) {

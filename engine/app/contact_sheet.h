@@ -16,14 +16,15 @@ SheetSize sheet_from(const std::string& text);
 
 struct SheetPicture {
   Image image;
-  std::string words;      // what is seen: "canal, 3.2 mm deep"
-  std::string time;       // "12 s"; stands at the right, if there is room
+  std::string words;  // what is seen: "canal, 3.2 mm deep"
+  std::string time;   // "12 s"; stands at the right, if there is room
 };
 
 /// UsageError if a sheet of pictures of that size would be larger than a picture may be.
 void refuse_too_large(const SheetSize& sheet, int width, int height);
 
-/// Row by row from the upper left, with room between them; words too long for their picture are cut short. Preconditions: columns * rows pictures of one size, and not too large.
+/// Row by row from the upper left, with room between them; words too long for their picture are cut short.
+/// Preconditions: columns * rows pictures of one size, and not too large.
 Image contact_sheet(const std::vector<SheetPicture>& pictures, const SheetSize& size);
 
 }  // namespace odontoscope::app

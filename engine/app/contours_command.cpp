@@ -17,7 +17,7 @@ namespace odontoscope::app {
 namespace {
 
 struct ContoursArguments {
-  std::vector<std::string> inputs;   // several meshes, or one of anything
+  std::vector<std::string> inputs;  // several meshes, or one of anything
   VolumeWords words;
   ForeignWords foreign;
   VoxelWords voxels;
@@ -31,24 +31,29 @@ ContourStack read_told(const ContoursArguments& options, Session& session, Whenc
 }
 
 ContourStack stack_of(const ContoursArguments& options, Session& session, Whence& whence) {
-  if (options.words.any_level()) return contours_told(options.inputs.front(), understood(options.words), session, nullptr, nullptr, &whence);
+  if (options.words.any_level())
+    return contours_told(options.inputs.front(), understood(options.words), session, nullptr, nullptr, &whence);
   ContourStack stack = read_told(options, session, whence);
   return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
 }
 
 ExitCode show_histogram(const ContoursArguments& options, Session& session) {
   if (options.inputs.size() > 1) throw UsageError("--histogram looks at one volume", "Give one input");
-  if (!options.outputs.empty() || options.words.any_level()) throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
+  if (!options.outputs.empty() || options.words.any_level())
+    throw UsageError("--histogram only looks at a volume", "Leave out -o, --iso and --label");
   tell_histogram(options.inputs.front(), understood(options.words), session);
   return ExitCode::done;
 }
 
 void refuse_senseless(const ContoursArguments& options) {
-  if (options.outputs.empty()) throw UsageError("-o is missing: nothing says where to write the contours", "Give -o FILE.json, or look at a volume's values with --histogram");
+  if (options.outputs.empty())
+    throw UsageError("-o is missing: nothing says where to write the contours",
+                     "Give -o FILE.json, or look at a volume's values with --histogram");
   for (const std::string& output : options.outputs) {
     if (!is_structures_file(output)) known_ending(output, {".json", ".dcm", ".seg.dcm", ".seg.nrrd"});
   }
-  if (options.inputs.size() > 1 && options.words.any_level()) throw UsageError("--iso and --label are about one volume", "Give one input");
+  if (options.inputs.size() > 1 && options.words.any_level())
+    throw UsageError("--iso and --label are about one volume", "Give one input");
   if (options.inputs.size() == 1) refuse_volume_without_level(options.inputs.front(), options.words);
   refuse_senseless(options.foreign, options.words.any_level());
   refuse_senseless(options.voxels, options.outputs, options.words.any_level());
@@ -64,12 +69,15 @@ ExitCode make_contours(const ContoursArguments& options, Session& session) {
   const ContourStack stack = stack_of(options, session, whence);
   std::vector<FileContent> files;
   for (const std::string& output : options.outputs) {
-    if (is_structures_file(output)) files.push_back(structures_file(stack, output, options.voxels, whence, session));
-    else files.push_back({output, to_json(stack)});
+    if (is_structures_file(output))
+      files.push_back(structures_file(stack, output, options.voxels, whence, session));
+    else
+      files.push_back({output, to_json(stack)});
   }
   session.progress().check();
   write_all(files, session.interrupts);
-  for (const std::string& output : options.outputs) session.console.say(fmt::format("{}: {}", output, stack_in_words(stack)));
+  for (const std::string& output : options.outputs)
+    session.console.say(fmt::format("{}: {}", output, stack_in_words(stack)));
   return ExitCode::done;
 }
 
@@ -77,15 +85,18 @@ ExitCode make_contours(const ContoursArguments& options, Session& session) {
 
 Command contours_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("contours", "Contours of a volume, a mesh, or another program's contour file");
-  parser->alias("section");   // of a model: the way back to contours
+  parser->alias("section");  // of a model: the way back to contours
   const auto options = std::make_shared<ContoursArguments>();
-  parser
-      ->add_option("INPUT", options->inputs,
-                   "Volume, mesh or meshes, or other program's contours; see below")
+  parser->add_option("INPUT", options->inputs, "Volume, mesh or meshes, or other program's contours; see below")
       ->required()
       ->type_name("");
-  repeatable(parser->add_option("-o,--output", options->outputs, "File to write; its ending tells the format; repeatable"))->type_name("FILE");
-  parser->add_flag("--histogram", options->histogram, "Show the values of a volume and where they part, and write nothing")->group("Volumes");
+  repeatable(
+      parser->add_option("-o,--output", options->outputs, "File to write; its ending tells the format; repeatable"))
+      ->type_name("FILE");
+  parser
+      ->add_flag("--histogram", options->histogram,
+                 "Show the values of a volume and where they part, and write nothing")
+      ->group("Volumes");
   add_volume_options(*parser, options->words);
   add_foreign_options(*parser, options->foreign);
   add_voxel_options(*parser, options->voxels);

@@ -18,9 +18,11 @@ void add_colour_by_option(CLI::App& parser, std::string& words);
 /// "distance", "distance=0.2", "slope", "slope=300". UsageError for anything else.
 void refuse_senseless_colour_by(const std::string& words);
 
-/// Marks the model (engine/scene/deviation.h), sets the scene's colours, makes the surfaces solid of which `opacities` (of --opacity) say nothing, and tells distances. `words` may be empty: then
-/// only what the scene says. UsageError where no surface was taken from a volume at a value.
-void colour_by_data(const std::string& words, const std::vector<std::string>& opacities, Shown& shown, Scene& scene, Session& session);
+/// Marks the model (engine/scene/deviation.h), sets the scene's colours, makes the surfaces solid of which `opacities`
+/// (of --opacity) say nothing, and tells distances. `words` may be empty: then only what the scene says. UsageError
+/// where no surface was taken from a volume at a value.
+void colour_by_data(const std::string& words, const std::vector<std::string>& opacities, Shown& shown, Scene& scene,
+                    Session& session);
 
 /// A bar of the colours with its numbers and unit, in the picture's lower left corner.
 void draw_legend(const DataColours& colours, Image& image);

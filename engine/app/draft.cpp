@@ -12,8 +12,8 @@
 namespace odontoscope::app {
 namespace {
 
-constexpr std::size_t most_slices = 22, worth_it_from = 44;   // below which the whole is made in little more time
-constexpr std::size_t most_points = 64;                       // of a contour
+constexpr std::size_t most_slices = 22, worth_it_from = 44;  // below which the whole is made in little more time
+constexpr std::size_t most_points = 64;                      // of a contour
 
 /// Every so many-th, and the last.
 ContourStack thinned(const ContourStack& stack, std::size_t step) {
@@ -32,7 +32,8 @@ ContourStack thinned(const ContourStack& stack, std::size_t step) {
   return few;
 }
 
-LoadedModel shown_as(const std::vector<NamedSurface>& surfaces, const std::string& title, std::string words, const Progress& progress) {
+LoadedModel shown_as(const std::vector<NamedSurface>& surfaces, const std::string& title, std::string words,
+                     const Progress& progress) {
   LoadedModel draft;
   draft.title = title;
   draft.model = make_model(surfaces);
@@ -50,12 +51,15 @@ std::optional<LoadedModel> draft_of(const ContourStack& stack, const std::string
   const std::size_t step = (stack.slices.size() + most_slices - 1) / most_slices;
   try {
     const Progress quiet{{}, progress.stop};
-    const Reconstruction made = reconstruct(thinned(stack, step), {.correspondence = Correspondence::overlap, .between = Between::delaunay}, quiet);
+    const Reconstruction made = reconstruct(
+        thinned(stack, step), {.correspondence = Correspondence::overlap, .between = Between::delaunay}, quiet);
     std::vector<NamedSurface> surfaces;
-    for (const Solid& solid : made.solids) odontoscope::add_shells(solid.structure, solid.surface, solid.report, surfaces);
+    for (const Solid& solid : made.solids)
+      odontoscope::add_shells(solid.structure, solid.surface, solid.report, surfaces);
     if (surfaces.empty()) return {};
-    return shown_as(surfaces, title, fmt::format("A draft of one slice in {}: the model is still being made", step), quiet);
-  } catch (const Error&) {   // thinned contours may cross: the model itself will tell what is wrong, if anything is
+    return shown_as(surfaces, title, fmt::format("A draft of one slice in {}: the model is still being made", step),
+                    quiet);
+  } catch (const Error&) {  // thinned contours may cross: the model itself will tell what is wrong, if anything is
     return {};
   }
 }
@@ -66,7 +70,8 @@ LoadedModel draft_of_sample(const std::string& title, const Progress& progress) 
   for (NamedMesh& mesh : parse_glb(draft_files().front().bytes, std::string(draft_files().front().name))) {
     std::string name = mesh.name;
     const bool hollow = name.ends_with(cavity);
-    if (hollow) surfaces.push_back({name, std::move(mesh.surface), name.substr(0, name.size() - cavity.size()), true});
+    if (hollow)
+      surfaces.push_back({name, std::move(mesh.surface), name.substr(0, name.size() - cavity.size()), true});
     else {
       if (name.ends_with(outside)) name.resize(name.size() - outside.size());
       surfaces.push_back({name, std::move(mesh.surface), name});

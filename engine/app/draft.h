@@ -12,11 +12,12 @@
 
 namespace odontoscope::app {
 
-/// A model of at most two dozen slices and of contours with fewer points, said to be such by its certificate; nothing where that fails, or where
-/// the whole is not much more work. Throws Cancelled.
+/// A model of at most two dozen slices and of contours with fewer points, said to be such by its certificate; nothing
+/// where that fails, or where the whole is not much more work. Throws Cancelled.
 std::optional<LoadedModel> draft_of(const ContourStack& stack, const std::string& title, const Progress& progress);
 
-/// The sample molar with few triangles, made before and kept in assets/drafts: it is there at once. docs/sample-teeth.md says how it is made anew.
+/// The sample molar with few triangles, made before and kept in assets/drafts: it is there at once.
+/// docs/sample-teeth.md says how it is made anew.
 LoadedModel draft_of_sample(const std::string& title, const Progress& progress);
 
 }  // namespace odontoscope::app

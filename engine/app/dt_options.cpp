@@ -17,7 +17,8 @@ namespace {
 std::vector<Link> links_for(const ContourStack& stack, const DtWords& words, const Session& session) {
   std::vector<Link> links = links_from(words.link_words);
   if (words.links.empty()) return links;
-  const std::vector<Link> in_file = parse_links(read_file(words.links, limits::file_bytes, session.progress().stop), words.links);
+  const std::vector<Link> in_file =
+      parse_links(read_file(words.links, limits::file_bytes, session.progress().stop), words.links);
   validate(stack);
   validate_links(in_file, ordered(stack).stack, words.links);
   links.insert(links.end(), in_file.begin(), in_file.end());
@@ -41,7 +42,9 @@ void add_dt_options(CLI::App& parser, DtWords& words) {
                                      "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME")
       ->group(group);
-  parser.add_option("--links", words.links, "Your own choices of what connects; they win")->type_name("FILE.json")->group(group);
+  parser.add_option("--links", words.links, "Your own choices of what connects; they win")
+      ->type_name("FILE.json")
+      ->group(group);
   repeatable(parser.add_option("--link", words.link_words.connect,
                                "One such choice: contour B of slice N connects to U of N + 1"))
       ->type_name("NAME:N:B-U")
@@ -55,7 +58,8 @@ void refuse_senseless(const DtWords& words) {
   links_from(words.link_words);
   refuse_senseless(words.partition);
   if (words.partition.wanted && (words.correspondence || !words.links.empty() || words.link_words.any()))
-    throw UsageError("--correspondence, --links, --link and --unlink do not work with --partition yet", "Leave them out, or leave out --partition");
+    throw UsageError("--correspondence, --links, --link and --unlink do not work with --partition yet",
+                     "Leave them out, or leave out --partition");
 }
 
 Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session) {
@@ -71,17 +75,25 @@ Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Se
   if (words.partition.independent || words.correspondence || !words.links.empty() || words.link_words.any())
     return reconstruct(stack, options, session.progress());
   MadeOfStructures made = reconstruct_structures(stack, options, session.progress());
-  if (made.reconstruction.complex) session.console.say("Structures share walls or overlap: they became one partition. --independent makes each by itself.");
+  if (made.reconstruction.complex)
+    session.console.say(
+        "Structures share walls or overlap: they became one partition. --independent makes each by itself.");
   if (!made.no_partition.empty())
-    session.console.complain(fmt::format("warning: no partition came of it, so each structure was made by itself, and neighbours may gape or overlap. {}", made.no_partition));
+    session.console.complain(
+        fmt::format("warning: no partition came of it, so each structure was made by itself, and neighbours may gape "
+                    "or overlap. {}",
+                    made.no_partition));
   return std::move(made.reconstruction);
 }
 
 void refuse_for_mesh(const DtWords& words, const std::string& file) {
   if (words.partition.wanted)
-    throw UsageError(fmt::format("{} is a mesh, and --partition is about what is made from contours", file), "Leave it out, or give what the mesh was made from");
+    throw UsageError(fmt::format("{} is a mesh, and --partition is about what is made from contours", file),
+                     "Leave it out, or give what the mesh was made from");
   if (!words.any()) return;
-  throw UsageError(fmt::format("{} is a mesh, and --correspondence, --between, --links, --link and --unlink are about what is made from contours", file),
+  throw UsageError(fmt::format("{} is a mesh, and --correspondence, --between, --links, --link and --unlink are about "
+                               "what is made from contours",
+                               file),
                    "Leave them out, or give what the mesh was made from");
 }
 

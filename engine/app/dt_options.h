@@ -16,10 +16,10 @@ namespace odontoscope::app {
 struct DtWords {
   std::optional<Correspondence> correspondence;
   std::optional<Between> between;
-  std::string links;      // file; empty: none
+  std::string links;  // file; empty: none
   LinkWords link_words;
 
-  PartitionWords partition;   // where the command offers it
+  PartitionWords partition;  // where the command offers it
 
   bool any() const { return correspondence || between || !links.empty() || link_words.any(); }
 };
@@ -33,8 +33,9 @@ void refuse_senseless(const DtWords& words);
 /// UsageError if there are any, for an input that is reconstructed by nobody.
 void refuse_for_mesh(const DtWords& words, const std::string& file);
 
-/// The model that the words ask for: each structure by itself, or a partition; if they leave it open, a partition where structures share walls or overlap
-/// (each by itself, with a warning, if none comes of it). Links are checked against the contours. Throws as the readers of links do.
+/// The model that the words ask for: each structure by itself, or a partition; if they leave it open, a partition where
+/// structures share walls or overlap (each by itself, with a warning, if none comes of it). Links are checked against
+/// the contours. Throws as the readers of links do.
 Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session);
 
 /// For these contours: links are checked against them. Throws as the readers of links do.

@@ -45,13 +45,15 @@ std::vector<int> wanted_figures(const FiguresArguments& options) {
 void refuse_unwritable_folder(const fs::path& folder) {
   std::error_code error;
   if (fs::exists(folder, error)) {
-    if (!fs::is_directory(folder, error)) throw FileError(folder.string(), "it is there, and is no folder", "Name another folder");
+    if (!fs::is_directory(folder, error))
+      throw FileError(folder.string(), "it is there, and is no folder", "Name another folder");
     refuse_unwritable({.inputs = {}, .outputs = {(folder / "index.html").string()}});
     return;
   }
   const fs::path parent = fs::absolute(folder).lexically_normal().parent_path();
   const fs::path above = folder.has_filename() ? parent : parent.parent_path();
-  if (!fs::is_directory(above, error)) throw FileError(folder.string(), "the folder above it does not exist", "Make that first");
+  if (!fs::is_directory(above, error))
+    throw FileError(folder.string(), "the folder above it does not exist", "Make that first");
   refuse_unwritable({.inputs = {}, .outputs = {(above / ".odontoscope-trial").string()}});
 }
 
@@ -78,7 +80,8 @@ std::optional<ContourStack> contours_of(const FiguresArguments& options, Session
 }
 
 std::string about(const figures::ToothModels& tooth) {
-  return fmt::format("The tooth is {}; DB's grid has {} points along each side.", tooth.name().empty() ? "yours" : tooth.name(), tooth.grid());
+  return fmt::format("The tooth is {}; DB's grid has {} points along each side.",
+                     tooth.name().empty() ? "yours" : tooth.name(), tooth.grid());
 }
 
 ExitCode make_figures(const FiguresArguments& options, Session& session) {
@@ -88,7 +91,8 @@ ExitCode make_figures(const FiguresArguments& options, Session& session) {
   refuse_unwritable_folder(folder);
   const std::unique_ptr<GlContext> context = make_context(context_options);
 
-  figures::ToothModels tooth({contours_of(options, session), static_cast<std::size_t>(options.grid), session.threads}, session.progress());
+  figures::ToothModels tooth({contours_of(options, session), static_cast<std::size_t>(options.grid), session.threads},
+                             session.progress());
   Renderer renderer(context->gl(), shaders_from_environment());
   std::vector<figures::Figure> made;
   std::vector<FileContent> files;
@@ -99,15 +103,15 @@ ExitCode make_figures(const FiguresArguments& options, Session& session) {
     const std::vector<Image> images = figures::draw(context->gl(), renderer, figure, options.size);
     for (std::size_t i = 0; i < images.size(); ++i)
       files.push_back({folder / figures::picture_name(figure, i), png_bytes(images[i])});
-    for (figures::Panel& panel : figure.panels) panel.surfaces.clear();   // the page needs the words only
+    for (figures::Panel& panel : figure.panels) panel.surfaces.clear();  // the page needs the words only
     made.push_back(std::move(figure));
   }
   files.push_back({folder / "index.html", figures::index_page(made, about(tooth))});
   session.progress().check();
   write_into(folder, files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
-  session.console.say(fmt::format("Wrote {} in {} and {}", counted(files.size() - 1, "picture"), counted(made.size(), "figure"),
-                                  (folder / "index.html").string()));
+  session.console.say(fmt::format("Wrote {} in {} and {}", counted(files.size() - 1, "picture"),
+                                  counted(made.size(), "figure"), (folder / "index.html").string()));
   return ExitCode::done;
 }
 
@@ -116,8 +120,12 @@ ExitCode make_figures(const FiguresArguments& options, Session& session) {
 Command figures_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("figures", "The paper's figures, computed anew, as pictures and a page");
   const auto options = std::make_shared<FiguresArguments>();
-  parser->add_option("INPUT", options->input, "Contour stack, or with --iso or --label a volume; none: the sample molar")->type_name("");
-  parser->add_option("-o,--output", options->folder, "Folder for pictures and index.html; made if it is not there")->required()->type_name("DIR");
+  parser
+      ->add_option("INPUT", options->input, "Contour stack, or with --iso or --label a volume; none: the sample molar")
+      ->type_name("");
+  parser->add_option("-o,--output", options->folder, "Folder for pictures and index.html; made if it is not there")
+      ->required()
+      ->type_name("DIR");
   repeatable(parser->add_option("--only", options->only, "This figure, 1 to 18; repeatable (default: all)"))
       ->type_name("N")
       ->check(whole_number_from_one_to(static_cast<int>(figures::paper_figures().size())));
@@ -129,7 +137,9 @@ Command figures_command(CLI::App& root) {
       ->type_name("N")
       ->check(CLI::Range(least_grid, most_grid).description(""))
       ->capture_default_str();
-  parser->add_option("--backend", options->backend, "auto, window, egl or osmesa; the last two need no display")->type_name("NAME")->capture_default_str();
+  parser->add_option("--backend", options->backend, "auto, window, egl or osmesa; the last two need no display")
+      ->type_name("NAME")
+      ->capture_default_str();
   add_volume_options(*parser, options->volume);
   parser->footer(
       "Examples:\n"

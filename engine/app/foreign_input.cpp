@@ -53,9 +53,11 @@ std::vector<NamedMesh> surfaces_of(std::vector<NamedMesh> meshes, const ForeignW
   return surfaces;
 }
 
-ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, const ForeignWords& words, Session& session) {
+ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, const ForeignWords& words,
+                      Session& session) {
   if (!words.spacing_z && words.heights.empty()) {
-    throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file), "Give --spacing-z D, or --at Z for each plane");
+    throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file),
+                     "Give --spacing-z D, or --at Z for each plane");
   }
   std::vector<std::string> remarks;
   for (const NamedMesh& mesh : meshes) remarks.insert(remarks.end(), mesh.remarks.begin(), mesh.remarks.end());
@@ -89,7 +91,8 @@ std::string head_of(const std::string& file) {
   Place place;
   place.file = file;
   if (bytes.substr(0, 4096).find("<Section") != bytes.npos) {
-    throw InputError("unknown-format", std::move(place), "this is one section of a Reconstruct series", "Give the .ser beside it");
+    throw InputError("unknown-format", std::move(place), "this is one section of a Reconstruct series",
+                     "Give the .ser beside it");
   }
   throw InputError("unknown-format", std::move(place), "this is no volume, mesh or contour file that is known here",
                    "The formats are listed by contours --help");
@@ -97,7 +100,8 @@ std::string head_of(const std::string& file) {
 
 void refuse_planes(const std::string& file, const ForeignWords& words) {
   if (!words.spacing_z && words.heights.empty() && !words.widest_gap) return;
-  throw UsageError(fmt::format("{} holds contours, and --spacing-z, --at and --widest-gap are about meshes", file), "Leave them out");
+  throw UsageError(fmt::format("{} holds contours, and --spacing-z, --at and --widest-gap are about meshes", file),
+                   "Leave them out");
 }
 
 /// What validate found can be mended here: says so.
@@ -105,12 +109,12 @@ void refuse_planes(const std::string& file, const ForeignWords& words) {
   std::string told = error.what();
   told.resize(told.rfind(" ["));
   if (told.ends_with('.')) told.pop_back();
-  throw InputError(error.cause(), {}, told,
-                   "Or give --repair, which tells what it changes");
+  throw InputError(error.cause(), {}, told, "Or give --repair, which tells what it changes");
 }
 
 bool can_be_repaired(const std::string& cause) {
-  for (const char* known : {"too-few-points", "repeated-point", "zero-area", "self-crossing", "contours-cross", "contours-touch"}) {
+  for (const char* known :
+       {"too-few-points", "repeated-point", "zero-area", "self-crossing", "contours-cross", "contours-touch"}) {
     if (cause == known) return true;
   }
   return false;
@@ -136,23 +140,36 @@ ContourStack checked(ContourStack stack, const ForeignWords& words, Session& ses
 void add_foreign_options(CLI::App& parser, ForeignWords& words) {
   const std::string group = "Meshes and other programs' contours";
   parser.add_option("--spacing-z", words.spacing_z, "Cut a mesh every D mm, from D/2 above its lowest point on")
-      ->type_name("D")->group(group);
-  repeatable(parser.add_option("--at", words.heights, "Cut a mesh at height Z, mm; repeatable"))->type_name("Z")->group(group);
-  repeatable(parser.add_option("--structure", words.structures, "Keep this structure alone; repeatable"))->type_name("NAME")->group(group);
+      ->type_name("D")
+      ->group(group);
+  repeatable(parser.add_option("--at", words.heights, "Cut a mesh at height Z, mm; repeatable"))
+      ->type_name("Z")
+      ->group(group);
+  repeatable(parser.add_option("--structure", words.structures, "Keep this structure alone; repeatable"))
+      ->type_name("NAME")
+      ->group(group);
   parser.add_flag("--repair", words.repair, "Mend what breaks the rules, and tell what was changed")->group(group);
-  parser.add_option("--widest-gap", words.widest_gap, "With --repair: widest gap of a mesh that is closed, mm (default: 0.5)")
-      ->type_name("G")->check(at_least_zero())->group(group);
+  parser
+      .add_option("--widest-gap", words.widest_gap,
+                  "With --repair: widest gap of a mesh that is closed, mm (default: 0.5)")
+      ->type_name("G")
+      ->check(at_least_zero())
+      ->group(group);
 }
 
 void refuse_senseless(const ForeignWords& words, bool of_volume) {
   if (of_volume && words.any()) {
-    throw UsageError("--spacing-z, --at, --structure, --repair and --widest-gap are about meshes and contour files, not volumes", "Leave them out");
+    throw UsageError(
+        "--spacing-z, --at, --structure, --repair and --widest-gap are about meshes and contour files, not volumes",
+        "Leave them out");
   }
   for (const double height : words.heights) {
     if (!std::isfinite(height)) throw UsageError("--at wants a height in mm");
   }
-  if (words.spacing_z && !words.heights.empty()) throw UsageError("--spacing-z and --at both say where to cut", "Give one of them");
-  if (words.widest_gap && !words.repair) throw UsageError("--widest-gap is about --repair", "Add --repair, or leave it out");
+  if (words.spacing_z && !words.heights.empty())
+    throw UsageError("--spacing-z and --at both say where to cut", "Give one of them");
+  if (words.widest_gap && !words.repair)
+    throw UsageError("--widest-gap is about --repair", "Add --repair, or leave it out");
 }
 
 bool is_contour_file(const std::string& file) { return contour_file_kind(head_of(file)).has_value(); }
@@ -199,16 +216,20 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
 
 ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session) {
   std::vector<NamedMesh> all;
-  std::map<std::string, std::string> file_of;   // of each structure
+  std::map<std::string, std::string> file_of;  // of each structure
   for (const std::string& file : files) {
     const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
     std::optional<std::vector<NamedMesh>> meshes = meshes_in(kind_of(bytes, file), bytes, file);
-    if (!meshes) throw UsageError(fmt::format("{} is no mesh, and only meshes are read several at a time", file), "Give it by itself");
+    if (!meshes)
+      throw UsageError(fmt::format("{} is no mesh, and only meshes are read several at a time", file),
+                       "Give it by itself");
     if (meshes->size() == 1) meshes->front().name = std::filesystem::path(file).stem().string();
     for (NamedMesh& mesh : *meshes) {
       const std::string structure = structure_of(mesh);
       const auto [known, fresh] = file_of.try_emplace(structure, file);
-      if (known->second != file) throw UsageError(fmt::format("both {} and {} have a structure called \"{}\"", known->second, file, structure), "Rename one of the files");
+      if (known->second != file)
+        throw UsageError(fmt::format("both {} and {} have a structure called \"{}\"", known->second, file, structure),
+                         "Rename one of the files");
       all.push_back(std::move(mesh));
     }
   }

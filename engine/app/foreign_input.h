@@ -1,5 +1,6 @@
 #pragma once
-// What `contours` and `reconstruct` have in common: contours from other programs' contour files, and from meshes cut by planes.
+// What `contours` and `reconstruct` have in common: contours from other programs' contour files, and from meshes cut by
+// planes.
 
 #include <CLI/CLI.hpp>
 #include <optional>
@@ -14,11 +15,11 @@ namespace odontoscope::app {
 
 /// As typed.
 struct ForeignWords {
-  std::optional<double> spacing_z;       // mm, for meshes
-  std::vector<double> heights;           // mm, instead of a spacing
-  std::vector<std::string> structures;   // to keep; all if empty
+  std::optional<double> spacing_z;      // mm, for meshes
+  std::vector<double> heights;          // mm, instead of a spacing
+  std::vector<std::string> structures;  // to keep; all if empty
   bool repair = false;
-  std::optional<double> widest_gap;      // mm, for meshes
+  std::optional<double> widest_gap;  // mm, for meshes
 
   bool any() const { return spacing_z || !heights.empty() || !structures.empty() || repair || widest_gap; }
 };
@@ -34,16 +35,18 @@ bool is_contour_file(const std::string& file);
 /// Does it begin like a volume, and no structure set? False as for is_contour_file.
 bool begins_like_a_volume(const std::string& file);
 
-/// Is the file something else than a contour stack of ours, or do `words` ask for more than reading it? False for what cannot be
-/// looked into without using it up (pipes), or cannot be read.
+/// Is the file something else than a contour stack of ours, or do `words` ask for more than reading it? False for what
+/// cannot be looked into without using it up (pipes), or cannot be read.
 bool needs_conversion(const std::string& file, const ForeignWords& words);
 
-/// Contours of a mesh, of another program's contour file, or of a stack of ours, repaired if `words` say so; tells what was found, left out
-/// and changed. Valid. `whence`, if not null, is told whose structure set it was. UsageError for a mesh without planes, and for a volume.
-ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session, Whence* whence = nullptr);
+/// Contours of a mesh, of another program's contour file, or of a stack of ours, repaired if `words` say so; tells what
+/// was found, left out and changed. Valid. `whence`, if not null, is told whose structure set it was. UsageError for a
+/// mesh without planes, and for a volume.
+ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session,
+                            Whence* whence = nullptr);
 
-/// Contours of several meshes of one place, cut by the same planes: each file's mesh is a structure called after its file, several in one file keep their
-/// names. UsageError for what is no mesh, and for one name in two files.
+/// Contours of several meshes of one place, cut by the same planes: each file's mesh is a structure called after its
+/// file, several in one file keep their names. UsageError for what is no mesh, and for one name in two files.
 ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session);
 
 }  // namespace odontoscope::app

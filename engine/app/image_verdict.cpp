@@ -85,7 +85,8 @@ std::string in_words(const ComparedPicture& picture, const ImageTolerance& toler
     case PictureOutcome::missing:
       return "missing: expected, and not there";
     case PictureOutcome::unexpected:
-      return "unexpected: there, and nothing to compare it with" + (picture.message.empty() ? "" : "; " + picture.message);
+      return "unexpected: there, and nothing to compare it with" +
+             (picture.message.empty() ? "" : "; " + picture.message);
     case PictureOutcome::unreadable:
       return "unreadable: " + picture.message;
     default:

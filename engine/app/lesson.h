@@ -9,7 +9,7 @@ namespace odontoscope::app {
 
 struct CalledLesson {
   TourNotes tour;
-  bool built_in = false;   // its texts are among those of the languages
+  bool built_in = false;  // its texts are among those of the languages
 };
 
 /// A file, or one of the lessons that come with the program by its title. Throws as read_tour does.

@@ -29,7 +29,8 @@ std::size_t triangles_in(const Reconstruction& reconstruction) {
 std::string remedies_in_words(const std::vector<Link>& remedies) {
   std::vector<std::string> words;
   for (const Link& link : remedies)
-    words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower, link.structure, link.slice + 1, link.upper));
+    words.push_back(fmt::format("slice {} contour {} of {} with slice {} contour {}", link.slice, link.lower,
+                                link.structure, link.slice + 1, link.upper));
   return fmt::format("{} tried, and would join such a region; if meant, say so with --links: {}.",
                      counted(remedies.size(), "link was", "links were"), fmt::join(words, "; "));
 }
@@ -43,7 +44,8 @@ void tell_shells(const std::vector<Shell>& shells, Console& console) {
 }
 
 void tell_solid(const Solid& solid, Console& console) {
-  console.say(fmt::format("{}: {} in {}", solid.structure, counted(solid.tetrahedra.tetrahedra.size(), "tetrahedron", "tetrahedra"),
+  console.say(fmt::format("{}: {} in {}", solid.structure,
+                          counted(solid.tetrahedra.tetrahedra.size(), "tetrahedron", "tetrahedra"),
                           counted(solid.report.shells.size(), "closed surface")));
   tell_shells(solid.report.shells, console);
 }
@@ -56,19 +58,25 @@ void tell_simplification(const StructureSimplification& done, Console& console) 
 
 void tell_elements(const ModelElements& elements, Console& console) {
   for (const elements::MaterialElements& one : elements.materials) {
-    console.say(fmt::format("{}: {} of about {} mm, angles {:.1f} to {:.1f} degrees; off the exact surface by {} mm on average and {} mm at most, volume {:+.2f} %",
-                            one.structure, counted(one.shape.tetrahedra, "element"), measured(elements.size), one.shape.smallest_dihedral_deg.min,
-                            one.shape.largest_dihedral_deg.max, measured(one.distance.mean()), measured(one.distance.largest()),
-                            100 * (one.shape.volume / one.exact_volume - 1)));
+    console.say(fmt::format(
+        "{}: {} of about {} mm, angles {:.1f} to {:.1f} degrees; off the exact surface by {} mm on average and {} mm "
+        "at most, volume {:+.2f} %",
+        one.structure, counted(one.shape.tetrahedra, "element"), measured(elements.size),
+        one.shape.smallest_dihedral_deg.min, one.shape.largest_dihedral_deg.max, measured(one.distance.mean()),
+        measured(one.distance.largest()), 100 * (one.shape.volume / one.exact_volume - 1)));
   }
-  if (elements.size < elements.asked) console.say(fmt::format("Elements of {} mm would have changed the topology or came to no end, so they are smaller.", measured(elements.asked)));
+  if (elements.size < elements.asked)
+    console.say(fmt::format("Elements of {} mm would have changed the topology or came to no end, so they are smaller.",
+                            measured(elements.asked)));
 }
 
 }  // namespace
 
 std::string report_of(const MadeModel& made) {
   const Model& model = made.model;
-  return report_json(model.reconstruction, {.simplifications = model.simplifications, .volume = made.volume, .aim = model.aim, .elements = model.elements});
+  return report_json(
+      model.reconstruction,
+      {.simplifications = model.simplifications, .volume = made.volume, .aim = model.aim, .elements = model.elements});
 }
 
 void simplify_model(Model& model, std::size_t triangles, const Progress& progress) {
@@ -81,8 +89,11 @@ std::optional<double> element_size_from(const std::string& text) {
   if (text == "quality") return std::nullopt;
   double size = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), size);
-  if (error == std::errc() && end == text.data() + text.size() && size >= elements::limits::least_size && size <= limits::largest_coordinate) return size;
-  throw UsageError(fmt::format("--elements {}: that is neither a size in mm, from {} on, nor quality", text, elements::limits::least_size),
+  if (error == std::errc() && end == text.data() + text.size() && size >= elements::limits::least_size &&
+      size <= limits::largest_coordinate)
+    return size;
+  throw UsageError(fmt::format("--elements {}: that is neither a size in mm, from {} on, nor quality", text,
+                               elements::limits::least_size),
                    "Say how long edges of elements may be, as --elements 0.5");
 }
 
@@ -98,8 +109,9 @@ void move_model(Model& model, const RigidMotion& motion) {
     for (Shell& shell : solid.report.shells) shell.structure = solid.structure;
     const std::size_t flat = inspect(solid.tetrahedra).non_positive;
     if (flat == 0 && solid.report.closed_oriented_manifold()) continue;
-    throw InputError("turned-flat", {}, fmt::format("{}: {} of {} tetrahedra became flat when the model was turned back, by rounding", solid.structure, grouped(flat),
-                                                    solid.tetrahedra.tetrahedra.size()),
+    throw InputError("turned-flat", {},
+                     fmt::format("{}: {} of {} tetrahedra became flat when the model was turned back, by rounding",
+                                 solid.structure, grouped(flat), solid.tetrahedra.tetrahedra.size()),
                      "Leave --as-given out: the report's matrix tells the turn");
   }
 }
@@ -148,7 +160,9 @@ void tell_model(const Model& model, double seconds, Console& console) {
   }
   console.say("certified: every surface is closed, manifold and oriented outwards.");
   console.say(fmt::format("  At each of the {} slices the {} exactly the contours given.", made.slices_checked,
-                          model.elements ? "full model, before it was meshed anew, is" : model.simplifications.empty() ? "model is" : "full model, before simplification, is"));
+                          model.elements                  ? "full model, before it was meshed anew, is"
+                          : model.simplifications.empty() ? "model is"
+                                                          : "full model, before simplification, is"));
   console.say(headline(made) + ".");
 }
 
@@ -159,16 +173,19 @@ void tell_model(const DbReconstruction& model, double seconds, Console& console)
     triangles += made.report.triangles;
     const std::vector<std::string> defects = defects_in_words(made.report);
     sound = sound && defects.empty();
-    console.say(fmt::format("{}: {}{}", made.structure, counted(made.report.triangles, "triangle"),
-                            made.decimation_error ? fmt::format(", decimated from {}", counted(made.before.triangles, "triangle")) : ""));
+    console.say(fmt::format(
+        "{}: {}{}", made.structure, counted(made.report.triangles, "triangle"),
+        made.decimation_error ? fmt::format(", decimated from {}", counted(made.before.triangles, "triangle")) : ""));
     tell_shells(made.report.shells, console);
     if (!defects.empty()) console.say(fmt::format("  wanting: {}", fmt::join(defects, ", ")));
   }
-  console.say(fmt::format("In all {} from a grid of {} x {} points in {}, in {} s on {}.", counted(triangles, "triangle"),
-                          model.grid.columns, model.grid.rows, counted(model.grid.layers.size(), "layer"), measured(seconds),
+  console.say(fmt::format("In all {} from a grid of {} x {} points in {}, in {} s on {}.",
+                          counted(triangles, "triangle"), model.grid.columns, model.grid.rows,
+                          counted(model.grid.layers.size(), "layer"), measured(seconds),
                           counted(static_cast<std::size_t>(model.threads), "thread")));
   console.say(sound ? "closed, manifold and oriented outwards, as found by inspection; nothing else is certified."
-                    : "not certified: not every surface is a closed, oriented manifold. That is what the method made of these contours.");
+                    : "not certified: not every surface is a closed, oriented manifold. That is what the method made "
+                      "of these contours.");
 }
 
 }  // namespace odontoscope::app

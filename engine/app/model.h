@@ -21,7 +21,7 @@ struct Model {
   /// One for each solid whose surface in `reconstruction` is a simplified one; the tetrahedra stay as they were.
   std::vector<StructureSimplification> simplifications;
   std::optional<SimplificationAim> aim;
-  std::optional<ModelElements> elements;   // its surfaces and tetrahedra are these
+  std::optional<ModelElements> elements;  // its surfaces and tetrahedra are these
 };
 
 /// A model with what its report tells of where it came from.
@@ -42,8 +42,8 @@ std::optional<double> element_size_from(const std::string& text);
 /// As mesh_elements (recon/output/element_model.h) does.
 void mesh_model(Model& model, std::optional<double> size, const Progress& progress);
 
-/// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over or makes it flat, or
-/// spoils a surface.
+/// Moves surfaces and tetrahedra. Coordinates are rounded anew: InputError turned-flat if that turns a tetrahedron over
+/// or makes it flat, or spoils a surface.
 void move_model(Model& model, const RigidMotion& motion);
 
 /// "2,582 triangles are left, not 283: ..."; empty if what was asked for was reached.

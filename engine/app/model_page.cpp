@@ -10,8 +10,8 @@
 #include "engine/app/whole_structures.h"
 #include "engine/language/language.h"
 #include "engine/scene/shells.h"
-#include "recon/cavity/names.h"
 #include "recon/cavity/centre_lines.h"
+#include "recon/cavity/names.h"
 #include "recon/cavity/tooth_axis.h"
 #include "recon/core/error.h"
 #include "recon/output/write_glb.h"
@@ -84,17 +84,21 @@ std::vector<NamedSurface> surfaces_of(const WrittenModel& written) {
   for (const WrittenSurface& one : written.solids) {
     const std::size_t before = surfaces.size();
     add_shells(one.structure, one.surface, one.report, surfaces);
-    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty()) surfaces.back().surface = one.surface;   // all open
+    if (surfaces.size() == before + 1 && surfaces.back().surface.triangles.empty())
+      surfaces.back().surface = one.surface;  // all open
   }
   return surfaces;
 }
 
-Scene usual_scene_of(const WrittenModel& written) { return usual_scene(odontoscope::make_model(surfaces_of(written)), 1); }
+Scene usual_scene_of(const WrittenModel& written) {
+  return usual_scene(odontoscope::make_model(surfaces_of(written)), 1);
+}
 
 std::vector<WebLook> looks_of(const Scene& scene) {
   std::vector<WebLook> looks;
   for (const Look& look : scene.looks)
-    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body, depth_in_tooth(look.structure).value_or(1), attenuation_of(look.structure)});
+    looks.push_back({look.structure, hex(look.colour), look.opacity, look.as_body,
+                     depth_in_tooth(look.structure).value_or(1), attenuation_of(look.structure)});
   return looks;
 }
 
@@ -109,7 +113,7 @@ void add_ways(const WrittenModel& written, WebPage& page, const Progress& progre
     }
     for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));
     if (const auto kind = sample_of(lines)) page.tooth = tooth_in_words(*kind);
-  } catch (const UsageError&) {   // the page is of use without them
+  } catch (const UsageError&) {  // the page is of use without them
   }
 }
 
@@ -122,7 +126,9 @@ WebModel web_model_by_dt(const Reconstruction& made, bool simplified, const std:
          "The surfaces were simplified; what is said of slices and tetrahedra is true of the full model."});
   WebModel model = web_model(made, certificate);
   model.name = "DT";
-  model.words = "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face outwards.";
+  model.words =
+      "Delaunay: a solid of tetrahedra between neighbouring slices, whose surface is proven to be closed and to face "
+      "outwards.";
   return model;
 }
 
@@ -141,8 +147,10 @@ WebModel web_model_by_db(const DbReconstruction& made, CaseTable cases) {
   }
   WebModel model = web_model(made, certificate_of(structures, reports));
   model.name = "DB";
-  model.words = fmt::format("Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned triangles are the method's own.",
-                            made.grid.columns, made.grid.rows, made.grid.layers.size(), name(cases));
+  model.words = fmt::format(
+      "Distance field and marching cubes: a grid of {} x {} points in {} layers, table {}. Cracks and wrongly turned "
+      "triangles are the method's own.",
+      made.grid.columns, made.grid.rows, made.grid.layers.size(), name(cases));
   return model;
 }
 

@@ -24,10 +24,12 @@ Scene usual_scene_of(const WrittenModel& written);
 std::vector<WebLook> looks_of(const Scene& scene);
 inline std::vector<WebLook> looks_of(const WrittenModel& written) { return looks_of(usual_scene_of(written)); }
 
-/// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall is not sound enough for any.
+/// The centre lines of the largest void's canals and horns, from the chamber to their ends; none where the void's wall
+/// is not sound enough for any.
 void add_ways(const WrittenModel& written, WebPage& page, const Progress& progress);
 
-/// What a page's `language` is, of a tag, of a file or of nothing: a known one by its tag, since its texts are in every page; of a file all. Throws as language_asked does.
+/// What a page's `language` is, of a tag, of a file or of nothing: a known one by its tag, since its texts are in every
+/// page; of a file all. Throws as language_asked does.
 std::string language_in_page(const std::string& asked);
 
 /// `simplified`: its surfaces no longer bound its tetrahedra. `warnings`, without full stops, become findings.

@@ -29,7 +29,8 @@ CLI::Validator at_least_zero() {
   return CLI::Validator(
       [](const std::string& text) {
         const auto number = number_in<double>(text);
-        return number && std::isfinite(*number) && *number >= 0 ? std::string() : fmt::format("{} is no number from 0 up", text);
+        return number && std::isfinite(*number) && *number >= 0 ? std::string()
+                                                                : fmt::format("{} is no number from 0 up", text);
       },
       "");
 }

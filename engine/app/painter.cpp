@@ -11,9 +11,16 @@
 
 namespace odontoscope::app {
 
-Painter::Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session)
-    : picture_(picture), gl_(gl), renderer_(renderer), shown_(shown), session_(session), gpu_model_(upload(gl_, shown.model)),
-      overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))), ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
+Painter::Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer, const Shown& shown,
+                 const Scene& scene, Session& session)
+    : picture_(picture),
+      gl_(gl),
+      renderer_(renderer),
+      shown_(shown),
+      session_(session),
+      gpu_model_(upload(gl_, shown.model)),
+      overlay_(upload(gl_, make_overlay(shown.overlays, scene.overlays, shown.model))),
+      ct_(scene.section && scene.cap.shows == CapLook::Shows::ct),
       values_(ct_ || scene.volume.shows_volume() ? upload(gl_, *shown.values, gpu_model_) : GpuValueGrid{}) {
   if (scene.volume.shows_volume()) volume_.emplace(gl_, *shown.values, values_.field());
 }
@@ -21,7 +28,8 @@ Painter::Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer
 Image Painter::draw(const Scene& scene, std::size_t number, std::size_t count) {
   session_.progress().check();
   session_.progress().tell("draw", static_cast<double>(number) / static_cast<double>(count));
-  Image image = picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_, ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
+  Image image = picture_of(gl_, renderer_, gpu_model_, shown_.model, scene, picture_, &overlay_,
+                           ct_ ? &values_ : nullptr, volume_ ? &*volume_ : nullptr);
   if (scene.data_colours) draw_legend(*scene.data_colours, image);
   return image;
 }
@@ -47,13 +55,15 @@ Image sheet_of(const Shown& shown, const Scene& scene, const Film& film, const S
   std::vector<SheetPicture> pictures;
   for (const double seconds : moments) {
     const std::size_t i = pictures.size();
-    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds), fmt::format("{:.{}f} s", seconds, decimals)});
+    pictures.push_back({painter.draw(frame_of(scene, shown, film, seconds), i, count), station(film, seconds),
+                        fmt::format("{:.{}f} s", seconds, decimals)});
   }
   return contact_sheet(pictures, size);
 }
 
 void refuse_cap_without_section(const SceneWords& words, const Scene& scene) {
-  if (!words.cap.empty() && !scene.section) throw UsageError(fmt::format("--cap {}: nothing is cut open", words.cap), "Say with --section where to cut.");
+  if (!words.cap.empty() && !scene.section)
+    throw UsageError(fmt::format("--cap {}: nothing is cut open", words.cap), "Say with --section where to cut.");
 }
 
 }  // namespace odontoscope::app

@@ -13,10 +13,12 @@
 
 namespace odontoscope::app {
 
-/// Draws one scene after the other, all of one model, and all with the overlays, volume and cap of the one that it was made for. What is given outlives it; the context is current.
+/// Draws one scene after the other, all of one model, and all with the overlays, volume and cap of the one that it was
+/// made for. What is given outlives it; the context is current.
 class Painter {
  public:
-  Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer, const Shown& shown, const Scene& scene, Session& session);
+  Painter(const PictureOptions& picture, const Gl& gl, Renderer& renderer, const Shown& shown, const Scene& scene,
+          Session& session);
 
   /// The `number`th of `count`. Throws Cancelled.
   Image draw(const Scene& scene, std::size_t number, std::size_t count);

@@ -14,7 +14,7 @@ namespace odontoscope::app {
 /// What was proven of solids by the reconstruction that made them.
 struct Proven {
   std::vector<std::string> structures;
-  std::vector<SurfaceReport> reports;   // one a structure
+  std::vector<SurfaceReport> reports;  // one a structure
   std::size_t tetrahedra = 0, slices = 0;
   Verdict verdict = Verdict::green;
   std::string headline;

@@ -39,9 +39,9 @@ struct ReconstructArguments {
   VoxelWords voxels;
   DbWords db;
   DtWords dt;
-  std::vector<std::string> together;   // "A,B"
+  std::vector<std::string> together;  // "A,B"
   std::optional<int> triangles;
-  std::optional<std::string> elements;   // size in mm, or "quality"
+  std::optional<std::string> elements;  // size in mm, or "quality"
   bool strict = false;
   std::vector<std::string> outputs;
   bool tours = false, compress = false, see_through = false, variants = false, hotspots = false, as_given = false;
@@ -53,7 +53,8 @@ void refuse_other_methods_options(const ReconstructArguments& options) {
     if (!options.db.any()) return;
     throw UsageError("--grid, --cases, --field, --split and --decimate are about the DB method", "Add --method db");
   }
-  if (options.triangles || options.strict || options.elements) throw UsageError("--triangles, --elements and --strict are about the DT method", "Use --decimate with --method db");
+  if (options.triangles || options.strict || options.elements)
+    throw UsageError("--triangles, --elements and --strict are about the DT method", "Use --decimate with --method db");
   if (!options.dt.any()) return;
   throw UsageError(
       "--correspondence, --between, --links, --link and --unlink are about the DT method; DB connects whatever "
@@ -70,7 +71,8 @@ void refuse_tetrahedra_of_db(const std::string& output) {
 }
 
 void refuse_voxels_of_db(const std::string& output) {
-  throw UsageError(fmt::format("{}: surfaces of the DB method may be open, and have no inside", output), "Use --method dt");
+  throw UsageError(fmt::format("{}: surfaces of the DB method may be open, and have no inside", output),
+                   "Use --method dt");
 }
 
 bool is_gltf(const std::string& output) {
@@ -80,24 +82,29 @@ bool is_gltf(const std::string& output) {
 }
 
 void refuse_senseless_as_given(const ReconstructArguments& options) {
-  if (!options.words.reshape.upright) throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
-  if (options.method == Method::db) throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
+  if (!options.words.reshape.upright)
+    throw UsageError("--as-given is about --upright", "Add --upright, or leave it out");
+  if (options.method == Method::db)
+    throw UsageError("--as-given is about the DT method", "Leave it out: the report's matrix tells the turn");
   for (const std::string& output : options.outputs) {
     if (known_ending(output, model_endings()) != ".inp") continue;
-    throw UsageError("--as-given: .inp names the nodes of the first and last slice, which would lie aslant", "Leave it out: the report's matrix tells the turn");
+    throw UsageError("--as-given: .inp names the nodes of the first and last slice, which would lie aslant",
+                     "Leave it out: the report's matrix tells the turn");
   }
 }
 
 void refuse_with_partition(const ReconstructArguments& options) {
   if (!options.dt.partition.wanted) return;
   if (options.method == Method::db) throw UsageError("--partition is about the DT method", "Use --method dt");
-  if (!options.together.empty()) throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
+  if (!options.together.empty())
+    throw UsageError("--together makes one solid of structures, --partition keeps them apart", "Use one of the two");
 }
 
 void refuse_senseless_elements(const ReconstructArguments& options) {
   if (!options.elements) return;
   element_size_from(*options.elements);
-  if (options.triangles) throw UsageError("--elements and --triangles both make the surfaces anew", "Use one of the two");
+  if (options.triangles)
+    throw UsageError("--elements and --triangles both make the surfaces anew", "Use one of the two");
 }
 
 void refuse_senseless(const ReconstructArguments& options) {
@@ -112,11 +119,13 @@ void refuse_senseless(const ReconstructArguments& options) {
     if (options.method == Method::db) refuse_tetrahedra_of_db(output);
     known_ending(output, model_endings());
   }
-  const char* of_gltf_alone = options.tours ? "--tours: only .glb and .gltf hold cameras that move"
+  const char* of_gltf_alone = options.tours      ? "--tours: only .glb and .gltf hold cameras that move"
                               : options.compress ? "--compress: only .glb and .gltf are written compressed"
-                              : options.see_through ? "--see-through: only .glb and .gltf have materials that are seen through"
+                              : options.see_through
+                                  ? "--see-through: only .glb and .gltf have materials that are seen through"
                               : options.variants ? "--variants: only .glb and .gltf have variants of materials"
-                              : options.hotspots ? "--hotspots: only .glb and .gltf have places with names" : nullptr;
+                              : options.hotspots ? "--hotspots: only .glb and .gltf have places with names"
+                                                 : nullptr;
   if (of_gltf_alone && std::none_of(options.outputs.begin(), options.outputs.end(), is_gltf))
     throw UsageError(of_gltf_alone, "Write one of these too: -o model.glb");
   if (options.as_given) refuse_senseless_as_given(options);
@@ -141,7 +150,7 @@ struct Made {
   std::vector<FileContent> files;
   std::function<void(double seconds, Console& console)> tell;
   std::vector<CameraPath> paths;
-  std::string missed, absurd;   // of --triangles: what to warn of, or empty
+  std::string missed, absurd;          // of --triangles: what to warn of, or empty
   std::vector<std::string> look_here;  // an amber verdict's places
 };
 
@@ -152,7 +161,10 @@ Made files_of(const MadeModel& model, const ReconstructArguments& options, Sessi
   std::optional<CentreLines> lines;
   if (options.tours || options.hotspots) lines = lines_inside(model, options.tours ? "--tours" : "--hotspots", session);
   if (options.tours) made.paths = tour_cameras(model, *lines);
-  GlbOptions glb{.paths = made.paths, .compressed = options.compress, .see_through = options.see_through, .variants = options.variants};
+  GlbOptions glb{.paths = made.paths,
+                 .compressed = options.compress,
+                 .see_through = options.see_through,
+                 .variants = options.variants};
   if (options.hotspots) glb.hotspots = hotspots_of(*lines);
   for (const std::string& output : options.outputs) {
     if (!is_structures_file(output)) made.files.push_back(model_file(model, output, glb));
@@ -162,15 +174,18 @@ Made files_of(const MadeModel& model, const ReconstructArguments& options, Sessi
 
 void tell_tours(const std::vector<CameraPath>& paths, Console& console) {
   std::string words;
-  for (const CameraPath& path : paths) words += fmt::format("{}{} ({:.0f} s)", words.empty() ? "" : ", ", path.name, path.keys.back().seconds);
+  for (const CameraPath& path : paths)
+    words += fmt::format("{}{} ({:.0f} s)", words.empty() ? "" : ", ", path.name, path.keys.back().seconds);
   if (!words.empty()) console.say("Tours: " + words);
 }
 
 /// Of the full solid, whatever --triangles says.
-std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence, const ReconstructArguments& options, Session& session) {
+std::vector<FileContent> structure_files(const Reconstruction& model, const ContourStack& stack, const Whence& whence,
+                                         const ReconstructArguments& options, Session& session) {
   std::vector<FileContent> files;
   for (const std::string& output : options.outputs) {
-    if (is_structures_file(output)) files.push_back(structures_file(model, stack, output, options.voxels, whence, session));
+    if (is_structures_file(output))
+      files.push_back(structures_file(model, stack, output, options.voxels, whence, session));
   }
   return files;
 }
@@ -184,7 +199,8 @@ struct Input {
 Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
   DtWords dt = options.dt;
   if (!options.together.empty()) dt.partition.independent = true;
-  const auto whole = std::make_shared<MadeModel>(MadeModel{{reconstructed(stack, dt, session), {}, {}, {}}, std::move(input.volume)});
+  const auto whole =
+      std::make_shared<MadeModel>(MadeModel{{reconstructed(stack, dt, session), {}, {}, {}}, std::move(input.volume)});
   Model* const model = &whole->model;
   std::vector<FileContent> structures = structure_files(model->reconstruction, stack, input.whence, options, session);
   if (options.elements) mesh_model(*model, element_size_from(*options.elements), session.progress());
@@ -194,7 +210,8 @@ Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArgumen
     whole->volume->as_given = true;
   }
   Made made = files_of(model->reconstruction, options, session);
-  made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()), std::make_move_iterator(structures.end()));
+  made.files.insert(made.files.end(), std::make_move_iterator(structures.begin()),
+                    std::make_move_iterator(structures.end()));
   if (!options.report.empty()) made.files.push_back({options.report, report_of(*whole)});
   if (model->aim) made.missed = missed_aim_in_words(*model->aim);
   made.absurd = absurd_distance_in_words(model->simplifications);
@@ -245,7 +262,8 @@ ExitCode make_model(const ReconstructArguments& options, Session& session) {
   Input input;
   ContourStack stack = stack_of(options, session, input);
   for (const std::string& list : options.together) stack = together(stack, names_in(list, "--together"));
-  const Made made = options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, input, options, session);
+  const Made made =
+      options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, input, options, session);
   session.progress().check();
   if (options.strict && refused_as_strict(made, session.console)) return ExitCode::found_wanting;
   write_all(made.files, session.interrupts);
@@ -262,17 +280,22 @@ ExitCode make_model(const ReconstructArguments& options, Session& session) {
 }
 
 void add_options(CLI::App& parser, ReconstructArguments& options) {
-  parser.add_option("INPUT", options.input, "Contours (as contours --help lists), or a mesh or volume to take them from")
+  parser
+      .add_option("INPUT", options.input, "Contours (as contours --help lists), or a mesh or volume to take them from")
       ->required()
       ->type_name("");
-  repeatable(parser.add_option("-o,--output", options.outputs, "Model to write; its ending tells the format; repeatable"))
+  repeatable(
+      parser.add_option("-o,--output", options.outputs, "Model to write; its ending tells the format; repeatable"))
       ->required()
       ->type_name("FILE");
   parser.add_flag("--tours", options.tours, "Into .glb and .gltf: a moving camera for each canal, to be played");
   parser.add_flag("--see-through", options.see_through, "In .glb and .gltf enamel and dentine show the pulp");
-  parser.add_flag("--variants", options.variants, "Into .glb and .gltf: natural, see-through and plaster, to choose from");
-  parser.add_flag("--hotspots", options.hotspots, "Into .glb and .gltf: places with names, orifices and tips of canals");
-  parser.add_flag("--compress", options.compress, "Smaller .glb and .gltf, without loss, for readers that know meshopt");
+  parser.add_flag("--variants", options.variants,
+                  "Into .glb and .gltf: natural, see-through and plaster, to choose from");
+  parser.add_flag("--hotspots", options.hotspots,
+                  "Into .glb and .gltf: places with names, orifices and tips of canals");
+  parser.add_flag("--compress", options.compress,
+                  "Smaller .glb and .gltf, without loss, for readers that know meshopt");
   parser.add_option("--report", options.report, "Certificate, counts, links and times")->type_name("FILE.json");
   add_choice<Method>(parser, "--method", options.method, {{"dt", Method::dt}, {"db", Method::db}},
                      "dt: Delaunay (default); db: distance field and marching cubes")
@@ -283,14 +306,17 @@ void add_options(CLI::App& parser, ReconstructArguments& options) {
   parser.add_option("--triangles", options.triangles, "Simplify the surfaces to at most N triangles in all")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_triangles));
-  parser.add_option("--elements", options.elements, "Mesh anew for simulation: edges of about MM, or quality: a size that fits")
+  parser
+      .add_option("--elements", options.elements,
+                  "Mesh anew for simulation: edges of about MM, or quality: a size that fits")
       ->type_name("MM");
-  parser.add_flag("--strict", options.strict,
-                  "Write nothing if the verdict is amber or --triangles is missed");
+  parser.add_flag("--strict", options.strict, "Write nothing if the verdict is amber or --triangles is missed");
   add_dt_options(parser, options.dt);
   add_partition_options(parser, options.dt.partition);
   add_volume_options(parser, options.words);
-  parser.add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")->group("Volumes");
+  parser
+      .add_flag("--as-given", options.as_given, "After --upright: put the finished model back to where the file has it")
+      ->group("Volumes");
   add_foreign_options(parser, options.foreign);
   add_voxel_options(parser, options.voxels);
   add_db_options(parser, options.db);

@@ -45,29 +45,33 @@ struct RenderArguments {
   VolumeLookWords look;
   std::string colour_by;
   std::string output, save_scene;
-  std::string size;   // empty: as the scene says, or usual
+  std::string size;  // empty: as the scene says, or usual
   std::string backend = "auto";
   std::optional<int> samples;
   int turntable = 0;
   TourWords tour;
-  int frames = 0;   // of a tour; 0: as usual
+  int frames = 0;  // of a tour; 0: as usual
   std::string contact_sheet;
 };
 
 constexpr int usual_frames = 120;
-constexpr double film_rate = 30;   // pictures a second
+constexpr double film_rate = 30;  // pictures a second
 
 bool on_tour(const RenderArguments& options) { return !options.tour.line.empty(); }
 
 bool to_film(const RenderArguments& options) {
   const std::string ending = lower_case(std::filesystem::path(options.output).extension().string());
-  return on_tour(options) && options.contact_sheet.empty() && std::find(film_endings().begin(), film_endings().end(), ending) != film_endings().end();
+  return on_tour(options) && options.contact_sheet.empty() &&
+         std::find(film_endings().begin(), film_endings().end(), ending) != film_endings().end();
 }
 
-bool to_folder(const RenderArguments& options) { return on_tour(options) && options.contact_sheet.empty() && !to_film(options); }
+bool to_folder(const RenderArguments& options) {
+  return on_tour(options) && options.contact_sheet.empty() && !to_film(options);
+}
 
 PictureFormat format_of(const RenderArguments& options) {
-  return picture_format(options.size, options.samples, options.scene.scene_file, options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240});
+  return picture_format(options.size, options.samples, options.scene.scene_file,
+                        options.contact_sheet.empty() ? PixelSize{1200, 900} : PixelSize{320, 240});
 }
 
 PixelSize size_of(const RenderArguments& options) {
@@ -77,24 +81,28 @@ PixelSize size_of(const RenderArguments& options) {
 
 int frames_of(const RenderArguments& options) { return options.frames > 0 ? options.frames : usual_frames; }
 
-/// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ..., or the film or contact sheet alone.
+/// x.png; x-000.png, x-001.png, ... for a turntable; for a tour FOLDER/frame-0000.png, ..., or the film or contact
+/// sheet alone.
 std::vector<std::string> picture_files(const RenderArguments& options) {
   if (to_folder(options)) {
     std::vector<std::string> frames;
-    for (int i = 0; i < frames_of(options); ++i) frames.push_back((std::filesystem::path(options.output) / fmt::format("frame-{:04}.png", i)).string());
+    for (int i = 0; i < frames_of(options); ++i)
+      frames.push_back((std::filesystem::path(options.output) / fmt::format("frame-{:04}.png", i)).string());
     return frames;
   }
   if (options.turntable == 0) return {options.output};
   const std::filesystem::path path(options.output);
   std::vector<std::string> files;
   for (int i = 0; i < options.turntable; ++i)
-    files.push_back((path.parent_path() / fmt::format("{}-{:03}{}", path.stem().string(), i, path.extension().string())).string());
+    files.push_back(
+        (path.parent_path() / fmt::format("{}-{:03}{}", path.stem().string(), i, path.extension().string())).string());
   return files;
 }
 
 PlannedFiles planned_files(const RenderArguments& options) {
   PlannedFiles files{.inputs = {}, .outputs = picture_files(options)};
-  for (const std::string* input : {&options.input, &options.dt.links, &options.scene.scene_file, &options.scene.camera_file})
+  for (const std::string* input :
+       {&options.input, &options.dt.links, &options.scene.scene_file, &options.scene.camera_file})
     if (!input->empty()) files.inputs.push_back(*input);
   if (!options.save_scene.empty()) files.outputs.push_back(options.save_scene);
   return files;
@@ -111,32 +119,40 @@ void refuse_senseless_tour(const RenderArguments& options) {
   if (!options.contact_sheet.empty()) {
     refuse_too_large(sheet_from(options.contact_sheet), size_of(options).width, size_of(options).height);
     known_ending(options.output, {".png"});
-    if (options.frames > 0) throw UsageError("--frames: a contact sheet has as many pictures as it has places", "Leave it out.");
+    if (options.frames > 0)
+      throw UsageError("--frames: a contact sheet has as many pictures as it has places", "Leave it out.");
     return;
   }
   const PixelSize size = size_of(options);
   if (to_film(options)) {
-    if (size.width % 2 != 0 || size.height % 2 != 0) throw UsageError(fmt::format("--size {}: a film's width and height are even", options.size), "Add a pixel: colour is stored for two by two.");
+    if (size.width % 2 != 0 || size.height % 2 != 0)
+      throw UsageError(fmt::format("--size {}: a film's width and height are even", options.size),
+                       "Add a pixel: colour is stored for two by two.");
     return need_ffmpeg(options.output);
   }
   if (!std::filesystem::is_directory(options.output))
-    throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output), "Make it first, or name a film: -o tour.mp4 or -o tour.webm");
+    throw UsageError(fmt::format("-o {}: the frames of a tour go into a folder, and this is none", options.output),
+                     "Make it first, or name a film: -o tour.mp4 or -o tour.webm");
 }
 
 void refuse_tour_words_without_tour(const RenderArguments& options) {
-  if (options.frames > 0) throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
+  if (options.frames > 0)
+    throw UsageError("--frames without --tour: there is nothing to film", "Say which line: --tour canal-1.");
   if (!options.contact_sheet.empty() || options.tour.reverse || options.tour.void_number > 1)
     throw UsageError("--contact-sheet, --reverse and --void are about a tour", "Say which line: --tour canal-1.");
 }
 
-/// Makes the model on a thread of its own, so that the driver can start and compile meanwhile: each takes about half of the time to a first
-/// picture. Stops the work when it is no longer wanted.
+/// Makes the model on a thread of its own, so that the driver can start and compile meanwhile: each takes about half of
+/// the time to a first picture. Stops the work when it is no longer wanted.
 class ModelOnTheWay {
  public:
   ModelOnTheWay(const RenderArguments& options, const Session& session)
       : interrupted_(session.interrupts.token(), [this] { stop_.request_stop(); }), session_(session) {
     session_.watched = Progress{session.progress().report, stop_.get_token()};
-    shown_ = std::async(std::launch::async, [&options, this] { return shown_from(options.input, options.volume, options.dt, session_, [&options](const ContourStack& stack) { refuse_unknown_structures(options.scene, stack); }); });
+    shown_ = std::async(std::launch::async, [&options, this] {
+      return shown_from(options.input, options.volume, options.dt, session_,
+                        [&options](const ContourStack& stack) { refuse_unknown_structures(options.scene, stack); });
+    });
   }
   ~ModelOnTheWay() { stop_.request_stop(); }
 
@@ -146,7 +162,7 @@ class ModelOnTheWay {
   std::stop_source stop_;
   std::stop_callback<std::function<void()>> interrupted_;
   Session session_;
-  std::future<Shown> shown_;   // waits for the thread when it goes
+  std::future<Shown> shown_;  // waits for the thread when it goes
 };
 
 std::vector<FileContent> single_pictures(const RenderArguments& options, const Shown& shown, const Scene& scene,
@@ -171,14 +187,16 @@ FileContent film_file(const RenderArguments& options, const Shown& shown, const 
   const PixelSize size = size_of(options);
   const std::size_t count = pictures_of_film(options, film);
   FilmMaker maker(options.output, {size.width, size.height, film_rate});
-  for (std::size_t i = 0; i < count; ++i) maker.add(painter.draw(frame_of(scene, shown, film, moment(film, i, count)), i, count), session.progress());
+  for (std::size_t i = 0; i < count; ++i)
+    maker.add(painter.draw(frame_of(scene, shown, film, moment(film, i, count)), i, count), session.progress());
   return {options.output, maker.finish(session.progress())};
 }
 
 std::vector<FileContent> draw(const RenderArguments& options, const Shown& shown, const Scene& scene,
                               const std::optional<Film>& film, Painter& painter, Session& session) {
   if (to_film(options)) return {film_file(options, shown, scene, *film, painter, session)};
-  if (!options.contact_sheet.empty()) return {{options.output, png_bytes(sheet_of(shown, scene, *film, sheet_from(options.contact_sheet), painter))}};
+  if (!options.contact_sheet.empty())
+    return {{options.output, png_bytes(sheet_of(shown, scene, *film, sheet_from(options.contact_sheet), painter))}};
   return single_pictures(options, shown, scene, film, painter);
 }
 
@@ -186,9 +204,12 @@ void tell_tour(const RenderArguments& options, const Film& film, Console& consol
   const double seconds = film.tour.seconds();
   if (to_film(options)) {
     const double lasts = static_cast<double>(pictures_of_film(options, film)) / film_rate;
-    return console.say(fmt::format("The tour takes {:.1f} s, the film {:.1f} s at {:g} pictures a second.", seconds, lasts, film_rate));
+    return console.say(fmt::format("The tour takes {:.1f} s, the film {:.1f} s at {:g} pictures a second.", seconds,
+                                   lasts, film_rate));
   }
-  if (to_folder(options)) return console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", seconds, (frames_of(options) - 1) / seconds));
+  if (to_folder(options))
+    return console.say(fmt::format("The tour takes {:.1f} s; {:.3g} pictures a second show it as it is.", seconds,
+                                   (frames_of(options) - 1) / seconds));
   console.say(fmt::format("The tour takes {:.1f} s.", seconds));
 }
 
@@ -199,9 +220,13 @@ void tell_cap(const RenderArguments& options, const Shown& shown, const Scene& s
   const ValueGrid& values = *shown.values;
   const ValueWindow window = scene.cap.window.value_or(values.usual);
   console.say(fmt::format("The cap shows CT values from {:.6g} (black) to {:.6g} (white){}.", window.low, window.high,
-                          scene.cap.window ? "" : fmt::format(": of the values around the model {:g} % are lower and {:g} % higher", 100 * usual_low, 100 * (1 - usual_high))));
+                          scene.cap.window
+                              ? ""
+                              : fmt::format(": of the values around the model {:g} % are lower and {:g} % higher",
+                                            100 * usual_low, 100 * (1 - usual_high))));
   if (values.merged != std::array<std::size_t, 3>{1, 1, 1})
-    console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0], values.merged[1], values.merged[2]));
+    console.say(fmt::format("  each value is the mean of {} x {} x {} voxels, to bound its memory", values.merged[0],
+                            values.merged[1], values.merged[2]));
 }
 
 void refuse_words_about_pictures(const RenderArguments& options) {
@@ -217,11 +242,15 @@ ExitCode render_radiograph(const RenderArguments& options, Session& session) {
   const NamedView from = options.scene.view.empty() ? NamedView::buccal : view_named(options.scene.view);
   const std::vector<std::string> names = picture_files(options);
   std::vector<FileContent> files;
-  radiographs(options.radiograph, {options.input, options.volume, options.dt}, {from, options.scene.hide, std::max(options.turntable, 1)}, session,
-              [&](Image&& film) { files.push_back({names[files.size()], png_bytes(film)}); });
+  radiographs(options.radiograph, {options.input, options.volume, options.dt},
+              {from, options.scene.hide, std::max(options.turntable, 1)}, session, [&](Image&& film) {
+                files.push_back({names[files.size()], png_bytes(film)});
+              });
   session.progress().check();
   write_all(files, session.interrupts);
-  session.console.say(files.size() == 1 ? fmt::format("Wrote {}", files[0].file.string()) : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
+  session.console.say(files.size() == 1
+                          ? fmt::format("Wrote {}", files[0].file.string())
+                          : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
   return ExitCode::done;
 }
 
@@ -240,9 +269,11 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   refuse_senseless(options.radiograph);
   refuse_senseless(options.look);
   refuse_senseless_colour_by(options.colour_by);
-  if (options.radiograph.on && !options.colour_by.empty()) throw UsageError("--colour-by: a film has no surfaces to colour", "Leave it out, or --radiograph.");
+  if (options.radiograph.on && !options.colour_by.empty())
+    throw UsageError("--colour-by: a film has no surfaces to colour", "Leave it out, or --radiograph.");
   options.volume.voxels = wants_voxels(options.look, options.scene.scene_file);
-  if (!options.radiograph.on && !options.volume.voxels && !options.radiograph.grey.empty()) throw UsageError("--grey says what values mean, and none are shown", "Ask for --radiograph or --show volume.");
+  if (!options.radiograph.on && !options.volume.voxels && !options.radiograph.grey.empty())
+    throw UsageError("--grey says what values mean, and none are shown", "Ask for --radiograph or --show volume.");
   if (options.radiograph.on) return render_radiograph(options, session);
   const ContextOptions context_options{.backend = backend_named(options.backend), .window_allowed = true};
   refuse_unwritable(planned_files(options));
@@ -253,7 +284,9 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
 
   Shown shown = model.get();
   Scene scene = scene_from(options.scene, shown.model, shown.overlays, shown.values.get(), picture.size);
-  show_volume({options.look, options.radiograph.grey, options.radiograph.kv, options.scene.opacity, !options.scene.background.empty() || !options.scene.scene_file.empty()}, shown, scene, session);
+  show_volume({options.look, options.radiograph.grey, options.radiograph.kv, options.scene.opacity,
+               !options.scene.background.empty() || !options.scene.scene_file.empty()},
+              shown, scene, session);
   colour_by_data(options.colour_by, options.scene.opacity, shown, scene, session);
   tell_cap(options, shown, scene, session.console);
   std::optional<Film> film;
@@ -269,29 +302,42 @@ ExitCode render(const RenderArguments& as_typed, Session& session) {
   write_all(files, session.interrupts);
   session.console.say(fmt::format("Drawn with {}.", context->in_words()));
   if (film) tell_tour(options, *film, session.console);
-  session.console.say(files.size() <= 2 ? fmt::format("Wrote {}", files[0].file.string())
-                                        : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
+  session.console.say(files.size() <= 2
+                          ? fmt::format("Wrote {}", files[0].file.string())
+                          : fmt::format("Wrote {} to {}", files.front().file.string(), files.back().file.string()));
   return ExitCode::done;
 }
 
 void add_options(CLI::App& parser, RenderArguments& options) {
   parser.add_option("INPUT", options.input, "Contour stack, mesh, or with --iso a volume; none: the sample molar")
       ->type_name("");
-  parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")->required()->type_name("FILE.png");
-  parser.add_option("--size", options.size, "Width and height, pixels (default: the scene's, 1200x900; sheet 320x240)")->type_name("WxH");
+  parser.add_option("-o,--output", options.output, "The picture to write; of a tour its folder, .mp4 or .webm")
+      ->required()
+      ->type_name("FILE.png");
+  parser.add_option("--size", options.size, "Width and height, pixels (default: the scene's, 1200x900; sheet 320x240)")
+      ->type_name("WxH");
   parser.add_option("--samples", options.samples, "Samples a pixel: 1, 4, 9 or 16 (default: the scene's, or 4)")
       ->type_name("N")
       ->check(CLI::IsMember({1, 4, 9, 16}).description(""));
-  parser.add_option("--backend", options.backend, "auto, window, egl or osmesa; the last two need no display")->type_name("NAME")->capture_default_str();
+  parser.add_option("--backend", options.backend, "auto, window, egl or osmesa; the last two need no display")
+      ->type_name("NAME")
+      ->capture_default_str();
   parser.add_option("--turntable", options.turntable, "N pictures from all around: x-000.png, ...")
       ->type_name("N")
       ->check(whole_number_from_one_to(most_frames));
   parser.add_option("--tour", options.tour.line, "Film into -o along a line: canal-1, horn-2, ...")->type_name("LINE");
   parser.add_flag("--reverse", options.tour.reverse, "The tour from its end out");
-  parser.add_option("--void", options.tour.void_number, "Which void the tour is in, by size (default: 1, the largest)")->type_name("N")->check(whole_number_from_one_to(most_frames));
-  parser.add_option("--contact-sheet", options.contact_sheet, "The tour as one picture of so many columns and rows: 4x3")->type_name("CxR");
-  parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")->type_name("N")->check(whole_number_from_one_to(most_frames));
-  parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")->type_name("FILE.json");
+  parser.add_option("--void", options.tour.void_number, "Which void the tour is in, by size (default: 1, the largest)")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_frames));
+  parser
+      .add_option("--contact-sheet", options.contact_sheet, "The tour as one picture of so many columns and rows: 4x3")
+      ->type_name("CxR");
+  parser.add_option("--frames", options.frames, "Pictures of the tour (default: 120; a film: 30 a second)")
+      ->type_name("N")
+      ->check(whole_number_from_one_to(most_frames));
+  parser.add_option("--save-scene", options.save_scene, "Camera and looks, for --scene or --camera")
+      ->type_name("FILE.json");
   add_scene_options(parser, options.scene);
   add_volume_look_options(parser, options.look);
   add_colour_by_option(parser, options.colour_by);

@@ -15,8 +15,8 @@ namespace odontoscope::app {
 
 /// As typed.
 struct ReshapeWords {
-  std::string crop;                  // "X0,X1,Y0,Y1,Z0,Z1" or empty
-  std::optional<double> resample;    // mm
+  std::string crop;                // "X0,X1,Y0,Y1,Z0,Z1" or empty
+  std::optional<double> resample;  // mm
   bool upright = false;
 
   bool any() const { return !crop.empty() || resample || upright; }
@@ -36,7 +36,9 @@ ReshapeRequest understood(const ReshapeWords& words);
 /// Crops as asked, and tells it.
 void crop_told(Volume& volume, const ReshapeRequest& request, Console& console);
 
-/// Resamples and turns as asked, and tells it. Upright stands what belongs to any level. Returns the turn, if there was one.
-std::optional<RigidMotion> reshape_told(Volume& volume, const ReshapeRequest& request, const VolumeContourOptions& levels, Session& session);
+/// Resamples and turns as asked, and tells it. Upright stands what belongs to any level. Returns the turn, if there was
+/// one.
+std::optional<RigidMotion> reshape_told(Volume& volume, const ReshapeRequest& request,
+                                        const VolumeContourOptions& levels, Session& session);
 
 }  // namespace odontoscope::app

@@ -40,9 +40,10 @@ ExitCode make_sample(const SampleArguments& options, Session& session) {
 Command sample_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("sample", "Contours of a generated tooth with enamel, dentine and pulp");
   const auto options = std::make_shared<SampleArguments>();
-  add_choice<ToothKind>(*parser, "TOOTH", options->tooth,
-                        {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}},
-                        "molar, premolar or incisor")
+  add_choice<ToothKind>(
+      *parser, "TOOTH", options->tooth,
+      {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}},
+      "molar, premolar or incisor")
       ->required()
       ->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
@@ -52,10 +53,13 @@ Command sample_command(CLI::App& root) {
   parser->add_option("--point-spacing", options->sample.point_spacing, "Largest distance of a contour's points, mm")
       ->type_name("MM")
       ->capture_default_str();
-  CLI::Option* apart = parser->add_flag("--apart", options->apart, "A gap of 0.03 mm between structures, which share their walls else");
+  CLI::Option* apart =
+      parser->add_flag("--apart", options->apart, "A gap of 0.03 mm between structures, which share their walls else");
   CLI::Option* dentine = parser->add_flag("--filled-dentine", options->filled_dentine,
                                           "Apart, dentine without the pulp's hole: for --together dentine,pulp");
-  parser->add_flag("--filled", options->filled, "Every structure filled, over those within it")->excludes(apart)->excludes(dentine);
+  parser->add_flag("--filled", options->filled, "Every structure filled, over those within it")
+      ->excludes(apart)
+      ->excludes(dentine);
   parser->footer(
       "Examples:\n"
       "  odontoscope sample molar -o molar.json\n"

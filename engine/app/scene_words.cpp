@@ -40,14 +40,17 @@ Look& look_called(Scene& scene, std::string_view structure, std::string_view opt
 std::pair<std::string, std::string> name_and_value(const std::string& text, std::string_view option) {
   const std::size_t sign = text.rfind('=');
   if (sign == std::string::npos || sign == 0)
-    throw UsageError(fmt::format("{} {}: say which structure", option, text), fmt::format("For example {} enamel=VALUE", option));
+    throw UsageError(fmt::format("{} {}: say which structure", option, text),
+                     fmt::format("For example {} enamel=VALUE", option));
   return {text.substr(0, sign), text.substr(sign + 1)};
 }
 
 std::pair<std::string, float> opacity_in(const std::string& text) {
   const auto [structure, value] = name_and_value(text, "--opacity");
   const double opacity = number_in(value, "--opacity");
-  if (opacity < 0 || opacity > 1) throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text), "From 0, clear, to 1, solid: --opacity enamel=0.3");
+  if (opacity < 0 || opacity > 1)
+    throw UsageError(fmt::format("--opacity {}: not between 0 and 1", text),
+                     "From 0, clear, to 1, solid: --opacity enamel=0.3");
   return {structure, static_cast<float>(opacity)};
 }
 
@@ -65,12 +68,17 @@ void change_looks(const SceneWords& words, Scene& scene) {
 
 Background background_from(const std::string& text) {
   Background background;
-  if (text == "transparent") background.kind = Background::Kind::transparent;
-  else if (text == "white") background = {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
-  else if (text == "black") background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
+  if (text == "transparent")
+    background.kind = Background::Kind::transparent;
+  else if (text == "white")
+    background = {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
+  else if (text == "black")
+    background = {Background::Kind::plain, {0, 0, 0}, {0, 0, 0}};
   else if (const std::size_t comma = text.find(','); comma != std::string::npos)
-    background = {Background::Kind::gradient, colour_from_hex(text.substr(0, comma)), colour_from_hex(text.substr(comma + 1))};
-  else background = {Background::Kind::plain, colour_from_hex(text), colour_from_hex(text)};
+    background = {Background::Kind::gradient, colour_from_hex(text.substr(0, comma)),
+                  colour_from_hex(text.substr(comma + 1))};
+  else
+    background = {Background::Kind::plain, colour_from_hex(text), colour_from_hex(text)};
   return background;
 }
 
@@ -78,7 +86,8 @@ BackFaces culling_from(const std::string& text) {
   if (text == "on") return BackFaces::cull;
   if (text == "off") return BackFaces::show;
   if (text == "tint") return BackFaces::tint;
-  throw UsageError(fmt::format("--cull {}: that is no way to treat faces seen from behind", text), "Choose on, off or tint.");
+  throw UsageError(fmt::format("--cull {}: that is no way to treat faces seen from behind", text),
+                   "Choose on, off or tint.");
 }
 
 constexpr std::string_view ct_word = "ct";
@@ -91,10 +100,13 @@ CapLook cap_from(const std::string& text) {
   if (text == ct_word) return cap;
   const std::size_t start = ct_word.size() + 1, comma = text.find(',');
   if (!text.starts_with("ct=") || comma == std::string::npos)
-    throw UsageError(fmt::format("--cap {}: a cap cannot show that", text), "Choose material, plain, ct, or ct=LOW,HIGH with the values that are black and white: ct=60,220.");
-  cap.window = ValueWindow{number_in(std::string_view(text).substr(start, comma - start), "--cap"), number_in(std::string_view(text).substr(comma + 1), "--cap")};
+    throw UsageError(fmt::format("--cap {}: a cap cannot show that", text),
+                     "Choose material, plain, ct, or ct=LOW,HIGH with the values that are black and white: ct=60,220.");
+  cap.window = ValueWindow{number_in(std::string_view(text).substr(start, comma - start), "--cap"),
+                           number_in(std::string_view(text).substr(comma + 1), "--cap")};
   if (!cap.window->sensible())
-    throw UsageError(fmt::format("--cap {}: that is no range of values", text), "Give the value that is black, then a higher one that is white: ct=60,220.");
+    throw UsageError(fmt::format("--cap {}: that is no range of values", text),
+                     "Give the value that is black, then a higher one that is white: ct=60,220.");
   return cap;
 }
 
@@ -102,7 +114,8 @@ void choose_cap(const SceneWords& words, const ValueGrid* values, Scene& scene) 
   if (!words.cap.empty()) scene.cap = cap_from(words.cap);
   if (values || scene.cap.shows != CapLook::Shows::ct) return;
   if (!words.cap.empty())
-    throw UsageError(fmt::format("--cap {}: only a volume has CT values", words.cap), "Give the volume that the model was made from, with --iso.");
+    throw UsageError(fmt::format("--cap {}: only a volume has CT values", words.cap),
+                     "Give the volume that the model was made from, with --iso.");
   throw UsageError(fmt::format("{} shows CT values on the cap, and only a volume has them", words.scene_file),
                    "Give the volume that the model was made from, with --iso, or add --cap material.");
 }
@@ -117,23 +130,30 @@ std::optional<std::size_t> slab_in(const std::string& text) {
   if (text.size() == tetrahedra_word.size()) return std::nullopt;
   std::size_t slab = 0;
   const char* const end = text.data() + text.size();
-  if (text[tetrahedra_word.size()] != '=' || std::from_chars(text.data() + tetrahedra_word.size() + 1, end, slab).ptr != end || text.back() == '=')
-    throw UsageError(fmt::format("--overlay {}: that is no number of a slab", text), "Count slabs from 0: --overlay tetrahedra=12");
+  if (text[tetrahedra_word.size()] != '=' ||
+      std::from_chars(text.data() + tetrahedra_word.size() + 1, end, slab).ptr != end || text.back() == '=')
+    throw UsageError(fmt::format("--overlay {}: that is no number of a slab", text),
+                     "Count slabs from 0: --overlay tetrahedra=12");
   return slab;
 }
 
 void refuse_unknown_overlay(const std::string& text) {
   if (text == "contours" || text == "edges") return;
-  if (text.starts_with(tetrahedra_word)) slab_in(text);
-  else throw UsageError(fmt::format("--overlay {}: there is no such overlay", text), "Choose contours, edges or tetrahedra[=SLAB].");
+  if (text.starts_with(tetrahedra_word))
+    slab_in(text);
+  else
+    throw UsageError(fmt::format("--overlay {}: there is no such overlay", text),
+                     "Choose contours, edges or tetrahedra[=SLAB].");
 }
 
 void show_slab(const std::string& text, const OverlaySource& source, Scene& scene) {
   if (source.slabs() == 0)
-    throw UsageError(fmt::format("--overlay {}: a mesh has no tetrahedra", text), "Give the contour stack, or the volume, that it was made from.");
+    throw UsageError(fmt::format("--overlay {}: a mesh has no tetrahedra", text),
+                     "Give the contour stack, or the volume, that it was made from.");
   const std::size_t slab = slab_in(text).value_or(source.slabs() / 2);
   if (slab >= source.slabs())
-    throw UsageError(fmt::format("--overlay {}: there is no such slab", text), fmt::format("The slabs are counted from 0 to {}.", source.slabs() - 1));
+    throw UsageError(fmt::format("--overlay {}: there is no such slab", text),
+                     fmt::format("The slabs are counted from 0 to {}.", source.slabs() - 1));
   scene.overlays.slab = slab;
   for (Look& look : scene.looks) look.opacity = std::min(look.opacity, around_tetrahedra);
 }
@@ -142,7 +162,8 @@ void add_overlays(const SceneWords& words, const OverlaySource& source, Scene& s
   for (const std::string& text : words.overlays) {
     if (text == "contours") {
       if (source.contours.slices.empty())
-        throw UsageError("--overlay contours: a mesh has no contours", "Give the contour stack, or the volume, that it was made from.");
+        throw UsageError("--overlay contours: a mesh has no contours",
+                         "Give the contour stack, or the volume, that it was made from.");
       scene.overlays.contours = true;
     } else if (text == "edges") {
       scene.overlays.edges = true;
@@ -157,7 +178,8 @@ void place_camera(const SceneWords& words, const odontoscope::Model& model, doub
   if (!words.camera_file.empty()) scene.camera = read_scene(words.camera_file, scene).camera;
   const auto projection = words.parallel ? Camera::Projection::parallel : scene.camera.projection;
   const NamedView view = words.view.empty() ? NamedView::three_quarter : view_named(words.view);
-  if (!words.view.empty() || (!given && !words.hide.empty())) scene.camera = fit_without(words.hide, view, model, aspect, projection);
+  if (!words.view.empty() || (!given && !words.hide.empty()))
+    scene.camera = fit_without(words.hide, view, model, aspect, projection);
   scene.camera.projection = projection;
   // Nearer rather than with a longer lens; a parallel camera has only its height.
   scene.camera.position = scene.camera.target + (scene.camera.position - scene.camera.target) / words.zoom;
@@ -197,12 +219,14 @@ glm::dvec3 direction_in(const std::string& text) {
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t comma = axis < 2 ? text.find(',', from) : text.size();
     if (comma == std::string::npos)
-      throw UsageError(fmt::format("--section {}: that is no direction", text),
-                       "Give +x, -x, +y, -y, +z, -z, buccal, lingual, mesial, distal, occlusal, apical, or three numbers: 1,1,0.");
+      throw UsageError(
+          fmt::format("--section {}: that is no direction", text),
+          "Give +x, -x, +y, -y, +z, -z, buccal, lingual, mesial, distal, occlusal, apical, or three numbers: 1,1,0.");
     direction[axis] = number_in(std::string_view(text).substr(from, comma - from), "--section");
     from = comma + 1;
   }
-  if (!(glm::length(direction) > 0)) throw UsageError(fmt::format("--section {}: that points nowhere", text), "Give a direction, such as 1,1,0.");
+  if (!(glm::length(direction) > 0))
+    throw UsageError(fmt::format("--section {}: that points nowhere", text), "Give a direction, such as 1,1,0.");
   return glm::normalize(direction);
 }
 
@@ -222,7 +246,8 @@ Section section_from(const std::string& text, const odontoscope::Model& model) {
   return section;
 }
 
-Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays, const ValueGrid* values, PixelSize size) {
+Scene scene_from(const SceneWords& words, const odontoscope::Model& model, const OverlaySource& overlays,
+                 const ValueGrid* values, PixelSize size) {
   const double aspect = static_cast<double>(size.width) / size.height;
   Scene scene = usual_scene(model, aspect);
   if (!words.scene_file.empty()) scene = read_scene(words.scene_file, scene);
@@ -265,7 +290,8 @@ void refuse_unknown_structures(const SceneWords& words, const ContourStack& stac
   for (const std::string& structure : known) scene.looks.push_back({.structure = structure, .colour = {}});
   const auto check = [&](const std::string& structure, std::string_view option) {
     constexpr std::string_view cavity = " cavity";
-    const bool hollow = structure.ends_with(cavity) && known.contains(structure.substr(0, structure.size() - cavity.size()));
+    const bool hollow =
+        structure.ends_with(cavity) && known.contains(structure.substr(0, structure.size() - cavity.size()));
     if (!hollow) look_called(scene, structure, option);
   };
   for (const std::string& structure : words.hide) check(structure, "--hide");
@@ -273,7 +299,8 @@ void refuse_unknown_structures(const SceneWords& words, const ContourStack& stac
   for (const std::string& text : words.colour) check(name_and_value(text, "--colour").first, "--colour");
 }
 
-PictureFormat picture_format(const std::string& size, std::optional<int> samples, const std::string& scene_file, PixelSize usual) {
+PictureFormat picture_format(const std::string& size, std::optional<int> samples, const std::string& scene_file,
+                             PixelSize usual) {
   PictureFormat format{.width = usual.width, .height = usual.height};
   if (!scene_file.empty()) format = read_scene(scene_file, Scene{}).picture.value_or(format);
   if (!size.empty()) {

@@ -54,14 +54,16 @@ Found found_in(ContourStack stack, const DtWords& dt, Session& session, const St
 }
 
 /// Of the volume only what lies around its contours is kept, before the reconstruction needs the memory.
-Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
+Found found_in_volume(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session,
+                      const StackCheck& check) {
   auto volume = std::make_unique<Volume>();
   std::optional<ReportVolume> facts;
   ContourStack stack = contours_told(file, understood(words), session, volume.get(), &facts);
   const Box bounds = bounds_of(stack);
   std::optional<GreyAnchors> greys;
   if (words.voxels) greys = grey_anchors(*volume);
-  auto values = std::make_shared<const ValueGrid>(value_grid(*volume, words.voxels ? with_margin(bounds, *volume) : bounds));
+  auto values =
+      std::make_shared<const ValueGrid>(value_grid(*volume, words.voxels ? with_margin(bounds, *volume) : bounds));
   volume.reset();
   Found found = found_in(std::move(stack), dt, session, check);
   found.values = std::move(values);
@@ -81,15 +83,16 @@ Found found_in_voxels(const std::string& file, const VolumeWords& words, const D
   return found;
 }
 
-/// A mesh without a name is called after its file. Our own files name a solid's outside "S external" and its cavities "S cavity", OBJ with an
-/// underscore.
+/// A mesh without a name is called after its file. Our own files name a solid's outside "S external" and its cavities
+/// "S cavity", OBJ with an underscore.
 NamedSurface surface_of(NamedMesh mesh, const std::string& file) {
   std::string name = mesh.name.empty() ? std::filesystem::path(file).stem().string() : mesh.name;
   if (name.size() > cavity_suffix.size() && (name.ends_with(cavity_suffix) || name.ends_with("_cavity"))) {
     const std::string solid = name.substr(0, name.size() - cavity_suffix.size());
     return {solid + std::string(cavity_suffix), std::move(mesh.surface), solid, true};
   }
-  if (name.size() > external_suffix.size() && (name.ends_with(external_suffix) || name.ends_with("_external"))) name.resize(name.size() - external_suffix.size());
+  if (name.size() > external_suffix.size() && (name.ends_with(external_suffix) || name.ends_with("_external")))
+    name.resize(name.size() - external_suffix.size());
   return {name, std::move(mesh.surface), name};
 }
 
@@ -106,11 +109,14 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
   refuse_empty(file);
   Place place;
   place.file = file;
-  throw InputError("unknown-format", std::move(place), "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",
-                   "Give a file of one of these formats, or a volume with --iso");
+  throw InputError(
+      "unknown-format", std::move(place),
+      "this is no contour stack, no contour file of Reconstruct, CSL or RTSTRUCT, and no glTF, STL, PLY or OBJ mesh",
+      "Give a file of one of these formats, or a volume with --iso");
 }
 
-Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
+Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session,
+               const StackCheck& check) {
   if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session, check);
   if (words.any_level()) return found_in_volume(file, words, dt, session, check);
   if (words.voxels && looks_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
@@ -133,11 +139,20 @@ Found found_in(const std::string& file, const VolumeWords& words, const DtWords&
 
 }  // namespace
 
-Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session, const StackCheck& check) {
+Shown shown_from(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session,
+                 const StackCheck& check) {
   Found found = found_in(file, words, dt, session, check);
   session.progress().check();
   session.progress().tell("shade", 0.2);
-  Shown shown{odontoscope::make_model(found.surfaces), std::move(found.overlays), std::move(found.surfaces), std::move(found.values), found.greys, std::move(found.isos), found.only_voxels, std::move(found.proven), found.slices};
+  Shown shown{odontoscope::make_model(found.surfaces),
+              std::move(found.overlays),
+              std::move(found.surfaces),
+              std::move(found.values),
+              found.greys,
+              std::move(found.isos),
+              found.only_voxels,
+              std::move(found.proven),
+              found.slices};
   shown.overlays.faulty_edges = faulty_edges(shown.surfaces, shown.model);
   return shown;
 }

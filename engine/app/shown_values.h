@@ -29,14 +29,15 @@ SurfaceMesh box_surface(const Box& box);
 /// A volume of which nothing but its voxels is wanted.
 struct VoxelsAlone {
   GreyAnchors greys;
-  Box dense;     // see bounds_of_dense
-  std::shared_ptr<const ValueGrid> values;   // of that, and a margin
+  Box dense;                                // see bounds_of_dense
+  std::shared_ptr<const ValueGrid> values;  // of that, and a margin
 };
 
 /// Throws as grey_anchors does. Precondition: no label map, whose values are no grey.
 VoxelsAlone voxels_alone(const Volume& volume, const ValueGridLimits& limits);
 
 /// Reads, crops and tells it. UsageError for words that need a surface, and for a label map, whose values are no grey.
-VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits, Session& session);
+VoxelsAlone voxels_alone(const std::string& file, const VolumeWords& words, const ValueGridLimits& limits,
+                         Session& session);
 
 }  // namespace odontoscope::app

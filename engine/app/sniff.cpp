@@ -27,7 +27,8 @@ bool has_dicom_mark(std::string_view bytes) {
 
 bool has_nifti_mark(std::string_view bytes) {
   constexpr std::size_t mark_at = 344;
-  return bytes.size() > mark_at && (bytes.substr(mark_at).starts_with("n+1") || bytes.substr(mark_at).starts_with("ni1"));
+  return bytes.size() > mark_at &&
+         (bytes.substr(mark_at).starts_with("n+1") || bytes.substr(mark_at).starts_with("ni1"));
 }
 
 /// The first word of the first line that is neither empty nor a comment.
@@ -42,7 +43,8 @@ std::string_view first_word(std::string_view text) {
 
 bool is_obj(std::string_view bytes) {
   const std::string_view word = first_word(bytes);
-  for (const std::string_view known : {"v", "vn", "vt", "vp", "f", "o", "g", "s", "mtllib", "usemtl", "maplib", "usemap", "cstype"}) {
+  for (const std::string_view known :
+       {"v", "vn", "vt", "vp", "f", "o", "g", "s", "mtllib", "usemtl", "maplib", "usemap", "cstype"}) {
     if (word == known) return true;
   }
   return false;
@@ -58,7 +60,7 @@ bool names_an_asset(std::string_view json) {
 FileKind kind_by_content(std::string_view bytes) {
   if (bytes.starts_with("glTF")) return FileKind::glb;
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r")) return FileKind::ply;
-  if (is_binary_stl(bytes)) return FileKind::stl;   // before the text one: some binary files begin with "solid" as well
+  if (is_binary_stl(bytes)) return FileKind::stl;  // before the text one: some binary files begin with "solid" as well
   if (bytes.starts_with("NRRD000") || has_dicom_mark(bytes) || has_nifti_mark(bytes)) return FileKind::volume;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return FileKind::unknown;
@@ -82,18 +84,25 @@ FileKind kind_of(std::string_view bytes, const std::string& file) {
 
 std::optional<std::vector<NamedMesh>> meshes_in(FileKind kind, std::string_view bytes, const std::string& file) {
   switch (kind) {
-    case FileKind::glb: return parse_glb(bytes, file);
-    case FileKind::ply: return parse_ply(bytes, file);
-    case FileKind::stl: return parse_stl(bytes, file);
-    case FileKind::obj: return parse_obj(bytes, file);
-    case FileKind::gltf: return parse_gltf(bytes, file);
-    default: return std::nullopt;
+    case FileKind::glb:
+      return parse_glb(bytes, file);
+    case FileKind::ply:
+      return parse_ply(bytes, file);
+    case FileKind::stl:
+      return parse_stl(bytes, file);
+    case FileKind::obj:
+      return parse_obj(bytes, file);
+    case FileKind::gltf:
+      return parse_gltf(bytes, file);
+    default:
+      return std::nullopt;
   }
 }
 
 std::string structure_of_mesh(const std::string& mesh) {
   for (const std::string_view kind : {"external", "cavity", "open"})
-    if (mesh.size() > kind.size() + 1 && mesh.ends_with(kind) && (mesh[mesh.size() - kind.size() - 1] == ' ' || mesh[mesh.size() - kind.size() - 1] == '_'))
+    if (mesh.size() > kind.size() + 1 && mesh.ends_with(kind) &&
+        (mesh[mesh.size() - kind.size() - 1] == ' ' || mesh[mesh.size() - kind.size() - 1] == '_'))
       return mesh.substr(0, mesh.size() - kind.size() - 1);
   return mesh;
 }

@@ -8,7 +8,8 @@
 namespace odontoscope::app {
 namespace {
 
-/// Letters to add, drop or change, and neighbours to swap, to get from one word to the other (Damerau and Levenshtein, "optimal string alignment").
+/// Letters to add, drop or change, and neighbours to swap, to get from one word to the other (Damerau and Levenshtein,
+/// "optimal string alignment").
 std::size_t edits(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -16,7 +17,8 @@ std::size_t edits(std::string_view a, std::string_view b) {
     std::vector<std::size_t> next(b.size() + 1, i);
     for (std::size_t j = 1; j <= b.size(); ++j) {
       next[j] = std::min({row[j] + 1, next[j - 1] + 1, row[j - 1] + (a[i - 1] == b[j - 1] ? 0u : 1u)});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) next[j] = std::min(next[j], before[j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        next[j] = std::min(next[j], before[j - 2] + 1);
     }
     before = std::move(row);
     row = std::move(next);

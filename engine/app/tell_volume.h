@@ -36,6 +36,7 @@ void tell_thresholds(const Thresholds& thresholds, Console& console);
 void tell_label_map(const Volume& volume, Console& console);
 
 /// Counts of each level, what --min-area left out of it, and warnings about canals that may be lost with that.
-void tell_levels(const std::vector<LevelReport>& levels, const Volume& volume, const VolumeContourOptions& options, Console& console);
+void tell_levels(const std::vector<LevelReport>& levels, const Volume& volume, const VolumeContourOptions& options,
+                 Console& console);
 
 }  // namespace odontoscope::app

@@ -25,7 +25,9 @@ double diagonal(const WrittenModel& model) {
 
 CentreLines lines_inside(const WrittenModel& model, std::string_view option, Session& session) {
   const std::vector<Cavity> cavities = cavities_in(sound_structures(model));
-  if (cavities.empty()) throw UsageError(std::string(option) + ": there is no void inside", std::string("Leave it out. ") + what_a_void_takes);
+  if (cavities.empty())
+    throw UsageError(std::string(option) + ": there is no void inside",
+                     std::string("Leave it out. ") + what_a_void_takes);
   return centre_lines(cavities.front(), {tooth_axis(sound_structures(model)).along}, session.progress());
 }
 

@@ -29,12 +29,33 @@ constexpr std::size_t most_script_bytes = 1u << 20;
 constexpr double beat = 1.0 / 30, rest_beat = 0.25, longest_wait = 600;
 constexpr int drag_moves = 4, most_frames_to_settle = 120;
 
-constexpr std::array<std::pair<std::string_view, Key>, 18> named_keys = {{{"left", Key::left}, {"right", Key::right}, {"up", Key::up}, {"down", Key::down},
-    {"home", Key::home}, {"end", Key::end}, {"page-up", Key::page_up}, {"page-down", Key::page_down}, {"tab", Key::tab}, {"enter", Key::enter},
-    {"escape", Key::escape}, {"backspace", Key::backspace}, {"delete", Key::remove}, {"space", Key::space}, {"f1", Key::f1}, {"f9", Key::f9},
-    {"f12", Key::f12}, {"shift", Key::shift}}};
+constexpr std::array<std::pair<std::string_view, Key>, 18> named_keys = {{{"left", Key::left},
+                                                                          {"right", Key::right},
+                                                                          {"up", Key::up},
+                                                                          {"down", Key::down},
+                                                                          {"home", Key::home},
+                                                                          {"end", Key::end},
+                                                                          {"page-up", Key::page_up},
+                                                                          {"page-down", Key::page_down},
+                                                                          {"tab", Key::tab},
+                                                                          {"enter", Key::enter},
+                                                                          {"escape", Key::escape},
+                                                                          {"backspace", Key::backspace},
+                                                                          {"delete", Key::remove},
+                                                                          {"space", Key::space},
+                                                                          {"f1", Key::f1},
+                                                                          {"f9", Key::f9},
+                                                                          {"f12", Key::f12},
+                                                                          {"shift", Key::shift}}};
 /// Letters that are keys to text fields and with Ctrl.
-constexpr std::array<std::pair<char, Key>, 8> letter_keys = {{{'a', Key::a}, {'c', Key::c}, {'o', Key::o}, {'s', Key::s}, {'v', Key::v}, {'x', Key::x}, {'y', Key::y}, {'z', Key::z}}};
+constexpr std::array<std::pair<char, Key>, 8> letter_keys = {{{'a', Key::a},
+                                                              {'c', Key::c},
+                                                              {'o', Key::o},
+                                                              {'s', Key::s},
+                                                              {'v', Key::v},
+                                                              {'x', Key::x},
+                                                              {'y', Key::y},
+                                                              {'z', Key::z}}};
 
 [[noreturn]] void refuse(const std::string& word, const char* remedy) {
   throw UsageError(fmt::format("--script: \"{}\" is no step", word), remedy);
@@ -50,7 +71,8 @@ std::vector<double> numbers_in(const std::string& word, std::string_view text, s
     numbers.push_back(number);
     at = behind == end ? end : behind + 1;
   }
-  if (at != end || numbers.size() != count) refuse(word, "Write numbers with commas: click:640,360  drag:600,300,700,300  scroll:3  wait:0.5");
+  if (at != end || numbers.size() != count)
+    refuse(word, "Write numbers with commas: click:640,360  drag:600,300,700,300  scroll:3  wait:0.5");
   return numbers;
 }
 
@@ -74,7 +96,9 @@ std::optional<ScriptEvents> key_in(std::string_view word) {
   Modifiers with;
   for (bool more = true; more;) {
     more = false;
-    for (const auto& [name, flag] : {std::pair<std::string_view, bool Modifiers::*>{"ctrl+", &Modifiers::control}, {"shift+", &Modifiers::shift}, {"alt+", &Modifiers::alt}})
+    for (const auto& [name, flag] : {std::pair<std::string_view, bool Modifiers::*>{"ctrl+", &Modifiers::control},
+                                     {"shift+", &Modifiers::shift},
+                                     {"alt+", &Modifiers::alt}})
       if (word.size() > name.size() && word.starts_with(name)) {
         with.*flag = true;
         word.remove_prefix(name.size());
@@ -99,7 +123,9 @@ ScriptEvents dragged(MouseButton button, const std::vector<double>& way) {
 }
 
 ScriptEvents clicked(MouseButton button, const std::vector<double>& place) {
-  return {{{MouseMoved{place[0], place[1]}}, {MouseButtonChanged{button, true, {}}}, {MouseButtonChanged{button, false, {}}}}};
+  return {{{MouseMoved{place[0], place[1]}},
+           {MouseButtonChanged{button, true, {}}},
+           {MouseButtonChanged{button, false, {}}}}};
 }
 
 double seconds_in(const std::string& word, std::string_view text) {
@@ -111,7 +137,8 @@ double seconds_in(const std::string& word, std::string_view text) {
 ScriptHold held(const std::string& word, std::string_view text) {
   const std::size_t comma = text.find(',');
   const std::string places = lower_case(std::string(text.substr(0, comma)));
-  if (comma == text.npos || places.empty() || !std::all_of(places.begin(), places.end(), is_letter)) refuse(word, "Write letters and seconds: hold:w,1.5");
+  if (comma == text.npos || places.empty() || !std::all_of(places.begin(), places.end(), is_letter))
+    refuse(word, "Write letters and seconds: hold:w,1.5");
   return {places, seconds_in(word, text.substr(comma + 1))};
 }
 
@@ -119,9 +146,14 @@ ScriptFormat format_in(const std::string& word, std::string_view text) {
   const std::vector<double> told = numbers_in(word, text, 3);
   const double side = std::sqrt(told[2]);
   for (const double pixels : {told[0], told[1]})
-    if (pixels < 1 || pixels > most_picture_side || pixels != std::floor(pixels)) refuse(word, "Write width and height in pixels, up to 16384, and samples: format:1280,960,4");
-  if (side < 1 || side > 4 || side != std::floor(side)) refuse(word, "Samples a pixel are 1, 4, 9 or 16: format:1280,960,4");
-  return {{.width = static_cast<int>(told[0]), .height = static_cast<int>(told[1]), .as_seen = false, .side = static_cast<int>(side)}};
+    if (pixels < 1 || pixels > most_picture_side || pixels != std::floor(pixels))
+      refuse(word, "Write width and height in pixels, up to 16384, and samples: format:1280,960,4");
+  if (side < 1 || side > 4 || side != std::floor(side))
+    refuse(word, "Samples a pixel are 1, 4, 9 or 16: format:1280,960,4");
+  return {{.width = static_cast<int>(told[0]),
+           .height = static_cast<int>(told[1]),
+           .as_seen = false,
+           .side = static_cast<int>(side)}};
 }
 
 ScriptStep step_in(const std::string& word) {
@@ -142,13 +174,17 @@ ScriptStep step_in(const std::string& word) {
   if (verb == "wait") return ScriptWait{seconds_in(word, what)};
   if (verb == "hold") return held(word, what);
   if (verb == "format") return format_in(word, what);
-  for (const auto& [name, kind] : {std::pair{"shot", ScriptSave::What::window}, {"picture", ScriptSave::What::picture}, {"scene", ScriptSave::What::scene}}) {
+  for (const auto& [name, kind] : {std::pair{"shot", ScriptSave::What::window},
+                                   {"picture", ScriptSave::What::picture},
+                                   {"scene", ScriptSave::What::scene}}) {
     if (verb != name || what.empty()) continue;
     known_ending(std::string(what), {kind == ScriptSave::What::scene ? ".json" : ".png"});
     return ScriptSave{kind, std::string(what)};
   }
-  refuse(word, "Steps are keys (x, enter, ctrl+s), click:X,Y, right-click:X,Y, move:X,Y, drag:X,Y,X,Y, right-drag:, middle-drag:, scroll:N, hold:KEYS,SECONDS, wait:SECONDS, "
-               "format:WIDTH,HEIGHT,SAMPLES, shot:FILE.png, picture:FILE.png, scene:FILE.json");
+  refuse(word,
+         "Steps are keys (x, enter, ctrl+s), click:X,Y, right-click:X,Y, move:X,Y, drag:X,Y,X,Y, right-drag:, "
+         "middle-drag:, scroll:N, hold:KEYS,SECONDS, wait:SECONDS, "
+         "format:WIDTH,HEIGHT,SAMPLES, shot:FILE.png, picture:FILE.png, scene:FILE.json");
 }
 
 /// The viewer, frame by frame.
@@ -166,8 +202,10 @@ class Performance {
   void settle() {
     for (int left = most_frames_to_settle; left > 0; --left) {
       const bool awaited = viewer_.loading() || viewer_.state().lab.working;
-      if (awaited) ++left, std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      else if (viewer_.patience() >= beat) break;
+      if (awaited)
+        ++left, std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      else if (viewer_.patience() >= beat)
+        break;
       frame(awaited ? 0 : rest_beat);
     }
     if (viewer_.failure()) std::rethrow_exception(viewer_.failure());
@@ -190,7 +228,8 @@ class Performance {
   }
   void perform(const ScriptFormat& format) { viewer_.state().settings.picture = format.settings; }
   void perform(const ScriptSave& save) {
-    if (save.what == ScriptSave::What::window) saved.push_back({save.file, png_bytes(read_pixels(gl_, pixels_.id(), size_))});
+    if (save.what == ScriptSave::What::window)
+      saved.push_back({save.file, png_bytes(read_pixels(gl_, pixels_.id(), size_))});
     if (save.what == ScriptSave::What::picture) saved.push_back({save.file, png_bytes(viewer_.picture())});
     if (save.what == ScriptSave::What::scene) saved.push_back({save.file, to_json(viewer_.scene_of_picture())});
   }
@@ -229,7 +268,8 @@ std::vector<std::string> files_of(const std::vector<ScriptStep>& steps) {
   return files;
 }
 
-std::vector<FileContent> run_script(const std::vector<ScriptStep>& steps, Viewer& viewer, const Gl& gl, PixelSize size, const Progress& progress) {
+std::vector<FileContent> run_script(const std::vector<ScriptStep>& steps, Viewer& viewer, const Gl& gl, PixelSize size,
+                                    const Progress& progress) {
   Performance performance(viewer, gl, size, progress);
   performance.settle();
   for (const ScriptStep& step : steps) {

@@ -32,17 +32,17 @@ void refuse_senseless(const VolumeLookWords& words);
 
 struct VolumeLookRequest {
   const VolumeLookWords& words;
-  const std::string& grey;                     // of --grey
+  const std::string& grey;  // of --grey
   double kv = 70;
-  const std::vector<std::string>& opacities;   // "S=F", as typed: what was told stays
+  const std::vector<std::string>& opacities;  // "S=F", as typed: what was told stays
   bool background_told = false;
 };
 
 /// Are grey values wanted, by the words or else by the scene file (may be empty)? Throws as read_scene does.
 bool wants_voxels(const VolumeLookWords& words, const std::string& scene_file);
 
-/// Changes the scene as told, and tells how values are read. Structures become clear before a volume that lies within them. UsageError if grey
-/// values are to be shown and the input has none.
+/// Changes the scene as told, and tells how values are read. Structures become clear before a volume that lies within
+/// them. UsageError if grey values are to be shown and the input has none.
 void show_volume(const VolumeLookRequest& request, const Shown& shown, Scene& scene, Session& session);
 
 }  // namespace odontoscope::app

@@ -43,8 +43,10 @@ std::optional<AutoLevel> auto_level(const std::string& text) {
   const std::string_view numbers = which.substr(5);
   const std::size_t slash = numbers.find('/');
   constexpr std::size_t most_classes = 5;
-  const bool good = slash != numbers.npos && is_number(numbers.substr(0, slash), level.classes) && is_number(numbers.substr(slash + 1), level.number);
-  if (good && level.classes >= 2 && level.classes <= most_classes && level.number >= 1 && level.number < level.classes) return level;
+  const bool good = slash != numbers.npos && is_number(numbers.substr(0, slash), level.classes) &&
+                    is_number(numbers.substr(slash + 1), level.number);
+  if (good && level.classes >= 2 && level.classes <= most_classes && level.number >= 1 && level.number < level.classes)
+    return level;
   throw UsageError(fmt::format("\"{}\" is none of Otsu's thresholds", text.substr(0, limits::quoted_length)),
                    "Give --iso auto, or --iso auto:3/2 for the second threshold of three classes (2 to 5)");
 }
@@ -56,11 +58,17 @@ VolumeRequest::Level iso_level(const std::string& text) {
 
 VolumeRequest::Level label_level(const std::string& text) {
   const std::size_t equals = std::min(text.find('='), text.size());
-  double number = 0;   // one that is not whole is refused rather than taken for a name
-  if (is_number(std::string_view(text).substr(0, equals), number)) return {{}, {}, parse_label_level(text), equals < text.size(), {}};
+  double number = 0;  // one that is not whole is refused rather than taken for a name
+  if (is_number(std::string_view(text).substr(0, equals), number))
+    return {{}, {}, parse_label_level(text), equals < text.size(), {}};
   // A name: its number is known once the file is.
-  VolumeRequest::Level level{{}, {}, parse_label_level("0=" + (equals < text.size() ? text.substr(equals + 1) : text)), true, text.substr(0, equals)};
-  if (level.label_name->empty()) throw UsageError(fmt::format("\"{}\" is no label", text), "Give --label N or --label N=NAME");
+  VolumeRequest::Level level{{},
+                             {},
+                             parse_label_level("0=" + (equals < text.size() ? text.substr(equals + 1) : text)),
+                             true,
+                             text.substr(0, equals)};
+  if (level.label_name->empty())
+    throw UsageError(fmt::format("\"{}\" is no label", text), "Give --label N or --label N=NAME");
   return level;
 }
 
@@ -88,7 +96,8 @@ void understand_min_area(const std::string& text, VolumeRequest& request) {
     request.min_area_in_mm2 = true;
   }
   if (is_number(number, request.min_area) && request.min_area >= 0 && std::isfinite(request.min_area)) return;
-  throw UsageError(fmt::format("--min-area {}: that is no area of at least 0", text), "Give a number of pixels, as in --min-area 4, or an area, as in --min-area 0.5mm2");
+  throw UsageError(fmt::format("--min-area {}: that is no area of at least 0", text),
+                   "Give a number of pixels, as in --min-area 4, or an area, as in --min-area 0.5mm2");
 }
 
 /// The value that a name stands for, in the user's list or the file's.
@@ -102,7 +111,9 @@ std::int64_t label_called(const std::string& name, const std::vector<VolumeLabel
   Place place;
   place.file = file;
   throw InputError("label-not-found", place,
-                   labels.empty() ? fmt::format("nothing names its labels, so none is called \"{}\"", name) : fmt::format("no label is called \"{}\"; there are {}", name, fmt::join(there, ", ")),
+                   labels.empty()
+                       ? fmt::format("nothing names its labels, so none is called \"{}\"", name)
+                       : fmt::format("no label is called \"{}\"; there are {}", name, fmt::join(there, ", ")),
                    "Give a number (--label N=NAME), or a file of names (--label-names FILE)");
 }
 
@@ -127,7 +138,8 @@ VolumeContourOptions resolved(const VolumeRequest& request, const Volume& volume
 }
 
 bool any_automatic(const VolumeRequest& request) {
-  return std::any_of(request.levels.begin(), request.levels.end(), [](const auto& level) { return level.automatic.has_value(); });
+  return std::any_of(request.levels.begin(), request.levels.end(),
+                     [](const auto& level) { return level.automatic.has_value(); });
 }
 
 void tell_simplification(std::size_t before, std::size_t after, double largest_deviation, Console& console) {
@@ -139,23 +151,36 @@ void tell_simplification(std::size_t before, std::size_t after, double largest_d
 
 void add_volume_options(CLI::App& parser, VolumeWords& words) {
   const std::string group = "Volumes";
-  repeatable(parser.add_option("--iso", words.isos, "Surface at value T or auto, as structure NAME (default: tooth); repeatable"))
-      ->type_name("T[=NAME]")->group(group);
-  repeatable(parser.add_option("--label", words.labels, "Surface of label N of a label map, or of a named segment; repeatable"))
-      ->type_name("N[=NAME]")->group(group);
-  parser.add_option("--label-names", words.label_names, "Names of labels, as ITK-SNAP writes them")->type_name("FILE")->group(group);
+  repeatable(parser.add_option("--iso", words.isos,
+                               "Surface at value T or auto, as structure NAME (default: tooth); repeatable"))
+      ->type_name("T[=NAME]")
+      ->group(group);
+  repeatable(parser.add_option("--label", words.labels,
+                               "Surface of label N of a label map, or of a named segment; repeatable"))
+      ->type_name("N[=NAME]")
+      ->group(group);
+  parser.add_option("--label-names", words.label_names, "Names of labels, as ITK-SNAP writes them")
+      ->type_name("FILE")
+      ->group(group);
   parser.add_option("--min-area", words.min_area, "Leave out contours that enclose less: pixels, or mm^2 as in 0.5mm2")
-      ->type_name("A")->group(group);
+      ->type_name("A")
+      ->group(group);
   parser.add_option("--spacing", words.spacing, "Size of a voxel in mm, instead of the file's")
-      ->type_name("X,Y,Z")->group(group);
+      ->type_name("X,Y,Z")
+      ->group(group);
   parser.add_option("--series", words.series, "Of several DICOM series the one to read: number, UID or description")
-      ->type_name("N")->group(group);
-  parser.add_flag("--allow-outside", words.allow_outside, "Let a header or DICOMDIR name files outside its own folder")->group(group);
+      ->type_name("N")
+      ->group(group);
+  parser.add_flag("--allow-outside", words.allow_outside, "Let a header or DICOMDIR name files outside its own folder")
+      ->group(group);
   parser.add_option("--smooth", words.smooth, "Smooth the borders of labels, by MM and half a voxel at most")
-      ->type_name("MM")->check(at_least_zero())->group(group);
+      ->type_name("MM")
+      ->check(at_least_zero())
+      ->group(group);
   add_reshape_options(parser, words.reshape);
   parser.add_option("--simplify", words.simplify, "Fewer points: contours may move by up to E mm, and stay disjoint")
-      ->type_name("E")->check(at_least_zero());
+      ->type_name("E")
+      ->check(at_least_zero());
 }
 
 VolumeRequest understood(const VolumeWords& words) {
@@ -184,7 +209,8 @@ VolumeContourOptions levels_told(const Volume& volume, const VolumeRequest& requ
   return levels;
 }
 
-ContourStack traced_told(const Volume& volume, VolumeContourOptions levels, const VolumeRequest& request, const std::optional<RigidMotion>& upright, Session& session,
+ContourStack traced_told(const Volume& volume, VolumeContourOptions levels, const VolumeRequest& request,
+                         const std::optional<RigidMotion>& upright, Session& session,
                          std::optional<ReportVolume>* facts) {
   levels.trace.min_area = request.min_area * (request.min_area_in_mm2 ? 1 : volume.spacing[0] * volume.spacing[1]);
   VolumeContours found = contours_of_volume(volume, levels, session.progress());
@@ -203,8 +229,8 @@ ContourStack traced_told(const Volume& volume, VolumeContourOptions levels, cons
   return std::move(found.stack);
 }
 
-ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume, std::optional<ReportVolume>* facts,
-                           Whence* whence) {
+ContourStack contours_told(const std::string& file, const VolumeRequest& request, Session& session, Volume* volume,
+                           std::optional<ReportVolume>* facts, Whence* whence) {
   Volume read = read_volume(file, request.read, session.progress());
   tell_volume(file, read, session.console);
   crop_told(read, request.reshape, session.console);
@@ -224,7 +250,8 @@ void tell_histogram(const std::string& file, const VolumeRequest& request, Sessi
   const Thresholds thresholds(read);
   tell_thresholds(thresholds, session.console);
   for (const std::string& line : histogram_lines(thresholds.histogram, thresholds.all_of(4))) session.console.say(line);
-  session.console.say("Bars are as long as the root of the number of voxels; marked are the thresholds of four classes.");
+  session.console.say(
+      "Bars are as long as the root of the number of voxels; marked are the thresholds of four classes.");
   if (looks_like_labels(read)) tell_label_map(read, session.console);
 }
 
@@ -238,18 +265,21 @@ bool looks_like_a_volume(const std::string& file) {
   std::error_code error;
   if (std::filesystem::is_directory(file, error)) return true;
   for (const std::string_view ending : {".nrrd", ".nhdr", ".mha", ".mhd", ".nii", ".nii.gz", ".hdr", ".img", ".dcm"}) {
-    if (file.ends_with(ending)) return !is_contour_file(file);   // structure sets are DICOM, too
+    if (file.ends_with(ending)) return !is_contour_file(file);  // structure sets are DICOM, too
   }
   return begins_like_a_volume(file);
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session, std::optional<ReportVolume>* facts, Whence* whence) {
+ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session,
+                               std::optional<ReportVolume>* facts, Whence* whence) {
   if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
   const bool of_another_program = is_contour_file(file);
   if (!of_another_program && needs_conversion(file, {})) {
-    throw UsageError(fmt::format("{} is a mesh, and contours are wanted here", file), fmt::format("Cut it first: odontoscope contours {} --spacing-z D -o FILE.json", file));
+    throw UsageError(fmt::format("{} is a mesh, and contours are wanted here", file),
+                     fmt::format("Cut it first: odontoscope contours {} --spacing-z D -o FILE.json", file));
   }
-  ContourStack stack = of_another_program ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
+  ContourStack stack =
+      of_another_program ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
   if (words.simplify) {
     validate(stack, session.progress());
     stack = simplify_told(stack, {*words.simplify}, session);
@@ -259,14 +289,18 @@ ContourStack contours_of_input(const std::string& file, const VolumeWords& words
 
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {
   if (words.smooth && words.labels.empty()) {
-    throw UsageError("--smooth is about label maps", "Add --label N, or leave it out: --iso lies between voxels already");
+    throw UsageError("--smooth is about label maps",
+                     "Add --label N, or leave it out: --iso lies between voxels already");
   }
   if (words.any_level()) return;
-  const bool any_other = !words.min_area.empty() || !words.spacing.empty() || !words.series.empty() || !words.label_names.empty() || words.allow_outside;
+  const bool any_other = !words.min_area.empty() || !words.spacing.empty() || !words.series.empty() ||
+                         !words.label_names.empty() || words.allow_outside;
   if (any_other || words.reshape.any()) {
-    throw UsageError("--min-area, --spacing, --series, --label-names, --allow-outside, --crop, --resample and --upright are about volumes, "
-                     "and nothing says where in a volume the surface lies",
-                     "Give --iso T (or --iso auto) for an image, --label N for a label map");
+    throw UsageError(
+        "--min-area, --spacing, --series, --label-names, --allow-outside, --crop, --resample and --upright are about "
+        "volumes, "
+        "and nothing says where in a volume the surface lies",
+        "Give --iso T (or --iso auto) for an image, --label N for a label map");
   }
   if (looks_like_a_volume(file)) {
     throw UsageError(fmt::format("{} looks like a volume, and nothing says where in it the surface lies", file),

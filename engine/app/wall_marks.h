@@ -13,7 +13,8 @@ namespace odontoscope::app {
 /// The model's part that walls the void in.
 VoidWall wall_of(const Cavity& cavity, const odontoscope::Model& model);
 
-/// Fills in ModelPart::depths_mm of all walls of voids. `surfaces` are those that the model was made from. UsageError if there is no void.
+/// Fills in ModelPart::depths_mm of all walls of voids. `surfaces` are those that the model was made from. UsageError
+/// if there is no void.
 void mark_wall_depths(odontoscope::Model& model, const std::vector<NamedSurface>& surfaces, const Progress& progress);
 
 }  // namespace odontoscope::app

@@ -20,9 +20,11 @@ constexpr double levels = 255;
 constexpr std::size_t bar_count = 64;
 
 ValueWindow window_in_bytes(const ValueGrid& grid, const GreyAnchors& greys) {
-  const bool whole = std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == std::round(value); });
+  const bool whole =
+      std::all_of(grid.values.begin(), grid.values.end(), [](float value) { return value == std::round(value); });
   if (whole && grid.range.high - grid.range.low <= levels) return {grid.range.low, grid.range.low + levels};
-  const double contrast = greys.dentine - greys.air, low = std::max(grid.range.low, greys.air - 0.5 * contrast), high = std::min(grid.range.high, greys.air + 3.5 * contrast);
+  const double contrast = greys.dentine - greys.air, low = std::max(grid.range.low, greys.air - 0.5 * contrast),
+               high = std::min(grid.range.high, greys.air + 3.5 * contrast);
   return {low, std::max(high, low + 1e-6 * contrast)};
 }
 
@@ -58,13 +60,15 @@ WebVolume web_volume(const ValueGrid& grid, const GreyAnchors& greys, const Volu
   volume.high = window.high;
   volume.bytes.reserve(grid.values.size());
   for (const float value : grid.values)
-    volume.bytes.push_back(static_cast<char>(static_cast<unsigned char>(std::lround(std::clamp(levels * (static_cast<double>(value) - window.low) / (window.high - window.low), 0.0, levels)))));
+    volume.bytes.push_back(static_cast<char>(static_cast<unsigned char>(std::lround(
+        std::clamp(levels * (static_cast<double>(value) - window.low) / (window.high - window.low), 0.0, levels)))));
   volume.air = greys.air;
   volume.dentine = greys.dentine;
   volume.dentine_attenuation = linear_attenuation(*tissue_called("dentine"), effective_energy_kev(usual_kv));
   volume.bars = bars_of(volume.bytes);
   volume.look = json_of(look).dump();
-  for (const TransferPreset preset : {TransferPreset::tooth, TransferPreset::enamel, TransferPreset::dentine, TransferPreset::pulp, TransferPreset::soft}) {
+  for (const TransferPreset preset : {TransferPreset::tooth, TransferPreset::enamel, TransferPreset::dentine,
+                                      TransferPreset::pulp, TransferPreset::soft}) {
     VolumeLook ready = look;
     ready.transfer = transfer_of(preset, greys.air, greys.dentine);
     volume.transfers.emplace_back(name(preset), json_of(ready).at("transfer").dump());
@@ -73,20 +77,24 @@ WebVolume web_volume(const ValueGrid& grid, const GreyAnchors& greys, const Volu
 }
 
 void tell_web_volume(const WebVolume& volume, const ValueGrid& grid, Session& session) {
-  session.console.say(fmt::format("The page carries {} x {} x {} values of 8 bits: {} KB of it", volume.size[0], volume.size[1], volume.size[2], grouped(packed_size(volume) / 1000)));
+  session.console.say(fmt::format("The page carries {} x {} x {} values of 8 bits: {} KB of it", volume.size[0],
+                                  volume.size[1], volume.size[2], grouped(packed_size(volume) / 1000)));
   if (volume.low > grid.range.low || volume.high < grid.range.high)
-    session.console.say(fmt::format("  from {:.6g} to {:.6g}, in steps of {:.3g}; what lies beyond counts as these", volume.low, volume.high, (volume.high - volume.low) / levels));
+    session.console.say(fmt::format("  from {:.6g} to {:.6g}, in steps of {:.3g}; what lies beyond counts as these",
+                                    volume.low, volume.high, (volume.high - volume.low) / levels));
 }
 
 PageGreys page_greys(const Volume& volume, const ContourStack& stack, const ReportVolume& facts) {
   PageGreys greys;
   greys.anchors = grey_anchors(volume);
-  greys.values = std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
+  greys.values =
+      std::make_shared<const ValueGrid>(value_grid(volume, with_margin(bounds_of(stack), volume), page_values));
   for (const auto& [structure, iso] : facts.isos) greys.isos.push_back({structure, iso});
   return greys;
 }
 
-void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::string& grey, Scene& scene, WebPage& page, Session& session) {
+void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::string& grey, Scene& scene,
+               WebPage& page, Session& session) {
   Shown shown;
   shown.values = greys.values;
   shown.greys = greys.anchors;
@@ -96,7 +104,8 @@ void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::s
   tell_web_volume(*page.volume, *greys.values, session);
 }
 
-WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, const std::string& grey, Session& session) {
+WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, const std::string& grey,
+                       Session& session) {
   Shown shown;
   shown.greys = voxels.greys;
   shown.only_voxels = true;

@@ -17,8 +17,8 @@ namespace odontoscope::app {
 /// What a page keeps of a volume: 16 million values, which a phone can hold.
 inline constexpr ValueGridLimits page_values{.most_values = 16u << 20, .longest_side = 512};
 
-/// In eight bits: whole numbers that lie within 256 as they are, others from half a dentine's contrast below air to three and a half above it; what lies beyond becomes the
-/// nearest of these. `look` shows the volume.
+/// In eight bits: whole numbers that lie within 256 as they are, others from half a dentine's contrast below air to
+/// three and a half above it; what lies beyond becomes the nearest of these. `look` shows the volume.
 WebVolume web_volume(const ValueGrid& grid, const GreyAnchors& greys, const VolumeLook& look);
 
 /// Its size, and what was left out.
@@ -35,9 +35,12 @@ struct PageGreys {
 PageGreys page_greys(const Volume& volume, const ContourStack& stack, const ReportVolume& facts);
 
 /// Into the page and its looks, which stand in `scene`; tells what was left out.
-void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::string& grey, Scene& scene, WebPage& page, Session& session);
+void add_greys(const PageGreys& greys, const VolumeLookWords& look, const std::string& grey, Scene& scene,
+               WebPage& page, Session& session);
 
-/// A page of nothing but a volume's grey values; what stands for a model is the box of what is dense. Precondition: they are no more than page_values.
-WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, const std::string& grey, Session& session);
+/// A page of nothing but a volume's grey values; what stands for a model is the box of what is dense. Precondition:
+/// they are no more than page_values.
+WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, const std::string& grey,
+                       Session& session);
 
 }  // namespace odontoscope::app

@@ -44,6 +44,7 @@ inline std::vector<StructureSurface> sound_structures(const WrittenModel& model)
 
 /// What to tell whose model has no void (see cavities_in).
 inline constexpr const char* what_a_void_takes =
-    "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in its name.";
+    "A pulp must be closed off from the outside, open along z and deep for its mouth, or be a body with \"pulp\" in "
+    "its name.";
 
 }  // namespace odontoscope::app

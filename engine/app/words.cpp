@@ -7,8 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "recon/input/validate.h"
 #include "recon/core/grouped.h"
+#include "recon/input/validate.h"
 
 namespace odontoscope::app {
 std::string counted(std::size_t count, std::string_view singular, std::string_view plural) {
@@ -38,7 +38,8 @@ std::string stack_in_words(const ContourStack& stack) {
   }
   return fmt::format("{} from z = {} to {} mm, {}, {}; {}: {}", counted(stack.slices.size(), "slice"), measured(low),
                      measured(high), counted(contours, "contour"), counted(points, "point"),
-                     structures_of(stack).size() == 1 ? "structure" : "structures", fmt::join(structures_of(stack), ", "));
+                     structures_of(stack).size() == 1 ? "structure" : "structures",
+                     fmt::join(structures_of(stack), ", "));
 }
 
 std::string shell_in_words(const Shell& shell) {

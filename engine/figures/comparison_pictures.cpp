@@ -25,7 +25,8 @@ std::vector<NamedSurface> surfaces_of(const ComparedMethod& method) {
 /// How far the outline of DB may lie from that of DT: a cell's diagonal, and the layer that closes its ends.
 double rim_of(const Grid& grid) {
   double tallest = 0;
-  for (std::size_t k = 1; k < grid.layers.size(); ++k) tallest = std::max(tallest, grid.layers[k].z - grid.layers[k - 1].z);
+  for (std::size_t k = 1; k < grid.layers.size(); ++k)
+    tallest = std::max(tallest, grid.layers[k].z - grid.layers[k - 1].z);
   return std::hypot(grid.dx, grid.dy) + tallest;
 }
 
@@ -34,9 +35,10 @@ struct Shot {
   BackFaces back_faces;
   bool edges;
 };
-constexpr Shot shots[] = {{"back faces left out, as games and web viewers draw", BackFaces::cull, false},
-                          {"both sides drawn", BackFaces::show, false},
-                          {"faulty edges: cracks blue, misoriented orange, non-manifold yellow", BackFaces::show, true}};
+constexpr Shot shots[] = {
+    {"back faces left out, as games and web viewers draw", BackFaces::cull, false},
+    {"both sides drawn", BackFaces::show, false},
+    {"faulty edges: cracks blue, misoriented orange, non-manifold yellow", BackFaces::show, true}};
 
 void draw(ComparedMethod& method, const Model& model, Scene scene, Renderer& renderer, const Gl& gl) {
   const GpuModel gpu_model = upload(gl, model);
@@ -67,9 +69,11 @@ void add_pictures(Comparison& comparison, const Gl& gl, const Progress& progress
     draw(comparison.methods[i], models[i], scene, renderer, gl);
   }
   progress.check();
-  const std::vector<SeeThrough> seen = see_through(gl, shaders, models.front(), models, {.rim_mm = rim_of(comparison.grid)});
+  const std::vector<SeeThrough> seen =
+      see_through(gl, shaders, models.front(), models, {.rim_mm = rim_of(comparison.grid)});
   for (std::size_t i = 0; i < seen.size(); ++i)
-    comparison.methods[i].seen_through = SeenThrough{seen[i].cameras, seen[i].culled_share(), seen[i].two_sided_share()};
+    comparison.methods[i].seen_through =
+        SeenThrough{seen[i].cameras, seen[i].culled_share(), seen[i].two_sided_share()};
 }
 
 }  // namespace odontoscope::figures

@@ -32,7 +32,8 @@ Slice slice_of(double z, std::vector<Ring> rings) {
 }
 
 void keep(ContourStack& stack, const std::string& structure) {
-  for (Slice& slice : stack.slices) std::erase_if(slice.contours, [&](const Contour& contour) { return contour.structure != structure; });
+  for (Slice& slice : stack.slices)
+    std::erase_if(slice.contours, [&](const Contour& contour) { return contour.structure != structure; });
 }
 
 }  // namespace
@@ -56,7 +57,14 @@ ContourStack well_placed_pair() {
 
 ContourStack one_over_two() {
   return {{slice_of(0, {polygon(6, 1.25, {-1.9, 0}, 0.2), polygon(6, 1.25, {1.9, 0}, -0.1)}),
-           slice_of(2.2, {Ring{{-1.9, -1.2}, {0.1, -1.35}, {2.0, -1.1}, {2.6, 0.1}, {1.8, 1.25}, {-0.2, 1.3}, {-2.1, 1.1}, {-2.7, -0.1}}})},
+           slice_of(2.2, {Ring{{-1.9, -1.2},
+                               {0.1, -1.35},
+                               {2.0, -1.1},
+                               {2.6, 0.1},
+                               {1.8, 1.25},
+                               {-0.2, 1.3},
+                               {-2.1, 1.1},
+                               {-2.7, -0.1}}})},
           {}};
 }
 
@@ -85,7 +93,8 @@ ContourStack roots_and_trunk() {
     for (Point2& p : ring) p = {centre.x + half_x * p.x, centre.y + half_y * p.y};
     return ring;
   };
-  return {{slice_of(0, {oval(12, {-2.4, 0}, 1.5, 2.4), oval(6, {-2.4, 0}, 0.45, 0.8), oval(12, {2.4, 0}, 1.5, 2.4), oval(6, {2.4, 0}, 0.45, 0.8)}),
+  return {{slice_of(0, {oval(12, {-2.4, 0}, 1.5, 2.4), oval(6, {-2.4, 0}, 0.45, 0.8), oval(12, {2.4, 0}, 1.5, 2.4),
+                        oval(6, {2.4, 0}, 0.45, 0.8)}),
            slice_of(3, {oval(20, {0, 0}, 4.3, 2.9), oval(10, {0, 0}, 2.7, 1.1)})},
           {}};
 }

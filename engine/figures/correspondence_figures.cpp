@@ -18,7 +18,8 @@ constexpr double well = 0.45, slightly = 1.6, not_at_all = 2.25;
 constexpr double between[] = {1.68, 1.78, 1.88};
 
 Panel shaded(std::string caption, const ContourStack& stack, std::vector<NamedSurface> surfaces, const Colour& colour) {
-  Panel made = panel(std::move(caption), {.surfaces = std::move(surfaces), .strokes = {contour_strokes(stack)}}, as_wide_as_high, from_the_side);
+  Panel made = panel(std::move(caption), {.surfaces = std::move(surfaces), .strokes = {contour_strokes(stack)}},
+                     as_wide_as_high, from_the_side);
   paint(made, colour);
   return made;
 }
@@ -41,7 +42,8 @@ Figure consecutive_contours(ToothModels&) {
   Figure figure;
   figure.aspect = as_wide_as_high;
   figure.caption =
-      "Two neighbouring sections, as through the crown of a molar, that overlap well: both methods connect them. DT puts its triangles between the points that "
+      "Two neighbouring sections, as through the crown of a molar, that overlap well: both methods connect them. DT "
+      "puts its triangles between the points that "
       "were given; DB puts them where its grid is.";
   const ContourStack stack = crown_sections();
   figure.panels.push_back(lines_only("The two contours from the side.", stack));
@@ -53,8 +55,10 @@ Figure consecutive_contours(ToothModels&) {
   figure.panels.push_back(std::move(top));
   const auto db = db_surfaces(stack, grid / 2), dt = dt_surfaces(stack);
   figure.panels.push_back(with_mesh({}, shaded({}, stack, db, db_colour)));
-  figure.panels.back().caption = fmt::format("DB on a grid of {0} x {0}: {1} triangles.", grid / 2, grouped(triangles_of(db)));
-  figure.panels.push_back(with_mesh(fmt::format("DT: {} triangles.", grouped(triangles_of(dt))), shaded({}, stack, dt, dt_colour)));
+  figure.panels.back().caption =
+      fmt::format("DB on a grid of {0} x {0}: {1} triangles.", grid / 2, grouped(triangles_of(db)));
+  figure.panels.push_back(
+      with_mesh(fmt::format("DT: {} triangles.", grouped(triangles_of(dt))), shaded({}, stack, dt, dt_colour)));
   return figure;
 }
 
@@ -62,11 +66,15 @@ Figure overlap_patterns(ToothModels&) {
   Figure figure;
   figure.aspect = as_wide_as_high;
   figure.caption =
-      "Two stumps of four round contours each, one above the other, set apart sideways. The next figures are made from these. Which of them are "
+      "Two stumps of four round contours each, one above the other, set apart sideways. The next figures are made from "
+      "these. Which of them are "
       "one piece of tooth? The contours do not say.";
-  figure.panels.push_back(lines_only(fmt::format("Shifted by {}: most of the area overlaps.", share(well)), shifted_stumps(well)));
-  figure.panels.push_back(lines_only(fmt::format("Shifted by {}: a narrow lens overlaps.", share(slightly)), shifted_stumps(slightly)));
-  figure.panels.push_back(lines_only(fmt::format("Shifted by {}: nothing overlaps.", share(not_at_all)), shifted_stumps(not_at_all)));
+  figure.panels.push_back(
+      lines_only(fmt::format("Shifted by {}: most of the area overlaps.", share(well)), shifted_stumps(well)));
+  figure.panels.push_back(
+      lines_only(fmt::format("Shifted by {}: a narrow lens overlaps.", share(slightly)), shifted_stumps(slightly)));
+  figure.panels.push_back(
+      lines_only(fmt::format("Shifted by {}: nothing overlaps.", share(not_at_all)), shifted_stumps(not_at_all)));
   return figure;
 }
 
@@ -74,7 +82,8 @@ Figure dt_separates(ToothModels&) {
   Figure figure;
   figure.aspect = as_wide_as_high;
   figure.caption =
-      "DT, left to itself, on the contours of figure 8. Stumps that overlap well become one; the others end flat, each on its own slice, closed and "
+      "DT, left to itself, on the contours of figure 8. Stumps that overlap well become one; the others end flat, each "
+      "on its own slice, closed and "
       "whole.";
   const auto add = [&](std::string caption, double shift) {
     const ContourStack stack = shifted_stumps(shift);
@@ -92,10 +101,12 @@ Figure dt_forced(ToothModels&) {
   const ContourStack stack = shifted_stumps(between[2]);
   const auto surfaces = dt_surfaces(stack, forced());
   figure.caption =
-      "The contours of figure 12(c), which DT would keep apart, connected by the user's word (one line in a links file). Compare with what DB makes of them: "
+      "The contours of figure 12(c), which DT would keep apart, connected by the user's word (one line in a links "
+      "file). Compare with what DB makes of them: "
       "DT's bridge is smooth and takes no more triangles than the rest.";
   figure.panels.push_back(shaded("One solid, as asked for.", stack, surfaces, dt_colour));
-  figure.panels.push_back(with_mesh(fmt::format("Its mesh: {} triangles.", grouped(triangles_of(surfaces))), shaded({}, stack, surfaces, dt_colour)));
+  figure.panels.push_back(with_mesh(fmt::format("Its mesh: {} triangles.", grouped(triangles_of(surfaces))),
+                                    shaded({}, stack, surfaces, dt_colour)));
   return figure;
 }
 
@@ -103,7 +114,8 @@ Figure db_connects(ToothModels&) {
   Figure figure;
   figure.aspect = as_wide_as_high;
   figure.caption =
-      "DB on the contours of figure 8. It knows no correspondence: whatever has grid points inside both contours becomes one. That makes a thin neck "
+      "DB on the contours of figure 8. It knows no correspondence: whatever has grid points inside both contours "
+      "becomes one. That makes a thin neck "
       "with a sharp ledge on either side, which on a tooth shows as ridges along slanting roots (figure 5).";
   const auto add = [&](std::string caption, double shift, const std::vector<double>& splits) {
     const ContourStack stack = shifted_stumps(shift);
@@ -111,7 +123,8 @@ Figure db_connects(ToothModels&) {
   };
   add("Good overlap: one surface.", well, {});
   add("Slight overlap: one surface all the same.", slightly, {});
-  add("The same contours forced apart by an empty layer put between the slices.", slightly, {last_of_lower() + stump_spacing / 2});
+  add("The same contours forced apart by an empty layer put between the slices.", slightly,
+      {last_of_lower() + stump_spacing / 2});
   return figure;
 }
 
@@ -119,12 +132,15 @@ Figure db_between(ToothModels&) {
   Figure figure;
   figure.aspect = as_wide_as_high;
   figure.caption =
-      "DB with contours in between those of figure 8(b) and 8(c). As the overlap shrinks the neck gets thinner and its shape is more and more the grid's "
+      "DB with contours in between those of figure 8(b) and 8(c). As the overlap shrinks the neck gets thinner and its "
+      "shape is more and more the grid's "
       "and less the tooth's, but the two stay connected.";
-  const char* letters[] = {"Shifted by {}.", "Shifted by {}.", "Shifted by {}: a mere thread, where DT makes the bridge of figure 10."};
+  const char* letters[] = {"Shifted by {}.", "Shifted by {}.",
+                           "Shifted by {}: a mere thread, where DT makes the bridge of figure 10."};
   for (int i = 0; i < 3; ++i) {
     const ContourStack stack = shifted_stumps(between[i]);
-    figure.panels.push_back(shaded(fmt::format(fmt::runtime(letters[i]), share(between[i])), stack, db_surfaces(stack, grid), db_colour));
+    figure.panels.push_back(
+        shaded(fmt::format(fmt::runtime(letters[i]), share(between[i])), stack, db_surfaces(stack, grid), db_colour));
   }
   return figure;
 }

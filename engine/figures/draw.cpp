@@ -15,7 +15,8 @@ Overlay overlay_of(const Panel& panel, const Model& model) {
   Overlay overlay;
   for (const Strokes& strokes : panel.strokes) {
     LineSet set{strokes.kind, {}, {}};
-    for (const Point3& p : strokes.ends) set.points.emplace_back(metres_per_mm * (glm::dvec3(p.x, p.y, p.z) - model.origin_mm));
+    for (const Point3& p : strokes.ends)
+      set.points.emplace_back(metres_per_mm * (glm::dvec3(p.x, p.y, p.z) - model.origin_mm));
     overlay.lines.push_back(std::move(set));
   }
   return overlay;
@@ -32,16 +33,19 @@ std::string picture_name(const Figure& figure, std::size_t panel) {
 
 PixelSize panel_size(const Figure& figure, int longer_side) {
   const auto shorter = [&](double ratio) { return static_cast<int>(std::lround(longer_side * ratio)); };
-  return figure.aspect >= 1 ? PixelSize{longer_side, shorter(1 / figure.aspect)} : PixelSize{shorter(figure.aspect), longer_side};
+  return figure.aspect >= 1 ? PixelSize{longer_side, shorter(1 / figure.aspect)}
+                            : PixelSize{shorter(figure.aspect), longer_side};
 }
 
-std::vector<Image> draw(const Gl& gl, Renderer& renderer, const Figure& figure, int longer_side, const RenderOptions& options) {
+std::vector<Image> draw(const Gl& gl, Renderer& renderer, const Figure& figure, int longer_side,
+                        const RenderOptions& options) {
   std::vector<Image> images;
   for (const Panel& panel : figure.panels) {
     const Model model = make_model(panel.surfaces, panel.crease_deg);
     const GpuModel gpu_model = upload(gl, model);
     const GpuOverlay overlay = upload(gl, overlay_of(panel, model));
-    images.push_back(picture_of(gl, renderer, gpu_model, model, panel.scene, {panel_size(figure, longer_side), options}, &overlay));
+    images.push_back(
+        picture_of(gl, renderer, gpu_model, model, panel.scene, {panel_size(figure, longer_side), options}, &overlay));
   }
   return images;
 }

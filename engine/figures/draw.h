@@ -20,7 +20,8 @@ std::string picture_name(const Figure& figure, std::size_t panel);
 PixelSize panel_size(const Figure& figure, int longer_side);
 
 /// One for each panel, in order. The context is current. Throws GraphicsError.
-std::vector<Image> draw(const Gl& gl, Renderer& renderer, const Figure& figure, int longer_side, const RenderOptions& options = {});
+std::vector<Image> draw(const Gl& gl, Renderer& renderer, const Figure& figure, int longer_side,
+                        const RenderOptions& options = {});
 
 /// Side by side, a gap of white between. Precondition: equal heights, at least one.
 Image side_by_side(const std::vector<Image>& images);

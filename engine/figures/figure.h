@@ -18,17 +18,17 @@ struct Strokes {
 /// One picture.
 struct Panel {
   std::string caption;
-  std::vector<NamedSurface> surfaces;   // at least one triangle in all; may be hidden by the scene
+  std::vector<NamedSurface> surfaces;  // at least one triangle in all; may be hidden by the scene
   std::vector<Strokes> strokes;
   double crease_deg = default_crease_deg;
   Scene scene;
 };
 
 struct Figure {
-  int number = 0;                 // of the paper
+  int number = 0;  // of the paper
   std::string title, caption;
-  double aspect = 1;              // of each panel, width over height
-  std::vector<Panel> panels;      // (a), (b), ...
+  double aspect = 1;          // of each panel, width over height
+  std::vector<Panel> panels;  // (a), (b), ...
 };
 
 }  // namespace odontoscope::figures

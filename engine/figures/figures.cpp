@@ -41,7 +41,8 @@ Figure make_figure(int number, ToothModels& tooth) {
     figure.title = entry.title;
     return figure;
   }
-  throw UsageError(fmt::format("the paper has no figure {}", number), fmt::format("They are numbered 1 to {}", paper_figures().size()));
+  throw UsageError(fmt::format("the paper has no figure {}", number),
+                   fmt::format("They are numbered 1 to {}", paper_figures().size()));
 }
 
 }  // namespace odontoscope::figures

@@ -1,6 +1,7 @@
 #pragma once
-// The paper's figures 1 to 18, made anew: "Qualitative analysis of two reconstruction techniques and their application in
-// dentistry", Journal of Electronic Imaging 9(4), 2000. Each is a scene computed by the engines from contours; captions are ours.
+// The paper's figures 1 to 18, made anew: "Qualitative analysis of two reconstruction techniques and their application
+// in dentistry", Journal of Electronic Imaging 9(4), 2000. Each is a scene computed by the engines from contours;
+// captions are ours.
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace odontoscope::figures {
 struct Entry {
   int number;
   const char* title;
-  Figure (*make)(ToothModels& tooth);   // title and number are filled in by `make_figure`
+  Figure (*make)(ToothModels& tooth);  // title and number are filled in by `make_figure`
 };
 
 /// By number, 1 to 18.

@@ -27,14 +27,18 @@ nav a{display:inline-block;min-width:1.6rem;padding:.3rem .5rem;text-align:cente
 )";
 
 std::string section(const Figure& figure) {
-  std::string html = fmt::format("<section id=\"figure-{0}\"><h2><b>Figure {0}</b>{1}</h2>\n<p>{2}</p>\n<div class=\"panels\">\n", figure.number,
-                                 escaped_html(figure.title), escaped_html(figure.caption));
+  std::string html =
+      fmt::format("<section id=\"figure-{0}\"><h2><b>Figure {0}</b>{1}</h2>\n<p>{2}</p>\n<div class=\"panels\">\n",
+                  figure.number, escaped_html(figure.title), escaped_html(figure.caption));
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const std::string caption = escaped_html(figure.panels[i].caption);
     const PixelSize size = panel_size(figure, 1000);
-    const std::string letter = figure.panels.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : std::string();
-    html += fmt::format("<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" loading=\"lazy\"><figcaption>{}{}</figcaption></figure>\n",
-                        picture_name(figure, i), caption, size.width, size.height, letter, caption);
+    const std::string letter =
+        figure.panels.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i)) : std::string();
+    html += fmt::format(
+        "<figure><img src=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
+        "loading=\"lazy\"><figcaption>{}{}</figcaption></figure>\n",
+        picture_name(figure, i), caption, size.width, size.height, letter, caption);
   }
   return html + "</div></section>\n";
 }
@@ -45,16 +49,20 @@ std::string index_page(const std::vector<Figure>& figures, const std::string& ab
   std::string html =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width,initial-scale=1\">\n";
-  html += fmt::format("<title>Two ways to make a tooth from its contours</title><style>{}</style></head><body>\n", style);
+  html +=
+      fmt::format("<title>Two ways to make a tooth from its contours</title><style>{}</style></head><body>\n", style);
   html += fmt::format(
-      "<h1>Two ways to make a tooth from its contours</h1>\n<p>The figures of a paper of the year 2000, computed anew. DT: tetrahedra of a Delaunay "
+      "<h1>Two ways to make a tooth from its contours</h1>\n<p>The figures of a paper of the year 2000, computed anew. "
+      "DT: tetrahedra of a Delaunay "
       "triangulation between neighbouring slices. DB: a distance field on a grid, and marching cubes. {}</p>\n<nav>",
       escaped_html(about));
-  for (const Figure& figure : figures) html += fmt::format("<a href=\"#figure-{0}\" title=\"{1}\">{0}</a>", figure.number, escaped_html(figure.title));
+  for (const Figure& figure : figures)
+    html += fmt::format("<a href=\"#figure-{0}\" title=\"{1}\">{0}</a>", figure.number, escaped_html(figure.title));
   html += "</nav>\n";
   for (const Figure& figure : figures) html += section(figure);
   return html +
-         "<p>After <i>Qualitative analysis of two reconstruction techniques and their application in dentistry</i>, Journal of Electronic Imaging "
+         "<p>After <i>Qualitative analysis of two reconstruction techniques and their application in dentistry</i>, "
+         "Journal of Electronic Imaging "
          "9(4), 2000. Pictures and captions made by Odontoscope.</p>\n</body></html>\n";
 }
 

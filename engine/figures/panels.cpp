@@ -11,8 +11,8 @@
 
 #include "engine/figures/papers_way.h"
 #include "engine/scene/shells.h"
-#include "recon/delaunay/reconstruct.h"
 #include "recon/core/grouped.h"
+#include "recon/delaunay/reconstruct.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -32,7 +32,8 @@ Panel fitted(std::string caption, Subject subject, double aspect, const auto& ca
 }  // namespace
 
 Panel panel(std::string caption, Subject subject, double aspect, NamedView view) {
-  return fitted(std::move(caption), std::move(subject), aspect, [&](const Model& model) { return fit(view, model, aspect); });
+  return fitted(std::move(caption), std::move(subject), aspect,
+                [&](const Model& model) { return fit(view, model, aspect); });
 }
 
 Panel panel(std::string caption, Subject subject, double aspect, const glm::dvec3& towards_eye, const glm::dvec3& up) {
@@ -102,7 +103,8 @@ SurfaceMesh shrunk(const std::vector<Point3>& points, const std::vector<Tetrahed
       centre = {centre.x + points[p].x / 4, centre.y + points[p].y / 4, centre.z + points[p].z / 4};
     const auto towards = [&](double c, double p) { return c + shrink * (p - c); };
     for (const PointIndex p : tetrahedron)
-      mesh.points.push_back({towards(centre.x, points[p].x), towards(centre.y, points[p].y), towards(centre.z, points[p].z)});
+      mesh.points.push_back(
+          {towards(centre.x, points[p].x), towards(centre.y, points[p].y), towards(centre.z, points[p].z)});
     for (const auto& face : outward_face)
       mesh.triangles.push_back({first + static_cast<PointIndex>(face[0]), first + static_cast<PointIndex>(face[1]),
                                 first + static_cast<PointIndex>(face[2])});
@@ -114,7 +116,8 @@ std::vector<NamedSurface> dt_surfaces(const ContourStack& stack, const std::vect
   ReconstructOptions options = papers_way();
   options.links = links;
   std::vector<NamedSurface> surfaces;
-  for (Solid& solid : reconstruct(stack, options).solids) surfaces.push_back({solid.structure, std::move(solid.surface), solid.structure});
+  for (Solid& solid : reconstruct(stack, options).solids)
+    surfaces.push_back({solid.structure, std::move(solid.surface), solid.structure});
   return surfaces;
 }
 

@@ -12,7 +12,8 @@
 namespace odontoscope::figures {
 
 /// The paper's two methods are told apart by these colours wherever a shape is not a tooth.
-inline constexpr Colour dt_colour = colour_of(0x8fc7a9), db_colour = colour_of(0xe0a58c), decimated_colour = colour_of(0xe8c66f);
+inline constexpr Colour dt_colour = colour_of(0x8fc7a9), db_colour = colour_of(0xe0a58c),
+                        decimated_colour = colour_of(0xe8c66f);
 /// Tetrahedra that a figure is about, and those around them.
 inline constexpr Colour marked_colour = colour_of(0xe07b28), other_colour = colour_of(0xa9bdd1);
 
@@ -25,7 +26,8 @@ struct Subject {
 
 /// The subject from a named side or a direction, all of it in the picture, opaque, on the page's colour.
 Panel panel(std::string caption, Subject subject, double aspect, NamedView view = NamedView::three_quarter);
-Panel panel(std::string caption, Subject subject, double aspect, const glm::dvec3& towards_eye, const glm::dvec3& up = {0, 0, 1});
+Panel panel(std::string caption, Subject subject, double aspect, const glm::dvec3& towards_eye,
+            const glm::dvec3& up = {0, 0, 1});
 
 /// Every surface in one colour.
 void paint(Panel& panel, const Colour& colour);
@@ -46,7 +48,8 @@ SurfaceMesh shrunk(const std::vector<Point3>& points, const std::vector<Tetrahed
 
 std::vector<NamedSurface> dt_surfaces(const ContourStack& stack, const std::vector<Link>& links = {});
 /// The consistent table, so that what is seen is the field's doing and not the table's.
-std::vector<NamedSurface> db_surfaces(const ContourStack& stack, std::size_t grid, const std::vector<double>& splits = {});
+std::vector<NamedSurface> db_surfaces(const ContourStack& stack, std::size_t grid,
+                                      const std::vector<double>& splits = {});
 
 std::size_t triangles_of(const std::vector<NamedSurface>& surfaces);
 

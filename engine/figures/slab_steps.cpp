@@ -25,7 +25,8 @@ double volume(const std::vector<Point3>& p, const Tetrahedron& t) {
   return (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x)) / 6;
 }
 
-std::vector<ReverseTetrahedron> reverse_among(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Point3>& points) {
+std::vector<ReverseTetrahedron> reverse_among(const std::vector<SlabTetrahedron>& tetrahedra,
+                                              const std::vector<Point3>& points) {
   std::vector<ReverseTetrahedron> found;
   for (const SlabTetrahedron& t : tetrahedra) {
     if (t.lower_count != 2 || t.lower_edge == EdgeKind::contour || t.upper_edge == EdgeKind::contour) continue;
@@ -78,12 +79,14 @@ SlabSteps slab_steps(const ContourStack& stack) {
   steps.singular_edges = singular_edges(steps.points, steps.kept);
 
   const std::vector<std::uint32_t> owner(tetrahedra.size(), 0);
-  if (!delaunay::repair(tetrahedra, lower.planar, upper.planar, owner, fate)) throw InternalError("a figure's slab cannot be repaired");
+  if (!delaunay::repair(tetrahedra, lower.planar, upper.planar, owner, fate))
+    throw InternalError("a figure's slab cannot be repaired");
   for (std::size_t t = 0; t < tetrahedra.size(); ++t)
     if (fate[t] == Fate::restored) steps.restored.push_back(tetrahedra[t].v);
   delaunay::SlabSolid solid;
   if (!delaunay::lift(tetrahedra, fate, lower.planar, upper.planar, {lower.z, upper.z},
-                      static_cast<std::uint32_t>(lower.planar.points.size()), static_cast<std::uint32_t>(upper.planar.points.size()), solid))
+                      static_cast<std::uint32_t>(lower.planar.points.size()),
+                      static_cast<std::uint32_t>(upper.planar.points.size()), solid))
     throw InternalError("a figure's slab cannot be lifted");
   const auto flat = static_cast<PointIndex>(steps.points.size());
   steps.lifted = solid.added;

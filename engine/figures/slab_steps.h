@@ -8,8 +8,8 @@
 
 namespace odontoscope::figures {
 
-/// A tetrahedron that has one edge in each slice, neither of them on a contour. `connecting`: both lie inside regions, which is the paper's
-/// sign that the two belong together; else an edge runs outside, between two contours.
+/// A tetrahedron that has one edge in each slice, neither of them on a contour. `connecting`: both lie inside regions,
+/// which is the paper's sign that the two belong together; else an edge runs outside, between two contours.
 struct ReverseTetrahedron {
   Tetrahedron corners{};
   bool lower_inside = false, upper_inside = false;
@@ -17,15 +17,15 @@ struct ReverseTetrahedron {
 };
 
 struct SlabSteps {
-  std::vector<Point3> points;                    // of both slices, then those that were lifted
-  std::vector<Tetrahedron> delaunay;             // all of them
-  std::vector<ReverseTetrahedron> reverse;       // among them, largest first
-  std::vector<Tetrahedron> kept;                 // after elimination
-  std::vector<Point3> singular_edges;            // of `kept`, two points an edge
-  std::vector<Tetrahedron> restored;             // what repair puts back, before it is split
-  std::vector<Tetrahedron> split;                // the same, after splitting and lifting
-  std::vector<Point3> lifted;                    // where the new points went
-  std::vector<Tetrahedron> solid;                // the result
+  std::vector<Point3> points;               // of both slices, then those that were lifted
+  std::vector<Tetrahedron> delaunay;        // all of them
+  std::vector<ReverseTetrahedron> reverse;  // among them, largest first
+  std::vector<Tetrahedron> kept;            // after elimination
+  std::vector<Point3> singular_edges;       // of `kept`, two points an edge
+  std::vector<Tetrahedron> restored;        // what repair puts back, before it is split
+  std::vector<Tetrahedron> split;           // the same, after splitting and lifting
+  std::vector<Point3> lifted;               // where the new points went
+  std::vector<Tetrahedron> solid;           // the result
 };
 
 /// Precondition: a valid stack of two slices and one structure, whose regions form one component.

@@ -14,8 +14,8 @@
 #include "engine/measure/triangle_tree.h"
 #include "recon/compare/contour_fit.h"
 #include "recon/core/error.h"
-#include "recon/input/validate.h"
 #include "recon/core/grouped.h"
+#include "recon/input/validate.h"
 
 namespace odontoscope::figures {
 namespace {
@@ -39,7 +39,8 @@ Point3 lowest_point(const std::vector<NamedSurface>& surfaces) {
 }
 
 double height_of(const ContourStack& stack) {
-  const auto [low, high] = std::minmax_element(stack.slices.begin(), stack.slices.end(), [](const Slice& a, const Slice& b) { return a.z < b.z; });
+  const auto [low, high] = std::minmax_element(stack.slices.begin(), stack.slices.end(),
+                                               [](const Slice& a, const Slice& b) { return a.z < b.z; });
   return high->z - low->z;
 }
 
@@ -51,7 +52,8 @@ ContourStack every_third(const ContourStack& stack) {
 
 /// The solid that has a cavity, the pulp's; none if no solid has one.
 std::string hollow_solid(const ToothModel& model) {
-  const auto found = std::find_if(model.surfaces.begin(), model.surfaces.end(), [](const NamedSurface& named) { return named.cavity; });
+  const auto found = std::find_if(model.surfaces.begin(), model.surfaces.end(),
+                                  [](const NamedSurface& named) { return named.cavity; });
   return found == model.surfaces.end() ? std::string() : found->solid;
 }
 
@@ -70,8 +72,10 @@ Figure tooth_and_contours(ToothModels& tooth) {
   Figure figure;
   figure.aspect = portrait;
   const ToothModel& model = tooth.whole_dt();
-  figure.caption = fmt::format("Contours of {}, {} slices, reconstructed by DT: an outside and an inside, which can be made together or each by itself.",
-                               tooth.name().empty() ? "a tooth" : tooth.name(), grouped(tooth.whole_contours().slices.size()));
+  figure.caption = fmt::format(
+      "Contours of {}, {} slices, reconstructed by DT: an outside and an inside, which can be made together or each by "
+      "itself.",
+      tooth.name().empty() ? "a tooth" : tooth.name(), grouped(tooth.whole_contours().slices.size()));
   Panel clear = tooth_panel("The model, its outside clear so that the pulp shows.", model);
   const Scene usual = usual_scene(make_model(clear.surfaces), portrait);
   clear.scene.looks = usual.looks;
@@ -86,11 +90,12 @@ Figure tooth_by_db(ToothModels& tooth) {
   Figure figure;
   figure.aspect = portrait;
   const ToothModel& model = tooth.db();
-  figure.caption = fmt::format(
-      "DB on a grid of {0} x {0} points a slice, classic marching cubes. {1}", tooth.grid(),
-      tooth.is_sample() ? "Near the tips of the roots, where a section reaches well beyond the one below it, there are ridges, one a slice, that the contours "
-                          "do not have. They are shallow, but light shows them."
-                        : "Where a section reaches well beyond the one below it there may be ridges, one a slice, that the contours do not have.");
+  figure.caption = fmt::format("DB on a grid of {0} x {0} points a slice, classic marching cubes. {1}", tooth.grid(),
+                               tooth.is_sample() ? "Near the tips of the roots, where a section reaches well beyond "
+                                                   "the one below it, there are ridges, one a slice, that the contours "
+                                                   "do not have. They are shallow, but light shows them."
+                                                 : "Where a section reaches well beyond the one below it there may be "
+                                                   "ridges, one a slice, that the contours do not have.");
   Panel shaded = tooth_panel("The outside.", model, from_below);
   Panel ridges = shaded;
   ridges.caption = tooth.is_sample() ? "The ridges, from near the tip of a root." : "The lower end from near by.";
@@ -114,7 +119,9 @@ Figure tooth_by_dt(ToothModels& tooth) {
   const Point3 tip = lowest_point(model.surfaces);
   const double height = height_of(tooth.outer_contours());
   look_closer(near, {tip.x, tip.y, tip.z + 0.11 * height}, 0.14 * height);
-  Panel mesh = with_mesh(fmt::format("Its mesh: {} triangles, against {} by DB.", grouped(model.triangles), grouped(tooth.db().triangles)), shaded);
+  Panel mesh = with_mesh(
+      fmt::format("Its mesh: {} triangles, against {} by DB.", grouped(model.triangles), grouped(tooth.db().triangles)),
+      shaded);
   figure.panels = {std::move(shaded), std::move(near), std::move(mesh)};
   return figure;
 }
@@ -154,7 +161,8 @@ Figure singularities(ToothModels&) {
   Figure figure;
   figure.aspect = square;
   figure.caption =
-      "The furcation of the sample molar. Between one slice and the next two contours become one: the place where a naive solid hangs "
+      "The furcation of the sample molar. Between one slice and the next two contours become one: the place where a "
+      "naive solid hangs "
       "together by an edge or a point (figure 3). Both methods close it to a proper surface.";
   const Furcation made = furcation_models(furcation_grid);
   figure.panels = {furcation_panel("DT.", made.dt, dt_colour), furcation_panel("DB.", made.db, db_colour)};
@@ -165,14 +173,16 @@ Figure singularity_meshes(ToothModels&) {
   Figure figure;
   figure.aspect = square;
   figure.caption =
-      "The meshes of figure 13. DT's triangles are of a size with the spacing of the contours' points. DB has far more, many of them slivers where the "
+      "The meshes of figure 13. DT's triangles are of a size with the spacing of the contours' points. DB has far "
+      "more, many of them slivers where the "
       "surface just touches a cell, and decimation makes them fewer but not even.";
   const Furcation made = furcation_models(furcation_grid);
   figure.panels.push_back(furcation_panel("The contours.", made.dt, dt_colour));
   figure.panels.back().strokes = {contour_strokes(made.contours)};
   for (Look& look : figure.panels.back().scene.looks) look.visible = false;
   const auto add = [&](const char* method, const std::vector<NamedSurface>& surfaces, const Colour& colour) {
-    figure.panels.push_back(with_mesh(fmt::format("{}: {} triangles.", method, grouped(triangles_of(surfaces))), furcation_panel({}, surfaces, colour)));
+    figure.panels.push_back(with_mesh(fmt::format("{}: {} triangles.", method, grouped(triangles_of(surfaces))),
+                                      furcation_panel({}, surfaces, colour)));
   };
   add("DT", made.dt, dt_colour);
   add("DB", made.db, db_colour);
@@ -184,7 +194,8 @@ Figure mesh_details(ToothModels& tooth) {
   Figure figure;
   figure.aspect = square;
   figure.caption = fmt::format(
-      "The lower end of the tooth of figures 5 and 6. The paper counted 7,995 triangles for DT, 94,627 for DB and 3,817 after decimation; here, with contours and grid "
+      "The lower end of the tooth of figures 5 and 6. The paper counted 7,995 triangles for DT, 94,627 for DB and "
+      "3,817 after decimation; here, with contours and grid "
       "of our own, {}, {} and {}.",
       grouped(tooth.dt().triangles), grouped(tooth.db().triangles), grouped(tooth.decimated().triangles));
   const Point3 tip = lowest_point(tooth.dt().surfaces);
@@ -205,9 +216,12 @@ Figure mesh_details(ToothModels& tooth) {
 Figure decimated_shaded(ToothModels& tooth) {
   Figure figure;
   figure.aspect = portrait;
-  figure.caption = fmt::format("The DB model after decimation to the most possible ({} of {} triangles are left). It looks blocky, with facets of all sizes.",
-                               grouped(tooth.decimated().triangles), grouped(tooth.db().triangles));
-  figure.panels.push_back(panel("Shaded triangle by triangle.", {.surfaces = tooth.decimated().surfaces, .crease_deg = 1}, portrait, from_below));
+  figure.caption = fmt::format(
+      "The DB model after decimation to the most possible ({} of {} triangles are left). It looks blocky, with facets "
+      "of all sizes.",
+      grouped(tooth.decimated().triangles), grouped(tooth.db().triangles));
+  figure.panels.push_back(panel("Shaded triangle by triangle.",
+                                {.surfaces = tooth.decimated().surfaces, .crease_deg = 1}, portrait, from_below));
   figure.panels.push_back(with_mesh("With its mesh.", figure.panels.front()));
   return figure;
 }
@@ -216,7 +230,8 @@ namespace {
 
 /// How far one sees from `from` to the first wall of the model.
 double sight(const TriangleTree& tree, const glm::dvec3& from, const glm::dvec3& direction) {
-  const auto wall = tree.nearest({.origin = from, .direction = glm::normalize(direction)}, [](const Crossing&) { return true; });
+  const auto wall =
+      tree.nearest({.origin = from, .direction = glm::normalize(direction)}, [](const Crossing&) { return true; });
   return wall ? wall->distance : 0;
 }
 
@@ -271,7 +286,7 @@ Panel within(const char* caption, const ToothModel& model, const std::string& so
   Panel inside = panel(caption, {.surfaces = std::move(walls)}, square);
   inside.scene.camera = camera;
   paint(inside, usual_colour(solid, 0));
-  for (Look& look : inside.scene.looks) look.as_body = false;   // the wall itself, as its winding is
+  for (Look& look : inside.scene.looks) look.as_body = false;  // the wall itself, as its winding is
   return inside;
 }
 
@@ -281,20 +296,25 @@ Figure inside_the_tooth(ToothModels& tooth) {
   Figure figure;
   figure.aspect = square;
   figure.caption =
-      "From within the pulp chamber, as viewers for games and the web draw: triangles seen from behind are left out. DT's walls are all there. With "
-      "a table of cases whose triangles are not oriented, which went unnoticed as long as both sides were drawn, DB's walls have holes.";
+      "From within the pulp chamber, as viewers for games and the web draw: triangles seen from behind are left out. "
+      "DT's walls are all there. With "
+      "a table of cases whose triangles are not oriented, which went unnoticed as long as both sides were drawn, DB's "
+      "walls have holes.";
   const std::string solid = hollow_solid(tooth.whole_dt());
-  if (solid.empty()) throw InputError("no-cavity", {}, "the tooth has no cavity to look around in, so that figure 17 cannot be made",
-                                      "Leave it out (--only), or give contours of a tooth with its pulp chamber");
+  if (solid.empty())
+    throw InputError("no-cavity", {}, "the tooth has no cavity to look around in, so that figure 17 cannot be made",
+                     "Leave it out (--only), or give contours of a tooth with its pulp chamber");
   const Camera camera = in_the_chamber(tooth, tooth.whole_dt());
-  Panel cut = panel("Where we stand, and where we look: the tooth cut open.", {.surfaces = tooth.whole_dt().surfaces}, square, NamedView::buccal);
+  Panel cut = panel("Where we stand, and where we look: the tooth cut open.", {.surfaces = tooth.whole_dt().surfaces},
+                    square, NamedView::buccal);
   cut.scene.section = Section{camera.position, {0, 1, 0}};
   if (Look* pulp = cut.scene.look_of("pulp")) pulp->visible = false;
   for (Look& look : cut.scene.looks) look.as_body = false;
   cut.strokes.push_back(eye_mark(camera, 0.05 * height_of(tooth.whole_contours())));
   Panel both_sides = within("DB with unoriented cases, both sides drawn.", tooth.whole_unoriented(), solid, camera);
   both_sides.scene.back_faces = BackFaces::show;
-  figure.panels = {std::move(cut), within("DT: walls, floor, and the way down into the canals.", tooth.whole_dt(), solid, camera),
+  figure.panels = {std::move(cut),
+                   within("DT: walls, floor, and the way down into the canals.", tooth.whole_dt(), solid, camera),
                    within("DB with unoriented cases.", tooth.whole_unoriented(), solid, camera), std::move(both_sides)};
   return figure;
 }

@@ -19,14 +19,16 @@ ToothModel by_delaunay(const ContourStack& stack, int threads, const Progress& p
   ReconstructOptions options = papers_way();
   options.threads = threads;
   std::vector<NamedSurface> surfaces;
-  for (const Solid& solid : reconstruct(stack, options, progress).solids) add_shells(solid.structure, solid.surface, solid.report, surfaces);
+  for (const Solid& solid : reconstruct(stack, options, progress).solids)
+    add_shells(solid.structure, solid.surface, solid.report, surfaces);
   return counted(std::move(surfaces));
 }
 
 /// Outer contours of enamel and filled dentine: what one sees of the tooth.
 ContourStack outside_of_sample() {
   ContourStack stack = sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart, .hollow_dentine = false});
-  for (Slice& slice : stack.slices) std::erase_if(slice.contours, [](const Contour& contour) { return contour.structure == "pulp"; });
+  for (Slice& slice : stack.slices)
+    std::erase_if(slice.contours, [](const Contour& contour) { return contour.structure == "pulp"; });
   return stack;
 }
 

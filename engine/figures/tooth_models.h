@@ -16,7 +16,7 @@ namespace odontoscope::figures {
 struct ToothOptions {
   /// Contours of a tooth that the user gives; none: the sample molar.
   std::optional<ContourStack> contours;
-  std::size_t grid = 80;   // points along x and y of the DB method
+  std::size_t grid = 80;  // points along x and y of the DB method
   int threads = 0;
 };
 
@@ -31,7 +31,7 @@ class ToothModels {
   explicit ToothModels(ToothOptions options, Progress progress = {});
 
   const std::string& name() const { return inner_.source; }
-  bool is_sample() const { return !options_.contours; }   // what captions say of its shape is known to be true
+  bool is_sample() const { return !options_.contours; }  // what captions say of its shape is known to be true
   std::size_t grid() const { return options_.grid; }
   int threads() const { return options_.threads; }
   const Progress& progress() const { return progress_; }
@@ -41,11 +41,11 @@ class ToothModels {
   /// What is seen from outside. Of the sample, enamel and filled dentine; of other contours, all.
   const ContourStack& outer_contours() const { return outer_; }
 
-  const ToothModel& dt();                  // of outer_contours
-  const ToothModel& db();                  // the paper's: classic table, hybrid field
-  const ToothModel& decimated();           // db to the most possible
-  const ToothModel& whole_dt();            // of whole_contours; cavities apart from outsides
-  const ToothModel& whole_unoriented();    // classic-unoriented
+  const ToothModel& dt();                // of outer_contours
+  const ToothModel& db();                // the paper's: classic table, hybrid field
+  const ToothModel& decimated();         // db to the most possible
+  const ToothModel& whole_dt();          // of whole_contours; cavities apart from outsides
+  const ToothModel& whole_unoriented();  // classic-unoriented
 
  private:
   ToothModel by_distance(const ContourStack& stack, CaseTable cases, bool decimate) const;

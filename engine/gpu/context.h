@@ -55,8 +55,8 @@ class GlContext {
   std::vector<std::string> debug_messages_;
 };
 
-/// Makes a context of at least OpenGL 4.1 core, nothing of it to be seen, and makes it current. Throws GraphicsError; for
-/// `automatic` the message tells what every backend said.
+/// Makes a context of at least OpenGL 4.1 core, nothing of it to be seen, and makes it current. Throws GraphicsError;
+/// for `automatic` the message tells what every backend said.
 std::unique_ptr<GlContext> make_context(const ContextOptions& options = {});
 
 /// Does the environment name a display that a window could open on?

@@ -32,8 +32,8 @@ struct Egl {
   decltype(&eglGetCurrentContext) current = library.function<decltype(&eglGetCurrentContext)>("eglGetCurrentContext");
 
   bool complete() const {
-    return get_proc_address && query_string && initialize && bind_api && create_context && destroy_context && make_current &&
-           current;
+    return get_proc_address && query_string && initialize && bind_api && create_context && destroy_context &&
+           make_current && current;
   }
 };
 
@@ -61,7 +61,8 @@ std::vector<EGLDisplay> displays_without_window(const Egl& egl) {
 class EglContext final : public GlContext {
  public:
   explicit EglContext(const ContextOptions& options) : GlContext(Backend::egl) {
-    if (!egl_.library.is_open()) throw GraphicsError("no-egl", fmt::format("EGL cannot be opened ({})", egl_.library.trouble()), install_egl);
+    if (!egl_.library.is_open())
+      throw GraphicsError("no-egl", fmt::format("EGL cannot be opened ({})", egl_.library.trouble()), install_egl);
     if (!egl_.complete()) throw GraphicsError("no-egl", "this EGL lacks a function that is needed", install_egl);
     create(options);
     make_current();
@@ -87,9 +88,15 @@ class EglContext final : public GlContext {
 
  private:
   void create(const ContextOptions& options) {
-    const std::vector<EGLint> wanted = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 1,
-                                        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                        EGL_CONTEXT_OPENGL_DEBUG, options.debug ? EGL_TRUE : EGL_FALSE, EGL_NONE};
+    const std::vector<EGLint> wanted = {EGL_CONTEXT_MAJOR_VERSION,
+                                        4,
+                                        EGL_CONTEXT_MINOR_VERSION,
+                                        1,
+                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                        EGL_CONTEXT_OPENGL_DEBUG,
+                                        options.debug ? EGL_TRUE : EGL_FALSE,
+                                        EGL_NONE};
     bool initialised = false;
     for (const EGLDisplay display : displays_without_window(egl_)) {
       if (display == EGL_NO_DISPLAY || !egl_.initialize(display, nullptr, nullptr)) continue;
@@ -114,6 +121,8 @@ class EglContext final : public GlContext {
 
 }  // namespace
 
-std::unique_ptr<GlContext> make_egl_context(const ContextOptions& options) { return std::make_unique<EglContext>(options); }
+std::unique_ptr<GlContext> make_egl_context(const ContextOptions& options) {
+  return std::make_unique<EglContext>(options);
+}
 
 }  // namespace odontoscope

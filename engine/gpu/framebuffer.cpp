@@ -15,11 +15,18 @@ struct Transfer {
 /// What goes with an internal format when there is nothing to upload: any legal pair will do.
 Transfer transfer_of(GLenum internal_format) {
   switch (internal_format) {
-    case GL_DEPTH32F_STENCIL8: return {GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV};
-    case GL_DEPTH_COMPONENT32F: return {GL_DEPTH_COMPONENT, GL_FLOAT};
-    case GL_R32F: case GL_R8: return {GL_RED, GL_FLOAT};
-    case GL_RG16F: case GL_RG32F: return {GL_RG, GL_FLOAT};
-    default: return {GL_RGBA, GL_FLOAT};
+    case GL_DEPTH32F_STENCIL8:
+      return {GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV};
+    case GL_DEPTH_COMPONENT32F:
+      return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    case GL_R32F:
+    case GL_R8:
+      return {GL_RED, GL_FLOAT};
+    case GL_RG16F:
+    case GL_RG32F:
+      return {GL_RG, GL_FLOAT};
+    default:
+      return {GL_RGBA, GL_FLOAT};
   }
 }
 
@@ -53,7 +60,8 @@ Framebuffer::Framebuffer(const Gl& gl, const Layout& layout) : framebuffer_(make
   }
   gl.DrawBuffers(static_cast<GLsizei>(targets.size()), targets.data());
   if (gl.GetError() == GL_OUT_OF_MEMORY || gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw GraphicsError("out-of-graphics-memory", fmt::format("no framebuffer of {} x {} pixels can be made", size_.width, size_.height),
+    throw GraphicsError("out-of-graphics-memory",
+                        fmt::format("no framebuffer of {} x {} pixels can be made", size_.width, size_.height),
                         "Ask for a smaller picture or fewer samples.");
 }
 

@@ -16,8 +16,8 @@ class Framebuffer {
  public:
   struct Layout {
     PixelSize size;
-    std::vector<GLenum> colours;     // internal formats of the colour attachments, e.g. GL_RGBA16F
-    GLenum depth = GL_NONE;          // GL_NONE, GL_DEPTH_COMPONENT32F or GL_DEPTH32F_STENCIL8
+    std::vector<GLenum> colours;  // internal formats of the colour attachments, e.g. GL_RGBA16F
+    GLenum depth = GL_NONE;       // GL_NONE, GL_DEPTH_COMPONENT32F or GL_DEPTH32F_STENCIL8
   };
 
   Framebuffer() = default;

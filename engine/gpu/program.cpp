@@ -20,7 +20,8 @@ std::string numbered(const std::string& source) {
   return result;
 }
 
-GlObject compile(const Gl& gl, const ShaderLibrary& shaders, GLenum stage, std::string_view name, const ProgramFiles& files) {
+GlObject compile(const Gl& gl, const ShaderLibrary& shaders, GLenum stage, std::string_view name,
+                 const ProgramFiles& files) {
   std::string source = glsl_version;
   for (const std::string_view define : files.defines) source += fmt::format("#define {}\n", define);
   source += shaders.source(name);

@@ -18,7 +18,7 @@ namespace odontoscope {
 struct ProgramFiles {
   std::string_view vertex;
   std::string_view fragment;
-  std::string_view geometry = {};   // none
+  std::string_view geometry = {};  // none
   /// Names to #define, e.g. "PEEL".
   std::vector<std::string_view> defines = {};
 };

@@ -36,7 +36,8 @@ std::string expanded(const std::filesystem::path& folder, std::string_view name,
   while (std::getline(lines, line)) {
     if (line.starts_with(include_start)) {
       const std::size_t end = line.find('"', include_start.size());
-      result += expanded(folder, std::string_view(line).substr(include_start.size(), end - include_start.size()), depth + 1);
+      result +=
+          expanded(folder, std::string_view(line).substr(include_start.size(), end - include_start.size()), depth + 1);
     } else {
       result += line + '\n';
     }

@@ -25,7 +25,9 @@ class Glfw {
     if (glfwInit()) return;
     const std::string why = said_by_glfw();
     if (!names_a_display())
-      throw GraphicsError("no-display", "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)", without_display);
+      throw GraphicsError("no-display",
+                          "there is no display to open a window on (DISPLAY and WAYLAND_DISPLAY are not set)",
+                          without_display);
     throw GraphicsError("no-display", fmt::format("the display cannot be opened ({})", why), without_display);
   }
   ~Glfw() { glfwTerminate(); }
@@ -33,7 +35,7 @@ class Glfw {
   Glfw& operator=(const Glfw&) = delete;
 
   static std::shared_ptr<Glfw> shared() {
-    static std::weak_ptr<Glfw> running;   // GLFW is one for the process, whatever we would like
+    static std::weak_ptr<Glfw> running;  // GLFW is one for the process, whatever we would like
     if (auto glfw = running.lock()) return glfw;
     auto glfw = std::make_shared<Glfw>();
     running = glfw;
@@ -48,7 +50,7 @@ class GlfwContext final : public WindowContext {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);   // macOS gives nothing newer than 2.1 otherwise
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives nothing newer than 2.1 otherwise
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -71,7 +73,8 @@ class GlfwContext final : public WindowContext {
   void make_current() override {
     glfwMakeContextCurrent(window_);
     if (glfwGetCurrentContext() != window_)
-      throw GraphicsError("no-gl", fmt::format("the window's OpenGL cannot be used ({})", said_by_glfw()), without_display);
+      throw GraphicsError("no-gl", fmt::format("the window's OpenGL cannot be used ({})", said_by_glfw()),
+                          without_display);
   }
 
   GLFWwindow* handle() const override { return window_; }
@@ -94,6 +97,8 @@ class GlfwContext final : public WindowContext {
 
 }  // namespace
 
-std::unique_ptr<WindowContext> open_window(const WindowOptions& options) { return std::make_unique<GlfwContext>(options); }
+std::unique_ptr<WindowContext> open_window(const WindowOptions& options) {
+  return std::make_unique<GlfwContext>(options);
+}
 
 }  // namespace odontoscope

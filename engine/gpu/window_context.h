@@ -15,7 +15,7 @@ struct WindowOptions {
   /// In the system's units, which a dense screen multiplies.
   PixelSize size{1280, 800};
   std::string title = "Odontoscope";
-  bool visible = true;    // false: a context that needs the display, but shows nothing
+  bool visible = true;  // false: a context that needs the display, but shows nothing
   bool debug = false;
 };
 

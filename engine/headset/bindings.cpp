@@ -11,7 +11,8 @@ constexpr const char* aim = "input/aim/pose";
 constexpr const char* menu = "input/menu/click";
 constexpr Binding haptic = both(HandAction::haptic, "output/haptic");
 
-constexpr Binding simple[] = {both(HandAction::grip, grip), both(HandAction::aim, aim), both(HandAction::trigger, "input/select/click"), both(HandAction::menu, menu), haptic};
+constexpr Binding simple[] = {both(HandAction::grip, grip), both(HandAction::aim, aim),
+                              both(HandAction::trigger, "input/select/click"), both(HandAction::menu, menu), haptic};
 
 // The right hand's menu button belongs to the system.
 constexpr Binding touch[] = {both(HandAction::grip, grip),

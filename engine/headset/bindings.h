@@ -1,5 +1,6 @@
 #pragma once
-// Which button does what, controller by controller: data that the runtime is offered. Paths are those of the OpenXR specification, section 6.4.
+// Which button does what, controller by controller: data that the runtime is offered. Paths are those of the OpenXR
+// specification, section 6.4.
 
 #include <span>
 
@@ -10,13 +11,13 @@ inline constexpr int hand_actions = 7;
 
 struct Binding {
   HandAction action = HandAction::grip;
-  const char* left = nullptr;    // below /user/hand/left; null: this hand has none
+  const char* left = nullptr;  // below /user/hand/left; null: this hand has none
   const char* right = nullptr;
 };
 
 struct Bindings {
-  const char* profile = nullptr;   // below /interaction_profiles
-  const char* words = nullptr;     // for people
+  const char* profile = nullptr;  // below /interaction_profiles
+  const char* words = nullptr;    // for people
   std::span<const Binding> bindings;
 };
 

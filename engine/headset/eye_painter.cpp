@@ -13,7 +13,9 @@ namespace odontoscope {
 
 namespace {
 
-double clock_seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double clock_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 /// From the projection that glm::frustum made, which is in metres of the enlarged model.
 DepthRange range_of(const View& view, const Stage& stage) {
@@ -23,15 +25,23 @@ DepthRange range_of(const View& view, const Stage& stage) {
 
 }  // namespace
 
-EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality, std::shared_ptr<const ValueGrid> values)
-    : gl_(&gl), quality_(quality), renderer_(gl, shaders), model_(upload(gl, model)), values_(std::move(values)), low_(model_.low), high_(model_.high),
-      ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}), no_vertices_(make_vertex_array(gl)) {}
+EyePainter::EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality,
+                       std::shared_ptr<const ValueGrid> values)
+    : gl_(&gl),
+      quality_(quality),
+      renderer_(gl, shaders),
+      model_(upload(gl, model)),
+      values_(std::move(values)),
+      low_(model_.low),
+      high_(model_.high),
+      ease_(gl, shaders, {"fullscreen.vert", "comfort.frag"}),
+      no_vertices_(make_vertex_array(gl)) {}
 
 void EyePainter::take(const Model& model) {
   model_ = upload(*gl_, model);
   low_ = model_.low;
   high_ = model_.high;
-  volume_.reset();   // places are counted from the model's origin
+  volume_.reset();  // places are counted from the model's origin
   gpu_values_.reset();
 }
 
@@ -43,10 +53,12 @@ GpuVolume* EyePainter::volume_of(const Scene& scene) {
   return &*volume_;
 }
 
-Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
-                        const Over& over, std::span<const HiddenCorners* const> hidden, double beat) {
+Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world,
+                        std::span<const EyeView> eyes, std::span<const Target> targets, const Over& over,
+                        std::span<const HiddenCorners* const> hidden, double beat) {
   Scene scene = scene_of(visit, world);
-  if (scene.volume.projects()) scene.volume.cast = VolumeLook::Cast::shaded;   // greys without depth would be a box in the room
+  if (scene.volume.projects())
+    scene.volume.cast = VolumeLook::Cast::shaded;  // greys without depth would be a box in the room
   scene.background = quality_.background;
   scene.occlusion.on = quality_.occlusion;
   show_marks(visit, input, world);
@@ -54,16 +66,18 @@ Depths EyePainter::draw(const Visit& visit, const HeadsetInput& input, const Vis
   Depths depths;
   masks_.resize(std::max(masks_.size(), hidden.size()));
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    panes.push_back({view_of(visit.stage, eyes[i], world.model), targets[i], i < hidden.size() ? masked(i, *hidden[i]) : nullptr});
+    panes.push_back(
+        {view_of(visit.stage, eyes[i], world.model), targets[i], i < hidden.size() ? masked(i, *hidden[i]) : nullptr});
     depths.push_back(range_of(panes.back().view, visit.stage));
   }
   const bool dark = visit.dark >= 1;
   if (!dark) {
     GpuVolume* const volume = volume_of(scene);
     const double begin = clock_seconds();
-    renderer_.draw(model_, scene, panes, {quality_.side, RenderOptions::Rays::few}, marks_.lines.empty() ? nullptr : &marks_, nullptr, volume);
+    renderer_.draw(model_, scene, panes, {quality_.side, RenderOptions::Rays::few},
+                   marks_.lines.empty() ? nullptr : &marks_, nullptr, volume);
     if (volume) {
-      gl_->Finish();   // the time is that of the drawing, not of the asking
+      gl_->Finish();  // the time is that of the drawing, not of the asking
       pace_.took(clock_seconds() - begin, beat > 0 ? beat : quality_.beat);
     }
   }
@@ -83,10 +97,13 @@ const GpuHidden* EyePainter::masked(std::size_t eye, const HiddenCorners& corner
 void EyePainter::show_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   const Model& model = world.model;
   LineSet lines{LineKind::measure, {}, {}};
-  const auto in_model = [&](const glm::dvec3& place) { return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm)); };
+  const auto in_model = [&](const glm::dvec3& place) {
+    return glm::vec3(metres_per_mm * (to_model(visit.stage, place) - model.origin_mm));
+  };
   for (const glm::dvec3& point : room_marks(visit, input, world)) lines.points.push_back(in_model(point));
   if (visit.told > 0)
-    for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position)) lines.points.push_back(in_model(point));
+    for (const glm::dvec3& point : scale_mark(visit.stage, model, input.head.position))
+      lines.points.push_back(in_model(point));
   marks_ = lines.points.empty() ? GpuOverlay{} : upload(*gl_, Overlay{{lines}, {}});
   // The renderer draws no farther than the model's box.
   model_.low = low_;
@@ -125,8 +142,9 @@ void EyePainter::mirror(const Gl& gl, const Target& eye, const Target& target) {
   const int left = eye.left + (eye.size.width - width) / 2, bottom = eye.bottom + (eye.size.height - height) / 2;
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, eye.framebuffer);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  gl.BlitFramebuffer(left, bottom, left + width, bottom + height, target.left, target.bottom, target.left + target.size.width,
-                     target.bottom + target.size.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  gl.BlitFramebuffer(left, bottom, left + width, bottom + height, target.left, target.bottom,
+                     target.left + target.size.width, target.bottom + target.size.height, GL_COLOR_BUFFER_BIT,
+                     GL_LINEAR);
 }
 
 }  // namespace odontoscope

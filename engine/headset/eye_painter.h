@@ -24,19 +24,23 @@ struct EyeQuality {
 
 class EyePainter {
  public:
-  /// Uploads the model. The context of `gl` is current now and at every call, and outlives this. `values`: those of the volume that it came from, uploaded when a scene shows them first; null: there
-  /// are none. Throws GraphicsError.
-  EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality = {}, std::shared_ptr<const ValueGrid> values = nullptr);
+  /// Uploads the model. The context of `gl` is current now and at every call, and outlives this. `values`: those of the
+  /// volume that it came from, uploaded when a scene shows them first; null: there are none. Throws GraphicsError.
+  EyePainter(const Gl& gl, const ShaderLibrary& shaders, const Model& model, const EyeQuality& quality = {},
+             std::shared_ptr<const ValueGrid> values = nullptr);
 
   /// Another model of the same volume from now on.
   void take(const Model& model);
 
-  /// Draws more over the picture of an eye: after its edges were darkened, since what stands in the room holds the eyes. Not while all is dark.
+  /// Draws more over the picture of an eye: after its edges were darkened, since what stands in the room holds the
+  /// eyes. Not while all is dark.
   using Over = std::function<void(const EyeView&, const Target&)>;
-  /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once. `hidden`: what the lenses hide, one an eye or none at all.
-  /// A volume is cast as finely as the headset's beat (seconds; 0: the quality's) leaves time for. Returns what the depths mean that are left in targets that keep them.
-  Depths draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes, std::span<const Target> targets,
-              const Over& over = {}, std::span<const HiddenCorners* const> hidden = {}, double beat = 0);
+  /// Into the targets, one an eye. What both eyes see alike (scene, hands) is made once. `hidden`: what the lenses
+  /// hide, one an eye or none at all. A volume is cast as finely as the headset's beat (seconds; 0: the quality's)
+  /// leaves time for. Returns what the depths mean that are left in targets that keep them.
+  Depths draw(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::span<const EyeView> eyes,
+              std::span<const Target> targets, const Over& over = {}, std::span<const HiddenCorners* const> hidden = {},
+              double beat = 0);
 
   /// How coarse rays are now; 1: as on the desktop.
   double coarseness() const { return pace_.coarseness(); }
@@ -57,10 +61,10 @@ class EyePainter {
   Renderer renderer_;
   GpuModel model_;
   std::shared_ptr<const ValueGrid> values_;
-  std::optional<GpuValueGrid> gpu_values_;   // in this order: the volume casts through the values
+  std::optional<GpuValueGrid> gpu_values_;  // in this order: the volume casts through the values
   std::optional<GpuVolume> volume_;
   VolumePace pace_;
-  glm::vec3 low_, high_;      // the model's own box
+  glm::vec3 low_, high_;  // the model's own box
   GpuOverlay marks_;
   /// Of an eye, as last uploaded.
   struct Mask {

@@ -1,8 +1,9 @@
 #pragma once
-// A headset through OpenXR: frames in, pictures out. No type of OpenXR is seen here, so that the program builds without it, too.
+// A headset through OpenXR: frames in, pictures out. No type of OpenXR is seen here, so that the program builds without
+// it, too.
 //
-// The runtime owns the clock: `frame` waits for its beat. Everything happens on the thread that opened the headset, with the context current
-// that was current then. Lengths are metres of the room.
+// The runtime owns the clock: `frame` waits for its beat. Everything happens on the thread that opened the headset,
+// with the context current that was current then. Lengths are metres of the room.
 
 #include <functional>
 #include <memory>
@@ -16,8 +17,8 @@
 
 namespace odontoscope {
 
-/// No headset can be used, or not any more. `cause` is one of headset-not-built, no-openxr-runtime, openxr-service-absent, no-headset,
-/// headset-graphics, headset-lost, openxr-failed.
+/// No headset can be used, or not any more. `cause` is one of headset-not-built, no-openxr-runtime,
+/// openxr-service-absent, no-headset, headset-graphics, headset-lost, openxr-failed.
 class HeadsetError : public GraphicsError {
  public:
   using GraphicsError::GraphicsError;
@@ -44,12 +45,12 @@ using Depths = std::vector<DepthRange>;
 using HiddenCorners = std::vector<glm::vec2>;
 
 struct HeadsetFrame {
-  bool draw = false;              // false: nobody would see it, and there are no targets
-  double seconds = 0;             // since the frame before, by the times at which they are shown
-  double beat = 0;                // seconds from a picture to the next where none is missed; 0: the runtime does not say
-  std::vector<EyeView> eyes;      // left, right
-  std::vector<Target> targets;    // one an eye, with depth, which is kept
-  std::vector<const HiddenCorners*> hidden;   // one an eye, or none at all; valid during the frame
+  bool draw = false;            // false: nobody would see it, and there are no targets
+  double seconds = 0;           // since the frame before, by the times at which they are shown
+  double beat = 0;              // seconds from a picture to the next where none is missed; 0: the runtime does not say
+  std::vector<EyeView> eyes;    // left, right
+  std::vector<Target> targets;  // one an eye, with depth, which is kept
+  std::vector<const HiddenCorners*> hidden;  // one an eye, or none at all; valid during the frame
   HeadsetInput input;
 };
 
@@ -61,14 +62,15 @@ class Headset {
 
   /// Takes what the runtime reports. Throws HeadsetError "headset-lost" if there is no runtime any more.
   virtual HeadsetState poll() = 0;
-  /// Precondition: running, visible or focused. Waits for the runtime's beat and calls `draw`, which draws into the targets and says what their depths mean,
-  /// or throws; the frame is ended either way. Throws as `poll` does.
+  /// Precondition: running, visible or focused. Waits for the runtime's beat and calls `draw`, which draws into the
+  /// targets and says what their depths mean, or throws; the frame is ended either way. Throws as `poll` does.
   using Draw = std::function<Depths(const HeadsetFrame&)>;
   virtual void frame(const Draw& draw) = 0;
   /// Asks the runtime to end; `poll` will say `over` then.
   virtual void leave() = 0;
 
-  /// Lets a hand (0 left, 1 right) feel something of that strength, 0 to 1, if its controller can. Nothing without focus.
+  /// Lets a hand (0 left, 1 right) feel something of that strength, 0 to 1, if its controller can. Nothing without
+  /// focus.
   virtual void pulse(std::size_t hand, double strength, double seconds) = 0;
 
   /// "Monado 25.0.0, Remote HMD, 1024 x 1024 an eye, RGBA8 sRGB through Xlib".

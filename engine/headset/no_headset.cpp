@@ -6,7 +6,8 @@ namespace odontoscope {
 bool headsets_built_in() { return false; }
 
 std::unique_ptr<Headset> open_headset(const Gl&, const HeadsetOptions&) {
-  throw HeadsetError("headset-not-built", "this program was built without OpenXR", "Install libopenxr-dev and build again with -DODONTOSCOPE_XR=ON.");
+  throw HeadsetError("headset-not-built", "this program was built without OpenXR",
+                     "Install libopenxr-dev and build again with -DODONTOSCOPE_XR=ON.");
 }
 
 }  // namespace odontoscope

@@ -16,13 +16,14 @@ struct Described {
   XrActionType type;
 };
 
-constexpr Described described[hand_actions] = {{HandAction::grip, "grip", "Where the hand is", XR_ACTION_TYPE_POSE_INPUT},
-                                               {HandAction::aim, "aim", "Where the hand points", XR_ACTION_TYPE_POSE_INPUT},
-                                               {HandAction::trigger, "trigger", "Choose, enter, glide", XR_ACTION_TYPE_FLOAT_INPUT},
-                                               {HandAction::grab, "grab", "Hold the tooth", XR_ACTION_TYPE_FLOAT_INPUT},
-                                               {HandAction::stick, "stick", "Turn and move", XR_ACTION_TYPE_VECTOR2F_INPUT},
-                                               {HandAction::menu, "menu", "Panel; held: back, true size", XR_ACTION_TYPE_BOOLEAN_INPUT},
-                                               {HandAction::haptic, "haptic", "What the hand feels", XR_ACTION_TYPE_VIBRATION_OUTPUT}};
+constexpr Described described[hand_actions] = {
+    {HandAction::grip, "grip", "Where the hand is", XR_ACTION_TYPE_POSE_INPUT},
+    {HandAction::aim, "aim", "Where the hand points", XR_ACTION_TYPE_POSE_INPUT},
+    {HandAction::trigger, "trigger", "Choose, enter, glide", XR_ACTION_TYPE_FLOAT_INPUT},
+    {HandAction::grab, "grab", "Hold the tooth", XR_ACTION_TYPE_FLOAT_INPUT},
+    {HandAction::stick, "stick", "Turn and move", XR_ACTION_TYPE_VECTOR2F_INPUT},
+    {HandAction::menu, "menu", "Panel; held: back, true size", XR_ACTION_TYPE_BOOLEAN_INPUT},
+    {HandAction::haptic, "haptic", "What the hand feels", XR_ACTION_TYPE_VIBRATION_OUTPUT}};
 
 constexpr const char* hand_paths[2] = {"/user/hand/left", "/user/hand/right"};
 
@@ -61,11 +62,14 @@ HandActions::HandActions(XrInstance instance, XrSession session) : instance_(ins
     info.actionType = wanted.type;
     info.countSubactionPaths = 2;
     info.subactionPaths = hands_.data();
-    check(xrCreateAction(set_.get(), &info, &actions_[static_cast<std::size_t>(wanted.action)]), "making the controllers' actions");
+    check(xrCreateAction(set_.get(), &info, &actions_[static_cast<std::size_t>(wanted.action)]),
+          "making the controllers' actions");
   }
   bool any = false;
   for (const Bindings& bindings : all_bindings()) any = suggest(bindings) || any;
-  if (!any) throw HeadsetError("openxr-failed", "the OpenXR runtime knows none of the controllers that this program knows", "Update the headset's software.");
+  if (!any)
+    throw HeadsetError("openxr-failed", "the OpenXR runtime knows none of the controllers that this program knows",
+                       "Update the headset's software.");
   XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO};
   const XrActionSet attached = set_.get();
   attach.countActionSets = 1;
@@ -91,15 +95,17 @@ XrPath HandActions::path(const std::string& text) const {
 bool HandActions::suggest(const Bindings& bindings) const {
   std::vector<XrActionSuggestedBinding> suggested;
   for (const Binding& binding : bindings.bindings) {
-    if (binding.left) suggested.push_back({action(binding.action), path(std::string(hand_paths[0]) + "/" + binding.left)});
-    if (binding.right) suggested.push_back({action(binding.action), path(std::string(hand_paths[1]) + "/" + binding.right)});
+    if (binding.left)
+      suggested.push_back({action(binding.action), path(std::string(hand_paths[0]) + "/" + binding.left)});
+    if (binding.right)
+      suggested.push_back({action(binding.action), path(std::string(hand_paths[1]) + "/" + binding.right)});
   }
   XrInteractionProfileSuggestedBinding suggestion{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING};
   suggestion.interactionProfile = path(std::string("/interaction_profiles/") + bindings.profile);
   suggestion.countSuggestedBindings = static_cast<std::uint32_t>(suggested.size());
   suggestion.suggestedBindings = suggested.data();
   const XrResult result = xrSuggestInteractionProfileBindings(instance_, &suggestion);
-  if (result == XR_ERROR_PATH_UNSUPPORTED) return false;   // a runtime that does not know this controller
+  if (result == XR_ERROR_PATH_UNSUPPORTED) return false;  // a runtime that does not know this controller
   check(result, "offering the controllers' bindings");
   return true;
 }
@@ -152,7 +158,8 @@ void HandActions::pulse(std::size_t hand, double strength, double seconds) const
   vibration.duration = static_cast<XrDuration>(seconds * nanoseconds);
   vibration.frequency = XR_FREQUENCY_UNSPECIFIED;
   vibration.amplitude = static_cast<float>(strength);
-  const XrResult result = xrApplyHapticFeedback(session_, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
+  const XrResult result =
+      xrApplyHapticFeedback(session_, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
   if (result != XR_SESSION_NOT_FOCUSED) check(result, "letting the hand feel something");
 }
 
@@ -160,10 +167,12 @@ std::string HandActions::controllers() const {
   std::string words;
   for (const XrPath hand : hands_) {
     XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
-    if (XR_FAILED(xrGetCurrentInteractionProfile(session_, hand, &state)) || state.interactionProfile == XR_NULL_PATH) continue;
+    if (XR_FAILED(xrGetCurrentInteractionProfile(session_, hand, &state)) || state.interactionProfile == XR_NULL_PATH)
+      continue;
     for (const Bindings& bindings : all_bindings()) {
       if (path(std::string("/interaction_profiles/") + bindings.profile) != state.interactionProfile) continue;
-      if (words.find(bindings.words) == std::string::npos) words += (words.empty() ? "" : ", ") + std::string(bindings.words);
+      if (words.find(bindings.words) == std::string::npos)
+        words += (words.empty() ? "" : ", ") + std::string(bindings.words);
     }
   }
   return words.empty() ? "no controllers" : words;

@@ -36,7 +36,7 @@ class HandActions {
   XrInstance instance_;
   XrSession session_;
   OwnedActionSet set_;
-  std::array<XrAction, hand_actions> actions_{};   // gone with their set
+  std::array<XrAction, hand_actions> actions_{};  // gone with their set
   std::array<XrPath, 2> hands_{};
   std::array<OwnedSpace, 2> grips_, aims_;
 };

@@ -23,20 +23,27 @@ namespace {
 /// The functions of GLX that are needed, found by name: the program starts without GLX, too.
 struct Glx {
   DynamicLibrary library{"libGLX.so.0", "libGL.so.1"};
-  decltype(&glXGetCurrentDisplay) current_display = library.function<decltype(&glXGetCurrentDisplay)>("glXGetCurrentDisplay");
-  decltype(&glXGetCurrentContext) current_context = library.function<decltype(&glXGetCurrentContext)>("glXGetCurrentContext");
-  decltype(&glXGetCurrentDrawable) current_drawable = library.function<decltype(&glXGetCurrentDrawable)>("glXGetCurrentDrawable");
+  decltype(&glXGetCurrentDisplay) current_display =
+      library.function<decltype(&glXGetCurrentDisplay)>("glXGetCurrentDisplay");
+  decltype(&glXGetCurrentContext) current_context =
+      library.function<decltype(&glXGetCurrentContext)>("glXGetCurrentContext");
+  decltype(&glXGetCurrentDrawable) current_drawable =
+      library.function<decltype(&glXGetCurrentDrawable)>("glXGetCurrentDrawable");
   decltype(&glXQueryContext) query_context = library.function<decltype(&glXQueryContext)>("glXQueryContext");
   decltype(&glXGetFBConfigs) configs = library.function<decltype(&glXGetFBConfigs)>("glXGetFBConfigs");
   decltype(&glXGetFBConfigAttrib) attribute = library.function<decltype(&glXGetFBConfigAttrib)>("glXGetFBConfigAttrib");
-  bool complete() const { return current_display && current_context && current_drawable && query_context && configs && attribute; }
+  bool complete() const {
+    return current_display && current_context && current_drawable && query_context && configs && attribute;
+  }
 };
 
 struct Egl {
   DynamicLibrary library{"libEGL.so.1", "libEGL.so"};
   decltype(&eglGetProcAddress) get_proc_address = library.function<decltype(&eglGetProcAddress)>("eglGetProcAddress");
-  decltype(&eglGetCurrentDisplay) current_display = library.function<decltype(&eglGetCurrentDisplay)>("eglGetCurrentDisplay");
-  decltype(&eglGetCurrentContext) current_context = library.function<decltype(&eglGetCurrentContext)>("eglGetCurrentContext");
+  decltype(&eglGetCurrentDisplay) current_display =
+      library.function<decltype(&eglGetCurrentDisplay)>("eglGetCurrentDisplay");
+  decltype(&eglGetCurrentContext) current_context =
+      library.function<decltype(&eglGetCurrentContext)>("eglGetCurrentContext");
   bool complete() const { return get_proc_address && current_display && current_context; }
 };
 
@@ -70,7 +77,7 @@ std::optional<XrGraphicsBindingEGLMNDX> current_egl() {
   XrGraphicsBindingEGLMNDX binding{XR_TYPE_GRAPHICS_BINDING_EGL_MNDX};
   binding.getProcAddress = egl.get_proc_address;
   binding.display = egl.current_display();
-  binding.config = nullptr;   // our contexts without a window have none
+  binding.config = nullptr;  // our contexts without a window have none
   binding.context = egl.current_context();
   return binding;
 }
@@ -84,7 +91,8 @@ struct CurrentGraphics::Binding {
 
 CurrentGraphics::CurrentGraphics() : binding_(std::make_unique<Binding>()) {
   if (binding_->glx || binding_->egl) return;
-  throw HeadsetError("headset-graphics", "OpenXR cannot share this OpenGL context, which is neither GLX nor EGL", "Start the viewer on an X display, or on XWayland.");
+  throw HeadsetError("headset-graphics", "OpenXR cannot share this OpenGL context, which is neither GLX nor EGL",
+                     "Start the viewer on an X display, or on XWayland.");
 }
 
 CurrentGraphics::~CurrentGraphics() = default;
@@ -104,17 +112,25 @@ void check_requirements(XrInstance instance, XrSystemId system, int major, int m
   PFN_xrVoidFunction function = nullptr;
   check(xrGetInstanceProcAddr(instance, "xrGetOpenGLGraphicsRequirementsKHR", &function), "asking for its OpenGL");
   XrGraphicsRequirementsOpenGLKHR requirements{XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR};
-  check(reinterpret_cast<PFN_xrGetOpenGLGraphicsRequirementsKHR>(function)(instance, system, &requirements), "asking for its OpenGL");
-  if (requirements.minApiVersionSupported <= XR_MAKE_VERSION(static_cast<std::uint64_t>(major), static_cast<std::uint64_t>(minor), 0)) return;
-  throw HeadsetError("headset-graphics", fmt::format("the headset needs OpenGL {}.{} and has {}.{}", XR_VERSION_MAJOR(requirements.minApiVersionSupported),
-                                                     XR_VERSION_MINOR(requirements.minApiVersionSupported), major, minor), "Update the graphics driver.");
+  check(reinterpret_cast<PFN_xrGetOpenGLGraphicsRequirementsKHR>(function)(instance, system, &requirements),
+        "asking for its OpenGL");
+  if (requirements.minApiVersionSupported <=
+      XR_MAKE_VERSION(static_cast<std::uint64_t>(major), static_cast<std::uint64_t>(minor), 0))
+    return;
+  throw HeadsetError(
+      "headset-graphics",
+      fmt::format("the headset needs OpenGL {}.{} and has {}.{}", XR_VERSION_MAJOR(requirements.minApiVersionSupported),
+                  XR_VERSION_MINOR(requirements.minApiVersionSupported), major, minor),
+      "Update the graphics driver.");
 }
 
 std::vector<unsigned> images_of(XrSwapchain swapchain) {
   std::uint32_t count = 0;
   check(xrEnumerateSwapchainImages(swapchain, 0, &count, nullptr), "asking for its pictures");
   std::vector<XrSwapchainImageOpenGLKHR> images(count, {XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR});
-  check(xrEnumerateSwapchainImages(swapchain, count, &count, reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())), "asking for its pictures");
+  check(xrEnumerateSwapchainImages(swapchain, count, &count,
+                                   reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())),
+        "asking for its pictures");
   std::vector<unsigned> names;
   for (const XrSwapchainImageOpenGLKHR& image : images) names.push_back(image.image);
   return names;

@@ -16,7 +16,7 @@ class CurrentGraphics {
   ~CurrentGraphics();
 
   std::vector<const char*> extensions() const;
-  const char* words() const;   // "Xlib", "EGL"
+  const char* words() const;  // "Xlib", "EGL"
   /// For XrSessionCreateInfo::next. Valid as long as this.
   const void* binding() const;
 
@@ -25,7 +25,8 @@ class CurrentGraphics {
   std::unique_ptr<Binding> binding_;
 };
 
-/// OpenXR insists on being asked. Throws HeadsetError "headset-graphics" if the runtime wants a newer OpenGL than `major`.`minor`.
+/// OpenXR insists on being asked. Throws HeadsetError "headset-graphics" if the runtime wants a newer OpenGL than
+/// `major`.`minor`.
 void check_requirements(XrInstance instance, XrSystemId system, int major, int minor);
 
 /// The OpenGL texture names of a swapchain's images.

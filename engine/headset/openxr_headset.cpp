@@ -29,15 +29,21 @@ Extras create_instance(OwnedInstance& instance, const CurrentGraphics& graphics,
   std::vector<XrExtensionProperties> known(count, {XR_TYPE_EXTENSION_PROPERTIES});
   check(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, known.data()), "asking what the runtime can do");
   const auto is_known = [&](const char* extension) {
-    return std::any_of(known.begin(), known.end(), [&](const XrExtensionProperties& one) { return std::strcmp(one.extensionName, extension) == 0; });
+    return std::any_of(known.begin(), known.end(), [&](const XrExtensionProperties& one) {
+      return std::strcmp(one.extensionName, extension) == 0;
+    });
   };
   std::vector<const char*> wanted = graphics.extensions();
   for (const char* extension : wanted) {
     if (!is_known(extension))
-      throw HeadsetError("headset-graphics", fmt::format("the OpenXR runtime takes no pictures from OpenGL through {} (it lacks {})", graphics.words(), extension),
-                         "Use a runtime that does: SteamVR, Monado or WiVRn, with the viewer on an X display or XWayland.");
+      throw HeadsetError(
+          "headset-graphics",
+          fmt::format("the OpenXR runtime takes no pictures from OpenGL through {} (it lacks {})", graphics.words(),
+                      extension),
+          "Use a runtime that does: SteamVR, Monado or WiVRn, with the viewer on an X display or XWayland.");
   }
-  const Extras extras{is_known(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME), is_known(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME)};
+  const Extras extras{is_known(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME),
+                      is_known(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME)};
   if (extras.depth) wanted.push_back(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
   if (extras.mask) wanted.push_back(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
   std::vector<const char*> layers;
@@ -52,7 +58,8 @@ Extras create_instance(OwnedInstance& instance, const CurrentGraphics& graphics,
   info.enabledApiLayerNames = layers.data();
   const XrResult result = xrCreateInstance(&info, instance.fill());
   if (result == XR_ERROR_RUNTIME_FAILURE)
-    throw HeadsetError("openxr-service-absent", fmt::format("an OpenXR runtime is installed and does not answer: {}", words_of(result)),
+    throw HeadsetError("openxr-service-absent",
+                       fmt::format("an OpenXR runtime is installed and does not answer: {}", words_of(result)),
                        "Start it (SteamVR, or monado-service) with the headset connected, then try again.");
   check(result, "starting");
   return extras;
@@ -84,10 +91,13 @@ HiddenCorners hidden_corners(XrInstance instance, XrSession session, std::uint32
 /// One of `wanted` that the runtime has, the first of its own otherwise.
 XrEnvironmentBlendMode blend_mode(XrInstance instance, XrSystemId system) {
   std::uint32_t count = 0;
-  check(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, 0, &count, nullptr), "asking how pictures are mixed");
+  check(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, 0, &count, nullptr),
+        "asking how pictures are mixed");
   std::vector<XrEnvironmentBlendMode> modes(count);
-  check(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, count, &count, modes.data()), "asking how pictures are mixed");
-  if (std::find(modes.begin(), modes.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != modes.end()) return XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  check(xrEnumerateEnvironmentBlendModes(instance, system, two_eyes, count, &count, modes.data()),
+        "asking how pictures are mixed");
+  if (std::find(modes.begin(), modes.end(), XR_ENVIRONMENT_BLEND_MODE_OPAQUE) != modes.end())
+    return XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   return modes.at(0);
 }
 
@@ -137,8 +147,10 @@ class OpenXrHeadset final : public Headset {
   }
 
   void leave() override {
-    if (begun_) check(xrRequestExitSession(session_.get()), "asking it to end");
-    else over_ = true;
+    if (begun_)
+      check(xrRequestExitSession(session_.get()), "asking it to end");
+    else
+      over_ = true;
   }
 
   void pulse(std::size_t hand, double strength, double seconds) override { actions_->pulse(hand, strength, seconds); }
@@ -167,16 +179,19 @@ class OpenXrHeadset final : public Headset {
 
   PixelSize create_pictures(const Gl& gl, double resolution) {
     std::uint32_t count = 0;
-    check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, 0, &count, nullptr), "asking for its eyes");
+    check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, 0, &count, nullptr),
+          "asking for its eyes");
     std::vector<XrViewConfigurationView> eyes(count, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
-    check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, count, &count, eyes.data()), "asking for its eyes");
+    check(xrEnumerateViewConfigurationViews(instance_.get(), system_, two_eyes, count, &count, eyes.data()),
+          "asking for its eyes");
     const SwapchainFormats formats = swapchain_formats(session_.get(), extras_.depth);
     PixelSize size;
     for (const XrViewConfigurationView& eye : eyes) {
       const auto pixels = [&](std::uint32_t recommended, std::uint32_t most) {
         return std::clamp(static_cast<int>(std::lround(resolution * recommended)), 16, static_cast<int>(most));
       };
-      size = {pixels(eye.recommendedImageRectWidth, eye.maxImageRectWidth), pixels(eye.recommendedImageRectHeight, eye.maxImageRectHeight)};
+      size = {pixels(eye.recommendedImageRectWidth, eye.maxImageRectWidth),
+              pixels(eye.recommendedImageRectHeight, eye.maxImageRectHeight)};
       pictures_.emplace_back(gl, session_.get(), formats, size);
     }
     return size;
@@ -185,7 +200,8 @@ class OpenXrHeadset final : public Headset {
   void ask_what_is_hidden() {
     if (!extras_.mask) return;
     hidden_.resize(pictures_.size());
-    for (std::size_t eye = 0; eye < hidden_.size(); ++eye) hidden_[eye] = hidden_corners(instance_.get(), session_.get(), static_cast<std::uint32_t>(eye));
+    for (std::size_t eye = 0; eye < hidden_.size(); ++eye)
+      hidden_[eye] = hidden_corners(instance_.get(), session_.get(), static_cast<std::uint32_t>(eye));
   }
 
   void describe(const CurrentGraphics& graphics, PixelSize size) {
@@ -193,8 +209,10 @@ class OpenXrHeadset final : public Headset {
     check(xrGetInstanceProperties(instance_.get(), &runtime), "asking for its name");
     XrSystemProperties system{XR_TYPE_SYSTEM_PROPERTIES};
     check(xrGetSystemProperties(instance_.get(), system_, &system), "asking for its name");
-    in_words_ = fmt::format("{} {}.{}.{}, {}, {} x {} pixels an eye, through {}", runtime.runtimeName, XR_VERSION_MAJOR(runtime.runtimeVersion),
-                            XR_VERSION_MINOR(runtime.runtimeVersion), XR_VERSION_PATCH(runtime.runtimeVersion), system.systemName, size.width, size.height, graphics.words());
+    in_words_ = fmt::format("{} {}.{}.{}, {}, {} x {} pixels an eye, through {}", runtime.runtimeName,
+                            XR_VERSION_MAJOR(runtime.runtimeVersion), XR_VERSION_MINOR(runtime.runtimeVersion),
+                            XR_VERSION_PATCH(runtime.runtimeVersion), system.systemName, size.width, size.height,
+                            graphics.words());
   }
 
   HeadsetState state() const {
@@ -206,15 +224,22 @@ class OpenXrHeadset final : public Headset {
 
   void take(const XrEventDataBuffer& event) {
     switch (event.type) {
-      case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING: check(XR_ERROR_INSTANCE_LOST, "listening to it"); break;
-      case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: go_on(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state); break;
+      case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+        check(XR_ERROR_INSTANCE_LOST, "listening to it");
+        break;
+      case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED:
+        go_on(reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state);
+        break;
       case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
         const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
         if (change.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_LOCAL) recentred_at_ = change.changeTime;
         break;
       }
-      case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR: ask_what_is_hidden(); break;
-      default: break;
+      case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+        ask_what_is_hidden();
+        break;
+      default:
+        break;
     }
   }
 
@@ -245,7 +270,7 @@ class OpenXrHeadset final : public Headset {
   Shown drawn(const XrFrameState& beat, const Draw& draw) {
     HeadsetFrame frame;
     const XrTime time = beat.predictedDisplayTime;
-    constexpr double longest_step = 0.1, second = 1e9;   // after a rest nothing jumps
+    constexpr double longest_step = 0.1, second = 1e9;  // after a rest nothing jumps
     if (last_time_ != 0) frame.seconds = std::clamp(static_cast<double>(time - last_time_) / second, 0.0, longest_step);
     last_time_ = time;
     frame.beat = std::max(static_cast<double>(beat.predictedDisplayPeriod) / second, 0.0);
@@ -256,7 +281,9 @@ class OpenXrHeadset final : public Headset {
     frame.input.focused = session_state_ == XR_SESSION_STATE_FOCUSED;
     frame.input.recentred = recentred_at_ != 0 && time >= recentred_at_;
     if (frame.input.recentred) recentred_at_ = 0;
-    for (const XrView& view : views) frame.eyes.push_back({pose_of(view.pose), {view.fov.angleLeft, view.fov.angleRight, view.fov.angleDown, view.fov.angleUp}});
+    for (const XrView& view : views)
+      frame.eyes.push_back(
+          {pose_of(view.pose), {view.fov.angleLeft, view.fov.angleRight, view.fov.angleDown, view.fov.angleUp}});
     frame.draw = beat.shouldRender && known;
     if (frame.draw)
       for (EyePictures& eye : pictures_) frame.targets.push_back(eye.acquire());
@@ -265,10 +292,11 @@ class OpenXrHeadset final : public Headset {
     Shown shown;
     for (std::size_t i = 0; frame.draw && i < pictures_.size(); ++i) {
       pictures_[i].release();
-      shown.views.push_back({XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, nullptr, views[i].pose, views[i].fov, pictures_[i].shown()});
+      shown.views.push_back(
+          {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW, nullptr, views[i].pose, views[i].fov, pictures_[i].shown()});
       if (pictures_[i].depths() && i < depths.size())
-        shown.depths.push_back({XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR, nullptr, pictures_[i].depths()->shown(), 0, 1, static_cast<float>(depths[i].nearest),
-                                static_cast<float>(depths[i].farthest)});
+        shown.depths.push_back({XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR, nullptr, pictures_[i].depths()->shown(), 0, 1,
+                                static_cast<float>(depths[i].nearest), static_cast<float>(depths[i].farthest)});
     }
     return shown;
   }
@@ -280,7 +308,9 @@ class OpenXrHeadset final : public Headset {
     wanted.space = room_.get();
     XrViewState state{XR_TYPE_VIEW_STATE};
     std::uint32_t count = 0;
-    check(xrLocateViews(session_.get(), &wanted, &state, static_cast<std::uint32_t>(views.size()), &count, views.data()), "locating the eyes");
+    check(
+        xrLocateViews(session_.get(), &wanted, &state, static_cast<std::uint32_t>(views.size()), &count, views.data()),
+        "locating the eyes");
     constexpr XrViewStateFlags both = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     return (state.viewStateFlags & both) == both;
   }
@@ -317,7 +347,7 @@ class OpenXrHeadset final : public Headset {
   OwnedSpace room_, head_;
   std::unique_ptr<HandActions> actions_;
   std::vector<EyePictures> pictures_;
-  std::vector<HiddenCorners> hidden_;   // an eye each; none if the runtime cannot tell
+  std::vector<HiddenCorners> hidden_;  // an eye each; none if the runtime cannot tell
   XrSessionState session_state_ = XR_SESSION_STATE_UNKNOWN;
   bool begun_ = false, over_ = false;
   XrTime last_time_ = 0, recentred_at_ = 0;
@@ -328,6 +358,8 @@ class OpenXrHeadset final : public Headset {
 
 bool headsets_built_in() { return true; }
 
-std::unique_ptr<Headset> open_headset(const Gl& gl, const HeadsetOptions& options) { return std::make_unique<OpenXrHeadset>(gl, options); }
+std::unique_ptr<Headset> open_headset(const Gl& gl, const HeadsetOptions& options) {
+  return std::make_unique<OpenXrHeadset>(gl, options);
+}
 
 }  // namespace odontoscope

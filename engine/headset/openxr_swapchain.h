@@ -12,10 +12,11 @@
 
 namespace odontoscope {
 
-/// sRGB of 8 bits a channel, which the renderer encodes itself, and the finest depth that the runtime offers. Throws HeadsetError "headset-graphics" if it has no such colours.
+/// sRGB of 8 bits a channel, which the renderer encodes itself, and the finest depth that the runtime offers. Throws
+/// HeadsetError "headset-graphics" if it has no such colours.
 struct SwapchainFormats {
   std::int64_t colour = 0;
-  std::int64_t depth = 0;   // 0: the runtime takes none
+  std::int64_t depth = 0;  // 0: the runtime takes none
 };
 /// `with_depth`: it takes depths at all.
 SwapchainFormats swapchain_formats(XrSession session, bool with_depth);
@@ -55,8 +56,8 @@ class EyePictures {
   PixelSize size_;
   Swapchain colours_;
   std::optional<Swapchain> depths_;
-  std::vector<GlObject> framebuffers_;   // one a picture
-  GlObject own_depth_;                   // where the runtime takes none
+  std::vector<GlObject> framebuffers_;  // one a picture
+  GlObject own_depth_;                  // where the runtime takes none
 };
 
 }  // namespace odontoscope

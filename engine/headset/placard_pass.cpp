@@ -13,16 +13,18 @@ namespace {
 glm::mat4 to_clip(const EyeView& eye) {
   constexpr double nearest = 0.02, farthest = 100;
   const FieldOfView& field = eye.field;
-  const glm::dmat4 lens = glm::frustum(nearest * std::tan(field.left), nearest * std::tan(field.right), nearest * std::tan(field.down), nearest * std::tan(field.up), nearest, farthest);
+  const glm::dmat4 lens = glm::frustum(nearest * std::tan(field.left), nearest * std::tan(field.right),
+                                       nearest * std::tan(field.down), nearest * std::tan(field.up), nearest, farthest);
   return glm::mat4(lens * glm::dmat4(glm::mat3_cast(glm::conjugate(eye.pose.turn))));
 }
 
 }  // namespace
 
-PlacardPass::PlacardPass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), program_(gl, shaders, {"placard.vert", "placard.frag"}), no_vertices_(make_vertex_array(gl)) {}
+PlacardPass::PlacardPass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), program_(gl, shaders, {"placard.vert", "placard.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams, const EyeView& eye, const Target& target,
-                       double light) const {
+void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams,
+                       const EyeView& eye, const Target& target, double light) const {
   if (pieces.empty() && beams.empty()) return;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
@@ -46,8 +48,11 @@ void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pie
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   program_.set("sheet_counts", 1.0f);
   for (const SheetPiece& piece : pieces) {
-    const glm::dvec3 across = piece.pose.turn * glm::dvec3(piece.size.x, 0, 0), down = piece.pose.turn * glm::dvec3(0, -piece.size.y, 0);
-    const auto on_sheet = [&](double x, double y) { return glm::vec2(x / sheet.size().width, 1 - y / sheet.size().height); };
+    const glm::dvec3 across = piece.pose.turn * glm::dvec3(piece.size.x, 0, 0),
+                     down = piece.pose.turn * glm::dvec3(0, -piece.size.y, 0);
+    const auto on_sheet = [&](double x, double y) {
+      return glm::vec2(x / sheet.size().width, 1 - y / sheet.size().height);
+    };
     program_.set("sheet_from", on_sheet(piece.left, piece.top));
     program_.set("sheet_to", on_sheet(piece.left + piece.width, piece.top + piece.height));
     rectangle(piece.pose.position - 0.5 * (across + down), across, down);
@@ -55,7 +60,7 @@ void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pie
   program_.set("sheet_counts", 0.0f);
   for (const Beam& beam : beams) {
     const glm::dvec3 along = beam.to - beam.from, side = glm::cross(along, eye.pose.position - beam.from);
-    if (!(glm::length(side) > 0)) continue;   // seen from its end
+    if (!(glm::length(side) > 0)) continue;  // seen from its end
     const glm::dvec3 across = beam.width * glm::normalize(side);
     program_.set("plain", glm::vec4(glm::vec3(beam.colour) * beam.colour.a, beam.colour.a));
     rectangle(beam.from - 0.5 * across, across, along);

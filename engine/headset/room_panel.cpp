@@ -8,12 +8,13 @@
 namespace odontoscope {
 
 RoomPanel summoned(const Pose& head, double side, double distance) {
-  constexpr double aside_deg = 35, below_deg = 14;   // the tooth stays in sight beside it
+  constexpr double aside_deg = 35, below_deg = 14;  // the tooth stays in sight beside it
   const double far = std::clamp(distance, least_panel_distance, panel_distance);
   const double aside = glm::radians(aside_deg) * (side < 0 ? 1 : -1), below = glm::radians(-below_deg);
-  const glm::dquat towards = glm::normalize(heading_of(head) * glm::angleAxis(aside, glm::dvec3(0, 1, 0)) * glm::angleAxis(below, glm::dvec3(1, 0, 0)));
+  const glm::dquat towards = glm::normalize(heading_of(head) * glm::angleAxis(aside, glm::dvec3(0, 1, 0)) *
+                                            glm::angleAxis(below, glm::dvec3(1, 0, 0)));
   RoomPanel panel;
-  panel.pose = {head.position + towards * glm::dvec3(0, 0, -far), towards};   // its +z points back to the eyes
+  panel.pose = {head.position + towards * glm::dvec3(0, 0, -far), towards};  // its +z points back to the eyes
   panel.size *= far / panel_distance;
   return panel;
 }
@@ -29,7 +30,8 @@ std::optional<PanelPlace> aimed_at(const RoomPanel& panel, const Pose& aim) {
 }
 
 glm::dvec3 place_of(const RoomPanel& panel, const glm::dvec2& at) {
-  return panel.pose.position + panel.pose.turn * glm::dvec3((at.x - 0.5) * panel.size.x, (0.5 - at.y) * panel.size.y, 0);
+  return panel.pose.position +
+         panel.pose.turn * glm::dvec3((at.x - 0.5) * panel.size.x, (0.5 - at.y) * panel.size.y, 0);
 }
 
 bool within_sight(const RoomPanel& panel, const Pose& head) {

@@ -1,5 +1,6 @@
 #pragma once
-// How many times enlarged the tooth is, written in the room beside it: strokes, since surfaces and lines are all that the renderer draws.
+// How many times enlarged the tooth is, written in the room beside it: strokes, since surfaces and lines are all that
+// the renderer draws.
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace odontoscope {
 
-/// The digits of `text` and 'x' and '.' as strokes in a box that is one high: two points a line, x to the right, y up, z 0. Other characters are gaps.
+/// The digits of `text` and 'x' and '.' as strokes in a box that is one high: two points a line, x to the right, y up,
+/// z 0. Other characters are gaps.
 std::vector<glm::dvec3> strokes(const std::string& text);
 
 /// "25x" below the tooth, upright and towards the eye, as strokes in the room.

@@ -49,7 +49,9 @@ glm::dvec3 to_model(const Stage& stage, const glm::dvec3& place) {
   return mm_per_metre(stage) * (glm::conjugate(stage.turn) * (place - stage.place));
 }
 
-glm::dvec3 direction_to_model(const Stage& stage, const glm::dvec3& direction) { return glm::conjugate(stage.turn) * direction; }
+glm::dvec3 direction_to_model(const Stage& stage, const glm::dvec3& direction) {
+  return glm::conjugate(stage.turn) * direction;
+}
 
 double mm_per_metre(const Stage& stage) { return 1 / (metres_per_mm * stage.magnification); }
 
@@ -72,10 +74,12 @@ Stage carried(const Stage& stage, const Pose& from, const Pose& to) {
 Stage carried(const Stage& stage, const glm::dvec3 (&from)[2], const glm::dvec3 (&to)[2]) {
   const glm::dvec3 before = from[1] - from[0], after = to[1] - to[0];
   const double apart_before = glm::length(before), apart_after = glm::length(after);
-  constexpr double least_apart = 0.01;   // metres; nearer, the trackers' noise would decide
+  constexpr double least_apart = 0.01;  // metres; nearer, the trackers' noise would decide
   if (apart_before < least_apart || apart_after < least_apart) return stage;
-  const double wanted = std::clamp(stage.magnification * apart_after / apart_before, least_magnification, most_magnification);
-  return taken(stage, 0.5 * (from[0] + from[1]), 0.5 * (to[0] + to[1]), shortest_turn(before / apart_before, after / apart_after), wanted / stage.magnification);
+  const double wanted =
+      std::clamp(stage.magnification * apart_after / apart_before, least_magnification, most_magnification);
+  return taken(stage, 0.5 * (from[0] + from[1]), 0.5 * (to[0] + to[1]),
+               shortest_turn(before / apart_before, after / apart_after), wanted / stage.magnification);
 }
 
 Stage turned_about(const Stage& stage, const glm::dvec3& axis, double radians) {
@@ -93,7 +97,8 @@ Stage magnified(const Stage& stage, double magnification, const glm::dvec3& fixe
 }
 
 View view_of(const Stage& stage, const EyeView& eye, const Model& model, double nearest) {
-  // The eyes are brought to the model rather than the model to the room: surfaces, lights and depths stay those of any other picture.
+  // The eyes are brought to the model rather than the model to the room: surfaces, lights and depths stay those of any
+  // other picture.
   const glm::dvec3 place = metres_per_mm * (to_model(stage, eye.pose.position) - model.origin_mm);
   const glm::dmat3 to_eye = glm::mat3_cast(glm::normalize(glm::conjugate(eye.pose.turn) * stage.turn));
   View view;
@@ -104,8 +109,9 @@ View view_of(const Stage& stage, const EyeView& eye, const Model& model, double 
   const double far_off = glm::length(metres_per_mm * (model.bounds_mm.centre() - model.origin_mm) - place);
   const double near_plane = nearest / stage.magnification, far_plane = std::max(far_off + radius, 4 * near_plane);
   const FieldOfView& field = eye.field;
-  view.eye_to_clip = glm::mat4(glm::frustum(near_plane * std::tan(field.left), near_plane * std::tan(field.right), near_plane * std::tan(field.down),
-                                            near_plane * std::tan(field.up), near_plane, far_plane));
+  view.eye_to_clip = glm::mat4(glm::frustum(near_plane * std::tan(field.left), near_plane * std::tan(field.right),
+                                            near_plane * std::tan(field.down), near_plane * std::tan(field.up),
+                                            near_plane, far_plane));
   return view;
 }
 

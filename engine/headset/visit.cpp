@@ -19,7 +19,8 @@ constexpr double lamp_reach = 1.5;
 glm::dvec3 facing(const Camera& camera) { return camera.position - camera.target; }
 
 /// In the dark.
-void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules) {
+void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const VisitWorld& world,
+        const ComfortRules& rules) {
   visit.velocity = glm::dvec3(0);
   visit.leap_mm = {};
   visit.at_wall = false;
@@ -43,7 +44,7 @@ void go(Visit& visit, const Visit::Way& way, const HeadsetInput& input, const Vi
   visit.pointed = {};
   visit.on_frame = {};
   visit.named.reset();
-  visit.ends.clear();   // they are seen from one side of the wall only
+  visit.ends.clear();  // they are seen from one side of the wall only
 }
 
 void fade(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
@@ -59,8 +60,12 @@ void place(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   const bool again = visit.placed;
   if (again && !input.recentred) return;
   if (!again) visit.scene = world.scene;
-  if (visit.cavity) visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));   // only the numbers changed
-  else visit.stage = before(input.head, world.model, again ? visit.stage.magnification : usual_magnification, facing(world.scene.camera));
+  if (visit.cavity)
+    visit.stage =
+        moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));  // only the numbers changed
+  else
+    visit.stage = before(input.head, world.model, again ? visit.stage.magnification : usual_magnification,
+                         facing(world.scene.camera));
   if (!again || visit.panel) visit.panel = summoned(input.head, 1);
   visit.placed = true;
 }
@@ -80,12 +85,13 @@ Scene scene_of(const Visit& visit, const VisitWorld& world) {
   return inside;
 }
 
-Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+              double seconds) {
   visit.pulse = {};
   if (!input.head_tracked) return visit;
   const double magnified = visit.stage.magnification;
   place(visit, input, world);
-  if (!input.focused) {   // what was held is let go; nothing jumps when the focus comes back
+  if (!input.focused) {  // what was held is let go; nothing jumps when the focus comes back
     visit.held = {};
     visit.before = {};
     visit.pointed = {};
@@ -102,15 +108,19 @@ Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, c
     perform(visit, input, world);
     use_menu(visit, input, world, rules, seconds);
     point_at_panel(visit, input);
-    HeadsetInput rest = input;   // a stick over the panel moves what is written there
+    HeadsetInput rest = input;  // a stick over the panel moves what is written there
     for (std::size_t i = 0; i < 2; ++i)
       if (at_panel(visit, i)) rest.hands[i].stick = {0, 0};
-    if (visit.cavity) step_inside(visit, rest, world, rules, seconds);
-    else step_outside(visit, rest, world, rules, seconds);
+    if (visit.cavity)
+      step_inside(visit, rest, world, rules, seconds);
+    else
+      step_outside(visit, rest, world, rules, seconds);
   }
   constexpr double told_for = 3;
-  if (!visit.cavity && visit.stage.magnification != magnified) visit.told = told_for;
-  else visit.told = std::max(0.0, visit.told - seconds);
+  if (!visit.cavity && visit.stage.magnification != magnified)
+    visit.told = told_for;
+  else
+    visit.told = std::max(0.0, visit.told - seconds);
   const double speed = visit.cavity ? glm::length(visit.velocity) / mm_per_metre(visit.stage) / rules.most_speed : 0;
   const double share = 1 - std::exp(-seconds / rules.vignette_seconds);
   visit.vignette += share * (std::min(speed, 1.0) - visit.vignette);

@@ -12,22 +12,27 @@ namespace odontoscope::visit_steps {
 
 namespace {
 
-/// The cavity whose wall, or the body that fills it, was hit. In the sample teeth the void is the dentine's, and a pulp of its own fills it, whose
-/// horns and tips reach beyond the void by a fraction of a slice.
+/// The cavity whose wall, or the body that fills it, was hit. In the sample teeth the void is the dentine's, and a pulp
+/// of its own fills it, whose horns and tips reach beyond the void by a fraction of a slice.
 std::optional<std::size_t> cavity_of(const Hit& hit, const VisitWorld& world) {
-  constexpr double rounded = 1e-4, of_a_slice = 0.03;   // of the model's radius
+  constexpr double rounded = 1e-4, of_a_slice = 0.03;  // of the model's radius
   for (std::size_t i = 0; i < world.cavities.size(); ++i) {
     const FlightSpace& cavity = world.cavities[i];
     const double near = (hit.structure == cavity.structure ? rounded : of_a_slice) * world.model.radius_mm;
-    if (cavity.walls.locate(hit.point_mm) != Walls::Side::outside || cavity.walls.nearest(hit.point_mm, near).distance < near) return i;
+    if (cavity.walls.locate(hit.point_mm) != Walls::Side::outside ||
+        cavity.walls.nearest(hit.point_mm, near).distance < near)
+      return i;
   }
   return std::nullopt;
 }
 
-glm::dvec3 centre_of(const Visit& visit, const VisitWorld& world) { return to_room(visit.stage, world.model.bounds_mm.centre()); }
+glm::dvec3 centre_of(const Visit& visit, const VisitWorld& world) {
+  return to_room(visit.stage, world.model.bounds_mm.centre());
+}
 
 /// Holds or lets go, by what the hand's buttons say now.
-Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandInput& hand, bool trigger_is_taken, bool means_section) {
+Visit::Held held_outside(Visit::Held held, const HandInput& before, const HandInput& hand, bool trigger_is_taken,
+                         bool means_section) {
   if (held == Visit::Held::panel) return held;
   if (!hand.tracked) return Visit::Held::nothing;
   const double button = hand.can_grab ? hand.grab : hand.trigger, was = hand.can_grab ? before.grab : before.trigger;
@@ -51,10 +56,13 @@ void point_at_frame(Visit& visit, const HeadsetInput& input, const VisitWorld& w
 
 void carry(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   for (std::size_t i = 0; i < 2; ++i)
-    if (visit.held[i] == Visit::Held::section) visit.scene.section = carried(*visit.scene.section, visit.stage, visit.before[i].grip, input.hands[i].grip, world.model);
+    if (visit.held[i] == Visit::Held::section)
+      visit.scene.section =
+          carried(*visit.scene.section, visit.stage, visit.before[i].grip, input.hands[i].grip, world.model);
   const auto holds = [&](std::size_t i) { return visit.held[i] == Visit::Held::model; };
   if (holds(0) && holds(1)) {
-    visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position}, {input.hands[0].grip.position, input.hands[1].grip.position});
+    visit.stage = carried(visit.stage, {visit.before[0].grip.position, visit.before[1].grip.position},
+                          {input.hands[0].grip.position, input.hands[1].grip.position});
     return;
   }
   for (std::size_t i = 0; i < 2; ++i)
@@ -62,17 +70,20 @@ void carry(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
 }
 
 /// The sticks outside: turn the tooth by steps, push it away or bring it nearer.
-void turn_and_bring(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
-  constexpr double nearest = 0.25, farthest = 4;   // metres from the head to the model's middle
+void turn_and_bring(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+                    double seconds) {
+  constexpr double nearest = 0.25, farthest = 4;  // metres from the head to the model's middle
   for (std::size_t i = 0; i < 2; ++i) {
     const int snap = snap_of(visit.before[i], input.hands[i]);
-    if (snap != 0) visit.stage = turned_about(visit.stage, centre_of(visit, world), snap * glm::radians(rules.snap_turn_deg));
+    if (snap != 0)
+      visit.stage = turned_about(visit.stage, centre_of(visit, world), snap * glm::radians(rules.snap_turn_deg));
     const glm::dvec3 away = centre_of(visit, world) - input.head.position;
     const double apart = glm::length(away);
     if (along(input.hands[i]) == 0 || !(apart > 0)) continue;
     const double wanted = apart + seconds * rules.most_speed * along(input.hands[i]);
     // Carried nearer or farther by hand it stays there until the stick brings it back.
-    const double to = along(input.hands[i]) > 0 ? std::max(apart, std::min(wanted, farthest)) : std::min(apart, std::max(wanted, nearest));
+    const double to = along(input.hands[i]) > 0 ? std::max(apart, std::min(wanted, farthest))
+                                                : std::min(apart, std::max(wanted, nearest));
     visit.stage = moved(visit.stage, (to / apart - 1) * away);
   }
 }
@@ -111,7 +122,8 @@ bool use_tool(Visit& visit, std::size_t hand) {
   return true;
 }
 
-void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+void step_outside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+                  double seconds) {
   point_at_model(visit, input, world);
   point_at_frame(visit, input, world);
   for (std::size_t i = 0; i < 2; ++i) {

@@ -20,7 +20,7 @@ glm::dvec3 wanted_way(const Visit& visit, const HeadsetInput& input) {
     if (visit.travel != Travel::glide) continue;
     const bool glides = visit.tool == HandTool::look && !at_panel(visit, i);
     way += (glides ? hand.trigger : 0) * hand.aim.ahead() + along(hand) * input.head.ahead();
-    const bool strafes = i == 0 && std::abs(hand.stick.x) > stick_at_rest;   // the right stick turns
+    const bool strafes = i == 0 && std::abs(hand.stick.x) > stick_at_rest;  // the right stick turns
     if (strafes) way += hand.stick.x * (input.head.turn * glm::dvec3(1, 0, 0));
   }
   const double length = glm::length(way);
@@ -28,7 +28,8 @@ glm::dvec3 wanted_way(const Visit& visit, const HeadsetInput& input) {
 }
 
 /// By triggers and sticks, and as the head itself goes.
-void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+           double seconds) {
   const FlightSpace& cavity = world.cavities[*visit.cavity];
   const FlightRules flight_limits = flight_rules(visit.stage, rules);
   // Where the head itself went. A wall that it would go through is pushed along instead.
@@ -47,7 +48,7 @@ void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, con
 
 /// A wall is felt when it is met, and again only after it was left.
 void feel_wall(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, double clearance) {
-  constexpr double meets = 1.05, leaves = 1.3;   // clearances
+  constexpr double meets = 1.05, leaves = 1.3;  // clearances
   const double near = cavity.walls.nearest(visit.eye_mm, leaves * clearance).distance;
   if (!visit.at_wall && near < meets * clearance) {
     visit.at_wall = true;
@@ -60,10 +61,13 @@ void feel_wall(Visit& visit, const HeadsetInput& input, const FlightSpace& cavit
 
 /// A held trigger shows where it would lead, along a way that is free and straight; letting it go leads there.
 void leap(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, double clearance) {
-  constexpr double share = 0.85, least = 0.5;   // of the way to the wall, so that it is not before one's nose; clearances that are worth it
+  constexpr double
+      share = 0.85,
+      least = 0.5;  // of the way to the wall, so that it is not before one's nose; clearances that are worth it
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    const bool may = visit.travel == Travel::leap && visit.tool == HandTool::look && hand.tracked && !at_panel(visit, i);
+    const bool may =
+        visit.travel == Travel::leap && visit.tool == HandTool::look && hand.tracked && !at_panel(visit, i);
     const bool let_go = visit.leap_mm[i] && hand.trigger < released_below;
     const bool is_away = visit.leap_mm[i] && glm::length(*visit.leap_mm[i] - visit.eye_mm) > 0.5 * least * clearance;
     if (may && let_go && is_away && !visit.way) {
@@ -78,15 +82,16 @@ void leap(Visit& visit, const HeadsetInput& input, const FlightSpace& cavity, do
     if (!(length > 0)) continue;
     const double free = share * free_way(cavity.walls, visit.eye_mm, way / length, length, clearance);
     visit.leap_mm[i] = visit.eye_mm + std::max(free, 0.0) * way / length;
-    if (free < least * clearance) visit.leap_mm[i] = visit.eye_mm;   // shown as nowhere to go, and it stays aimed
+    if (free < least * clearance) visit.leap_mm[i] = visit.eye_mm;  // shown as nowhere to go, and it stays aimed
   }
 }
 
 }  // namespace
 
-double free_way(const Walls& walls, const glm::dvec3& from, const glm::dvec3& direction, double most, double clearance) {
+double free_way(const Walls& walls, const glm::dvec3& from, const glm::dvec3& direction, double most,
+                double clearance) {
   constexpr int most_steps = 200;
-  constexpr double skin = 1e-3;   // clearances
+  constexpr double skin = 1e-3;  // clearances
   double went = 0;
   // Every step ends inside a ball that holds no wall, with the eye's own ball in it.
   for (int i = 0; i < most_steps && went < most; ++i) {
@@ -104,17 +109,20 @@ FlightRules flight_rules(const Stage& stage, const ComfortRules& rules) {
   flight.speed_per_distance = rules.speed_per_distance;
   flight.least_speed = 0.1 * rules.most_speed * mm;
   flight.most_speed = rules.most_speed * mm;
-  flight.upright = glm::dvec3(0);   // the head rights itself
+  flight.upright = glm::dvec3(0);  // the head rights itself
   return flight;
 }
 
-void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
-  if (visit.tour) step_tour(visit, input, rules, seconds);
-  else glide(visit, input, world, rules, seconds);
+void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+                 double seconds) {
+  if (visit.tour)
+    step_tour(visit, input, rules, seconds);
+  else
+    glide(visit, input, world, rules, seconds);
   const FlightSpace& cavity = world.cavities[*visit.cavity];
   const double clearance = rules.clearance * mm_per_metre(visit.stage);
   for (std::size_t i = 0; i < 2; ++i) {
-    const bool turns = i == 1 || visit.tour || visit.travel == Travel::leap;   // else the left one goes sideways
+    const bool turns = i == 1 || visit.tour || visit.travel == Travel::leap;  // else the left one goes sideways
     if (const int snap = snap_of(visit.before[i], input.hands[i]); turns && snap != 0)
       visit.stage = turned_about(visit.stage, input.head.position, snap * glm::radians(rules.snap_turn_deg));
   }
@@ -122,7 +130,8 @@ void step_inside(Visit& visit, const HeadsetInput& input, const VisitWorld& worl
   point_at_model(visit, input, world);
   if (!visit.tour) leap(visit, input, cavity, clearance);
   for (std::size_t i = 0; i < 2; ++i)
-    if (visit.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i) && use_tool(visit, i)) feel(visit, i, tap);
+    if (visit.tool == HandTool::distance && !at_panel(visit, i) && pulled(visit, input, i) && use_tool(visit, i))
+      feel(visit, i, tap);
 }
 
 }  // namespace odontoscope::visit_steps

@@ -27,8 +27,10 @@ RoomPanel fetched(const Visit& visit, const HeadsetInput& input, const VisitWorl
 
 void on_short_press(Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::size_t hand) {
   const bool seen = visit.panel && within_sight(*visit.panel, input.head);
-  if (seen) visit.panel.reset();
-  else visit.panel = fetched(visit, input, world, hand == 0 ? -1 : 1);
+  if (seen)
+    visit.panel.reset();
+  else
+    visit.panel = fetched(visit, input, world, hand == 0 ? -1 : 1);
 }
 
 void toggle_section(Visit& visit, const VisitWorld& world) {
@@ -36,17 +38,21 @@ void toggle_section(Visit& visit, const VisitWorld& world) {
     visit.section_put_away = std::exchange(visit.scene.section, std::nullopt);
     return;
   }
-  visit.scene.section = visit.section_put_away ? *visit.section_put_away : with_offset({world.model.bounds_mm.centre(), AnatomicalFrame{}.buccal}, 0, world.model);
+  visit.scene.section = visit.section_put_away
+                            ? *visit.section_put_away
+                            : with_offset({world.model.bounds_mm.centre(), AnatomicalFrame{}.buccal}, 0, world.model);
 }
 
 }  // namespace
 
 void change_size(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   const glm::dvec3 facing = world.scene.camera.position - world.scene.camera.target;
-  visit.stage = before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size, facing);
+  visit.stage =
+      before(input.head, world.model, visit.stage.magnification == true_size ? usual_magnification : true_size, facing);
 }
 
-void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules, double seconds) {
+void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+              double seconds) {
   for (std::size_t i = 0; i < 2; ++i) {
     double& held = visit.menu_held[i];
     const bool down = input.hands[i].menu, was_down = visit.before[i].menu;
@@ -54,8 +60,10 @@ void use_menu(Visit& visit, const HeadsetInput& input, const VisitWorld& world, 
     if (down && held >= 0) held += seconds;
     if (down && held >= rules.menu_seconds) {
       held = -1;
-      if (visit.cavity) visit.way = Visit::Way{};
-      else change_size(visit, input, world);
+      if (visit.cavity)
+        visit.way = Visit::Way{};
+      else
+        change_size(visit, input, world);
     }
     if (!down && was_down && held >= 0) on_short_press(visit, input, world, i);
   }
@@ -65,7 +73,8 @@ void point_at_panel(Visit& visit, const HeadsetInput& input) {
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
     visit.on_panel[i].reset();
-    const std::optional<PanelPlace> aimed = visit.panel && hand.tracked ? aimed_at(*visit.panel, hand.aim) : std::nullopt;
+    const std::optional<PanelPlace> aimed =
+        visit.panel && hand.tracked ? aimed_at(*visit.panel, hand.aim) : std::nullopt;
     if (!aimed || !(visit.pressing[i] ? hand.trigger >= released_below : true)) visit.pressing[i] = false;
     if (!aimed || visit.held[i] == Visit::Held::model) continue;
     if (aimed->on_it() && pulled(visit, input, i)) {
@@ -76,14 +85,19 @@ void point_at_panel(Visit& visit, const HeadsetInput& input) {
   }
   for (std::size_t i = 0; i < 2; ++i) {
     const HandInput& hand = input.hands[i];
-    if (visit.held[i] == Visit::Held::panel && (!visit.panel || !hand.tracked || hand.grab < released_below)) visit.held[i] = Visit::Held::nothing;
-    if (visit.held[i] == Visit::Held::panel) visit.panel = carried(*visit.panel, visit.before[i].grip, hand.grip);
-    else if (at_panel(visit, i) && hand.can_grab && visit.before[i].tracked && went_down(visit.before[i].grab, hand.grab)) visit.held[i] = Visit::Held::panel;
+    if (visit.held[i] == Visit::Held::panel && (!visit.panel || !hand.tracked || hand.grab < released_below))
+      visit.held[i] = Visit::Held::nothing;
+    if (visit.held[i] == Visit::Held::panel)
+      visit.panel = carried(*visit.panel, visit.before[i].grip, hand.grip);
+    else if (at_panel(visit, i) && hand.can_grab && visit.before[i].tracked &&
+             went_down(visit.before[i].grab, hand.grab))
+      visit.held[i] = Visit::Held::panel;
   }
 }
 
 void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
-  if (const auto line = std::exchange(visit.tour_asked, {}); line && !world.cavities.empty()) visit.way = Visit::Way{visit.cavity.value_or(0), line};
+  if (const auto line = std::exchange(visit.tour_asked, {}); line && !world.cavities.empty())
+    visit.way = Visit::Way{visit.cavity.value_or(0), line};
   for (const VisitAction action : std::exchange(visit.todo, {})) {
     switch (action) {
       case VisitAction::enter:
@@ -95,7 +109,9 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
       case VisitAction::change_size:
         if (!visit.cavity) change_size(visit, input, world);
         break;
-      case VisitAction::toggle_section: toggle_section(visit, world); break;
+      case VisitAction::toggle_section:
+        toggle_section(visit, world);
+        break;
       case VisitAction::flip_section:
         if (visit.scene.section) visit.scene.section->normal = -visit.scene.section->normal;
         break;
@@ -103,9 +119,11 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
         visit.ends.clear();
         visit.named.reset();
         break;
-      case VisitAction::show_dt: visit.db = false; break;
+      case VisitAction::show_dt:
+        visit.db = false;
+        break;
       case VisitAction::show_db:
-        visit.db = true;   // what one method hides, the other must hide as well
+        visit.db = true;  // what one method hides, the other must hide as well
         for (Look& look : visit.scene.looks) look.opacity = 1;
         visit.scene.back_faces = BackFaces::cull;
         break;
@@ -117,9 +135,15 @@ void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
         visit.tour->back = !visit.tour->back;
         visit.tour->playing = true;
         break;
-      case VisitAction::end_tour: visit.tour.reset(); break;
-      case VisitAction::put_panel_away: visit.panel.reset(); break;
-      case VisitAction::leave_headset: visit.leaving = true; break;
+      case VisitAction::end_tour:
+        visit.tour.reset();
+        break;
+      case VisitAction::put_panel_away:
+        visit.panel.reset();
+        break;
+      case VisitAction::leave_headset:
+        visit.leaving = true;
+        break;
     }
   }
 }

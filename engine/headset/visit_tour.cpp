@@ -1,4 +1,5 @@
-// A tour along a canal: the place moves as a ride of navigate/ride.h does, and the view is turned by nobody but the head.
+// A tour along a canal: the place moves as a ride of navigate/ride.h does, and the view is turned by nobody but the
+// head.
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,8 @@ namespace {
 /// The canal's usual clearance: half of its points have more.
 double usual_radius(const CentreLine& line) {
   std::vector<double> radii;
-  for (std::size_t i = std::min(line.orifice, line.points.size() - 2); i < line.points.size(); ++i) radii.push_back(line.points[i].radius);
+  for (std::size_t i = std::min(line.orifice, line.points.size() - 2); i < line.points.size(); ++i)
+    radii.push_back(line.points[i].radius);
   std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
   return radii[radii.size() / 2];
 }
@@ -47,13 +49,15 @@ double speed_near(const Ride& tour, double reach) {
 /// For the next `seconds`: the limit of speed holds on all of the way that they lead over.
 FlightRules tour_rules(const Visit& visit, const ComfortRules& rules, double seconds) {
   FlightRules flight = flight_rules(visit.stage, rules);
-  flight.haste = std::min(visit.tour_haste, flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
+  flight.haste = std::min(visit.tour_haste,
+                          flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
   return flight;
 }
 
 }  // namespace
 
-void begin_tour(Visit& visit, const FlightSpace& cavity, std::size_t number, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules) {
+void begin_tour(Visit& visit, const FlightSpace& cavity, std::size_t number, const HeadsetInput& input,
+                const VisitWorld& world, const ComfortRules& rules) {
   const auto lines = rideable(cavity.lines);
   if (number >= lines.size()) return;
   const CentreLine& line = *lines[number];
@@ -71,7 +75,8 @@ void begin_tour(Visit& visit, const FlightSpace& cavity, std::size_t number, con
 }
 
 void play(Ride& tour) {
-  const bool at_end = tour.along >= tour.track.points.back().along, at_start = tour.along <= tour.track.points.front().along;
+  const bool at_end = tour.along >= tour.track.points.back().along,
+             at_start = tour.along <= tour.track.points.front().along;
   if (!tour.playing && ((at_end && !tour.back) || (at_start && tour.back))) tour.back = !tour.back;
   tour.playing = !tour.playing;
 }
@@ -90,14 +95,14 @@ void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rule
   const bool played = tour.playing;
   const FlightRules limits = tour_rules(visit, rules, seconds);
   const glm::dvec3 before_mm = place_on(tour.track, tour.along).at;
-  tour.pace = std::clamp(tour.pace, -limits.haste, limits.haste);   // where it widens the limit comes before gentleness
+  tour.pace = std::clamp(tour.pace, -limits.haste, limits.haste);  // where it widens the limit comes before gentleness
   advance(tour, limits, seconds);
-  if (played && !tour.playing)   // it has arrived
+  if (played && !tour.playing)  // it has arrived
     for (std::size_t i = 0; i < 2; ++i) feel(visit, i, tap);
   const Track::Point place = place_on(tour.track, tour.along);
   // The head leans within the ball about the line that holds no wall.
   glm::dvec3 off = visit.off_tour_mm + to_model(visit.stage, input.head.position) - visit.eye_mm;
-  constexpr double skin = 1.03;   // between two points of the track the ball may be a little smaller
+  constexpr double skin = 1.03;  // between two points of the track the ball may be a little smaller
   const double most = std::max(0.0, place.radius - skin * limits.clearance), length = glm::length(off);
   if (length > most) off *= most / length;
   visit.off_tour_mm = off;

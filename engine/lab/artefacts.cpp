@@ -32,7 +32,8 @@ glm::dvec3 outward_at(const Grid& grid, const Field& field, const Defect& defect
   double in = 0, out = 0;
   for (const GridPlace& cell : {defect.first, defect.second}) {
     for (std::uint32_t corner = 0; corner < 8; ++corner) {
-      const std::size_t column = cell[0] + (corner & 1), row = cell[1] + (corner >> 1 & 1), layer = cell[2] + (corner >> 2 & 1);
+      const std::size_t column = cell[0] + (corner & 1), row = cell[1] + (corner >> 1 & 1),
+                        layer = cell[2] + (corner >> 2 & 1);
       const bool material = field.values[grid.index(column, row, layer)] < 0;
       (material ? inside : outside) += vec(grid.point(column, row, layer));
       (material ? in : out) += 1;
@@ -44,21 +45,25 @@ glm::dvec3 outward_at(const Grid& grid, const Field& field, const Defect& defect
 
 DefectKind kind_of(EdgeFault fault) {
   switch (fault) {
-    case EdgeFault::boundary: return DefectKind::crack;
-    case EdgeFault::misoriented: return DefectKind::misoriented;
-    case EdgeFault::nonmanifold: break;
+    case EdgeFault::boundary:
+      return DefectKind::crack;
+    case EdgeFault::misoriented:
+      return DefectKind::misoriented;
+    case EdgeFault::nonmanifold:
+      break;
   }
   return DefectKind::nonmanifold;
 }
 
 bool before(const LabArtefact& a, const LabArtefact& b) {
-  constexpr std::array order = {0, 2, 1};   // crack, misoriented, nonmanifold as DefectKind counts them
+  constexpr std::array order = {0, 2, 1};  // crack, misoriented, nonmanifold as DefectKind counts them
   return order[static_cast<std::size_t>(a.kind)] < order[static_cast<std::size_t>(b.kind)];
 }
 
 }  // namespace
 
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field, const std::vector<Defect>& defects) {
+std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
+                                      const std::vector<Defect>& defects) {
   struct Gathered {
     const Defect* first = nullptr;
     glm::dvec3 sum{0};
@@ -74,7 +79,8 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& 
   std::vector<LabArtefact> artefacts;
   artefacts.reserve(faces.size());
   for (const auto& [key, face] : faces)
-    artefacts.push_back({structure, face.first->kind, face.sum / face.count, outward_at(grid, field, *face.first), *face.first});
+    artefacts.push_back(
+        {structure, face.first->kind, face.sum / face.count, outward_at(grid, field, *face.first), *face.first});
   std::stable_sort(artefacts.begin(), artefacts.end(), before);
   return artefacts;
 }
@@ -96,7 +102,8 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Surfac
 
 std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts) {
   std::stable_sort(artefacts.begin(), artefacts.end(), before);
-  const auto misoriented = std::find_if(artefacts.begin(), artefacts.end(), [](const LabArtefact& a) { return a.kind == DefectKind::misoriented; });
+  const auto misoriented = std::find_if(artefacts.begin(), artefacts.end(),
+                                        [](const LabArtefact& a) { return a.kind == DefectKind::misoriented; });
   const std::vector<LabArtefact> in_place(misoriented, artefacts.end());
   const std::size_t count = in_place.size();
   if (count < 3) return artefacts;
@@ -110,22 +117,29 @@ std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts) {
 
 std::string in_words(const LabArtefact& artefact, CaseTable table) {
   if (artefact.reason) return in_words(*artefact.reason, table);
-  const std::string after = fmt::format(" Decimation moved what table {} had made; without decimation the two cells that disagree can be named.", name(table));
+  const std::string after = fmt::format(
+      " Decimation moved what table {} had made; without decimation the two cells that disagree can be named.",
+      name(table));
   switch (artefact.kind) {
-    case DefectKind::crack: return "An edge with a triangle on one side only: the surface is open here." + after;
-    case DefectKind::misoriented: return "The two triangles of this edge face opposite sides: one is invisible once back faces are culled." + after;
-    case DefectKind::nonmanifold: return "More than two triangles meet in this edge." + after;
+    case DefectKind::crack:
+      return "An edge with a triangle on one side only: the surface is open here." + after;
+    case DefectKind::misoriented:
+      return "The two triangles of this edge face opposite sides: one is invisible once back faces are culled." + after;
+    case DefectKind::nonmanifold:
+      return "More than two triangles meet in this edge." + after;
   }
   return after;
 }
 
-Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable, const Scene& scene) {
+Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
+                 const Scene& scene) {
   Camera camera = start;
   camera.target = artefact.at;
   camera.height_mm = 2 * seen_cells * spacing_mm;
   const double distance = seen_cells * spacing_mm / std::tan(glm::radians(start.field_of_view_deg) / 2);
   const glm::dvec3 out = unit_or(artefact.outward, {0, 0, 1});
-  const glm::dvec3 across = unit_or(glm::cross(std::abs(out.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), out), {1, 0, 0});
+  const glm::dvec3 across =
+      unit_or(glm::cross(std::abs(out.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0), out), {1, 0, 0});
   const glm::dvec3 along = glm::cross(out, across);
   const auto look_from = [&](const glm::dvec3& towards, double far) {
     camera.position = artefact.at + far * towards;
@@ -136,7 +150,8 @@ Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& s
   for (const double tilt : {0.0, 0.4, 0.8, 1.15}) {
     for (int round = 0; round < (tilt > 0 ? 12 : 1); ++round) {
       const double turn = glm::radians(30.0) * round;
-      const glm::dvec3 towards = glm::normalize(std::cos(tilt) * out + std::sin(tilt) * (std::cos(turn) * along + std::sin(turn) * across));
+      const glm::dvec3 towards =
+          glm::normalize(std::cos(tilt) * out + std::sin(tilt) * (std::cos(turn) * along + std::sin(turn) * across));
       const auto in_the_way = pick(pickable, scene, {artefact.at + distance * towards, -towards});
       if (!in_the_way || in_the_way->distance_mm > distance - 1.5 * spacing_mm) {
         look_from(towards, distance);

@@ -19,26 +19,30 @@ namespace odontoscope {
 struct LabArtefact {
   std::string structure;
   DefectKind kind = DefectKind::crack;
-  glm::dvec3 at{0};           // mm
-  glm::dvec3 outward{0, 0, 1};   // from the material to the void, unit length, roughly
+  glm::dvec3 at{0};             // mm
+  glm::dvec3 outward{0, 0, 1};  // from the material to the void, unit length, roughly
   /// As marching cubes left it; without, decimation moved it and no two cells answer for it any more.
   std::optional<Defect> reason;
 };
 
 /// One a face, by kind (cracks, non-manifold, misoriented). The place is the middle of the face's defects.
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field, const std::vector<Defect>& defects);
+std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
+                                      const std::vector<Defect>& defects);
 
 /// One an edge, of any mesh.
 std::vector<LabArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh);
 
-/// Cracks first, non-manifold edges next, misoriented ones last; these in such an order that one and the next lie far apart.
+/// Cracks first, non-manifold edges next, misoriented ones last; these in such an order that one and the next lie far
+/// apart.
 std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts);
 
 /// For a person: what is broken, where and why. With a reason it names the table, the two cells and their cases.
 std::string in_words(const LabArtefact& artefact, CaseTable table);
 
-/// Looks at the artefact along the surface's normal, near enough to tell the triangles (`spacing_mm`) apart; from aside where the model itself stands
-/// in the way, and from nearer where that does not help (in a canal). `start` gives projection and angle of view.
-Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable, const Scene& scene);
+/// Looks at the artefact along the surface's normal, near enough to tell the triangles (`spacing_mm`) apart; from aside
+/// where the model itself stands in the way, and from nearer where that does not help (in a canal). `start` gives
+/// projection and angle of view.
+Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
+                 const Scene& scene);
 
 }  // namespace odontoscope

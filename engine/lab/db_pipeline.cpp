@@ -38,21 +38,30 @@ int lab_threads() { return std::max(1, static_cast<int>(std::thread::hardware_co
 
 const char* name(LabDecimation decimation) {
   switch (decimation) {
-    case LabDecimation::none: return "none";
-    case LabDecimation::half: return "half";
-    case LabDecimation::tenth: return "tenth";
-    case LabDecimation::most: return "most";
+    case LabDecimation::none:
+      return "none";
+    case LabDecimation::half:
+      return "half";
+    case LabDecimation::tenth:
+      return "tenth";
+    case LabDecimation::most:
+      return "most";
   }
   return "";
 }
 
 const char* name(LabStage stage) {
   switch (stage) {
-    case LabStage::grid: return "grid";
-    case LabStage::field: return "field";
-    case LabStage::surface: return "surface";
-    case LabStage::decimation: return "decimation";
-    case LabStage::inspection: return "inspection";
+    case LabStage::grid:
+      return "grid";
+    case LabStage::field:
+      return "field";
+    case LabStage::surface:
+      return "surface";
+    case LabStage::decimation:
+      return "decimation";
+    case LabStage::inspection:
+      return "inspection";
   }
   return "";
 }
@@ -76,7 +85,8 @@ void DbPipeline::prepare(const Progress& progress) {
 
 void DbPipeline::make_fields(FieldKind kind, const Progress& progress) {
   fields_.clear();
-  for (const std::string& structure : structures_) fields_.push_back(sample_field(sorted_, structure, grid_, {kind}, progress));
+  for (const std::string& structure : structures_)
+    fields_.push_back(sample_field(sorted_, structure, grid_, {kind}, progress));
 }
 
 void DbPipeline::make_surfaces(CaseTable cases, const Progress& progress) {
@@ -91,13 +101,16 @@ void DbPipeline::thin_out(LabDecimation decimation, const Progress& progress) {
     progress.check();
     progress.tell("decimate", static_cast<double>(decimated_.size()) / static_cast<double>(marched_.size()));
     DecimateOptions options;
-    if (decimation == LabDecimation::most) options.largest_error = limits::decimation_error * std::max(grid_.dx, grid_.dy);
-    else options.triangles = marched.mesh.triangles.size() / (decimation == LabDecimation::half ? 2 : 10);
+    if (decimation == LabDecimation::most)
+      options.largest_error = limits::decimation_error * std::max(grid_.dx, grid_.dy);
+    else
+      options.triangles = marched.mesh.triangles.size() / (decimation == LabDecimation::half ? 2 : 10);
     decimated_.push_back(decimate(marched.mesh, options));
   }
 }
 
-std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, std::vector<LabStage> ran, const Progress& progress) const {
+std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, std::vector<LabStage> ran,
+                                                     const Progress& progress) const {
   auto result = std::make_shared<LabResult>();
   result->options = options;
   result->ran = std::move(ran);
@@ -109,9 +122,11 @@ std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, 
     const std::string& structure = structures_[i];
     const bool thinned = !decimated_.empty();
     const SurfaceMesh& mesh = thinned ? decimated_[i].surface : marched_[i].mesh;
-    result->structures.push_back({structure, thinned ? decimated_[i].report : inspect(mesh), lowest(mesh), ridges_mm(mesh)});
+    result->structures.push_back(
+        {structure, thinned ? decimated_[i].report : inspect(mesh), lowest(mesh), ridges_mm(mesh)});
     const std::vector<LabArtefact> found =
-        thinned ? artefacts_of(structure, mesh) : artefacts_of(structure, grid_, fields_[i], defects_of(grid_, fields_[i], marched_[i]));
+        thinned ? artefacts_of(structure, mesh)
+                : artefacts_of(structure, grid_, fields_[i], defects_of(grid_, fields_[i], marched_[i]));
     result->artefacts.insert(result->artefacts.end(), found.begin(), found.end());
     surfaces.push_back({structure, mesh, structure});
   }

@@ -1,8 +1,9 @@
 #pragma once
 // The DB engine for somebody who turns its knobs and looks: only what a change touches is done again.
 //
-// Five stages in a row: grid, field, surface, decimation, inspection (see recon/distance). What each made is kept until an option of it, or of one
-// before it, changes. A run that is cancelled keeps the stages that it had finished. Not for several threads at once: see db_worker.h.
+// Five stages in a row: grid, field, surface, decimation, inspection (see recon/distance). What each made is kept until
+// an option of it, or of one before it, changes. A run that is cancelled keeps the stages that it had finished. Not for
+// several threads at once: see db_worker.h.
 
 #include <array>
 #include <cstddef>
@@ -29,7 +30,7 @@ enum class LabDecimation { none, half, tenth, most };
 const char* name(LabDecimation decimation);
 
 struct LabOptions {
-  std::size_t grid = 64;           // points along x and along y, lab_limits::least_grid to most_grid
+  std::size_t grid = 64;  // points along x and along y, lab_limits::least_grid to most_grid
   FieldKind field = FieldKind::hybrid;
   /// The table that leaves complements as they are: what it gets wrong is what the mode is there to show.
   CaseTable cases = CaseTable::classic_unoriented;
@@ -49,8 +50,8 @@ const char* name(LabStage stage);
 struct LabStructure {
   std::string structure;
   SurfaceReport report;
-  double lowest_mm = 0;            // least z of its surface; 0 if it has none
-  double ridges_mm = 0;            // see ridges.h
+  double lowest_mm = 0;  // least z of its surface; 0 if it has none
+  double ridges_mm = 0;  // see ridges.h
 };
 
 /// What a run made, ready to be shown.
@@ -58,23 +59,25 @@ struct LabResult {
   LabOptions options;
   Model model;
   std::vector<LineSet> faulty_edges;
-  std::shared_ptr<const Pickable> pickable;   // never null
+  std::shared_ptr<const Pickable> pickable;  // never null
   std::vector<LabStructure> structures;
-  std::vector<LabArtefact> artefacts;         // cracks first, then non-manifold edges, then misoriented ones far apart from each other
-  double spacing_mm = 1;                      // of the grid, the larger of x and y
-  std::vector<LabStage> ran;                  // that this run had to do; empty if nothing had changed
+  std::vector<LabArtefact>
+      artefacts;              // cracks first, then non-manifold edges, then misoriented ones far apart from each other
+  double spacing_mm = 1;      // of the grid, the larger of x and y
+  std::vector<LabStage> ran;  // that this run had to do; empty if nothing had changed
 
   std::size_t triangles() const;
-  std::size_t cracks() const;                 // boundary edges
+  std::size_t cracks() const;  // boundary edges
   std::size_t misoriented() const;
-  std::size_t nonmanifold() const;            // edges
+  std::size_t nonmanifold() const;  // edges
 };
 
 class DbPipeline {
  public:
   explicit DbPipeline(std::shared_ptr<const ContourStack> stack) : stack_(std::move(stack)) {}
 
-  /// Throws InputError (validate; nothing-to-show where no contour holds a grid point), UsageError (make_grid, march), Cancelled.
+  /// Throws InputError (validate; nothing-to-show where no contour holds a grid point), UsageError (make_grid, march),
+  /// Cancelled.
   std::shared_ptr<const LabResult> run(const LabOptions& options, const Progress& progress = {});
 
  private:
@@ -82,7 +85,8 @@ class DbPipeline {
   void make_fields(FieldKind kind, const Progress& progress);
   void make_surfaces(CaseTable cases, const Progress& progress);
   void thin_out(LabDecimation decimation, const Progress& progress);
-  std::shared_ptr<const LabResult> look_at(const LabOptions& options, std::vector<LabStage> ran, const Progress& progress) const;
+  std::shared_ptr<const LabResult> look_at(const LabOptions& options, std::vector<LabStage> ran,
+                                           const Progress& progress) const;
   void forget_from(LabStage stage);
 
   std::shared_ptr<const ContourStack> stack_;
@@ -92,9 +96,9 @@ class DbPipeline {
   Grid grid_;
   std::vector<Field> fields_;
   std::vector<MarchedSurface> marched_;
-  std::vector<DecimatedSurface> decimated_;   // empty if not decimated
+  std::vector<DecimatedSurface> decimated_;  // empty if not decimated
   std::array<bool, 5> done_{};
-  LabOptions made_with_;                      // of the stages that are done
+  LabOptions made_with_;  // of the stages that are done
   std::shared_ptr<const LabResult> last_;
 };
 

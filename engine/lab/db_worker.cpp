@@ -78,7 +78,7 @@ void DbWorker::run(const std::stop_token& leaving) {
     }
     const std::lock_guard lock(mutex_);
     at_work_on_.reset();
-    if (!run_stop_.stop_requested()) outcome_ = std::move(outcome);   // else nobody wants it any more
+    if (!run_stop_.stop_requested()) outcome_ = std::move(outcome);  // else nobody wants it any more
   }
 }
 

@@ -48,14 +48,14 @@ class DbWorker {
 
   mutable std::mutex mutex_;
   std::condition_variable_any wished_;
-  std::optional<LabOptions> wish_;       // not begun
+  std::optional<LabOptions> wish_;  // not begun
   std::optional<LabOptions> at_work_on_;
   std::stop_source run_stop_;
   Stage stage_;
   std::optional<Outcome> outcome_;
   bool gone_ = false;
   DbPipeline pipeline_;
-  std::jthread thread_;   // last: it uses the others
+  std::jthread thread_;  // last: it uses the others
 };
 
 }  // namespace odontoscope

@@ -21,7 +21,8 @@ using Json = nlohmann::json;
 
 constexpr const char* format_name = "odontoscope.lesson";
 constexpr int format_version = 1;
-constexpr std::array quantities = {"triangles", "cracks", "misoriented", "nonmanifold", "pieces", "lowest_mm", "ridges_mm", "median_angle_deg"};
+constexpr std::array quantities = {"triangles", "cracks",    "misoriented", "nonmanifold",
+                                   "pieces",    "lowest_mm", "ridges_mm",   "median_angle_deg"};
 
 template <class Value>
 using Words = std::initializer_list<std::pair<const char*, Value>>;
@@ -29,7 +30,8 @@ using Words = std::initializer_list<std::pair<const char*, Value>>;
 /// One object of the file. Keys that nobody knows are refused at once.
 class Object {
  public:
-  Object(const Json& json, std::string path, const std::string& file, std::initializer_list<const char*> known) : json_(json), path_(std::move(path)), file_(file) {
+  Object(const Json& json, std::string path, const std::string& file, std::initializer_list<const char*> known)
+      : json_(json), path_(std::move(path)), file_(file) {
     if (!json.is_object()) refuse("wrong-type", "is no object");
     for (const auto& [key, value] : json.items())
       if (std::none_of(known.begin(), known.end(), [&key = key](const char* name) { return key == name; }))
@@ -48,7 +50,8 @@ class Object {
     const Json& json = needed(key);
     if (!json.is_string()) refuse("wrong-type", fmt::format("has a \"{}\" that is no text", key));
     const std::string text = json.get<std::string>();
-    if (text.empty() || text.size() > lesson_limits::text) refuse("bad-value", fmt::format("has a \"{}\" that is not 1 to {} bytes long", key, lesson_limits::text));
+    if (text.empty() || text.size() > lesson_limits::text)
+      refuse("bad-value", fmt::format("has a \"{}\" that is not 1 to {} bytes long", key, lesson_limits::text));
     return text;
   }
   double number(const char* key) const {
@@ -77,13 +80,15 @@ class Object {
   const Json& list(const char* key, std::size_t least, std::size_t most) const {
     const Json& json = needed(key);
     if (!json.is_array()) refuse("wrong-type", fmt::format("has \"{}\" that are no list", key));
-    if (json.size() < least || json.size() > most) refuse("bad-value", fmt::format("has {} \"{}\"; a lesson has {} to {}", json.size(), key, least, most));
+    if (json.size() < least || json.size() > most)
+      refuse("bad-value", fmt::format("has {} \"{}\"; a lesson has {} to {}", json.size(), key, least, most));
     return json;
   }
   [[noreturn]] void refuse(std::string_view cause, std::string_view wrong) const {
     Place place;
     place.file = file_;
-    throw InputError(cause, place, fmt::format("{} {}", path_, wrong), "See engine/lab/lesson.h for the form of a lesson.");
+    throw InputError(cause, place, fmt::format("{} {}", path_, wrong),
+                     "See engine/lab/lesson.h for the form of a lesson.");
   }
   const std::string& path() const { return path_; }
 
@@ -98,13 +103,19 @@ LabOptions db_in(const Json& json, const std::string& path, const std::string& f
   LabOptions options;
   const double grid = object.number("grid");
   if (grid < lab_limits::least_grid || grid > lab_limits::most_grid || grid != std::floor(grid))
-    object.refuse("bad-value", fmt::format("has a \"grid\" that is no whole number from {} to {}", lab_limits::least_grid, lab_limits::most_grid));
+    object.refuse("bad-value", fmt::format("has a \"grid\" that is no whole number from {} to {}",
+                                           lab_limits::least_grid, lab_limits::most_grid));
   options.grid = static_cast<std::size_t>(grid);
-  options.field = object.word<FieldKind>("field", {{"hybrid", FieldKind::hybrid}, {"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}});
-  options.cases = object.word<CaseTable>(
-      "cases", {{"classic", CaseTable::classic}, {"classic-unoriented", CaseTable::classic_unoriented}, {"consistent", CaseTable::consistent}});
-  options.decimation = object.word<LabDecimation>(
-      "decimate", {{"none", LabDecimation::none}, {"half", LabDecimation::half}, {"tenth", LabDecimation::tenth}, {"most", LabDecimation::most}});
+  options.field = object.word<FieldKind>(
+      "field",
+      {{"hybrid", FieldKind::hybrid}, {"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}});
+  options.cases = object.word<CaseTable>("cases", {{"classic", CaseTable::classic},
+                                                   {"classic-unoriented", CaseTable::classic_unoriented},
+                                                   {"consistent", CaseTable::consistent}});
+  options.decimation = object.word<LabDecimation>("decimate", {{"none", LabDecimation::none},
+                                                               {"half", LabDecimation::half},
+                                                               {"tenth", LabDecimation::tenth},
+                                                               {"most", LabDecimation::most}});
   return options;
 }
 
@@ -139,10 +150,11 @@ LessonStep step_in(const Json& json, const std::string& path, const std::string&
   step.db = db_in(object.needed("db"), path + ".db", file);
   step.at_artefact = object.flag("artefact");
   const Json& claims = object.list("claims", 1, lesson_limits::claims);
-  for (std::size_t i = 0; i < claims.size(); ++i) step.claims.push_back(claim_in(claims[i], fmt::format("{}.claims[{}]", path, i), file));
+  for (std::size_t i = 0; i < claims.size(); ++i)
+    step.claims.push_back(claim_in(claims[i], fmt::format("{}.claims[{}]", path, i), file));
   if (const Json* scene = object.member("scene")) {
     step.scene = scene->dump();
-    scene_from_json(step.scene, Scene{}, file);   // refused now rather than in the middle of a lesson
+    scene_from_json(step.scene, Scene{}, file);  // refused now rather than in the middle of a lesson
   }
   return step;
 }
@@ -153,14 +165,18 @@ Json parse(std::string_view bytes, const std::string& file) {
   place.file = file;
   const char* remedy = "See engine/lab/lesson.h for the form of a lesson.";
   if (bytes.size() > lesson_limits::bytes)
-    throw InputError("file-too-large", place, fmt::format("a lesson is at most {} bytes long", lesson_limits::bytes), remedy);
+    throw InputError("file-too-large", place, fmt::format("a lesson is at most {} bytes long", lesson_limits::bytes),
+                     remedy);
   std::vector<std::set<std::string>> keys;
   const auto watch = [&](int depth, Json::parse_event_t event, Json& parsed) {
-    if (depth > lesson_limits::depth) throw InputError("too-deep", place, fmt::format("brackets are nested more than {} deep", lesson_limits::depth), remedy);
+    if (depth > lesson_limits::depth)
+      throw InputError("too-deep", place, fmt::format("brackets are nested more than {} deep", lesson_limits::depth),
+                       remedy);
     if (event == Json::parse_event_t::object_start) keys.emplace_back();
     if (event == Json::parse_event_t::object_end) keys.pop_back();
     if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      throw InputError("repeated-key", place, fmt::format("the key \"{}\" is there twice", parsed.get<std::string>()), remedy);
+      throw InputError("repeated-key", place, fmt::format("the key \"{}\" is there twice", parsed.get<std::string>()),
+                       remedy);
     return true;
   };
   Json json = Json::parse(bytes, watch, /*allow_exceptions=*/false);
@@ -170,17 +186,22 @@ Json parse(std::string_view bytes, const std::string& file) {
 
 }  // namespace
 
-Scene LessonStep::scene_over(const Scene& usual) const { return scene.empty() ? usual : scene_from_json(scene, usual, "lesson"); }
+Scene LessonStep::scene_over(const Scene& usual) const {
+  return scene.empty() ? usual : scene_from_json(scene, usual, "lesson");
+}
 
 Lesson parse_lesson(std::string_view bytes, const std::string& file) {
   const Json json = parse(bytes, file);
   const Object document(json, "the lesson", file, {"format", "version", "title", "steps"});
-  if (document.text("format") != format_name) document.refuse("wrong-format", fmt::format("is not of the format \"{}\"", format_name));
-  if (document.number("version") != format_version) document.refuse("wrong-version", fmt::format("is not of version {}", format_version));
+  if (document.text("format") != format_name)
+    document.refuse("wrong-format", fmt::format("is not of the format \"{}\"", format_name));
+  if (document.number("version") != format_version)
+    document.refuse("wrong-version", fmt::format("is not of version {}", format_version));
   Lesson lesson;
   lesson.title = document.text("title");
   const Json& steps = document.list("steps", 1, lesson_limits::steps);
-  for (std::size_t i = 0; i < steps.size(); ++i) lesson.steps.push_back(step_in(steps[i], fmt::format("steps[{}]", i), file));
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    lesson.steps.push_back(step_in(steps[i], fmt::format("steps[{}]", i), file));
   return lesson;
 }
 
@@ -191,14 +212,22 @@ std::optional<double> quantity_of(const LabResult& result, std::string_view quan
     const SurfaceReport& report = one.report;
     const auto add = [&](std::size_t count) { value = value.value_or(0) + static_cast<double>(count); };
     const auto least = [&](double number) { value = std::min(value.value_or(number), number); };
-    if (quantity == "triangles") add(report.triangles);
-    else if (quantity == "cracks") add(report.boundary_edges);
-    else if (quantity == "misoriented") add(report.misoriented_edges);
-    else if (quantity == "nonmanifold") add(report.nonmanifold_edges);
-    else if (quantity == "pieces") add(report.shells.size());
-    else if (quantity == "lowest_mm") least(one.lowest_mm);
-    else if (quantity == "ridges_mm") value = value.value_or(0) + one.ridges_mm;
-    else if (quantity == "median_angle_deg") least(report.smallest_angle_deg.median);
+    if (quantity == "triangles")
+      add(report.triangles);
+    else if (quantity == "cracks")
+      add(report.boundary_edges);
+    else if (quantity == "misoriented")
+      add(report.misoriented_edges);
+    else if (quantity == "nonmanifold")
+      add(report.nonmanifold_edges);
+    else if (quantity == "pieces")
+      add(report.shells.size());
+    else if (quantity == "lowest_mm")
+      least(one.lowest_mm);
+    else if (quantity == "ridges_mm")
+      value = value.value_or(0) + one.ridges_mm;
+    else if (quantity == "median_angle_deg")
+      least(report.smallest_angle_deg.median);
   }
   return value;
 }

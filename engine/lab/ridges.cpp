@@ -23,8 +23,9 @@ double ridges_mm(const SurfaceMesh& mesh, double degrees) {
     if (mate >= EdgeMates::no_edge || mate < h) continue;
     const glm::dvec3 one = across(h), other = across(mate);
     const double sizes = glm::length(one) * glm::length(other);
-    const double turned = start(mesh, mate) == start(mesh, h) ? -1 : 1;   // a misoriented pair
-    if (sizes > 0 && turned * glm::dot(one, other) < least_cosine * sizes) length += glm::distance(at(start(mesh, h)), at(end(mesh, h)));
+    const double turned = start(mesh, mate) == start(mesh, h) ? -1 : 1;  // a misoriented pair
+    if (sizes > 0 && turned * glm::dot(one, other) < least_cosine * sizes)
+      length += glm::distance(at(start(mesh, h)), at(end(mesh, h)));
   }
   return length;
 }

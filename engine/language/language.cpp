@@ -20,11 +20,13 @@ constexpr std::string_view minus = "\xE2\x88\x92";
 
 bool is_number(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
-  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.back())) != 0 && text.find_first_not_of("0123456789.,") == text.npos;
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.back())) != 0 &&
+         text.find_first_not_of("0123456789.,") == text.npos;
 }
 
 /// What fills the places of `pattern` so that it becomes `text`, each as short as can be; a {count} is a number.
-std::optional<std::vector<std::pair<std::string, std::string>>> fillings(std::string_view pattern, std::string_view text) {
+std::optional<std::vector<std::pair<std::string, std::string>>> fillings(std::string_view pattern,
+                                                                         std::string_view text) {
   std::vector<std::pair<std::string, std::string>> found;
   std::size_t at = 0, from = 0;
   const std::vector<TextPlace> places = places_in(pattern);
@@ -36,7 +38,9 @@ std::optional<std::vector<std::pair<std::string, std::string>>> fillings(std::st
       if (!text.starts_with(literal)) return {};
     } else {
       const bool last = i == places.size();
-      here = literal.empty() && last ? text.size() : last ? (text.ends_with(literal) ? text.size() - literal.size() : text.npos) : text.find(literal, at + 1);
+      here = literal.empty() && last ? text.size()
+             : last                  ? (text.ends_with(literal) ? text.size() - literal.size() : text.npos)
+                                     : text.find(literal, at + 1);
       if (here == text.npos || here <= at) return {};
       if (places[i - 1].name == "count" && !is_number(text.substr(at, here - at))) return {};
       found.emplace_back(places[i - 1].name, text.substr(at, here - at));
@@ -53,7 +57,8 @@ std::string filled(std::string_view text, const Values& values) {
   std::size_t from = 0;
   for (const TextPlace& place : places_in(text)) {
     made += text.substr(from, place.begin - from);
-    const auto value = std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.first == place.name; });
+    const auto value =
+        std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.first == place.name; });
     made += value == values.end() ? std::string(text.substr(place.begin, place.end - place.begin)) : value->second;
     from = place.end;
   }
@@ -90,11 +95,16 @@ std::string Language::localised(std::string formatted) const {
   if (english()) return formatted;
   std::string made;
   for (std::size_t i = 0; i < formatted.size(); ++i) {
-    const auto digit = [&](std::size_t at) { return at < formatted.size() && std::isdigit(static_cast<unsigned char>(formatted[at])) != 0; };
+    const auto digit = [&](std::size_t at) {
+      return at < formatted.size() && std::isdigit(static_cast<unsigned char>(formatted[at])) != 0;
+    };
     const bool within = i > 0 && digit(i - 1) && digit(i + 1);
-    if (within && formatted[i] == '.') made += decimal;
-    else if (within && formatted[i] == ',' && digit(i + 2) && digit(i + 3) && !digit(i + 4)) made += group;
-    else made += formatted[i];
+    if (within && formatted[i] == '.')
+      made += decimal;
+    else if (within && formatted[i] == ',' && digit(i + 2) && digit(i + 3) && !digit(i + 4))
+      made += group;
+    else
+      made += formatted[i];
   }
   return made;
 }
@@ -104,8 +114,10 @@ std::string Language::named(const std::string& name) const {
   if (const auto known = texts.find(name); known != texts.end()) return known->second;
   const std::size_t space = name.rfind(' ');
   if (space != name.npos && is_number(std::string_view(name).substr(space + 1)))
-    if (const auto known = texts.find(std::string_view(name).substr(0, space)); known != texts.end()) return known->second + name.substr(space);
-  if (name.size() > cavity.size() && name.ends_with(cavity)) return named(name.substr(0, name.size() - cavity.size())) + ": " + of("cavity");
+    if (const auto known = texts.find(std::string_view(name).substr(0, space)); known != texts.end())
+      return known->second + name.substr(space);
+  if (name.size() > cavity.size() && name.ends_with(cavity))
+    return named(name.substr(0, name.size() - cavity.size())) + ": " + of("cavity");
   return name;
 }
 
@@ -132,7 +144,8 @@ std::string Language::said(const std::string& words) const {
   }
   for (const std::string_view between : {"   ", "  ", " \xE2\x86\x92 ", ". ", "; ", ", ", ": "}) {
     const std::size_t at = words.find(between);
-    if (at != words.npos) return said(words.substr(0, at)) + std::string(between) + said(words.substr(at + between.size()));
+    if (at != words.npos)
+      return said(words.substr(0, at)) + std::string(between) + said(words.substr(at + between.size()));
   }
   return named(words);
 }
@@ -172,7 +185,8 @@ Language language_asked(const std::string& tag_or_file) {
   if (lower_case(tag_or_file).ends_with(".json")) return read_language(tag_or_file);
   std::string tags;
   for (const Language& language : known_languages()) tags += (tags.empty() ? "" : ", ") + language.tag;
-  throw UsageError(fmt::format("--language {}: no such language is known", tag_or_file), fmt::format("Choose one of {}, or name a file of another (docs/formats.md)", tags));
+  throw UsageError(fmt::format("--language {}: no such language is known", tag_or_file),
+                   fmt::format("Choose one of {}, or name a file of another (docs/formats.md)", tags));
 }
 
 std::string environment_language() {

@@ -1,11 +1,13 @@
 #pragma once
-// The words of viewer, page and lessons in another language, as data: assets/languages holds a file each, others may be given by their users.
+// The words of viewer, page and lessons in another language, as data: assets/languages holds a file each, others may be
+// given by their users.
 //
 //   {"format":"odontoscope.language","version":1,"language":"de","name":"Deutsch","decimal":",","group":".",
 //    "texts":[["Fly inside","Hineinfliegen"],["Step {step} of {steps}","Schritt {step} von {steps}"]]}
 //
-// In the code texts stand in English, and so they are looked up; what has no words in a language is said in English. What stands in braces is filled in: both
-// must have the same. web/source/language.js does the same with the same files.
+// In the code texts stand in English, and so they are looked up; what has no words in a language is said in English.
+// What stands in braces is filled in: both must have the same. web/source/language.js does the same with the same
+// files.
 
 #include <cstddef>
 #include <initializer_list>
@@ -22,7 +24,7 @@ namespace odontoscope {
 
 struct Language {
   std::string tag = "en", name = "English", decimal = ".", group = ",";
-  std::map<std::string, std::string, std::less<>> texts = {};   // by the English ones
+  std::map<std::string, std::string, std::less<>> texts = {};  // by the English ones
 
   using Value = std::pair<std::string_view, std::string>;
 
@@ -40,17 +42,19 @@ struct Language {
 
   /// What data call a thing: of "canal 2" the word is looked up, of "pulp cavity" both.
   std::string named(const std::string& name) const;
-  /// Words that the program put together in English: found again among the texts, and what fills their places likewise; a {count} is a number. What is not
-  /// found stays.
+  /// Words that the program put together in English: found again among the texts, and what fills their places likewise;
+  /// a {count} is a number. What is not found stays.
   std::string said(const std::string& words) const;
 
   bool english() const { return texts.empty(); }
   friend bool operator==(const Language&, const Language&) = default;
 };
 
-inline constexpr std::size_t most_language_file_bytes = 1u << 20, most_language_texts = 5000, longest_language_text = 4000;
+inline constexpr std::size_t most_language_file_bytes = 1u << 20, most_language_texts = 5000,
+                             longest_language_text = 4000;
 
-/// Throws InputError: what strict_json.h lists, and wrong-version, bad-language, bad-text, repeated-text, too-many-texts. docs/formats.md says when.
+/// Throws InputError: what strict_json.h lists, and wrong-version, bad-language, bad-text, repeated-text,
+/// too-many-texts. docs/formats.md says when.
 Language parse_language(std::string_view bytes, const std::string& name);
 /// Likewise, and FileError.
 Language read_language(const std::string& file);

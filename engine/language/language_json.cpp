@@ -13,8 +13,10 @@ namespace odontoscope {
 std::vector<TextPlace> places_in(std::string_view text) {
   std::vector<TextPlace> places;
   for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1)) {
-    const std::size_t end = text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at + 1);
-    if (end != text.npos && end > at + 1 && text[end] == '}') places.push_back({at, end + 1, std::string(text.substr(at + 1, end - at - 1))});
+    const std::size_t end =
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_", at + 1);
+    if (end != text.npos && end > at + 1 && text[end] == '}')
+      places.push_back({at, end + 1, std::string(text.substr(at + 1, end - at - 1))});
   }
   return places;
 }
@@ -31,14 +33,35 @@ namespace {
 constexpr std::string_view language_format = "odontoscope.language";
 constexpr int language_version = 1;
 
-enum LanguageNode { whole_file, format_node, version_node, tag_node, name_node, decimal_node, group_node, texts_node, pair_node, text_node };
+enum LanguageNode {
+  whole_file,
+  format_node,
+  version_node,
+  tag_node,
+  name_node,
+  decimal_node,
+  group_node,
+  texts_node,
+  pair_node,
+  text_node
+};
 
 using Shape = JsonNode::Shape;
-constexpr JsonNode::Key file_keys[] = {{"format", format_node, true}, {"version", version_node, true}, {"language", tag_node, true}, {"name", name_node, true},
-                                       {"decimal", decimal_node, true}, {"group", group_node, true}, {"texts", texts_node, true}};
+constexpr JsonNode::Key file_keys[] = {{"format", format_node, true},   {"version", version_node, true},
+                                       {"language", tag_node, true},    {"name", name_node, true},
+                                       {"decimal", decimal_node, true}, {"group", group_node, true},
+                                       {"texts", texts_node, true}};
 constexpr JsonNode language_nodes[] = {
-    {Shape::object, "a language", -1, file_keys}, {Shape::text, "\"format\""}, {Shape::number, "\"version\""}, {Shape::text, "\"language\""}, {Shape::text, "\"name\""},
-    {Shape::text, "\"decimal\""}, {Shape::text, "\"group\""}, {Shape::array, "\"texts\"", pair_node}, {Shape::array, "a pair of texts", text_node}, {Shape::text, "a text"},
+    {Shape::object, "a language", -1, file_keys},
+    {Shape::text, "\"format\""},
+    {Shape::number, "\"version\""},
+    {Shape::text, "\"language\""},
+    {Shape::text, "\"name\""},
+    {Shape::text, "\"decimal\""},
+    {Shape::text, "\"group\""},
+    {Shape::array, "\"texts\"", pair_node},
+    {Shape::array, "a pair of texts", text_node},
+    {Shape::text, "a text"},
 };
 
 std::vector<std::string> names_of_places(std::string_view text) {
@@ -49,11 +72,15 @@ std::vector<std::string> names_of_places(std::string_view text) {
 }
 
 bool is_tag(const std::string& tag) {
-  return !tag.empty() && tag.size() <= 35 && std::all_of(tag.begin(), tag.end(), [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-'; });
+  return !tag.empty() && tag.size() <= 35 && std::all_of(tag.begin(), tag.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  });
 }
 
 bool is_plain(const std::string& text, std::size_t longest) {
-  return !text.empty() && text.size() <= longest && std::none_of(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f; });
+  return !text.empty() && text.size() <= longest && std::none_of(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f;
+  });
 }
 
 class LanguageReader final : public StrictJson {
@@ -71,39 +98,54 @@ class LanguageReader final : public StrictJson {
   }
   void number(int node, double value) override {
     if (node == version_node && value != language_version)
-      refuse("wrong-version", fmt::format("version {} of the format, but this program reads version {}", value, language_version), "Use a newer odontoscope, or version 1.");
+      refuse("wrong-version",
+             fmt::format("version {} of the format, but this program reads version {}", value, language_version),
+             "Use a newer odontoscope, or version 1.");
   }
   void text(int node, const std::string& value) override {
     switch (node) {
       case format_node:
-        if (value != language_format) refuse("wrong-format", fmt::format("the format is not \"{}\"", language_format), "Check that this is the file you mean.");
+        if (value != language_format)
+          refuse("wrong-format", fmt::format("the format is not \"{}\"", language_format),
+                 "Check that this is the file you mean.");
         break;
       case tag_node:
         if (!is_tag(value)) refuse("bad-language", "\"language\" is no tag such as \"de\" or \"pt-BR\"", "Correct it.");
         language_.tag = value;
         break;
       case name_node:
-        if (!is_plain(value, 60)) refuse("bad-language", "\"name\" is empty or too long", "Write the language's own name for itself.");
+        if (!is_plain(value, 60))
+          refuse("bad-language", "\"name\" is empty or too long", "Write the language's own name for itself.");
         language_.name = value;
         break;
       case decimal_node:
       case group_node:
-        if (!is_plain(value, 4) || value.find_first_of("0123456789\n") != value.npos) refuse("bad-language", "a sign between digits is none", "Write \",\" or \".\", or a space.");
+        if (!is_plain(value, 4) || value.find_first_of("0123456789\n") != value.npos)
+          refuse("bad-language", "a sign between digits is none", "Write \",\" or \".\", or a space.");
         (node == decimal_node ? language_.decimal : language_.group) = value;
         break;
       default:
-        if (!is_plain(value, longest_language_text)) refuse("bad-text", fmt::format("a text is empty, has control characters, or more than {} bytes", longest_language_text), "Correct it.");
+        if (!is_plain(value, longest_language_text))
+          refuse("bad-text",
+                 fmt::format("a text is empty, has control characters, or more than {} bytes", longest_language_text),
+                 "Correct it.");
         pair_.push_back(value);
     }
   }
   void closed(int node) override {
-    if (node == whole_file && language_.decimal == language_.group) refuse("bad-language", "\"decimal\" and \"group\" are the same", "Correct one.");
+    if (node == whole_file && language_.decimal == language_.group)
+      refuse("bad-language", "\"decimal\" and \"group\" are the same", "Correct one.");
     if (node != pair_node) return;
-    if (pair_.size() != 2) refuse("bad-text", "a pair of texts has two: the English one, and its words in this language", "Correct it.");
+    if (pair_.size() != 2)
+      refuse("bad-text", "a pair of texts has two: the English one, and its words in this language", "Correct it.");
     if (names_of_places(pair_[0]) != names_of_places(pair_[1]))
-      refuse("bad-text", fmt::format("what stands in braces is not the same in \"{}\" and \"{}\"", pair_[0], pair_[1]), "Leave what stands in braces as it is; its place may change.");
-    if (language_.texts.size() == most_language_texts) refuse("too-many-texts", fmt::format("more than {} texts", most_language_texts), "Keep those that the program has.");
-    if (!language_.texts.emplace(pair_[0], pair_[1]).second) refuse("repeated-text", fmt::format("\"{}\" comes twice", pair_[0]), "Leave one out.");
+      refuse("bad-text", fmt::format("what stands in braces is not the same in \"{}\" and \"{}\"", pair_[0], pair_[1]),
+             "Leave what stands in braces as it is; its place may change.");
+    if (language_.texts.size() == most_language_texts)
+      refuse("too-many-texts", fmt::format("more than {} texts", most_language_texts),
+             "Keep those that the program has.");
+    if (!language_.texts.emplace(pair_[0], pair_[1]).second)
+      refuse("repeated-text", fmt::format("\"{}\" comes twice", pair_[0]), "Leave one out.");
   }
 
   Language language_;
@@ -117,13 +159,21 @@ Language parse_language(std::string_view bytes, const std::string& name) {
   return LanguageReader().read_language(source);
 }
 
-Language read_language(const std::string& file) { return parse_language(read_file(file, most_language_file_bytes), file); }
+Language read_language(const std::string& file) {
+  return parse_language(read_file(file, most_language_file_bytes), file);
+}
 
 std::string to_json(const Language& language) {
   nlohmann::ordered_json texts = nlohmann::ordered_json::array();
   for (const auto& [english, words] : language.texts) texts.push_back({english, words});
-  return nlohmann::ordered_json{{"format", language_format}, {"version", language_version}, {"language", language.tag}, {"name", language.name},
-                                {"decimal", language.decimal}, {"group", language.group}, {"texts", texts}}.dump();
+  return nlohmann::ordered_json{{"format", language_format},
+                                {"version", language_version},
+                                {"language", language.tag},
+                                {"name", language.name},
+                                {"decimal", language.decimal},
+                                {"group", language.group},
+                                {"texts", texts}}
+      .dump();
 }
 
 }  // namespace odontoscope

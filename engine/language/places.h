@@ -9,7 +9,7 @@
 namespace odontoscope {
 
 struct TextPlace {
-  std::size_t begin = 0, end = 0;   // with its braces
+  std::size_t begin = 0, end = 0;  // with its braces
   std::string name;
 };
 

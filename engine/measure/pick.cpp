@@ -14,7 +14,7 @@ namespace {
 
 struct Plane {
   glm::dvec3 normal{0};
-  double offset = 0;      // metres along the normal; beyond is cut away
+  double offset = 0;  // metres along the normal; beyond is cut away
 };
 
 std::optional<Plane> plane_of(const Scene& scene, const glm::dvec3& origin_mm) {
@@ -38,9 +38,11 @@ std::vector<Shown> shown_parts(const Pickable& pickable, const Scene& scene, boo
   std::vector<Shown> shown;
   for (const Pickable::Part& part : pickable.parts) {
     const Look* look = scene.look_of(part.structure);
-    if (!look) shown.push_back({true, false});
-    else shown.push_back({look->visible && look->opacity > 0 && look->opacity >= options.least_opacity,
-                          turned_out(scene, *look, part.structure != part.solid, capped)});
+    if (!look)
+      shown.push_back({true, false});
+    else
+      shown.push_back({look->visible && look->opacity > 0 && look->opacity >= options.least_opacity,
+                       turned_out(scene, *look, part.structure != part.solid, capped)});
   }
   return shown;
 }
@@ -50,9 +52,10 @@ struct Cap {
   double distance = 0;
 };
 
-/// The cap that the ray meets, if it meets the plane from the side that was cut away. How often each solid goes round the point of the
-/// plane is counted as CapPass does it: backs minus fronts behind the point.
-std::optional<Cap> cap_along(const Pickable& pickable, const Plane& plane, const TreeRay& ray, const std::vector<Shown>& shown) {
+/// The cap that the ray meets, if it meets the plane from the side that was cut away. How often each solid goes round
+/// the point of the plane is counted as CapPass does it: backs minus fronts behind the point.
+std::optional<Cap> cap_along(const Pickable& pickable, const Plane& plane, const TreeRay& ray,
+                             const std::vector<Shown>& shown) {
   const double slope = glm::dot(plane.normal, ray.direction);
   if (!(slope < 0)) return std::nullopt;
   const double distance = (plane.offset - glm::dot(plane.normal, ray.origin)) / slope;
@@ -60,11 +63,13 @@ std::optional<Cap> cap_along(const Pickable& pickable, const Plane& plane, const
   std::map<std::string, int> around;
   TreeRay behind = ray;
   behind.from = distance;
-  pickable.tree.each(behind, [&](const Crossing& crossing) { around[pickable.parts[crossing.part].solid] += crossing.front ? -1 : 1; });
+  pickable.tree.each(behind, [&](const Crossing& crossing) {
+    around[pickable.parts[crossing.part].solid] += crossing.front ? -1 : 1;
+  });
   std::optional<Cap> cap;
   for (std::size_t p = 0; p < pickable.parts.size(); ++p) {
     const Pickable::Part& part = pickable.parts[p];
-    const auto found = around.find(part.structure);   // a solid is called after its outer surface
+    const auto found = around.find(part.structure);  // a solid is called after its outer surface
     if (part.structure != part.solid || !shown[p].hit || found == around.end() || found->second == 0) continue;
     if (!cap || part.box_volume <= pickable.parts[cap->part].box_volume) cap = Cap{p, distance};
   }

@@ -47,12 +47,13 @@ struct Passage {
   bool front;
 };
 
-/// Does a triangle own its edge from `p` to `q`, its own side to the left? Of two neighbours that lie on different sides of the
-/// edge one does, of two that lie on the same side (a silhouette) both or neither: the rule of rasterisers.
+/// Does a triangle own its edge from `p` to `q`, its own side to the left? Of two neighbours that lie on different
+/// sides of the edge one does, of two that lie on the same side (a silhouette) both or neither: the rule of
+/// rasterisers.
 bool owns(const glm::dvec3& p, const glm::dvec3& q) { return q.y != p.y ? q.y > p.y : q.x > p.x; }
 
-/// Front: counter-clockwise as the ray comes. `edges_count`: all of the triangle's edges do, so that neighbours leave no gap;
-/// otherwise only those that it owns, so that a closed surface is passed exactly as often in as out.
+/// Front: counter-clockwise as the ray comes. `edges_count`: all of the triangle's edges do, so that neighbours leave
+/// no gap; otherwise only those that it owns, so that a closed surface is passed exactly as often in as out.
 std::optional<Passage> passage(const Shear& shear, const std::array<glm::vec3, 3>& corners, bool edges_count) {
   const glm::dvec3 a = shear(corners[0]), b = shear(corners[1]), c = shear(corners[2]);
   const double u = sheared_area(c, b), v = sheared_area(a, c), w = sheared_area(b, a);
@@ -87,7 +88,10 @@ TriangleTree::TriangleTree(const Model& model, const Progress& progress) {
     place_of_.emplace_back(part.indices.size() / 3);
     for (std::uint32_t t = 0; t < part.indices.size() / 3; ++t) {
       const std::uint32_t a = part.indices[3 * t], b = part.indices[3 * t + 1], c = part.indices[3 * t + 2];
-      corners.push_back({{part.positions[a], part.positions[b], part.positions[c]}, {part.normals[a], part.normals[b], part.normals[c]}, p, t});
+      corners.push_back({{part.positions[a], part.positions[b], part.positions[c]},
+                         {part.normals[a], part.normals[b], part.normals[c]},
+                         p,
+                         t});
     }
   }
   if (corners.empty()) return;
@@ -122,7 +126,8 @@ void TriangleTree::walk(const TreeRay& ray, bool edges_count, Visit visit) const
       });
 }
 
-std::optional<Crossing> TriangleTree::nearest(const TreeRay& ray, const std::function<bool(const Crossing&)>& counts) const {
+std::optional<Crossing> TriangleTree::nearest(const TreeRay& ray,
+                                              const std::function<bool(const Crossing&)>& counts) const {
   std::optional<Crossing> found;
   walk(ray, true, [&](const Crossing& crossing, double to) {
     const bool nearer = !found || crossing.distance < found->distance ||
@@ -142,7 +147,8 @@ void TriangleTree::each(const TreeRay& ray, const std::function<void(const Cross
   });
 }
 
-std::optional<NearestPoint> TriangleTree::nearest_point(const glm::dvec3& place, const std::function<bool(std::uint32_t)>& counts,
+std::optional<NearestPoint> TriangleTree::nearest_point(const glm::dvec3& place,
+                                                        const std::function<bool(std::uint32_t)>& counts,
                                                         double most) const {
   std::optional<NearestPoint> found;
   double least = most * most;
@@ -150,7 +156,8 @@ std::optional<NearestPoint> TriangleTree::nearest_point(const glm::dvec3& place,
     for (std::uint32_t i = first; i < end; ++i) {
       const Corners& triangle = triangles_[i];
       if (!counts(triangle.part)) continue;
-      const glm::dvec3 point = nearest_on_triangle({glm::dvec3(triangle.at[0]), glm::dvec3(triangle.at[1]), glm::dvec3(triangle.at[2])}, place);
+      const glm::dvec3 point = nearest_on_triangle(
+          {glm::dvec3(triangle.at[0]), glm::dvec3(triangle.at[1]), glm::dvec3(triangle.at[2])}, place);
       const double squared = glm::dot(point - place, point - place);
       if (squared >= least) continue;
       least = squared;

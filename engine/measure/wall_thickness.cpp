@@ -9,17 +9,19 @@ namespace odontoscope {
 
 namespace {
 
-/// Crossings nearer than this part of the model's coordinates are the triangle itself and its neighbours, met again by rounding.
+/// Crossings nearer than this part of the model's coordinates are the triangle itself and its neighbours, met again by
+/// rounding.
 constexpr double own_triangle = 1e-6;
 /// Of along_normal_mm: how near the largest ball is found.
 constexpr double ball_tolerance = 5e-4;
 
 struct Ball {
-  double place = 0, radius = 0;    // metres from the point along the line
+  double place = 0, radius = 0;  // metres from the point along the line
 };
 
-/// The largest distance to the surface on the line. Distances change no faster than one walks, so between two places with distances a and b
-/// no place is farther from the surface than (a + b + gap) / 2: the most promising gap is halved until none is (Piyavskii 1972).
+/// The largest distance to the surface on the line. Distances change no faster than one walks, so between two places
+/// with distances a and b no place is farther from the surface than (a + b + gap) / 2: the most promising gap is halved
+/// until none is (Piyavskii 1972).
 template <class DistanceAt>
 Ball largest_ball(double length, DistanceAt distance_at) {
   struct Gap {
@@ -58,8 +60,9 @@ std::optional<WallThickness> wall_thickness(const Pickable& pickable, const Hit&
   const double largest = std::max({std::abs(start.x), std::abs(start.y), std::abs(start.z)});
   const TreeRay ray{start, inwards, own_triangle * largest};
   // The far wall is met from behind. Fronts on the way would be a surface that overlaps itself.
-  const auto far_wall = pickable.tree.nearest(
-      ray, [&](const Crossing& c) { return !c.front && bounds_it(c.part) && !(c.part == own_part && c.triangle == own); });
+  const auto far_wall = pickable.tree.nearest(ray, [&](const Crossing& c) {
+    return !c.front && bounds_it(c.part) && !(c.part == own_part && c.triangle == own);
+  });
   if (!far_wall) return std::nullopt;
 
   const Ball ball = largest_ball(far_wall->distance, [&](double place) {
@@ -67,7 +70,8 @@ std::optional<WallThickness> wall_thickness(const Pickable& pickable, const Hit&
     return nearest ? nearest->distance : 0.0;
   });
   const auto in_mm = [&](double place) { return pickable.origin_mm + (start + place * inwards) / metres_per_mm; };
-  return WallThickness{far_wall->distance / metres_per_mm, in_mm(far_wall->distance), 2 * ball.radius / metres_per_mm, in_mm(ball.place)};
+  return WallThickness{far_wall->distance / metres_per_mm, in_mm(far_wall->distance), 2 * ball.radius / metres_per_mm,
+                       in_mm(ball.place)};
 }
 
 double distance_between_mm(const Hit& a, const Hit& b) { return glm::distance(a.point_mm, b.point_mm); }

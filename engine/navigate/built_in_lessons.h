@@ -16,7 +16,7 @@ std::span<const EmbeddedFile> lesson_tours();
 
 /// Of each its title, to choose by: what a list shows.
 struct BuiltInLesson {
-  std::string_view file;    // "canals.tour.json"
+  std::string_view file;  // "canals.tour.json"
   std::string title;
   std::size_t notes = 0, questions = 0;
 };

@@ -11,10 +11,10 @@
 namespace odontoscope {
 
 struct CanalPick {
-  std::size_t cavity = 0;            // of FlightSpaces::cavities
-  std::size_t line = 0;              // of rideable() there
-  bool in_chamber = false;           // before the line's orifice: pointed at is the chamber
-  glm::dvec3 at{0};                  // on the line
+  std::size_t cavity = 0;   // of FlightSpaces::cavities
+  std::size_t line = 0;     // of rideable() there
+  bool in_chamber = false;  // before the line's orifice: pointed at is the chamber
+  glm::dvec3 at{0};         // on the line
   friend bool operator==(const CanalPick&, const CanalPick&) = default;
 };
 
@@ -27,8 +27,9 @@ struct CanalPickOptions {
   std::optional<Section> section = {};
 };
 
-/// Where the line of sight runs in a void: the centre line nearest to it there. Otherwise the nearest that it misses by no more than the line's clearance
-/// and the slack. None: it points at no void, or at one without lines.
-std::optional<CanalPick> pick_canal(const FlightSpaces& spaces, const SightLine& sight, const CanalPickOptions& options = {});
+/// Where the line of sight runs in a void: the centre line nearest to it there. Otherwise the nearest that it misses by
+/// no more than the line's clearance and the slack. None: it points at no void, or at one without lines.
+std::optional<CanalPick> pick_canal(const FlightSpaces& spaces, const SightLine& sight,
+                                    const CanalPickOptions& options = {});
 
 }  // namespace odontoscope

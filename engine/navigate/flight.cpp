@@ -14,13 +14,15 @@ namespace {
 
 /// Longer times are flown in shares of this, so that speed follows the walls.
 constexpr double longest_tick = 1.0 / 120;
-/// Of the free ball's radius, what one step uses: the rest is room to be pushed back from a wall without leaving the ball.
+/// Of the free ball's radius, what one step uses: the rest is room to be pushed back from a wall without leaving the
+/// ball.
 constexpr double step_share = 0.5;
 /// Beyond the clearance, by so much of it: a push ends here, so that the next step begins free.
 constexpr double skin = 1e-3;
 
 glm::dvec3 about(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
-  return portable::cos(angle) * v + portable::sin(angle) * glm::cross(axis, v) + (1 - portable::cos(angle)) * glm::dot(axis, v) * axis;
+  return portable::cos(angle) * v + portable::sin(angle) * glm::cross(axis, v) +
+         (1 - portable::cos(angle)) * glm::dot(axis, v) * axis;
 }
 
 /// Unit length and at right angles again: rounding must not add up over hours.
@@ -34,16 +36,18 @@ Flight squared_up(Flight flight) {
 Flight righted(Flight flight, const glm::dvec3& upright, double most) {
   if (upright == glm::dvec3(0)) return flight;
   const glm::dvec3 wanted = upright - glm::dot(upright, flight.sight) * flight.sight;
-  const double across = glm::length(wanted);   // 0: along or against upright, where every roll is as good
+  const double across = glm::length(wanted);  // 0: along or against upright, where every roll is as good
   constexpr double least = 1e-3;
   if (across < least) return flight;
-  const double angle = portable::atan2(glm::dot(glm::cross(flight.up, wanted), flight.sight), glm::dot(flight.up, wanted));
+  const double angle =
+      portable::atan2(glm::dot(glm::cross(flight.up, wanted), flight.sight), glm::dot(flight.up, wanted));
   flight.up = about(flight.up, flight.sight, std::clamp(angle, -most * across, most * across));
   return flight;
 }
 
 /// Pushed off the walls to the clearance if that takes no more than `room` in all; otherwise nothing.
-std::optional<glm::dvec3> pushed_off(glm::dvec3 place, const glm::dvec3& from, double room, const Walls& walls, double clearance) {
+std::optional<glm::dvec3> pushed_off(glm::dvec3 place, const glm::dvec3& from, double room, const Walls& walls,
+                                     double clearance) {
   constexpr int tries = 6;
   for (int i = 0; i < tries; ++i) {
     const Walls::Nearest wall = walls.nearest(place, clearance);
@@ -65,8 +69,11 @@ Flight ticked(Flight flight, const FlightWish& wish, const Walls& walls, const F
   glm::dvec3 move = glm::clamp(wish.move, -1.0, 1.0);
   if (const double length = glm::length(move); length > 1) move /= length;
   const double far = walls.nearest(flight.eye).distance;
-  const double speed = rules.haste * std::clamp(rules.speed_per_distance * (std::isfinite(far) ? far : rules.most_speed), rules.least_speed, rules.most_speed);
-  const glm::dvec3 wanted = speed * (move.x * glm::cross(flight.sight, flight.up) + move.y * flight.up + move.z * flight.sight);
+  const double speed =
+      rules.haste * std::clamp(rules.speed_per_distance * (std::isfinite(far) ? far : rules.most_speed),
+                               rules.least_speed, rules.most_speed);
+  const glm::dvec3 wanted =
+      speed * (move.x * glm::cross(flight.sight, flight.up) + move.y * flight.up + move.z * flight.sight);
   const glm::dvec3 by = seconds * wanted + rules.settle_seconds * share * (flight.velocity - wanted);
   flight.velocity += share * (wanted - flight.velocity);
   const glm::dvec3 to = slid(flight.eye, by, walls, rules.clearance);
@@ -113,7 +120,8 @@ Flight turned(const Flight& flight, const glm::dvec2& angles, const FlightRules&
   return squared_up(righted(squared_up(after), rules.upright, glm::length(angles)));
 }
 
-Flight flown(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules, double seconds) {
+Flight flown(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules,
+             double seconds) {
   if (!(seconds > 0)) return flight;
   const int ticks = std::max(1, static_cast<int>(std::ceil(std::min(seconds, 10.0) / longest_tick - 1e-9)));
   Flight after = flight;
@@ -129,9 +137,10 @@ glm::dvec3 slid(const glm::dvec3& eye, const glm::dvec3& by, const Walls& walls,
     if (!(length > 0)) break;
     const Walls::Nearest wall = walls.nearest(place);
     const double free = wall.distance;
-    if (free - clearance >= length) return place + left;   // all of it within the ball that holds no wall
+    if (free - clearance >= length) return place + left;  // all of it within the ball that holds no wall
     if (!(free > 0)) break;
-    // Half the free ball at once, then pushed back off what it came too near to. What does not come right is tried shorter.
+    // Half the free ball at once, then pushed back off what it came too near to. What does not come right is tried
+    // shorter.
     std::optional<glm::dvec3> next;
     double went = 0;
     for (double share = step_share; !next && share > 0.01; share *= 0.25) {
@@ -160,7 +169,7 @@ Camera camera_of(const Flight& flight, double field_of_view_deg, double ahead_mm
 
 double safe_near_mm(double clearance_mm, double field_of_view_deg, double aspect) {
   const double slope = portable::tan(glm::radians(field_of_view_deg) / 2);
-  constexpr double room = 0.95;   // for depths in single precision
+  constexpr double room = 0.95;  // for depths in single precision
   return room * clearance_mm / std::sqrt(1 + slope * slope * (1 + aspect * aspect));
 }
 

@@ -23,7 +23,7 @@ CentreLines lines_of(const Cavity& cavity, const ToothAxis& axis, const Progress
   try {
     return centre_lines(cavity, {axis.along}, progress);
   } catch (const UsageError&) {
-    return {};   // one can fly without
+    return {};  // one can fly without
   }
 }
 
@@ -31,7 +31,8 @@ CentreLines lines_of(const Cavity& cavity, const ToothAxis& axis, const Progress
 
 bool FlightSpaces::outdoors(const glm::dvec3& place) const {
   const auto around = [&](const Walls& walls) { return walls.locate(place) != Walls::Side::outside; };
-  return std::none_of(bodies.begin(), bodies.end(), around) && std::none_of(cavities.begin(), cavities.end(), [&](const FlightSpace& space) { return around(space.walls); });
+  return std::none_of(bodies.begin(), bodies.end(), around) &&
+         std::none_of(cavities.begin(), cavities.end(), [&](const FlightSpace& space) { return around(space.walls); });
 }
 
 FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Model& model, const Progress& progress) {
@@ -65,7 +66,8 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
   return spaces;
 }
 
-std::optional<Passage> passage_ahead(const FlightSpaces& spaces, std::optional<std::size_t> from, const Flight& flight) {
+std::optional<Passage> passage_ahead(const FlightSpaces& spaces, std::optional<std::size_t> from,
+                                     const Flight& flight) {
   const double clearance = spaces.rules.clearance;
   std::vector<double> meetings = spaces.outside.meetings(flight.eye, flight.sight);
   for (const FlightSpace& space : spaces.cavities) {
@@ -79,9 +81,11 @@ std::optional<Passage> passage_ahead(const FlightSpaces& spaces, std::optional<s
     const glm::dvec3 at = flight.eye + ahead * flight.sight;
     for (std::size_t c = 0; c < spaces.cavities.size(); ++c) {
       const Walls& walls = spaces.cavities[c].walls;
-      if (from != c && walls.locate(at) == Walls::Side::inside && walls.nearest(at).distance >= clearance) return Passage{c, at};
+      if (from != c && walls.locate(at) == Walls::Side::inside && walls.nearest(at).distance >= clearance)
+        return Passage{c, at};
     }
-    if (from && spaces.outdoors(at) && spaces.outside.nearest(at).distance >= clearance) return Passage{std::nullopt, at};
+    if (from && spaces.outdoors(at) && spaces.outside.nearest(at).distance >= clearance)
+      return Passage{std::nullopt, at};
   }
   return std::nullopt;
 }

@@ -10,9 +10,7 @@
 
 namespace odontoscope {
 
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 std::vector<FlightLabel> labels_inside(const FlightSpace& space) {
   std::vector<FlightLabel> labels;
@@ -20,10 +18,12 @@ std::vector<FlightLabel> labels_inside(const FlightSpace& space) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CentreLine& line = *lines[i];
     const bool canal = i < space.lines.canals.size();
-    if (canal && line.orifice > 0) labels.push_back({vec(line.points[std::min(line.orifice, line.points.size() - 1)].at), line.name, i});
+    if (canal && line.orifice > 0)
+      labels.push_back({vec(line.points[std::min(line.orifice, line.points.size() - 1)].at), line.name, i});
     labels.push_back({vec(line.points.back().at), canal ? "apex, " + line.name : line.name, i});
   }
-  if (space.lines.has_chamber && !lines.empty()) labels.push_back({vec(space.lines.chamber), "pulp chamber", std::nullopt});
+  if (space.lines.has_chamber && !lines.empty())
+    labels.push_back({vec(space.lines.chamber), "pulp chamber", std::nullopt});
   return labels;
 }
 
@@ -35,12 +35,14 @@ std::vector<FlightLabel> labels_outside(const Model& model, const FlightSpaces& 
     std::vector<std::size_t> order(part.positions.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     const auto towards_cheek = [&](std::size_t i) { return glm::dot(glm::dvec3(part.positions[i]), tooth.buccal); };
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return towards_cheek(a) > towards_cheek(b); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return towards_cheek(a) > towards_cheek(b); });
     constexpr std::size_t tries = 150;
     const std::size_t stride = std::max<std::size_t>(1, order.size() / tries);
     for (std::size_t k = 0; k < order.size(); k += stride) {
       const glm::dvec3 at = model.origin_mm + glm::dvec3(part.positions[order[k]]) / metres_per_mm;
-      if (!spaces.outdoors(at + 2 * spaces.rules.clearance * glm::dvec3(part.normals[order[k]]))) continue;   // another structure covers it
+      if (!spaces.outdoors(at + 2 * spaces.rules.clearance * glm::dvec3(part.normals[order[k]])))
+        continue;  // another structure covers it
       labels.push_back({at, part.structure, std::nullopt});
       break;
     }
@@ -48,18 +50,20 @@ std::vector<FlightLabel> labels_outside(const Model& model, const FlightSpaces& 
   return labels;
 }
 
-std::vector<SeenLabel> seen_labels(const std::vector<FlightLabel>& labels, const Camera& camera, double aspect, const Walls& walls, double slack) {
+std::vector<SeenLabel> seen_labels(const std::vector<FlightLabel>& labels, const Camera& camera, double aspect,
+                                   const Walls& walls, double slack) {
   std::vector<SeenLabel> seen;
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const auto place = place_of(camera, labels[i].at);
     if (!place || std::abs(place->x) > aspect || std::abs(place->y) > 1) continue;
     const glm::dvec3 way = labels[i].at - camera.position;
     const double distance = glm::length(way);
-    if (!(distance > slack)) continue;   // one is there
+    if (!(distance > slack)) continue;  // one is there
     if (walls.free_distance(camera.position, way / distance, distance) < distance - slack) continue;
     seen.push_back({i, *place, distance});
   }
-  std::stable_sort(seen.begin(), seen.end(), [](const SeenLabel& a, const SeenLabel& b) { return a.distance < b.distance; });
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const SeenLabel& a, const SeenLabel& b) { return a.distance < b.distance; });
   return seen;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Names for what one flies past: canals at their orifices, their ends, and from outside the structures. They hide behind walls.
+// Names for what one flies past: canals at their orifices, their ends, and from outside the structures. They hide
+// behind walls.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -15,8 +16,8 @@ namespace odontoscope {
 struct FlightLabel {
   glm::dvec3 at{0};
   std::string words;
-  std::optional<std::size_t> line;   // of rideable(): a click begins the ride
-  bool depth = false;                // no name, but how deep the wall is there
+  std::optional<std::size_t> line;  // of rideable(): a click begins the ride
+  bool depth = false;               // no name, but how deep the wall is there
 };
 
 std::vector<FlightLabel> labels_inside(const FlightSpace& space);
@@ -25,10 +26,12 @@ std::vector<FlightLabel> labels_outside(const Model& model, const FlightSpaces& 
 
 struct SeenLabel {
   std::size_t label = 0;
-  glm::dvec2 place{0};               // in the picture, as screen.h counts
+  glm::dvec2 place{0};  // in the picture, as screen.h counts
   double distance = 0;
 };
-/// Those in the picture that no wall hides, nearest first. `slack` mm before a label's place a wall does not count: labels may lie on walls.
-std::vector<SeenLabel> seen_labels(const std::vector<FlightLabel>& labels, const Camera& camera, double aspect, const Walls& walls, double slack);
+/// Those in the picture that no wall hides, nearest first. `slack` mm before a label's place a wall does not count:
+/// labels may lie on walls.
+std::vector<SeenLabel> seen_labels(const std::vector<FlightLabel>& labels, const Camera& camera, double aspect,
+                                   const Walls& walls, double slack);
 
 }  // namespace odontoscope

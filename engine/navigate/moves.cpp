@@ -28,7 +28,8 @@ Camera turned(const Camera& camera, double degrees, const glm::dvec3& axis, cons
   return result;
 }
 
-/// How far the eye stands above the plane at right angles to `axis`; beyond 90 it hangs upside down. Exact at the poles, too.
+/// How far the eye stands above the plane at right angles to `axis`; beyond 90 it hangs upside down. Exact at the
+/// poles, too.
 double elevation_deg(const CameraAxes& axes, const glm::dvec3& axis) {
   return glm::degrees(portable::atan2(glm::dot(axes.towards_eye, axis), glm::dot(axes.up, axis)));
 }
@@ -37,7 +38,7 @@ double elevation_deg(const CameraAxes& axes, const glm::dvec3& axis) {
 
 Camera orbit(const Camera& camera, const Orbit& orbit) {
   Camera result = camera;
-  result.up = axes_of(camera).up;   // at right angles, so that it stays sound over the pole
+  result.up = axes_of(camera).up;  // at right angles, so that it stays sound over the pole
   const double now = elevation_deg(axes_of(camera), orbit.axis);
   constexpr double slack_deg = 1e-3;
   const bool upright = std::abs(now) <= 90 + slack_deg;
@@ -86,8 +87,10 @@ Camera with_projection(const Camera& camera, Camera::Projection projection) {
   const double slope = portable::tan(glm::radians(camera.field_of_view_deg) / 2);
   result.projection = projection;
   const glm::dvec3 offset = camera.position - camera.target;
-  if (projection == Camera::Projection::parallel) result.height_mm = 2 * slope * glm::length(offset);
-  else result.position = camera.target + glm::normalize(offset) * (0.5 * camera.height_mm / slope);
+  if (projection == Camera::Projection::parallel)
+    result.height_mm = 2 * slope * glm::length(offset);
+  else
+    result.position = camera.target + glm::normalize(offset) * (0.5 * camera.height_mm / slope);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// How a camera is led round a model. Each move is a pure function of camera and gesture; places in the picture are those of screen.h.
+// How a camera is led round a model. Each move is a pure function of camera and gesture; places in the picture are
+// those of screen.h.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -8,12 +9,12 @@
 
 namespace odontoscope {
 
-/// A turntable and a tilt, in degrees: `turn` leads the eye round `axis` (the model seems to turn the same way as the hand that
-/// moves to the right), `tilt` lifts it. Turning never tips the model over: the eye stops above the pole.
+/// A turntable and a tilt, in degrees: `turn` leads the eye round `axis` (the model seems to turn the same way as the
+/// hand that moves to the right), `tilt` lifts it. Turning never tips the model over: the eye stops above the pole.
 struct Orbit {
   double turn_deg = 0, tilt_deg = 0;
-  glm::dvec3 pivot{0};             // stays where it is in the picture
-  glm::dvec3 axis{0, 0, 1};        // the tooth's, unit length
+  glm::dvec3 pivot{0};       // stays where it is in the picture
+  glm::dvec3 axis{0, 0, 1};  // the tooth's, unit length
 };
 Camera orbit(const Camera& camera, const Orbit& orbit);
 

@@ -24,23 +24,63 @@ constexpr int format_version = 3, version_without_questions = 2, version_without
 constexpr double farthest_mm = 1e7;
 
 enum Node {
-  document, format, version, title, model, notes, note, note_title, note_text, note_inside, note_scene,
-  camera, position, target, up, coordinate, angle, height, near, parallel,
-  language, feedback, note_tour, marks, mark, mark_at, mark_label,
-  question, kind, ask, explain, structure, part, choices, a_choice, answer, within, unit
+  document,
+  format,
+  version,
+  title,
+  model,
+  notes,
+  note,
+  note_title,
+  note_text,
+  note_inside,
+  note_scene,
+  camera,
+  position,
+  target,
+  up,
+  coordinate,
+  angle,
+  height,
+  near,
+  parallel,
+  language,
+  feedback,
+  note_tour,
+  marks,
+  mark,
+  mark_at,
+  mark_label,
+  question,
+  kind,
+  ask,
+  explain,
+  structure,
+  part,
+  choices,
+  a_choice,
+  answer,
+  within,
+  unit
 };
 
 using Shape = JsonNode::Shape;
-constexpr JsonNode::Key document_keys[] = {{"format", format, true}, {"version", version, true}, {"title", title, true}, {"model", model, false}, {"notes", notes, true},
-                                           {"language", language, false}, {"feedback", feedback, false}};
-constexpr JsonNode::Key note_keys[] = {{"title", note_title, true}, {"text", note_text, true}, {"inside", note_inside, false},
-                                       {"camera", camera, true},    {"scene", note_scene, false}, {"marks", marks, false},
-                                       {"question", question, false}, {"tour", note_tour, false}};
-constexpr JsonNode::Key camera_keys[] = {{"position", position, true}, {"target", target, true},   {"up", up, true},
-                                         {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false}, {"parallel", parallel, false}};
+constexpr JsonNode::Key document_keys[] = {
+    {"format", format, true}, {"version", version, true},    {"title", title, true},       {"model", model, false},
+    {"notes", notes, true},   {"language", language, false}, {"feedback", feedback, false}};
+constexpr JsonNode::Key note_keys[] = {{"title", note_title, true},    {"text", note_text, true},
+                                       {"inside", note_inside, false}, {"camera", camera, true},
+                                       {"scene", note_scene, false},   {"marks", marks, false},
+                                       {"question", question, false},  {"tour", note_tour, false}};
+constexpr JsonNode::Key camera_keys[] = {
+    {"position", position, true},        {"target", target, true},     {"up", up, true},
+    {"field_of_view_deg", angle, false}, {"height_mm", height, false}, {"near_mm", near, false},
+    {"parallel", parallel, false}};
 constexpr JsonNode::Key mark_keys[] = {{"at", mark_at, true}, {"label", mark_label, false}};
-constexpr JsonNode::Key question_keys[] = {{"kind", kind, true}, {"ask", ask, true}, {"explain", explain, false}, {"structure", structure, false}, {"part", part, false},
-                                           {"choices", choices, false}, {"answer", answer, false}, {"within", within, false}, {"unit", unit, false}};
+constexpr JsonNode::Key question_keys[] = {
+    {"kind", kind, true},  {"ask", ask, true},          {"explain", explain, false}, {"structure", structure, false},
+    {"part", part, false}, {"choices", choices, false}, {"answer", answer, false},   {"within", within, false},
+    {"unit", unit, false}};
 constexpr JsonNode nodes[] = {
     {Shape::object, "a tour", -1, document_keys},
     {Shape::text, "\"format\""},
@@ -97,7 +137,9 @@ const std::array<KindRule, 3>& kind_rules() {
 constexpr Node kind_dependent[] = {structure, part, choices, answer, within, unit};
 
 bool plain(const std::string& text, bool lines) {
-  return std::none_of(text.begin(), text.end(), [&](char c) { return (static_cast<unsigned char>(c) < 0x20 && !(lines && c == '\n')) || c == 0x7f; });
+  return std::none_of(text.begin(), text.end(), [&](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && !(lines && c == '\n')) || c == 0x7f;
+  });
 }
 
 class TourReader final : public StrictJson {
@@ -113,11 +155,13 @@ class TourReader final : public StrictJson {
  private:
   void opened(int node) override {
     if (node == note) {
-      if (tour_.notes.size() == most_notes) refuse("too-many-notes", fmt::format("more than {} notes", most_notes), "Make two tours of it.");
+      if (tour_.notes.size() == most_notes)
+        refuse("too-many-notes", fmt::format("more than {} notes", most_notes), "Make two tours of it.");
       tour_.notes.emplace_back();
     }
     if (node == mark) {
-      if (tour_.notes.back().marks.size() == most_marks) refuse("too-many-marks", fmt::format("a note with more than {} marks", most_marks), "Make two notes of it.");
+      if (tour_.notes.back().marks.size() == most_marks)
+        refuse("too-many-marks", fmt::format("a note with more than {} marks", most_marks), "Make two notes of it.");
       tour_.notes.back().marks.emplace_back();
     }
     if (node == question) {
@@ -145,51 +189,80 @@ class TourReader final : public StrictJson {
   void number(int node, double value) override {
     if (node == version) {
       if (value != format_version && value != version_without_questions && value != version_without_scenes)
-        refuse("wrong-version", fmt::format("version {} of the format, but this program reads versions {} to {}", value, version_without_scenes, format_version),
+        refuse("wrong-version",
+               fmt::format("version {} of the format, but this program reads versions {} to {}", value,
+                           version_without_scenes, format_version),
                "Write the file anew with a matching program.");
       return;
     }
     if (node == answer || node == within) {
-      if (std::abs(value) > largest_answer) refuse("too-large", fmt::format("an answer of {} lies beyond {}", value, largest_answer), "Ask for it in a larger unit.");
+      if (std::abs(value) > largest_answer)
+        refuse("too-large", fmt::format("an answer of {} lies beyond {}", value, largest_answer),
+               "Ask for it in a larger unit.");
       seen_.insert(node);
       (node == answer ? tour_.notes.back().question->answer : tour_.notes.back().question->within) = value;
       return;
     }
     Camera& camera = tour_.notes.back().camera;
-    if (node == angle) camera.field_of_view_deg = value;
-    else if (node == height) camera.height_mm = value;
-    else if (node == near) camera.near_mm = value;
+    if (node == angle)
+      camera.field_of_view_deg = value;
+    else if (node == height)
+      camera.height_mm = value;
+    else if (node == near)
+      camera.near_mm = value;
     else {
       if (coordinates_ == 3) refuse("wrong-type", "a place has three coordinates, this one more", "Write [x, y, z].");
-      if (std::abs(value) > farthest_mm) refuse("too-large", fmt::format("{} mm lies beyond {} mm", value, farthest_mm), "Check the unit.");
+      if (std::abs(value) > farthest_mm)
+        refuse("too-large", fmt::format("{} mm lies beyond {} mm", value, farthest_mm), "Check the unit.");
       place_read()[coordinates_++] = value;
     }
   }
   void boolean(int node, bool value) override {
-    if (node == note_inside) tour_.notes.back().inside = value;
-    else if (value) tour_.notes.back().camera.projection = Camera::Projection::parallel;
+    if (node == note_inside)
+      tour_.notes.back().inside = value;
+    else if (value)
+      tour_.notes.back().camera.projection = Camera::Projection::parallel;
   }
   void text(int node, const std::string& value) override {
     switch (node) {
       case format:
-        if (value != format_name) refuse("wrong-format", fmt::format("the format is not \"{}\"", format_name), "Check that this is the file you mean.");
+        if (value != format_name)
+          refuse("wrong-format", fmt::format("the format is not \"{}\"", format_name),
+                 "Check that this is the file you mean.");
         return;
-      case title: tour_.title = checked_title(value); return;
-      case model: tour_.model = checked_title(value, 4096); return;
-      case note_title: tour_.notes.back().title = checked_title(value); return;
-      case note_text: tour_.notes.back().text = checked_text(value); return;
-      case note_tour: tour_.notes.back().tour = checked_title(value); return;
-      case mark_label: tour_.notes.back().marks.back().label = checked_title(value); return;
+      case title:
+        tour_.title = checked_title(value);
+        return;
+      case model:
+        tour_.model = checked_title(value, 4096);
+        return;
+      case note_title:
+        tour_.notes.back().title = checked_title(value);
+        return;
+      case note_text:
+        tour_.notes.back().text = checked_text(value);
+        return;
+      case note_tour:
+        tour_.notes.back().tour = checked_title(value);
+        return;
+      case mark_label:
+        tour_.notes.back().marks.back().label = checked_title(value);
+        return;
       case language:
-        if (value.empty() || value.size() > most_language_bytes || !std::all_of(value.begin(), value.end(), [](char c) { return c == '-' || std::isalnum(static_cast<unsigned char>(c)); }))
+        if (value.empty() || value.size() > most_language_bytes || !std::all_of(value.begin(), value.end(), [](char c) {
+              return c == '-' || std::isalnum(static_cast<unsigned char>(c));
+            }))
           refuse("bad-value", "\"language\" is no tag of letters, digits and hyphens", "Write a tag such as \"en\".");
         tour_.language = value;
         return;
       case feedback:
-        if (value != "at-once" && value != "at-end") refuse("bad-value", "\"feedback\" is neither \"at-once\" nor \"at-end\"", "Write one of the two.");
+        if (value != "at-once" && value != "at-end")
+          refuse("bad-value", "\"feedback\" is neither \"at-once\" nor \"at-end\"", "Write one of the two.");
         tour_.feedback_at_end = value == "at-end";
         return;
-      default: question_text(node, value); return;
+      default:
+        question_text(node, value);
+        return;
     }
   }
   void question_text(int node, const std::string& value) {
@@ -199,17 +272,31 @@ class TourReader final : public StrictJson {
       case kind:
         for (const KindRule& rule : kind_rules())
           if (rule.name == value) kind_ = &rule;
-        if (!kind_) refuse("bad-question", fmt::format("a question's kind is \"{}\"", value.substr(0, most_unit_bytes)), "Write \"click\", \"choice\" or \"number\".");
+        if (!kind_)
+          refuse("bad-question", fmt::format("a question's kind is \"{}\"", value.substr(0, most_unit_bytes)),
+                 "Write \"click\", \"choice\" or \"number\".");
         asked.kind = kind_->kind;
         return;
-      case ask: asked.ask = checked_text(value); return;
-      case explain: asked.explain = checked_text(value); return;
-      case structure: asked.structure = checked_title(value); return;
-      case part: asked.part = checked_title(value); return;
-      case unit: asked.unit = checked_title(value, most_unit_bytes); return;
-      default: break;
+      case ask:
+        asked.ask = checked_text(value);
+        return;
+      case explain:
+        asked.explain = checked_text(value);
+        return;
+      case structure:
+        asked.structure = checked_title(value);
+        return;
+      case part:
+        asked.part = checked_title(value);
+        return;
+      case unit:
+        asked.unit = checked_title(value, most_unit_bytes);
+        return;
+      default:
+        break;
     }
-    if (asked.choices.size() == most_choices) refuse("bad-question", fmt::format("a question with more than {} choices", most_choices), "Offer fewer.");
+    if (asked.choices.size() == most_choices)
+      refuse("bad-question", fmt::format("a question with more than {} choices", most_choices), "Offer fewer.");
     asked.choices.push_back(checked_title(value));
   }
   /// All of it was read.
@@ -217,28 +304,35 @@ class TourReader final : public StrictJson {
     const TourQuestion& asked = *tour_.notes.back().question;
     const auto name = [](Node key) { return nodes[key].what; };
     for (const Node key : kind_dependent) {
-      const bool needed = std::count(kind_->needed.begin(), kind_->needed.end(), key) > 0, allowed = std::count(kind_->allowed.begin(), kind_->allowed.end(), key) > 0;
-      if (needed && !seen_.contains(key)) refuse("missing-key", fmt::format("a question of kind \"{}\" has no {}", kind_->name, name(key)), fmt::format("Add {}.", name(key)));
+      const bool needed = std::count(kind_->needed.begin(), kind_->needed.end(), key) > 0,
+                 allowed = std::count(kind_->allowed.begin(), kind_->allowed.end(), key) > 0;
+      if (needed && !seen_.contains(key))
+        refuse("missing-key", fmt::format("a question of kind \"{}\" has no {}", kind_->name, name(key)),
+               fmt::format("Add {}.", name(key)));
       if (!needed && !allowed && seen_.contains(key))
-        refuse("unknown-key", fmt::format("a question of kind \"{}\" has no key {}", kind_->name, name(key)), "Remove it, or correct the kind.");
+        refuse("unknown-key", fmt::format("a question of kind \"{}\" has no key {}", kind_->name, name(key)),
+               "Remove it, or correct the kind.");
     }
-    if (const std::string fault = fault_of(asked); !fault.empty()) refuse("bad-question", "a question that cannot be answered", fault);
+    if (const std::string fault = fault_of(asked); !fault.empty())
+      refuse("bad-question", "a question that cannot be answered", fault);
   }
   std::string checked_text(const std::string& value) const {
     if (value.size() > most_text_bytes || !plain(value, true))
-      refuse("bad-text", fmt::format("a text is longer than {} bytes or has control characters", most_text_bytes), "Shorten it, or make two notes of it.");
+      refuse("bad-text", fmt::format("a text is longer than {} bytes or has control characters", most_text_bytes),
+             "Shorten it, or make two notes of it.");
     return value;
   }
   std::string checked_title(const std::string& value, std::size_t most = most_title_bytes) const {
     if (value.size() > most || !plain(value, false))
-      refuse("bad-title", fmt::format("a title or name is longer than {} bytes or has control characters", most), "Shorten it.");
+      refuse("bad-title", fmt::format("a title or name is longer than {} bytes or has control characters", most),
+             "Shorten it.");
     return value;
   }
   void add_place(Place&) const override {}
 
   TourNotes tour_;
-  const KindRule* kind_ = nullptr;   // of the question that is read,
-  std::set<int> seen_;               // and its keys
+  const KindRule* kind_ = nullptr;  // of the question that is read,
+  std::set<int> seen_;              // and its keys
   int vector_ = position;
   glm::length_t coordinates_ = 0;
 };
@@ -256,7 +350,8 @@ void take_scenes(std::string_view bytes, const std::string& name, TourNotes& tou
     Json scene = *found;
     if (scene.is_object()) scene.erase("camera");
     tour.notes[i].scene = scene.dump();
-    scene_from_json(tour.notes[i].scene, Scene{}, fmt::format("{}, note {}", name, i + 1));   // refused now rather than in the middle of a lesson
+    scene_from_json(tour.notes[i].scene, Scene{},
+                    fmt::format("{}, note {}", name, i + 1));  // refused now rather than in the middle of a lesson
   }
 }
 
@@ -284,7 +379,7 @@ Scene TourNote::scene_over(const Scene& now, const Scene& usual) const {
   Scene result = now;
   if (!scene.empty()) {
     Scene start = usual;
-    start.section.reset();   // a scene that has none does not speak of it
+    start.section.reset();  // a scene that has none does not speak of it
     if (!inside) start.headlight.reset();
     start.overlays.slab.reset();
     result = scene_from_json(scene, start, "note");
@@ -299,13 +394,16 @@ namespace {
 
 int version_of(const TourNotes& tour) {
   const auto any = [&](auto&& has) { return std::any_of(tour.notes.begin(), tour.notes.end(), has); };
-  if (!tour.language.empty() || tour.feedback_at_end || any([](const TourNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
+  if (!tour.language.empty() || tour.feedback_at_end ||
+      any([](const TourNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
     return format_version;
-  return any([](const TourNote& note) { return !note.scene.empty(); }) ? version_without_questions : version_without_scenes;
+  return any([](const TourNote& note) { return !note.scene.empty(); }) ? version_without_questions
+                                                                       : version_without_scenes;
 }
 
 Json json_of(const TourQuestion& question) {
-  const KindRule& rule = *std::find_if(kind_rules().begin(), kind_rules().end(), [&](const KindRule& one) { return one.kind == question.kind; });
+  const KindRule& rule = *std::find_if(kind_rules().begin(), kind_rules().end(),
+                                       [&](const KindRule& one) { return one.kind == question.kind; });
   Json json{{"kind", rule.name}, {"ask", question.ask}};
   switch (question.kind) {
     case TourQuestion::Kind::click:
@@ -330,13 +428,20 @@ Json json_of(const TourQuestion& question) {
 
 std::string fault_of(const TourQuestion& question) {
   if (question.ask.empty()) return "Write what is asked.";
-  if (question.kind == TourQuestion::Kind::click) return question.structure.empty() ? "Say which structure is right." : "";
+  if (question.kind == TourQuestion::Kind::click)
+    return question.structure.empty() ? "Say which structure is right." : "";
   if (!(std::abs(question.answer) <= largest_answer)) return fmt::format("An answer lies within {}.", largest_answer);
-  if (question.kind == TourQuestion::Kind::number) return question.within >= 0 && question.within <= largest_answer ? "" : "Say how far off is still right: 0 or more.";
+  if (question.kind == TourQuestion::Kind::number)
+    return question.within >= 0 && question.within <= largest_answer ? ""
+                                                                     : "Say how far off is still right: 0 or more.";
   if (question.choices.size() < least_choices) return "Offer two choices or more.";
-  if (std::any_of(question.choices.begin(), question.choices.end(), [](const std::string& choice) { return choice.empty(); })) return "Write something for each choice.";
-  if (question.answer != std::floor(question.answer) || question.answer < 0 || question.answer >= static_cast<double>(question.choices.size()))
-    return fmt::format("Answer {} is none of {} choices; they are counted from 0.", question.answer, question.choices.size());
+  if (std::any_of(question.choices.begin(), question.choices.end(),
+                  [](const std::string& choice) { return choice.empty(); }))
+    return "Write something for each choice.";
+  if (question.answer != std::floor(question.answer) || question.answer < 0 ||
+      question.answer >= static_cast<double>(question.choices.size()))
+    return fmt::format("Answer {} is none of {} choices; they are counted from 0.", question.answer,
+                       question.choices.size());
   return "";
 }
 
@@ -352,14 +457,18 @@ std::string to_json(const TourNotes& tour) {
   json["notes"] = Json::array();
   for (const TourNote& note : tour.notes) {
     const Camera& camera = note.camera;
-    Json eye{{"position", json_of(camera.position)}, {"target", json_of(camera.target)}, {"up", json_of(camera.up)},
-             {"field_of_view_deg", camera.field_of_view_deg}, {"height_mm", camera.height_mm}};
+    Json eye{{"position", json_of(camera.position)},
+             {"target", json_of(camera.target)},
+             {"up", json_of(camera.up)},
+             {"field_of_view_deg", camera.field_of_view_deg},
+             {"height_mm", camera.height_mm}};
     if (camera.projection == Camera::Projection::parallel) eye["parallel"] = true;
     if (camera.near_mm > 0) eye["near_mm"] = camera.near_mm;
     json["notes"].push_back({{"title", note.title}, {"text", note.text}, {"inside", note.inside}, {"camera", eye}});
     Json& written = json["notes"].back();
     if (!note.scene.empty()) written["scene"] = Json::parse(note.scene);
-    for (const TourMark& mark : note.marks) written["marks"].push_back({{"at", json_of(mark.at)}, {"label", mark.label}});
+    for (const TourMark& mark : note.marks)
+      written["marks"].push_back({{"at", json_of(mark.at)}, {"label", mark.label}});
     if (note.question) written["question"] = json_of(*note.question);
     if (!note.tour.empty()) written["tour"] = note.tour;
   }
@@ -367,8 +476,10 @@ std::string to_json(const TourNotes& tour) {
 }
 
 bool named_like_a_tour(std::string_view file) {
-  return file.size() > tour_ending.size() && std::equal(tour_ending.begin(), tour_ending.end(), file.end() - static_cast<std::ptrdiff_t>(tour_ending.size()),
-                                                        [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b); });
+  return file.size() > tour_ending.size() &&
+         std::equal(tour_ending.begin(), tour_ending.end(),
+                    file.end() - static_cast<std::ptrdiff_t>(tour_ending.size()),
+                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? static_cast<char>(b - 'A' + 'a') : b); });
 }
 
 }  // namespace odontoscope

@@ -1,25 +1,30 @@
 #pragma once
-// A teacher's notes: viewpoints with a title and a text, in an order, as a file that is passed on and played as a lesson; with questions it is a quiz.
+// A teacher's notes: viewpoints with a title and a text, in an order, as a file that is passed on and played as a
+// lesson; with questions it is a quiz.
 //
 //   {"format":"odontoscope.tour","version":3,"title":"Three canals","model":"molar.json",
 //    "notes":[{"title":"The chamber","text":"Its floor shows three orifices.","inside":true,
 //              "camera":{"position":[0,0,9],"target":[0,0,8],"up":[0,1,0]},
 //              "scene":{"format":"odontoscope.scene","version":1,"structures":[{"name":"enamel","visible":false}]},
 //              "marks":[{"at":[2.1,2,13.9],"label":"mesiobuccal orifice"}],"tour":"mesiobuccal canal",
-//              "question":{"kind":"number","ask":"How many orifices?","answer":3,"within":0,"unit":"","explain":"..."}}]}
+//              "question":{"kind":"number","ask":"How many
+//              orifices?","answer":3,"within":0,"unit":"","explain":"..."}}]}
 //
-// "scene" is how things look, as scene_json.h says: looks of the structures, section and its cap, back faces, overlays, background, lamp. Its
-// camera counts for nothing: the note has its own. Version 1 has no "scene"; a note without one leaves the looks as they are.
-// Versions 1 and 2 have none of "marks", "tour" and "question", nor "language" and "feedback" at the top; all five may be left out of version 3, too.
-// "marks" are pins drawn in the picture; an empty label is a bare pin. "tour" names a canal: the note rides down it, and its camera is where the ride ends.
-// Questions are of three kinds; "ask" is needed, "explain" is told after the answer.
-//   {"kind":"click","ask":...,"structure":"pulp","part":"distal canal"}   what is clicked is that structure, and the named part nearest there is that one
+// "scene" is how things look, as scene_json.h says: looks of the structures, section and its cap, back faces, overlays,
+// background, lamp. Its camera counts for nothing: the note has its own. Version 1 has no "scene"; a note without one
+// leaves the looks as they are. Versions 1 and 2 have none of "marks", "tour" and "question", nor "language" and
+// "feedback" at the top; all five may be left out of version 3, too. "marks" are pins drawn in the picture; an empty
+// label is a bare pin. "tour" names a canal: the note rides down it, and its camera is where the ride ends. Questions
+// are of three kinds; "ask" is needed, "explain" is told after the answer.
+//   {"kind":"click","ask":...,"structure":"pulp","part":"distal canal"}   what is clicked is that structure, and the
+//   named part nearest there is that one
 //   {"kind":"choice","ask":...,"choices":["enamel","dentine"],"answer":1}  2 to 8 choices, counted from 0
-//   {"kind":"number","ask":...,"answer":3,"within":0.5,"unit":"mm"}        "within" and "unit" may be left out: 0 and none
+//   {"kind":"number","ask":...,"answer":3,"within":0.5,"unit":"mm"}        "within" and "unit" may be left out: 0 and
+//   none
 // "language" is a tag such as "en" or "de-AT"; "feedback" is "at-once" or "at-end".
-// "model" names the file that the notes are about, as seen from the notes' folder; without it they are for whatever is open, or
-// the sample molar. A camera may also have "field_of_view_deg", "height_mm", "near_mm" and "parallel": true. Lengths in mm. Keys that begin with "x-" are
-// others' notes and ignored; every other unknown key is refused.
+// "model" names the file that the notes are about, as seen from the notes' folder; without it they are for whatever is
+// open, or the sample molar. A camera may also have "field_of_view_deg", "height_mm", "near_mm" and "parallel": true.
+// Lengths in mm. Keys that begin with "x-" are others' notes and ignored; every other unknown key is refused.
 
 #include <optional>
 #include <string>
@@ -41,22 +46,22 @@ struct TourQuestion {
   enum class Kind { click, choice, number };
   Kind kind = Kind::choice;
   std::string ask, explain = {};
-  std::string structure = {}, part = {};   // click; `part` may be empty
-  std::vector<std::string> choices = {};   // choice
-  double answer = 0;                       // choice: which of them, from 0; number: the number
-  double within = 0;                       // number: how far off is still right
-  std::string unit = {};                   // number
+  std::string structure = {}, part = {};  // click; `part` may be empty
+  std::vector<std::string> choices = {};  // choice
+  double answer = 0;                      // choice: which of them, from 0; number: the number
+  double within = 0;                      // number: how far off is still right
+  std::string unit = {};                  // number
   friend bool operator==(const TourQuestion&, const TourQuestion&) = default;
 };
 
 struct TourNote {
   std::string title, text;
   Camera camera;
-  bool inside = false;   // seen in flight, from within a cavity
-  std::string scene = {};   // JSON as above, without a camera; empty: none
+  bool inside = false;     // seen in flight, from within a cavity
+  std::string scene = {};  // JSON as above, without a camera; empty: none
   std::vector<TourMark> marks = {};
   std::optional<TourQuestion> question = {};
-  std::string tour = {};    // a canal's name; empty: no ride
+  std::string tour = {};  // a canal's name; empty: no ride
   /// `now` as the note looks; what its scene does not speak of is as in `usual`, the camera is the note's.
   Scene scene_over(const Scene& now, const Scene& usual) const;
   friend bool operator==(const TourNote&, const TourNote&) = default;
@@ -75,12 +80,15 @@ struct TourNotes {
 };
 
 inline constexpr std::string_view tour_ending = ".tour.json";
-inline constexpr std::size_t most_tour_bytes = 4u << 20, most_notes = 1000, most_title_bytes = 200, most_text_bytes = 10'000;
-inline constexpr std::size_t most_marks = 50, least_choices = 2, most_choices = 8, most_unit_bytes = 20, most_language_bytes = 35;
+inline constexpr std::size_t most_tour_bytes = 4u << 20, most_notes = 1000, most_title_bytes = 200,
+                             most_text_bytes = 10'000;
+inline constexpr std::size_t most_marks = 50, least_choices = 2, most_choices = 8, most_unit_bytes = 20,
+                             most_language_bytes = 35;
 inline constexpr double largest_answer = 1e9;
 
-/// Throws InputError: what strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes, no-notes, too-many-marks, bad-question, bad-value,
-/// bad-camera, too-large, and of a scene what scene_from_json throws. docs/formats.md says when.
+/// Throws InputError: what strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes, no-notes,
+/// too-many-marks, bad-question, bad-value, bad-camera, too-large, and of a scene what scene_from_json throws.
+/// docs/formats.md says when.
 TourNotes parse_tour(std::string_view bytes, const std::string& name);
 /// Likewise, and FileError.
 TourNotes read_tour(const std::string& file);

@@ -5,9 +5,11 @@
 //   1,choice,Which structure is this?,dentine,yes,4.2
 //
 //   {"format":"odontoscope.marks","version":1,"title":"Find your way","score":1,"of":1,
-//    "rows":[{"number":1,"kind":"choice","question":"Which structure is this?","given":"dentine","right":true,"seconds":4.2}]}
+//    "rows":[{"number":1,"kind":"choice","question":"Which structure is
+//    this?","given":"dentine","right":true,"seconds":4.2}]}
 //
-// "given" is the answer in words, "right" whether it counts. A question that was passed over has an empty "given" and is not right.
+// "given" is the answer in words, "right" whether it counts. A question that was passed over has an empty "given" and
+// is not right.
 
 #include <optional>
 #include <string>
@@ -23,11 +25,11 @@ struct PointedAt {
 };
 
 struct QuizRow {
-  std::size_t note = 0;        // whose question it is
+  std::size_t note = 0;  // whose question it is
   TourQuestion::Kind kind = TourQuestion::Kind::choice;
   std::string question, given;
   bool answered = false, right = false;
-  double seconds = 0;          // from when it was first seen to its answer
+  double seconds = 0;  // from when it was first seen to its answer
 };
 
 bool is_right(const TourQuestion& question, const PointedAt& clicked);
@@ -43,10 +45,10 @@ std::optional<double> number_from(std::string text);
 /// One run through the questions.
 struct Quiz {
   std::string title;
-  std::vector<QuizRow> rows;   // one for each note with a question
-  bool at_end = false;         // right or wrong is told when all are answered
+  std::vector<QuizRow> rows;  // one for each note with a question
+  bool at_end = false;        // right or wrong is told when all are answered
   std::size_t score() const;
-  bool finished() const;       // all are answered
+  bool finished() const;  // all are answered
   QuizRow* row_of(std::size_t note);
   const QuizRow* row_of(std::size_t note) const;
 };

@@ -15,7 +15,7 @@ namespace {
 
 /// Room over the clearance: between the line's points the eye may be a little nearer to the wall than at them.
 constexpr double least_ride_room = 1.06;
-constexpr double least_ride_width = 0.1;   // clearances
+constexpr double least_ride_width = 0.1;  // clearances
 /// Between two points of the table.
 constexpr double table_seconds = 1.0 / 60;
 
@@ -58,11 +58,13 @@ Track track_of(const CentreLine& line, double clearance) {
     const double seconds = std::min(table_seconds * static_cast<double>(i), tour.seconds());
     const TourInstant instant = tour.at(seconds);
     if (!all.empty() && !(instant.along > all.back().along)) continue;
-    all.push_back({instant.camera.position, glm::normalize(instant.camera.target - instant.camera.position), instant.camera.up, instant.clearance, instant.along, seconds});
+    all.push_back({instant.camera.position, glm::normalize(instant.camera.target - instant.camera.position),
+                   instant.camera.up, instant.clearance, instant.along, seconds});
   }
   const auto [first, last] = wide_enough(all, clearance);
   if (first >= last) return track;
-  track.points.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  track.points.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
+                      all.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   track.orifice = line.points[std::min(line.orifice, line.points.size() - 1)].along;
   track.end = line.points.back().along + glm::length(vec(line.end) - vec(line.points.back().at));
   return track;
@@ -74,13 +76,15 @@ namespace {
 Track::Point place_by(const Track& track, double Track::Point::*member, double value) {
   const auto& points = track.points;
   value = std::clamp(value, points.front().*member, points.back().*member);
-  const auto after = std::lower_bound(points.begin(), points.end(), value, [&](const Track::Point& point, double wanted) { return point.*member < wanted; });
+  const auto after = std::lower_bound(points.begin(), points.end(), value,
+                                      [&](const Track::Point& point, double wanted) { return point.*member < wanted; });
   if (after == points.begin()) return points.front();
   const Track::Point &a = *(after - 1), &b = *after;
   const double part = (value - a.*member) / (b.*member - a.*member);
   const auto mixed = [&](const auto& x, const auto& y) { return (1 - part) * x + part * y; };
   const Flight stands = looking({}, mixed(a.sight, b.sight), mixed(a.up, b.up));
-  return {mixed(a.at, b.at), stands.sight, stands.up, mixed(a.radius, b.radius), mixed(a.along, b.along), mixed(a.seconds, b.seconds)};
+  return {mixed(a.at, b.at),          stands.sight, stands.up, mixed(a.radius, b.radius), mixed(a.along, b.along),
+          mixed(a.seconds, b.seconds)};
 }
 
 }  // namespace
@@ -110,12 +114,13 @@ void advance(Ride& ride, const FlightRules& rules, double seconds) {
 
 Flight flight_of(const Ride& ride, const FlightRules& rules) {
   FlightRules level = rules;
-  level.upright = glm::dvec3(0);   // the line's own up is the horizon here
+  level.upright = glm::dvec3(0);  // the line's own up is the horizon here
   return turned(flight_on(ride.track, ride.along), ride.look, level);
 }
 
 double begins_at(const CentreLines& lines, const CentreLine& line) {
-  return line.orifice > 0 || !lines.has_chamber ? line.points[std::min(line.orifice, line.points.size() - 1)].along : lines.chamber_radius;
+  return line.orifice > 0 || !lines.has_chamber ? line.points[std::min(line.orifice, line.points.size() - 1)].along
+                                                : lines.chamber_radius;
 }
 
 std::optional<CanalPlace> canal_place(const CentreLines& lines, const glm::dvec3& place) {

@@ -1,8 +1,8 @@
 #pragma once
 // Where things in the model appear in the picture, and what lies under a place of it.
 //
-// Places in the picture are relative: x from -aspect at the left to aspect at the right, y from -1 at the bottom to 1 at the top, so that
-// equal lengths are equal in both directions. Lengths in the model are the user's millimetres.
+// Places in the picture are relative: x from -aspect at the left to aspect at the right, y from -1 at the bottom to 1
+// at the top, so that equal lengths are equal in both directions. Lengths in the model are the user's millimetres.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -13,7 +13,7 @@ namespace odontoscope {
 namespace {
 
 constexpr int outline_points = 48;
-constexpr double disc_share = 0.62;   // of the arrow's length
+constexpr double disc_share = 0.62;  // of the arrow's length
 
 /// mm that are `reach` long in the picture, at the plane's point.
 double length_there(const Section& section, const Camera& camera, double reach) {
@@ -21,7 +21,8 @@ double length_there(const Section& section, const Camera& camera, double reach) 
 }
 
 /// The point of the ball around `centre` under the place, on its near half, or the outline's nearest.
-glm::dvec3 on_ball(const Camera& camera, const glm::dvec2& place, const glm::dvec3& centre, double radius, bool near_half) {
+glm::dvec3 on_ball(const Camera& camera, const glm::dvec2& place, const glm::dvec3& centre, double radius,
+                   bool near_half) {
   const SightLine line = sight_line(camera, place);
   const double along = glm::dot(centre - line.origin, line.direction);
   const glm::dvec3 nearest = line.origin + along * line.direction;
@@ -55,7 +56,9 @@ std::optional<SectionHandle> section_handle(const Section& section, const Camera
   const glm::dvec3 across = glm::normalize(glm::cross(other, normal)), along = glm::cross(normal, across);
   for (int i = 0; i < outline_points; ++i) {
     const double angle = glm::two_pi<double>() * i / outline_points;
-    const auto place = place_of(camera, section.point_mm + disc_share * length * (portable::cos(angle) * across + portable::sin(angle) * along));
+    const auto place =
+        place_of(camera, section.point_mm +
+                             disc_share * length * (portable::cos(angle) * across + portable::sin(angle) * along));
     if (place) handle.outline.push_back(*place);
   }
   return handle;
@@ -67,8 +70,8 @@ std::optional<SectionGrip> grip_at(const SectionHandle& handle, const glm::dvec2
   return std::nullopt;
 }
 
-Section dragged(const Section& section, SectionGrip grip, const Camera& camera, double reach, const glm::dvec2& from, const glm::dvec2& to,
-                const Model& model) {
+Section dragged(const Section& section, SectionGrip grip, const Camera& camera, double reach, const glm::dvec2& from,
+                const glm::dvec2& to, const Model& model) {
   const glm::dvec3 normal = glm::normalize(section.normal);
   const double length = length_there(section, camera, reach);
   if (grip == SectionGrip::turn) {
@@ -98,7 +101,9 @@ SectionAngles angles_of(const Section& section, const AnatomicalFrame& frame) {
 
 glm::dvec3 normal_of(const SectionAngles& angles, const AnatomicalFrame& frame) {
   const double round = glm::radians(angles.round_deg), up = glm::radians(angles.up_deg);
-  return glm::normalize(portable::cos(up) * (portable::cos(round) * frame.buccal + portable::sin(round) * frame.mesial) + portable::sin(up) * frame.occlusal);
+  return glm::normalize(portable::cos(up) *
+                            (portable::cos(round) * frame.buccal + portable::sin(round) * frame.mesial) +
+                        portable::sin(up) * frame.occlusal);
 }
 
 }  // namespace odontoscope

@@ -1,6 +1,6 @@
 #pragma once
-// The handle by which a section plane is moved and turned in the picture: a knob in the plane that slides along its normal, and an
-// arrow whose tip turns it. What is drawn and what is hit come from the same places.
+// The handle by which a section plane is moved and turned in the picture: a knob in the plane that slides along its
+// normal, and an arrow whose tip turns it. What is drawn and what is hit come from the same places.
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,18 +17,19 @@ enum class SectionGrip { slide, turn };
 /// Places in the picture as in screen.h.
 struct SectionHandle {
   glm::dvec2 knob{0}, tip{0};
-  std::vector<glm::dvec2> outline;   // of a disc in the plane, to be joined by lines
-  bool tip_faces_eye = true;         // false: the arrow points away
+  std::vector<glm::dvec2> outline;  // of a disc in the plane, to be joined by lines
+  bool tip_faces_eye = true;        // false: the arrow points away
 };
 
-/// The same size in the picture wherever the eye is: `reach` is the arrow's length there. Empty if it is behind the eye.
+/// The same size in the picture wherever the eye is: `reach` is the arrow's length there. Empty if it is behind the
+/// eye.
 std::optional<SectionHandle> section_handle(const Section& section, const Camera& camera, double reach);
 
 std::optional<SectionGrip> grip_at(const SectionHandle& handle, const glm::dvec2& place, double tolerance);
 
 /// The plane after the hand went from `from` to `to`. It stays within the model.
-Section dragged(const Section& section, SectionGrip grip, const Camera& camera, double reach, const glm::dvec2& from, const glm::dvec2& to,
-                const Model& model);
+Section dragged(const Section& section, SectionGrip grip, const Camera& camera, double reach, const glm::dvec2& from,
+                const glm::dvec2& to, const Model& model);
 
 /// Distance of the plane from the model's centre along its normal; positive where the normal points.
 double offset_of(const Section& section, const Model& model);

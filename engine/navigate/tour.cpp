@@ -23,11 +23,13 @@ constexpr double ease_seconds = 1.2;
 constexpr double look_ahead = 2.5;
 /// Samples for each piece between two points of the line.
 constexpr std::size_t samples_a_piece = 4;
-/// Near its end a canal is so narrow that its last hundredths would take forever: it is passed as if it were this share of its median width.
+/// Near its end a canal is so narrow that its last hundredths would take forever: it is passed as if it were this share
+/// of its median width.
 constexpr double least_width = 0.2;
 constexpr int most_slowdowns = 12;
 
-/// Weights of a uniform cubic B-spline at `t` in [0, 1] between the second and the third of four points: smooth to the second derivative.
+/// Weights of a uniform cubic B-spline at `t` in [0, 1] between the second and the third of four points: smooth to the
+/// second derivative.
 std::array<double, 4> spline_weights(double t) {
   const double u = 1 - t;
   return {u * u * u / 6, (3 * t * t * t - 6 * t * t + 4) / 6, (3 * u * u * u - 6 * u * u + 4) / 6, t * t * t / 6};
@@ -52,17 +54,20 @@ template <class Value>
 void smooth(std::vector<Value>& values, std::size_t times) {
   for (; times > 0; --times) {
     std::vector<Value> there = values;
-    for (std::size_t i = 1; i + 1 < values.size(); ++i) there[i] = 0.25 * values[i - 1] + 0.5 * values[i] + 0.25 * values[i + 1];
+    for (std::size_t i = 1; i + 1 < values.size(); ++i)
+      there[i] = 0.25 * values[i - 1] + 0.5 * values[i] + 0.25 * values[i + 1];
     values = std::move(there);
   }
 }
 
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) { return portable::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+  return portable::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 /// The line as samples evenly along it, with what the eye sees there.
 struct Way {
   std::vector<glm::dvec3> at, sight;
-  std::vector<double> along, clearance, width;   // width: the radius that sets the speed
+  std::vector<double> along, clearance, width;  // width: the radius that sets the speed
 };
 
 glm::dvec3 place_ahead(const Way& way, std::size_t from, double distance) {
@@ -78,19 +83,21 @@ glm::dvec3 place_ahead(const Way& way, std::size_t from, double distance) {
   return way.at.back() + left * glm::normalize(way.at.back() - way.at[before]);
 }
 
-/// Takes out waves shorter than some ten points, and keeps bends where they are (Taubin's two steps, see the line's own smoothing).
+/// Takes out waves shorter than some ten points, and keeps bends where they are (Taubin's two steps, see the line's own
+/// smoothing).
 void even_out(std::vector<glm::dvec3>& places, std::size_t times) {
   for (; times > 0; --times) {
     for (const double share : {0.5, -0.503}) {
       std::vector<glm::dvec3> there = places;
-      for (std::size_t i = 1; i + 1 < places.size(); ++i) there[i] += share * (0.5 * (places[i - 1] + places[i + 1]) - places[i]);
+      for (std::size_t i = 1; i + 1 < places.size(); ++i)
+        there[i] += share * (0.5 * (places[i - 1] + places[i + 1]) - places[i]);
       places = std::move(there);
     }
   }
 }
 
-/// Takes out what little crookedness a line has left, which a fast eye would feel, and not more than a share of the clearance; that then
-/// is less by as much.
+/// Takes out what little crookedness a line has left, which a fast eye would feel, and not more than a share of the
+/// clearance; that then is less by as much.
 void make_even(std::vector<CentrePoint>& points) {
   constexpr double most = 0.3;
   std::vector<glm::dvec3> places;
@@ -127,12 +134,15 @@ Way way_along(const CentreLine& line, bool back) {
   for (std::size_t k = 0; k <= samples; ++k) {
     const double place = static_cast<double>(k) / samples_a_piece;
     const std::size_t piece = std::min(k / samples_a_piece, points.size() - 2);
-    way.at.push_back(spline<glm::dvec3>(points.size(), place, [&](std::size_t i) { return glm::dvec3(points[i].at.x, points[i].at.y, points[i].at.z); }));
+    way.at.push_back(spline<glm::dvec3>(points.size(), place, [&](std::size_t i) {
+      return glm::dvec3(points[i].at.x, points[i].at.y, points[i].at.z);
+    }));
     way.along.push_back(spline<double>(points.size(), place, [&](std::size_t i) { return points[i].along; }));
     way.width.push_back(portable::exp(spline<double>(points.size(), place, [&](std::size_t i) { return logs[i]; })));
     way.clearance.push_back(std::min(points[piece].radius, points[piece + 1].radius));
   }
-  for (std::size_t k = 0; k <= samples; ++k) way.sight.push_back(glm::normalize(place_ahead(way, k, look_ahead * way.width[k]) - way.at[k]));
+  for (std::size_t k = 0; k <= samples; ++k)
+    way.sight.push_back(glm::normalize(place_ahead(way, k, look_ahead * way.width[k]) - way.at[k]));
   smooth(way.sight, 4 * samples_a_piece * samples_a_piece);
   for (glm::dvec3& sight : way.sight) sight = glm::normalize(sight);
   return way;
@@ -140,7 +150,7 @@ Way way_along(const CentreLine& line, bool back) {
 
 /// mm a second at each sample: so many radii, less where the view turns fast.
 std::vector<double> speeds(const Way& way, double radii_per_second) {
-  constexpr double of_bound = 0.7;   // room for smoothing
+  constexpr double of_bound = 0.7;  // room for smoothing
   std::vector<double> logs;
   for (std::size_t k = 0; k < way.at.size(); ++k) {
     double speed = radii_per_second * way.width[k];
@@ -156,7 +166,8 @@ std::vector<double> speeds(const Way& way, double radii_per_second) {
   return logs;
 }
 
-/// Share of the way gone after a share of the time, both 0 to 1: speed grows from nothing over `ease`, is even, and fades likewise.
+/// Share of the way gone after a share of the time, both 0 to 1: speed grows from nothing over `ease`, is even, and
+/// fades likewise.
 double eased(double share, double ease) {
   // The integral of t^2 (3 - 2 t) from 0.
   const auto grown = [](double t) { return t * t * t - t * t * t * t / 2; };
@@ -170,7 +181,8 @@ double eased(double share, double ease) {
 
 Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(options) {
   if (!(options.radii_per_second >= 0.05 && options.radii_per_second <= 20))
-    throw UsageError(fmt::format("a tour at {:g} radii a second makes no sense", options.radii_per_second), "Choose 0.05 to 20.");
+    throw UsageError(fmt::format("a tour at {:g} radii a second makes no sense", options.radii_per_second),
+                     "Choose 0.05 to 20.");
   const Way way = way_along(line, options.back);
   double slower = 1;
   for (int attempt = 0; attempt < most_slowdowns; ++attempt) {
@@ -178,7 +190,8 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
     std::vector<double> when{0};
     for (std::size_t k = 1; k < way.at.size(); ++k)
       when.push_back(when.back() + glm::length(way.at[k] - way.at[k - 1]) * 2 / (speed[k] + speed[k - 1]));
-    const double ease_time = slower * ease_seconds, whole = when.back() + ease_time, ease = std::min(0.5, ease_time / whole);
+    const double ease_time = slower * ease_seconds, whole = when.back() + ease_time,
+                 ease = std::min(0.5, ease_time / whole);
     const std::size_t steps = std::max<std::size_t>(8, static_cast<std::size_t>(std::ceil(whole / table_step)));
     step_ = whole / static_cast<double>(steps);
     frames_.assign(steps + 1, {});
@@ -204,19 +217,22 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
     for (std::size_t i = 0; i <= steps; ++i) frames_[i].at = places[i];
     for (std::size_t i = 0; i <= steps; ++i) frames_[i].sight = glm::normalize(sights[i]);
     double turn = 0, jerk = 0;
-    for (std::size_t i = 1; i <= steps; ++i) turn = std::max(turn, angle_between(frames_[i - 1].sight, frames_[i].sight) / step_);
+    for (std::size_t i = 1; i <= steps; ++i)
+      turn = std::max(turn, angle_between(frames_[i - 1].sight, frames_[i].sight) / step_);
     for (std::size_t i = 3; i <= steps; ++i) {
       const glm::dvec3 third = frames_[i].at - 3.0 * frames_[i - 1].at + 3.0 * frames_[i - 2].at - frames_[i - 3].at;
       jerk = std::max(jerk, glm::length(third) / (step_ * step_ * step_) / frames_[i].width);
     }
     constexpr double margin = 0.95;
-    const double factor = std::max(turn / (margin * glm::radians(largest_turn_deg_s)), portable::cbrt(jerk / (margin * largest_jerk)));
+    const double factor =
+        std::max(turn / (margin * glm::radians(largest_turn_deg_s)), portable::cbrt(jerk / (margin * largest_jerk)));
     if (factor <= 1) break;
     slower *= 1.02 * factor;
   }
   const glm::dvec3& sight = frames_.front().sight;
   constexpr double nearly_along = 0.9;
-  const glm::dvec3 wanted = std::abs(glm::dot(sight, glm::normalize(options.upright))) < nearly_along ? options.upright : options.otherwise;
+  const glm::dvec3 wanted =
+      std::abs(glm::dot(sight, glm::normalize(options.upright))) < nearly_along ? options.upright : options.otherwise;
   frames_.front().up = glm::normalize(wanted - glm::dot(wanted, sight) * sight);
   for (std::size_t i = 1; i < frames_.size(); ++i) {
     // The smallest rotation from one line of sight to the next, as two reflections.
@@ -242,7 +258,7 @@ TourInstant Tour::at(double seconds) const {
   camera.target = camera.position + instant.clearance * sight;
   camera.up = glm::normalize(up - glm::dot(up, sight) * sight);
   camera.field_of_view_deg = options_.field_of_view_deg;
-  constexpr double share = 0.5;   // of the clearance: points between those of the line are a little nearer to the wall
+  constexpr double share = 0.5;  // of the clearance: points between those of the line are a little nearer to the wall
   camera.near_mm = safe_near_mm(share * instant.clearance, options_.field_of_view_deg, options_.widest_aspect);
   return instant;
 }

@@ -33,7 +33,8 @@ Camera between(const Camera& start, const Camera& to, double share) {
   if (share >= 1) return to;
   Camera camera = to;
   const glm::dmat3 axes = glm::mat3_cast(glm::slerp(turn_of(from), turn_of(to), share));
-  const double distance = by_factors(glm::length(from.position - from.target), glm::length(to.position - to.target), share);
+  const double distance =
+      by_factors(glm::length(from.position - from.target), glm::length(to.position - to.target), share);
   camera.target = glm::mix(from.target, to.target, share);
   camera.position = camera.target + distance * axes[2];
   camera.up = axes[1];
@@ -58,16 +59,19 @@ Scene looks_between(const Scene& from, const Scene& to, double share, const Mode
     const float goes = before->visible ? before->opacity : 0, comes = look.visible ? look.opacity : 0;
     look.visible = before->visible || look.visible;
     look.opacity = mixed(goes, comes);
-    look.colour = {mixed(before->colour.red, look.colour.red), mixed(before->colour.green, look.colour.green), mixed(before->colour.blue, look.colour.blue)};
+    look.colour = {mixed(before->colour.red, look.colour.red), mixed(before->colour.green, look.colour.green),
+                   mixed(before->colour.blue, look.colour.blue)};
   }
   if (!from.section && !to.section) return scene;
   const auto beyond = [&](const Section& section) { return with_offset(section, model.radius_mm, model); };
-  const Section start = from.section ? *from.section : beyond(*to.section), goal = to.section ? *to.section : beyond(*from.section);
+  const Section start = from.section ? *from.section : beyond(*to.section),
+                goal = to.section ? *to.section : beyond(*from.section);
   const glm::dvec3 before = glm::normalize(start.normal), after = glm::normalize(goal.normal);
   const glm::dvec3 normal = glm::mix(before, after, share);
-  constexpr double opposite = 1e-3;   // there is no way between that is better than another
+  constexpr double opposite = 1e-3;  // there is no way between that is better than another
   const double offset = glm::mix(offset_of(start, model), offset_of(goal, model), share);
-  scene.section = glm::length(normal) < opposite ? goal : with_offset({goal.point_mm, glm::normalize(normal)}, offset, model);
+  scene.section =
+      glm::length(normal) < opposite ? goal : with_offset({goal.point_mm, glm::normalize(normal)}, offset, model);
   return scene;
 }
 

@@ -17,7 +17,7 @@ namespace {
 struct Piece {
   glm::dvec3 from, to;
   float depth_from, depth_to;
-  double low, high;   // heights
+  double low, high;  // heights
 };
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -30,10 +30,13 @@ double zero_of(const CentreLines& lines, const CentreLine& line) {
 
 void add_pieces(const CentreLine& line, double zero, std::vector<Piece>& pieces) {
   const auto add = [&](const Point3& a, const Point3& b, double along_a, double along_b) {
-    const auto depth = [&](double along) { return std::isnan(zero) ? above_orifice : static_cast<float>(along - zero); };
+    const auto depth = [&](double along) {
+      return std::isnan(zero) ? above_orifice : static_cast<float>(along - zero);
+    };
     pieces.push_back({vec(a), vec(b), depth(along_a), depth(along_b), std::min(a.z, b.z), std::max(a.z, b.z)});
   };
-  for (std::size_t i = 0; i + 1 < line.points.size(); ++i) add(line.points[i].at, line.points[i + 1].at, line.points[i].along, line.points[i + 1].along);
+  for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
+    add(line.points[i].at, line.points[i + 1].at, line.points[i].along, line.points[i + 1].along);
   const CentrePoint& last = line.points.back();
   add(last.at, line.end, last.along, last.along + glm::length(vec(line.end) - vec(last.at)));
 }
@@ -70,18 +73,23 @@ class NearestDepth {
       }
     };
     // Up and down from the vertex's height, for as long as a piece could be nearer.
-    const auto middle = std::lower_bound(pieces_.begin(), pieces_.end(), place.z, [](const Piece& piece, double z) { return piece.low < z; });
+    const auto middle = std::lower_bound(pieces_.begin(), pieces_.end(), place.z,
+                                         [](const Piece& piece, double z) { return piece.low < z; });
     auto up = middle, down = middle;
     const auto beyond = [&](double gap) { return gap > 0 && gap * gap >= best; };
     while (up != pieces_.end() || down != pieces_.begin()) {
       if (up != pieces_.end()) {
-        if (beyond(up->low - place.z)) up = pieces_.end();
-        else look_at(*up++);
+        if (beyond(up->low - place.z))
+          up = pieces_.end();
+        else
+          look_at(*up++);
       }
       if (down != pieces_.begin()) {
         const Piece& below = *(down - 1);
-        if (beyond(place.z - below.low - longest_)) down = pieces_.begin();
-        else look_at(below), --down;
+        if (beyond(place.z - below.low - longest_))
+          down = pieces_.begin();
+        else
+          look_at(below), --down;
       }
     }
     return std::max(depth, above_orifice);
@@ -89,7 +97,7 @@ class NearestDepth {
 
  private:
   std::vector<Piece> pieces_;
-  double longest_ = 0;   // along z
+  double longest_ = 0;  // along z
 };
 
 }  // namespace
@@ -111,8 +119,9 @@ void mark_wall_depths(Model& model, const std::vector<LinedWall>& walls) {
     if (pieces.empty()) continue;
     const NearestDepth nearest(std::move(pieces));
     part.depths_mm.resize(part.positions.size());
-    std::transform(part.positions.begin(), part.positions.end(), part.depths_mm.begin(),
-                   [&](const glm::vec3& position) { return nearest.at(model.origin_mm + glm::dvec3(position) / metres_per_mm); });
+    std::transform(
+        part.positions.begin(), part.positions.end(), part.depths_mm.begin(),
+        [&](const glm::vec3& position) { return nearest.at(model.origin_mm + glm::dvec3(position) / metres_per_mm); });
     for (const float depth : part.depths_mm) deepest = std::max(deepest, depth);
   }
   model.depth_step_mm = depth_step_mm(deepest);
@@ -125,7 +134,7 @@ void mark_wall_depths(Model& model, const FlightSpaces& spaces) {
 }
 
 std::vector<FlightLabel> depth_labels(const FlightSpace& space, double step_mm) {
-  const double apart = 0.4 * step_mm;   // nearer ones of the same depth are one
+  const double apart = 0.4 * step_mm;  // nearer ones of the same depth are one
   std::vector<FlightLabel> labels;
   for (const CentreLine& canal : space.lines.canals) {
     const double zero = zero_of(space.lines, canal);
@@ -133,13 +142,17 @@ std::vector<FlightLabel> depth_labels(const FlightSpace& space, double step_mm) 
     double next = step_mm;
     for (std::size_t i = 1; i + 1 < canal.points.size(); ++i) {
       if (canal.points[i].along - zero < next) continue;
-      const glm::dvec3 middle = vec(canal.points[i].at), ahead = glm::normalize(vec(canal.points[i + 1].at) - vec(canal.points[i - 1].at));
+      const glm::dvec3 middle = vec(canal.points[i].at),
+                       ahead = glm::normalize(vec(canal.points[i + 1].at) - vec(canal.points[i - 1].at));
       const glm::dvec3 aside = glm::cross(ahead, std::abs(ahead.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0));
       const double room = space.walls.free_distance(middle, glm::normalize(aside));
       const glm::dvec3 at = middle + (std::isfinite(room) ? room : canal.points[i].radius) * glm::normalize(aside);
       const std::string words = fmt::format("{:.0f} mm", next);
-      const auto same = [&](const FlightLabel& other) { return other.words == words && glm::length(other.at - at) < apart; };
-      if (std::none_of(labels.begin(), labels.end(), same)) labels.push_back({.at = at, .words = words, .line = {}, .depth = true});
+      const auto same = [&](const FlightLabel& other) {
+        return other.words == words && glm::length(other.at - at) < apart;
+      };
+      if (std::none_of(labels.begin(), labels.end(), same))
+        labels.push_back({.at = at, .words = words, .line = {}, .depth = true});
       next += step_mm;
     }
   }

@@ -15,11 +15,13 @@ struct LinedWall {
   const CentreLines* lines = nullptr;
 };
 
-/// From ring to ring, so that there are at most 25: 1 mm in a tooth of usual size, 5, 10, 50, ... in one that is measured in voxels.
+/// From ring to ring, so that there are at most 25: 1 mm in a tooth of usual size, 5, 10, 50, ... in one that is
+/// measured in voxels.
 double depth_step_mm(double deepest_mm);
 
-/// Fills in Model::depth_step_mm, and ModelPart::depths_mm of these parts: the length along the nearest centre line from its orifice (of a tube without a chamber, from its beginning) to the
-/// place that is nearest to the vertex; `above_orifice` beside the chamber and beside horns. Other parts keep theirs.
+/// Fills in Model::depth_step_mm, and ModelPart::depths_mm of these parts: the length along the nearest centre line
+/// from its orifice (of a tube without a chamber, from its beginning) to the place that is nearest to the vertex;
+/// `above_orifice` beside the chamber and beside horns. Other parts keep theirs.
 void mark_wall_depths(Model& model, const std::vector<LinedWall>& walls);
 void mark_wall_depths(Model& model, const FlightSpaces& spaces);
 

@@ -17,7 +17,9 @@ namespace {
 
 Point3 exact(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) { return orientation(exact(a), exact(b), exact(c), exact(d)); }
+int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
+  return orientation(exact(a), exact(b), exact(c), exact(d));
+}
 
 /// Never false where the segment meets the box: slabs with room for rounding.
 bool may_meet(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& from, const glm::dvec3& to) {
@@ -26,7 +28,8 @@ bool may_meet(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& f
     const double pad = 1e-12 * (std::abs(from[axis]) + std::abs(to[axis]) + std::abs(low[axis]) + std::abs(high[axis]));
     const double step = to[axis] - from[axis];
     if (std::abs(step) <= pad) {
-      if (std::max(from[axis], to[axis]) < low[axis] - pad || std::min(from[axis], to[axis]) > high[axis] + pad) return false;
+      if (std::max(from[axis], to[axis]) < low[axis] - pad || std::min(from[axis], to[axis]) > high[axis] + pad)
+        return false;
       continue;
     }
     const double a = (low[axis] - pad - from[axis]) / step, b = (high[axis] + pad - from[axis]) / step;
@@ -59,7 +62,8 @@ double meeting(const std::array<glm::dvec3, 3>& t, const glm::dvec3& from, const
 
 /// Directions evenly over the sphere.
 glm::dvec3 fibonacci(int i, int count) {
-  const double z = 1 - (2 * i + 1.0) / count, round = std::sqrt(std::max(0.0, 1 - z * z)), angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+  const double z = 1 - (2 * i + 1.0) / count, round = std::sqrt(std::max(0.0, 1 - z * z)),
+               angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
   return {round * portable::cos(angle), round * portable::sin(angle), z};
 }
 
@@ -72,7 +76,8 @@ Walls::Walls(const std::vector<const SurfaceMesh*>& surfaces) {
   std::vector<BoxTree<glm::dvec3>::Bounds> bounds;
   for (const SurfaceMesh* surface : surfaces)
     for (const auto& [a, b, c] : surface->triangles) {
-      const Corners& t = given.emplace_back(Corners{vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
+      const Corners& t =
+          given.emplace_back(Corners{vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
       bounds.push_back({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
     }
   tree_ = BoxTree<glm::dvec3>(bounds);
@@ -112,7 +117,9 @@ void Walls::along(const glm::dvec3& from, const glm::dvec3& to, Visit visit) con
 namespace {
 
 /// As long as any wall can be away.
-double beyond(const Box& bounds, const glm::dvec3& eye) { return 2 * (glm::length(bounds.high - bounds.low) + glm::length(bounds.centre() - eye)) + 1; }
+double beyond(const Box& bounds, const glm::dvec3& eye) {
+  return 2 * (glm::length(bounds.high - bounds.low) + glm::length(bounds.centre() - eye)) + 1;
+}
 
 }  // namespace
 
@@ -157,7 +164,8 @@ Walls::Side Walls::locate(const glm::dvec3& place) const {
 bool Walls::crosses(const glm::dvec3& from, const glm::dvec3& to) const {
   bool touched = false;
   along(from, to, [&](const Corners& t) {
-    touched = passes(t, from, to) != 0 && may_meet(glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2]), from, to);
+    touched = passes(t, from, to) != 0 &&
+              may_meet(glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2]), from, to);
     return !touched;
   });
   return touched;
@@ -175,7 +183,8 @@ std::optional<Roomiest> roomiest_place(const Walls& walls, int places) {
       for (int x = 0; x < count.x; ++x) {
         const glm::dvec3 at = bounds.low + (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(count) * extent;
         const double clearance = walls.nearest(at).distance;
-        if ((!best || clearance > best->clearance) && walls.locate(at) == Walls::Side::inside) best = Roomiest{at, clearance};
+        if ((!best || clearance > best->clearance) && walls.locate(at) == Walls::Side::inside)
+          best = Roomiest{at, clearance};
       }
   if (!best) return best;
   // Then uphill. A step shorter than the clearance cannot leave through a wall.
@@ -183,10 +192,13 @@ std::optional<Roomiest> roomiest_place(const Walls& walls, int places) {
     const Roomiest before = *best;
     for (int i = 0; i < 14; ++i) {
       const glm::dvec3 at = before.at + reach * fibonacci(i, 14);
-      if (const double clearance = walls.nearest(at).distance; clearance > best->clearance) best = Roomiest{at, clearance};
+      if (const double clearance = walls.nearest(at).distance; clearance > best->clearance)
+        best = Roomiest{at, clearance};
     }
-    if (best->at == before.at) reach *= 0.5;
-    else reach = std::min(reach, 0.5 * before.clearance);
+    if (best->at == before.at)
+      reach *= 0.5;
+    else
+      reach = std::min(reach, 0.5 * before.clearance);
   }
   return best;
 }

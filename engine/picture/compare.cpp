@@ -29,7 +29,8 @@ int largest_difference(const std::array<int, 4>& a, const std::array<int, 4>& b)
 }
 
 double luminance(const Image& image, int x, int y) {
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
   const auto [red, green, blue, alpha] = seen(image, at);
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 255 - alpha;
 }
@@ -38,7 +39,8 @@ double luminance(const Image& image, int x, int y) {
 bool is_compared(const Image* mask, int x, int y) {
   if (mask == nullptr) return true;
   constexpr double half = 127.5;
-  const std::size_t at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask->width) + static_cast<std::size_t>(x));
+  const std::size_t at =
+      4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(mask->width) + static_cast<std::size_t>(x));
   const auto [red, green, blue, alpha] = seen(*mask, at);
   return 0.2126 * red + 0.7152 * green + 0.0722 * blue > half;
 }
@@ -93,7 +95,8 @@ ImageDifference compare(const Image& a, const Image& b, const ImageTolerance& to
   difference.share = static_cast<double>(difference.pixels) / std::max(1.0, static_cast<double>(difference.compared));
   difference.similarity = mean_similarity(a, b, mask);
   const bool any = difference.compared > 0 || mask == nullptr;
-  difference.within_tolerance = any && difference.share <= tolerance.share && difference.similarity >= tolerance.similarity;
+  difference.within_tolerance =
+      any && difference.share <= tolerance.share && difference.similarity >= tolerance.similarity;
   return difference;
 }
 
@@ -117,7 +120,8 @@ Image difference_picture(const Image& a, const Image& b, const Image* mask) {
     const int alpha = std::abs(seen_a[3] - seen_b[3]);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const int difference = std::max(std::abs(seen_a[channel] - seen_b[channel]), alpha);
-      picture.rgba[at + channel] = static_cast<std::uint8_t>(difference == 0 ? 0 : std::min(255, least_visible + stretch * difference));
+      picture.rgba[at + channel] =
+          static_cast<std::uint8_t>(difference == 0 ? 0 : std::min(255, least_visible + stretch * difference));
     }
     picture.rgba[at + 3] = 255;
   }

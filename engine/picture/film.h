@@ -1,8 +1,8 @@
 #pragma once
 // Pictures to a film, by the program ffmpeg where it is installed. POSIX.
 //
-// ffmpeg is started without a shell, gets the pictures through its standard input, and writes into a nameless file that goes with this process: nothing is left
-// behind however it ends. It is killed when the work is stopped.
+// ffmpeg is started without a shell, gets the pictures through its standard input, and writes into a nameless file that
+// goes with this process: nothing is left behind however it ends. It is killed when the work is stopped.
 
 #include <memory>
 #include <string>
@@ -20,14 +20,14 @@ const std::vector<std::string>& film_endings();
 void need_ffmpeg(const std::string& film);
 
 struct FilmOptions {
-  int width = 0, height = 0;        // even: colour is stored for two by two pixels
+  int width = 0, height = 0;  // even: colour is stored for two by two pixels
   double pictures_per_second = 30;
 };
 
 class FilmMaker {
  public:
-  /// Starts ffmpeg. `film` tells the format by its ending, and messages by its name; it is not touched. FileError if ffmpeg does not start. Preconditions: an
-  /// ending of film_endings(), even sizes.
+  /// Starts ffmpeg. `film` tells the format by its ending, and messages by its name; it is not touched. FileError if
+  /// ffmpeg does not start. Preconditions: an ending of film_endings(), even sizes.
   FilmMaker(const std::string& film, const FilmOptions& options);
   /// Kills ffmpeg if it still runs.
   ~FilmMaker();

@@ -14,7 +14,7 @@ inline constexpr int most_picture_side = 16'384;
 /// 8 bits a channel: red, green, blue (sRGB encoded), alpha (not premultiplied); rows from the top.
 struct Image {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;   // 4 * width * height
+  std::vector<std::uint8_t> rgba;  // 4 * width * height
 
   Image() = default;
   Image(int w, int h) : width(w), height(h), rgba(4 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}

@@ -30,7 +30,7 @@ int next_letter(std::string_view& words) {
 struct Lettering::Face {
   stbtt_fontinfo font{};
   double height = 0;
-  float scale = 0;   // pixels a unit of the font
+  float scale = 0;  // pixels a unit of the font
   int ascent = 0;
 
   double advance(int glyph) const {
@@ -60,7 +60,8 @@ double Lettering::width(std::string_view words) const {
   return width;
 }
 
-void Lettering::draw(Image& image, std::string_view words, double x, double y, std::array<std::uint8_t, 3> colour) const {
+void Lettering::draw(Image& image, std::string_view words, double x, double y,
+                     std::array<std::uint8_t, 3> colour) const {
   const double line = std::round(y + face_->scale * static_cast<float>(face_->ascent));
   while (!words.empty()) {
     const int glyph = stbtt_FindGlyphIndex(&face_->font, next_letter(words));
@@ -68,17 +69,22 @@ void Lettering::draw(Image& image, std::string_view words, double x, double y, s
     const double pixel = std::floor(x);
     int left = 0, top = 0, right = 0, bottom = 0;
     const auto shift = static_cast<float>(x - pixel);
-    stbtt_GetGlyphBitmapBoxSubpixel(&face_->font, glyph, face_->scale, face_->scale, shift, 0, &left, &top, &right, &bottom);
+    stbtt_GetGlyphBitmapBoxSubpixel(&face_->font, glyph, face_->scale, face_->scale, shift, 0, &left, &top, &right,
+                                    &bottom);
     const int width = right - left, height = bottom - top;
     std::vector<unsigned char> cover(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    if (!cover.empty()) stbtt_MakeGlyphBitmapSubpixel(&face_->font, cover.data(), width, height, width, face_->scale, face_->scale, shift, 0, glyph);
+    if (!cover.empty())
+      stbtt_MakeGlyphBitmapSubpixel(&face_->font, cover.data(), width, height, width, face_->scale, face_->scale, shift,
+                                    0, glyph);
     for (int row = 0; row < height; ++row) {
       for (int column = 0; column < width; ++column) {
         const int px = static_cast<int>(pixel) + left + column, py = static_cast<int>(line) + top + row;
         if (px < 0 || py < 0 || px >= image.width || py >= image.height) continue;
-        const unsigned share = cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+        const unsigned share =
+            cover[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
         std::array<std::uint8_t, 4> there = image.pixel(px, py);
-        for (std::size_t k = 0; k < 3; ++k) there[k] = static_cast<std::uint8_t>((share * colour[k] + (255 - share) * there[k] + 127) / 255);
+        for (std::size_t k = 0; k < 3; ++k)
+          there[k] = static_cast<std::uint8_t>((share * colour[k] + (255 - share) * there[k] + 127) / 255);
         there[3] = static_cast<std::uint8_t>(share + (255 - share) * there[3] / 255);
         image.set_pixel(px, py, there);
       }

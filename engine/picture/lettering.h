@@ -13,7 +13,8 @@ namespace odontoscope {
 /// Draws in one typeface at one size, without a graphics card.
 class Lettering {
  public:
-  /// The bytes of a TrueType or OpenType file, which must outlive it; letters are so many pixels high from the lowest descender to the highest ascender. InternalError if it is no font.
+  /// The bytes of a TrueType or OpenType file, which must outlive it; letters are so many pixels high from the lowest
+  /// descender to the highest ascender. InternalError if it is no font.
   Lettering(std::span<const unsigned char> font, double height);
   ~Lettering();
 

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int png_compression = 4;   // of zlib's 9: a tenth larger than the best in a third of the time
+constexpr int png_compression = 4;  // of zlib's 9: a tenth larger than the best in a third of the time
 
 /// In place of stb's own compression: zlib is several times faster and packs closer. The caller frees the bytes.
 unsigned char* compressed(unsigned char* data, int size, int* compressed_size, int level) {
@@ -30,7 +30,8 @@ unsigned char* compressed(unsigned char* data, int size, int* compressed_size, i
 
 }  // namespace
 
-#define STBIW_ZLIB_COMPRESS(data, size, compressed_size, quality) compressed(data, size, compressed_size, png_compression)
+#define STBIW_ZLIB_COMPRESS(data, size, compressed_size, quality) \
+  compressed(data, size, compressed_size, png_compression)
 #define STBI_ONLY_PNG
 #define STBI_NO_STDIO
 #define STB_IMAGE_STATIC
@@ -63,12 +64,14 @@ void check_chunks(std::string_view bytes, const Place& place) {
     std::size_t length = 0;
     for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
     if (bytes.substr(at + 4, 4) == "IEND") return;
-    if (length > bytes.size() - at - head) throw InputError("not-a-png", place, "the PNG ends before what it announces", "Give an intact PNG file.");
+    if (length > bytes.size() - at - head)
+      throw InputError("not-a-png", place, "the PNG ends before what it announces", "Give an intact PNG file.");
     at += head + length + checksum;
   }
 }
 
-/// The packed pixels must not unpack to more than the size in the header makes: stb takes memory for all of it, whatever the size. Nothing is kept here.
+/// The packed pixels must not unpack to more than the size in the header makes: stb takes memory for all of it,
+/// whatever the size. Nothing is kept here.
 void check_unpacked(std::string_view bytes, std::size_t most, const Place& place) {
   constexpr std::size_t head = 8, checksum = 4, piece = 1u << 16;
   z_stream stream{};
@@ -85,8 +88,10 @@ void check_unpacked(std::string_view bytes, std::size_t most, const Place& place
       for (int code = Z_OK; code == Z_OK && (stream.avail_in > 0 || stream.avail_out == 0);) {
         stream.next_out = reinterpret_cast<Bytef*>(unpacked.data());
         stream.avail_out = static_cast<uInt>(piece);
-        code = inflate(&stream, Z_NO_FLUSH);   // what is damaged is stb's to tell
-        if (stream.total_out > most) throw InputError("not-a-png", place, "its pixels unpack to more than its size makes", "Give an intact PNG file.");
+        code = inflate(&stream, Z_NO_FLUSH);  // what is damaged is stb's to tell
+        if (stream.total_out > most)
+          throw InputError("not-a-png", place, "its pixels unpack to more than its size makes",
+                           "Give an intact PNG file.");
       }
     }
     at += head + length + checksum;
@@ -123,14 +128,21 @@ Image read_png(const std::string& file) {
   if (width > most_picture_side || height > most_picture_side)
     throw InputError("picture-too-large", place, fmt::format("{} x {} pixels", width, height),
                      fmt::format("At most {} a side can be read.", most_picture_side));
-  // At least so many bits a pixel come out of the packed ones; room for a gigabyte of pixels is not asked for on a header's word alone.
+  // At least so many bits a pixel come out of the packed ones; room for a gigabyte of pixels is not asked for on a
+  // header's word alone.
   constexpr std::size_t depth_at = 24;
-  const std::size_t least = std::size_t{data[depth_at]} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 8;
+  const std::size_t least =
+      std::size_t{data[depth_at]} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 8;
   if (least / limits::compression_ratio > bytes.size())
-    throw InputError("not-a-png", place, fmt::format("{} x {} pixels cannot be in {} bytes", width, height, bytes.size()), "Give an intact PNG file.");
+    throw InputError("not-a-png", place,
+                     fmt::format("{} x {} pixels cannot be in {} bytes", width, height, bytes.size()),
+                     "Give an intact PNG file.");
   // A row has a byte more for its filter; interlaced pictures have up to two rows for one, and a few more.
   constexpr std::size_t most_samples = 4, filters = 64;
-  check_unpacked(bytes, 2 * static_cast<std::size_t>(height) * (static_cast<std::size_t>(width) * most_samples * data[depth_at] / 8 + filters), place);
+  check_unpacked(bytes,
+                 2 * static_cast<std::size_t>(height) *
+                     (static_cast<std::size_t>(width) * most_samples * data[depth_at] / 8 + filters),
+                 place);
   const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
       stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
   if (!pixels) throw InputError("not-a-png", place, stbi_failure_reason(), "Give an intact PNG file.");

@@ -1,5 +1,6 @@
 #pragma once
-// A volume in the graphics processor's memory, ready to cast rays through. Preparing a look never uploads the values again.
+// A volume in the graphics processor's memory, ready to cast rays through. Preparing a look never uploads the values
+// again.
 
 #include <cstddef>
 #include <glm/vec3.hpp>
@@ -11,7 +12,8 @@
 
 namespace odontoscope {
 
-/// The texture of a grid's values, which somebody else owns, and where they lie: metres, relative to the model's origin.
+/// The texture of a grid's values, which somebody else owns, and where they lie: metres, relative to the model's
+/// origin.
 struct FieldTexture {
   GLuint texture = 0;
   glm::vec3 first{0}, step{1}, size{1};
@@ -23,8 +25,8 @@ class GpuVolume {
   /// `field` holds the values of `grid` and outlives this. Keeps a copy of neither.
   GpuVolume(const Gl& gl, const ValueGrid& grid, const FieldTexture& field);
 
-  /// Lays out transfer function and empty bricks for such a look; at once if it is the last one's. Precondition: sensible(look.transfer) if it is
-  /// shaded. `look.transfer` may then hold values of any size.
+  /// Lays out transfer function and empty bricks for such a look; at once if it is the last one's. Precondition:
+  /// sensible(look.transfer) if it is shaded. `look.transfer` may then hold values of any size.
   void prepare(const VolumeLook& look);
 
   const FieldTexture& field() const { return field_; }
@@ -35,7 +37,8 @@ class GpuVolume {
   /// Its corners, half a step beyond the outermost values: metres.
   glm::vec3 low() const { return field_.first - 0.5f * field_.step; }
   glm::vec3 high() const { return low() + field_.size * field_.step; }
-  /// Length of a step, metres: half the smallest distance of two values, or more where a ray would take over `most_steps`.
+  /// Length of a step, metres: half the smallest distance of two values, or more where a ray would take over
+  /// `most_steps`.
   float stride() const;
   /// So many times as long: for pictures that must not take long. 1 at first.
   void set_coarseness(float times) { coarseness_ = times; }

@@ -10,18 +10,24 @@ namespace odontoscope {
 
 namespace {
 
-constexpr int values_unit = 0, bricks_unit = 1, transfer_unit = 2, from_unit = 3, to_unit = 4, opaque_unit = 5, coarse_unit = 6, alike_unit = 7;
+constexpr int values_unit = 0, bricks_unit = 1, transfer_unit = 2, from_unit = 3, to_unit = 4, opaque_unit = 5,
+              coarse_unit = 6, alike_unit = 7;
 constexpr int furthest_apart = 8;
 constexpr float metres_to_mm = 1000;
-constexpr float greys_are_stricter = 0.5;   // maxima have creases
+constexpr float greys_are_stricter = 0.5;  // maxima have creases
 
 ProgramFiles files_of(const VolumeLook& look) {
   switch (look.cast) {
-    case VolumeLook::Cast::maximum: return {"fullscreen.vert", "volume.frag", {}, {"MAXIMUM"}};
-    case VolumeLook::Cast::average: return {"fullscreen.vert", "volume.frag", {}, {"AVERAGE"}};
-    case VolumeLook::Cast::radiograph: return {"fullscreen.vert", "volume.frag", {}, {"RADIOGRAPH"}};
-    case VolumeLook::Cast::surface: return {"fullscreen.vert", "volume_surface.frag"};
-    case VolumeLook::Cast::shaded: break;
+    case VolumeLook::Cast::maximum:
+      return {"fullscreen.vert", "volume.frag", {}, {"MAXIMUM"}};
+    case VolumeLook::Cast::average:
+      return {"fullscreen.vert", "volume.frag", {}, {"AVERAGE"}};
+    case VolumeLook::Cast::radiograph:
+      return {"fullscreen.vert", "volume.frag", {}, {"RADIOGRAPH"}};
+    case VolumeLook::Cast::surface:
+      return {"fullscreen.vert", "volume_surface.frag"};
+    case VolumeLook::Cast::shaded:
+      break;
   }
   if (look.slopes.count()) return {"fullscreen.vert", "volume.frag", {}, {"SHADED", "BY_SLOPE"}};
   return {"fullscreen.vert", "volume.frag", {}, {"SHADED"}};
@@ -42,8 +48,9 @@ float sample_width(const CastView& view, const GpuVolume& volume) {
 }
 
 void keep_to(const Gl& gl, const CastView& view, int apart) {
-  const int margin = apart > 1 ? 3 : 0;   // rays between others look at those, and at one more on either side
-  const glm::ivec2 low = glm::max(view.touched_low / apart - margin, glm::ivec2(0)), size = (view.touched_high + apart - 1) / apart + margin - low;
+  const int margin = apart > 1 ? 3 : 0;  // rays between others look at those, and at one more on either side
+  const glm::ivec2 low = glm::max(view.touched_low / apart - margin, glm::ivec2(0)),
+                   size = (view.touched_high + apart - 1) / apart + margin - low;
   gl.Enable(GL_SCISSOR_TEST);
   gl.Scissor(low.x, low.y, std::max(size.x, 0), std::max(size.y, 0));
 }
@@ -60,12 +67,14 @@ std::vector<int> ray_distances(const CastView& view, const GpuVolume& volume) {
   return distances;
 }
 
-VolumePass::VolumePass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), shaders_(shaders), no_vertices_(make_vertex_array(gl)) {}
+VolumePass::VolumePass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), shaders_(shaders), no_vertices_(make_vertex_array(gl)) {}
 
 Program& VolumePass::program(const VolumeLook& look) {
   const std::pair kind{look.cast, look.cast == VolumeLook::Cast::shaded && look.slopes.count()};
   const auto found = programs_.find(kind);
-  return found != programs_.end() ? found->second : programs_.emplace(kind, Program(*gl_, shaders_, files_of(look))).first->second;
+  return found != programs_.end() ? found->second
+                                  : programs_.emplace(kind, Program(*gl_, shaders_, files_of(look))).first->second;
 }
 
 void VolumePass::set_view(const Program& program, const CastView& view, const GpuVolume& volume) const {
@@ -98,13 +107,16 @@ void VolumePass::cover() const {
 
 Program& VolumePass::program(const char* fragment) {
   const auto found = between_.find(fragment);
-  return found != between_.end() ? found->second : between_.emplace(fragment, Program(*gl_, shaders_, {"fullscreen.vert", fragment})).first->second;
+  return found != between_.end()
+             ? found->second
+             : between_.emplace(fragment, Program(*gl_, shaders_, {"fullscreen.vert", fragment})).first->second;
 }
 
 const VolumePass::Coarse& VolumePass::coarse_for(int apart, PixelSize size) {
   const PixelSize fewer{(size.width + apart - 1) / apart, (size.height + apart - 1) / apart};
   Coarse& coarse = coarse_[apart];
-  if (coarse.seen.size() != fewer) coarse = {Framebuffer(*gl_, {fewer, {GL_RGBA16F}, GL_DEPTH_COMPONENT32F}), Framebuffer(*gl_, {fewer, {GL_R8}})};
+  if (coarse.seen.size() != fewer)
+    coarse = {Framebuffer(*gl_, {fewer, {GL_RGBA16F}, GL_DEPTH_COMPONENT32F}), Framebuffer(*gl_, {fewer, {GL_R8}})};
   return coarse;
 }
 
@@ -143,9 +155,10 @@ void VolumePass::tell(int apart, int coarser) {
   gl_->DepthFunc(GL_ALWAYS);
 }
 
-void VolumePass::cover_behind(const Program& cast, const CastView& view, const GpuVolume& volume, Among among, const Framebuffer& picture) {
+void VolumePass::cover_behind(const Program& cast, const CastView& view, const GpuVolume& volume, Among among,
+                              const Framebuffer& picture) {
   const std::vector<int> distances = ray_distances(view, volume);
-  gl_->ActiveTexture(GL_TEXTURE0 + coarse_unit);   // making textures unbinds what is bound there
+  gl_->ActiveTexture(GL_TEXTURE0 + coarse_unit);  // making textures unbinds what is bound there
   for (const int apart : distances)
     if (apart > 1) coarse_for(apart, view.size);
   gl_->BlendEquation(GL_FUNC_ADD);
@@ -172,7 +185,8 @@ void VolumePass::cover_behind(const Program& cast, const CastView& view, const G
   gl_->Disable(GL_BLEND);
 }
 
-void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const CastDepths& depths, const Framebuffer& picture) {
+void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, const VolumeLook& look,
+                              const CastDepths& depths, const Framebuffer& picture) {
   const Program& cast = program(look);
   set_view(cast, view, volume);
   cast.set("transfer", transfer_unit);
@@ -192,7 +206,8 @@ void VolumePass::draw_between(const CastView& view, const GpuVolume& volume, con
   cover_behind(cast, view, volume, depths.any ? Among::surfaces : Among::nothing, picture);
 }
 
-void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, const VolumeLook& look, const Framebuffer& picture) {
+void VolumePass::draw_projection(const CastView& view, const GpuVolume& volume, const VolumeLook& look,
+                                 const Framebuffer& picture) {
   const Program& cast = program(look);
   set_view(cast, view, volume);
   cast.set("low", static_cast<float>(look.black));

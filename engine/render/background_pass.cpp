@@ -30,10 +30,11 @@ void BackgroundPass::draw_gradient(const Background& background, PixelSize size)
 
 void BackgroundPass::fill(const Background& background, const Target& target) {
   const bool gradient = background.kind == Background::Kind::gradient;
-  if (gradient && (drawn_.size() != target.size || drawn_background_ != background)) draw_gradient(background, target.size);
+  if (gradient && (drawn_.size() != target.size || drawn_background_ != background))
+    draw_gradient(background, target.size);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
-  gl_->Enable(GL_SCISSOR_TEST);   // a clear knows no viewport
+  gl_->Enable(GL_SCISSOR_TEST);  // a clear knows no viewport
   gl_->Scissor(target.left, target.bottom, target.size.width, target.size.height);
   constexpr GLfloat far_away = 1;
   gl_->DepthMask(GL_TRUE);
@@ -47,8 +48,9 @@ void BackgroundPass::fill(const Background& background, const Target& target) {
   gl_->Disable(GL_SCISSOR_TEST);
   if (!gradient) return;
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
-  gl_->BlitFramebuffer(0, 0, target.size.width, target.size.height, target.left, target.bottom, target.left + target.size.width,
-                       target.bottom + target.size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, target.size.width, target.size.height, target.left, target.bottom,
+                       target.left + target.size.width, target.bottom + target.size.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
 }
 

@@ -11,8 +11,8 @@ class BackgroundPass {
  public:
   BackgroundPass(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Fills the target, which has depth, and leaves it bound. A gradient is drawn once and copied as long as it stays the same: that
-  /// takes a driver that draws in software a tenth of the time.
+  /// Fills the target, which has depth, and leaves it bound. A gradient is drawn once and copied as long as it stays
+  /// the same: that takes a driver that draws in software a tenth of the time.
   void fill(const Background& background, const Target& target);
 
  private:

@@ -58,8 +58,10 @@ void CapPass::cover(const FramePlan& plan, const CappedSolid& solid) const {
   program.set("across", plan.radius * across);
   program.set("along", plan.radius * glm::cross(normal, across));
   program.set("normal", normal);
-  if (plan.cap_values) set_values(plan);
-  else set_material(program, plan, solid);
+  if (plan.cap_values)
+    set_values(plan);
+  else
+    set_material(program, plan, solid);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

@@ -1,12 +1,13 @@
 #pragma once
 // Closes what the section plane opened, so that a solid looks solid.
 //
-// Behind every point of the plane the surface that is left is counted: a back face adds one, a front face takes one away. What
-// remains is how often the solid goes round the point, exactly, since the rasteriser draws each shared edge once. No
-// triangulation of the section is needed, and moving the plane costs nothing. Structures that are not closed get caps
-// with gaps or streaks.
+// Behind every point of the plane the surface that is left is counted: a back face adds one, a front face takes one
+// away. What remains is how often the solid goes round the point, exactly, since the rasteriser draws each shared edge
+// once. No triangulation of the section is needed, and moving the plane costs nothing. Structures that are not closed
+// get caps with gaps or streaks.
 //
-// A cap shows its solid's colour, with a grain or plain, lit like any surface, or the grey values of a volume, which neither light nor occlusion changes.
+// A cap shows its solid's colour, with a grain or plain, lit like any surface, or the grey values of a volume, which
+// neither light nor occlusion changes.
 
 #include "engine/gpu/program.h"
 #include "engine/render/frame_plan.h"

@@ -12,7 +12,8 @@ constexpr float same_surface = 0.25f;
 ComposePass::ComposePass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), program_(gl, shaders, {"fullscreen.vert", "compose.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void ComposePass::draw(const FramePlan& plan, const Layer& layer, const Framebuffer* occlusion, const Framebuffer& picture) const {
+void ComposePass::draw(const FramePlan& plan, const Layer& layer, const Framebuffer* occlusion,
+                       const Framebuffer& picture) const {
   picture.bind();
   gl_->Disable(GL_DEPTH_TEST);
   gl_->Disable(GL_CULL_FACE);
@@ -29,8 +30,10 @@ void ComposePass::draw(const FramePlan& plan, const Layer& layer, const Framebuf
   program_.set("same_surface", same_surface * plan.occlusion_reach());
   layer.bind_light(0);
   layer.bind_ambient(1);
-  if (occlusion) occlusion->bind_colour(0, 2);
-  else layer.bind_light(2);
+  if (occlusion)
+    occlusion->bind_colour(0, 2);
+  else
+    layer.bind_light(2);
   gl_->BindVertexArray(no_vertices_.id());
   gl_->DrawArrays(GL_TRIANGLES, 0, 3);
   gl_->Disable(GL_BLEND);

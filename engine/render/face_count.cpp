@@ -27,7 +27,8 @@ float spread_around(const FaceCounts& counts, int x, int y) {
   float low = 1, high = 0;
   for (int ny = std::max(y - 1, 0); ny <= std::min(y + 1, counts.size.height - 1); ++ny)
     for (int nx = std::max(x - 1, 0); nx <= std::min(x + 1, counts.size.width - 1); ++nx) {
-      const std::size_t at = static_cast<std::size_t>(ny) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(nx);
+      const std::size_t at =
+          static_cast<std::size_t>(ny) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(nx);
       const float nearest = std::min(counts.front_depth[at], counts.back_depth[at]);
       low = std::min(low, nearest);
       high = std::max(high, nearest);
@@ -37,7 +38,8 @@ float spread_around(const FaceCounts& counts, int x, int y) {
 
 bool covered(const FaceCounts& counts, int x, int y) {
   if (x < 0 || y < 0 || x >= counts.size.width || y >= counts.size.height) return false;
-  const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
+  const std::size_t at =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
   return counts.front[at] != 0 || counts.back[at] != 0;
 }
 
@@ -84,13 +86,15 @@ FaceCounts FaceCounter::count(const GpuModel& model, const Scene& scene, const V
 namespace {
 
 bool is_tie(const FaceCounts& counts, int x, int y, std::size_t at) {
-  return counts.front[at] == counts.back[at] && counts.front_depth[at] - counts.back_depth[at] <= spread_around(counts, x, y);
+  return counts.front[at] == counts.back[at] &&
+         counts.front_depth[at] - counts.back_depth[at] <= spread_around(counts, x, y);
 }
 
 }  // namespace
 
 bool back_is_nearest(const FaceCounts& counts, int x, int y) {
-  const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
+  const std::size_t at =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
   return counts.back_depth[at] < counts.front_depth[at] && !is_tie(counts, x, y, at);
 }
 
@@ -98,10 +102,12 @@ FaceVerdict judge(const FaceCounts& counts) {
   FaceVerdict verdict;
   for (int y = 0; y < counts.size.height; ++y)
     for (int x = 0; x < counts.size.width; ++x) {
-      const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
+      const std::size_t at =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(counts.size.width) + static_cast<std::size_t>(x);
       if (!covered(counts, x, y)) continue;
       ++verdict.covered;
-      verdict.outline += !covered(counts, x - 1, y) || !covered(counts, x + 1, y) || !covered(counts, x, y - 1) || !covered(counts, x, y + 1);
+      verdict.outline += !covered(counts, x - 1, y) || !covered(counts, x + 1, y) || !covered(counts, x, y - 1) ||
+                         !covered(counts, x, y + 1);
       const bool balanced = counts.front[at] == counts.back[at];
       verdict.unbalanced += !balanced;
       if (!(counts.back_depth[at] < counts.front_depth[at])) continue;

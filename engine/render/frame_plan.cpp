@@ -39,14 +39,18 @@ PixelRectangle touched_by(const glm::vec3& box_low, const glm::vec3& box_high, c
   const glm::ivec2 size(plan.size.width, plan.size.height);
   glm::vec2 low(1), high(-1);
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const glm::vec3 place(corner & 1u ? box_high.x : box_low.x, corner & 2u ? box_high.y : box_low.y, corner & 4u ? box_high.z : box_low.z);
+    const glm::vec3 place(corner & 1u ? box_high.x : box_low.x, corner & 2u ? box_high.y : box_low.y,
+                          corner & 4u ? box_high.z : box_low.z);
     const glm::vec4 clip = plan.view.eye_to_clip * plan.view.world_to_eye * glm::vec4(place, 1);
     if (!(clip.w > 0) || clip.z < -clip.w) return {{0, 0}, size};
     low = glm::min(low, glm::vec2(clip) / clip.w);
     high = glm::max(high, glm::vec2(clip) / clip.w);
   }
-  const auto pixel = [&](const glm::vec2& place) { return glm::ivec2(glm::floor(0.5f * (glm::clamp(place, -1.0f, 1.0f) + 1.0f) * glm::vec2(size))); };
-  return {glm::max(pixel(low) - margin * plan.side, glm::ivec2(0)), glm::min(pixel(high) + margin * plan.side + 1, size)};
+  const auto pixel = [&](const glm::vec2& place) {
+    return glm::ivec2(glm::floor(0.5f * (glm::clamp(place, -1.0f, 1.0f) + 1.0f) * glm::vec2(size)));
+  };
+  return {glm::max(pixel(low) - margin * plan.side, glm::ivec2(0)),
+          glm::min(pixel(high) + margin * plan.side + 1, size)};
 }
 
 constexpr glm::vec4 keeps_everything{0, 0, 0, 1};
@@ -68,8 +72,8 @@ void add_overlay(const GpuOverlay& overlay, const GpuModel& model, const Scene& 
 
 }  // namespace
 
-FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side, const GpuOverlay* overlay,
-                     const GpuValueGrid* values) {
+FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view, PixelSize size, int side,
+                     const GpuOverlay* overlay, const GpuValueGrid* values) {
   FramePlan plan;
   plan.view = view;
   plan.size = {side * size.width, side * size.height};
@@ -100,12 +104,17 @@ FramePlan plan_frame(const GpuModel& model, const Scene& scene, const View& view
     const Look* found = scene.look_of(part.structure);
     const Look look = found ? *found : Look{part.structure, usual_colour(part.structure, i)};
     if (!look.visible) continue;
-    const DrawnPart drawn{&part, linear(look.colour), look.opacity, turned_out(scene, look, part.structure != part.solid, capped)};
-    if (look.opacity >= 1) plan.opaque.push_back(drawn);
-    else if (look.opacity > 0) plan.translucent.push_back(drawn);
-    if (capped && part.structure == part.solid) plan.capped.push_back({surfaces_of(part.solid, model), drawn.colour, part.box_volume});
+    const DrawnPart drawn{&part, linear(look.colour), look.opacity,
+                          turned_out(scene, look, part.structure != part.solid, capped)};
+    if (look.opacity >= 1)
+      plan.opaque.push_back(drawn);
+    else if (look.opacity > 0)
+      plan.translucent.push_back(drawn);
+    if (capped && part.structure == part.solid)
+      plan.capped.push_back({surfaces_of(part.solid, model), drawn.colour, part.box_volume});
     // A volume has values in a cavity, too.
-    if (capped && plan.cap_values && part.structure != part.solid && look.as_body) plan.capped.push_back({{&part}, drawn.colour, part.box_volume});
+    if (capped && plan.cap_values && part.structure != part.solid && look.as_body)
+      plan.capped.push_back({{&part}, drawn.colour, part.box_volume});
   }
   std::stable_sort(plan.capped.begin(), plan.capped.end(),
                    [](const CappedSolid& a, const CappedSolid& b) { return a.box_volume > b.box_volume; });

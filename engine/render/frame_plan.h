@@ -14,17 +14,17 @@ namespace odontoscope {
 
 struct DrawnPart {
   const GpuPart* part = nullptr;
-  glm::vec3 colour{0};     // linear
+  glm::vec3 colour{0};  // linear
   float opacity = 1;
-  bool inside_out = false; // clockwise is the front
-  bool wire = false;       // with its triangles' edges, whatever the frame says
-  bool whole = false;      // the section leaves it as it is
+  bool inside_out = false;  // clockwise is the front
+  bool wire = false;        // with its triangles' edges, whatever the frame says
+  bool whole = false;       // the section leaves it as it is
 };
 
 /// A solid whose section is closed, by all its surfaces, whether they are shown or not.
 struct CappedSolid {
   std::vector<const GpuPart*> surfaces;
-  glm::vec3 colour{0};     // linear
+  glm::vec3 colour{0};  // linear
   double box_volume = 0;
 };
 
@@ -40,26 +40,26 @@ struct PixelRectangle {
 
 struct FramePlan {
   View view;
-  PixelSize size;                       // that the passes draw: the picture's size times `side`
-  PixelRectangle touched;               // holds all that is drawn, with a margin: whole pictures are mostly background
-  int side = 1;                         // samples a pixel along one axis
+  PixelSize size;          // that the passes draw: the picture's size times `side`
+  PixelRectangle touched;  // holds all that is drawn, with a margin: whole pictures are mostly background
+  int side = 1;            // samples a pixel along one axis
   std::vector<DrawnPart> opaque;
   std::vector<DrawnPart> translucent;
-  std::vector<CappedSolid> capped;       // largest first; empty if the section is off or seen from its far side
-  const GpuValueGrid* cap_values = nullptr;   // what the caps show; null: the solids' colours
-  bool cap_grain = true;                // with a texture
+  std::vector<CappedSolid> capped;           // largest first; empty if the section is off or seen from its far side
+  const GpuValueGrid* cap_values = nullptr;  // what the caps show; null: the solids' colours
+  bool cap_grain = true;                     // with a texture
   ValueWindow cap_window;
   std::vector<DrawnLines> lines;
-  glm::vec4 section{0, 0, 0, 1};        // keeps what has dot(xyz, position) <= w; this one keeps everything
-  glm::vec3 centre{0};                  // metres
+  glm::vec4 section{0, 0, 0, 1};  // keeps what has dot(xyz, position) <= w; this one keeps everything
+  glm::vec3 centre{0};            // metres
   float radius = 1;
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
-  std::optional<DataColours> data_colours;   // on parts that have deviations
+  std::optional<DataColours> data_colours;  // on parts that have deviations
   bool parallel = false;
-  bool wall_depth = false;              // on parts that have depths
+  bool wall_depth = false;  // on parts that have depths
   Occlusion occlusion;
-  glm::vec4 lamp{0};                    // where the eye's lamp is, metres from the eye, and its reach; reach 0: the studio's lights
+  glm::vec4 lamp{0};  // where the eye's lamp is, metres from the eye, and its reach; reach 0: the studio's lights
 
   bool cut() const { return section != glm::vec4(0, 0, 0, 1); }
   float occlusion_reach() const { return occlusion.reach * radius; }

@@ -31,8 +31,15 @@ void GpuPart::draw() const {
 }
 
 GpuPart upload(const Gl& gl, const ModelPart& part, double depth_step_mm) {
-  GpuPart uploaded{part.structure, part.solid, make_vertex_array(gl), make_buffer(gl), make_buffer(gl), make_buffer(gl),
-                   static_cast<GLsizei>(part.indices.size()), box_volume(part.positions), static_cast<float>(part.attenuation)};
+  GpuPart uploaded{part.structure,
+                   part.solid,
+                   make_vertex_array(gl),
+                   make_buffer(gl),
+                   make_buffer(gl),
+                   make_buffer(gl),
+                   static_cast<GLsizei>(part.indices.size()),
+                   box_volume(part.positions),
+                   static_cast<float>(part.attenuation)};
   gl.BindVertexArray(uploaded.vertex_array.id());
   fill(gl, GL_ARRAY_BUFFER, uploaded.positions, part.positions);
   gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(glm::vec3), nullptr);

@@ -12,7 +12,7 @@ namespace odontoscope {
 struct GpuLines {
   LineKind kind = LineKind::contour;
   std::string structure;
-  GlObject vertex_array, ends;    // an instance a line: its two ends
+  GlObject vertex_array, ends;  // an instance a line: its two ends
   GLsizei count = 0;
 
   /// Each line as a strip of four vertices.
@@ -20,7 +20,7 @@ struct GpuLines {
 };
 
 struct GpuOverlay {
-  std::vector<GpuLines> lines;    // those with at least one line
+  std::vector<GpuLines> lines;  // those with at least one line
   std::vector<GpuPart> slab;
 };
 

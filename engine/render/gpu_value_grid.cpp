@@ -10,8 +10,10 @@ namespace odontoscope {
 
 GpuValueGrid upload(const Gl& gl, const ValueGrid& grid, const GpuModel& model) {
   const auto refuse = [&] {
-    throw GraphicsError("volume-too-large", fmt::format("this OpenGL has no room for {} x {} x {} grey values", grid.size[0], grid.size[1], grid.size[2]),
-                        "Let the cap show the material.");
+    throw GraphicsError(
+        "volume-too-large",
+        fmt::format("this OpenGL has no room for {} x {} x {} grey values", grid.size[0], grid.size[1], grid.size[2]),
+        "Let the cap show the material.");
   };
   GLint longest = 0;
   gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &longest);
@@ -27,8 +29,10 @@ GpuValueGrid upload(const Gl& gl, const ValueGrid& grid, const GpuModel& model) 
   gl.TexImage3D(GL_TEXTURE_3D, 0, GL_R32F, static_cast<GLsizei>(grid.size[0]), static_cast<GLsizei>(grid.size[1]),
                 static_cast<GLsizei>(grid.size[2]), 0, GL_RED, GL_FLOAT, grid.values.data());
   if (gl.GetError() == GL_OUT_OF_MEMORY) refuse();
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) gl.TexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
-  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) gl.TexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    gl.TexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
   gl.BindTexture(GL_TEXTURE_3D, 0);
   return uploaded;
 }

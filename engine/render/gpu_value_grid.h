@@ -1,5 +1,6 @@
 #pragma once
-// A volume's grey values in the graphics processor's memory, as a texture of three dimensions. Uploading never compiles a shader.
+// A volume's grey values in the graphics processor's memory, as a texture of three dimensions. Uploading never compiles
+// a shader.
 
 #include <glm/vec3.hpp>
 
@@ -11,9 +12,10 @@
 namespace odontoscope {
 
 struct GpuValueGrid {
-  GlObject texture;             // one float a value; interpolated, clamped to its edge
-  glm::vec3 first{0}, step{1};  // metres, relative to the model's origin: where the first value's place is, and from one to the next
-  glm::vec3 size{1};            // values along each axis
+  GlObject texture;  // one float a value; interpolated, clamped to its edge
+  glm::vec3 first{0},
+      step{1};  // metres, relative to the model's origin: where the first value's place is, and from one to the next
+  glm::vec3 size{1};  // values along each axis
   ValueWindow usual;
 
   FieldTexture field() const { return {texture.id(), first, step, size}; }

@@ -13,9 +13,12 @@ GpuHidden upload_hidden(const Gl& gl, std::span<const glm::vec2> corners) {
   return hidden;
 }
 
-HiddenPass::HiddenPass(const Gl& gl, const ShaderLibrary& shaders) : gl_(&gl), program_(gl, shaders, {"hidden.vert", "hidden.frag"}) {}
+HiddenPass::HiddenPass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), program_(gl, shaders, {"hidden.vert", "hidden.frag"}) {}
 
-void HiddenPass::cover(const View& view, const GpuHidden& hidden, bool colours) const { draw(view, hidden, colours, false); }
+void HiddenPass::cover(const View& view, const GpuHidden& hidden, bool colours) const {
+  draw(view, hidden, colours, false);
+}
 void HiddenPass::uncover(const View& view, const GpuHidden& hidden) const { draw(view, hidden, false, true); }
 
 void HiddenPass::draw(const View& view, const GpuHidden& hidden, bool colours, bool far_away) const {

@@ -14,17 +14,23 @@ struct Style {
 // Okabe and Ito's set, but for the contours' ink.
 Style style_of(LineKind kind) {
   switch (kind) {
-    case LineKind::contour: return {0x1d3a5f, 1.3f, 0.0f, 0.0f};
-    case LineKind::boundary_edge: return {0x0072b2, 2.6f, 0.8f, 0.35f};
-    case LineKind::non_manifold_edge: return {0xf0e442, 2.6f, 0.8f, 0.35f};
-    case LineKind::misoriented_edge: return {0xd55e00, 2.6f, 0.8f, 0.35f};
-    case LineKind::measure: return {0xffffff, 2.2f, 1.2f, 0.5f};
+    case LineKind::contour:
+      return {0x1d3a5f, 1.3f, 0.0f, 0.0f};
+    case LineKind::boundary_edge:
+      return {0x0072b2, 2.6f, 0.8f, 0.35f};
+    case LineKind::non_manifold_edge:
+      return {0xf0e442, 2.6f, 0.8f, 0.35f};
+    case LineKind::misoriented_edge:
+      return {0xd55e00, 2.6f, 0.8f, 0.35f};
+    case LineKind::measure:
+      return {0xffffff, 2.2f, 1.2f, 0.5f};
   }
   return {0x000000, 1.0f, 0.0f, 0.0f};
 }
 
 constexpr Colour rim_colour = colour_of(0x14181f);
-/// How many pixels lines are lifted towards the eye: as far as a wall that is steep to the picture rises within a line's width.
+/// How many pixels lines are lifted towards the eye: as far as a wall that is steep to the picture rises within a
+/// line's width.
 constexpr float lift = 6;
 /// Part of the model's radius: lines in the section's plane are not cut.
 constexpr float section_slack = 1e-5f;
@@ -34,7 +40,9 @@ constexpr float section_slack = 1e-5f;
 Colour colour_of(LineKind kind) { return colour_of(style_of(kind).colour); }
 
 LinePass::LinePass(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), visible_(gl, shaders, {"line.vert", "line.frag"}), hidden_(gl, shaders, {"line.vert", "line.frag", {}, {"HIDDEN"}}) {}
+    : gl_(&gl),
+      visible_(gl, shaders, {"line.vert", "line.frag"}),
+      hidden_(gl, shaders, {"line.vert", "line.frag", {}, {"HIDDEN"}}) {}
 
 void LinePass::draw(const FramePlan& plan, const Program& program, bool hidden) const {
   gl_->Enable(GL_DEPTH_TEST);

@@ -15,9 +15,14 @@ void refuse_undrawable(const Gl& gl, PixelSize size, const RenderOptions& option
   const auto height = static_cast<std::size_t>(options.side) * static_cast<std::size_t>(size.height);
   constexpr const char* remedy = "Ask for a smaller picture or fewer samples.";
   if (std::max(width, height) > static_cast<std::size_t>(most_side))
-    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples are more than this OpenGL draws ({} a side)", width, height, most_side), remedy);
+    throw GraphicsError(
+        "picture-too-large",
+        fmt::format("{} x {} samples are more than this OpenGL draws ({} a side)", width, height, most_side), remedy);
   if (width * height > most_samples)
-    throw GraphicsError("picture-too-large", fmt::format("{} x {} samples would take too much memory (at most {} in all)", width, height, most_samples), remedy);
+    throw GraphicsError(
+        "picture-too-large",
+        fmt::format("{} x {} samples would take too much memory (at most {} in all)", width, height, most_samples),
+        remedy);
 }
 
 namespace {
@@ -25,23 +30,27 @@ namespace {
 /// Who asks for more samples than usual wants to see each; one alone would show what it is off by.
 bool casts_every_ray(const RenderOptions& options) {
   constexpr int usual_side = 2;
-  return options.rays == RenderOptions::Rays::every || (options.rays == RenderOptions::Rays::as_usual && options.side != usual_side);
+  return options.rays == RenderOptions::Rays::every ||
+         (options.rays == RenderOptions::Rays::as_usual && options.side != usual_side);
 }
 
 bool needs_no_layers(const FramePlan& plan) {
-  const bool edges = plan.wire || std::any_of(plan.opaque.begin(), plan.opaque.end(), [](const DrawnPart& part) { return part.wire; });
-  return plan.side == 1 && !plan.occlusion.on && plan.translucent.empty() && plan.capped.empty() && !plan.cut() && plan.lines.empty() && !edges;
+  const bool edges =
+      plan.wire || std::any_of(plan.opaque.begin(), plan.opaque.end(), [](const DrawnPart& part) { return part.wire; });
+  return plan.side == 1 && !plan.occlusion.on && plan.translucent.empty() && plan.capped.empty() && !plan.cut() &&
+         plan.lines.empty() && !edges;
 }
 
 void limit_to_touched(const Gl& gl, const FramePlan& plan) {
   gl.Enable(GL_SCISSOR_TEST);
-  gl.Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x, plan.touched.high.y - plan.touched.low.y);
+  gl.Scissor(plan.touched.low.x, plan.touched.low.y, plan.touched.high.x - plan.touched.low.x,
+             plan.touched.high.y - plan.touched.low.y);
 }
 
 CastView cast_view(const FramePlan& plan, bool every_ray) {
   const glm::vec3 film_centre(plan.view.world_to_eye * glm::vec4(plan.centre, 1));
-  return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel,     plan.size, plan.section,
-          plan.lamp,              plan.touched.low,      plan.touched.high, every_ray, film_centre};
+  return {plan.view.world_to_eye, plan.view.eye_to_clip, plan.parallel, plan.size,  plan.section, plan.lamp,
+          plan.touched.low,       plan.touched.high,     every_ray,     film_centre};
 }
 
 void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan) {
@@ -60,16 +69,28 @@ void add_volume(const GpuVolume& volume, const VolumeLook& look, FramePlan& plan
 /// Is anything to be drawn that rays of a volume may end at?
 bool Renderer::has_surfaces(const Work& work) {
   const FramePlan& plan = work.plan;
-  return !work.volume || work.pane->hidden || work.pane->target.keep_depth || work.volume_look->cast == VolumeLook::Cast::surface || !plan.opaque.empty() || !plan.translucent.empty() ||
+  return !work.volume || work.pane->hidden || work.pane->target.keep_depth ||
+         work.volume_look->cast == VolumeLook::Cast::surface || !plan.opaque.empty() || !plan.translucent.empty() ||
          !plan.capped.empty() || !plan.lines.empty();
 }
 
 Renderer::Renderer(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), background_(gl, shaders), surfaces_(gl, shaders), caps_(gl, shaders), lines_(gl, shaders), occlusion_(gl, shaders), compose_(gl, shaders), resolve_(gl, shaders),
-      depth_(gl, shaders), hidden_(gl, shaders), volume_(gl, shaders), film_(gl, shaders) {}
+    : gl_(&gl),
+      background_(gl, shaders),
+      surfaces_(gl, shaders),
+      caps_(gl, shaders),
+      lines_(gl, shaders),
+      occlusion_(gl, shaders),
+      compose_(gl, shaders),
+      resolve_(gl, shaders),
+      depth_(gl, shaders),
+      hidden_(gl, shaders),
+      volume_(gl, shaders),
+      film_(gl, shaders) {}
 
-void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options,
-                    const GpuOverlay* overlay, const GpuValueGrid* values, GpuVolume* volume) {
+void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const Pane> panes,
+                    const RenderOptions& options, const GpuOverlay* overlay, const GpuValueGrid* values,
+                    GpuVolume* volume) {
   if (volume && !scene.volume.shows_volume()) volume = nullptr;
   if (!volume && shows_film_of_model(scene, model)) return draw_film(model, scene, panes, options);
   if (volume) volume->prepare(scene.volume);
@@ -84,7 +105,11 @@ void Renderer::draw(const GpuModel& model, const Scene& scene, std::span<const P
       continue;
     }
     samples += static_cast<std::size_t>(plan.size.width) * static_cast<std::size_t>(plan.size.height);
-    layered.push_back({.plan = std::move(plan), .pane = &pane, .volume = volume, .volume_look = &scene.volume, .every_ray = casts_every_ray(options)});
+    layered.push_back({.plan = std::move(plan),
+                       .pane = &pane,
+                       .volume = volume,
+                       .volume_look = &scene.volume,
+                       .every_ray = casts_every_ray(options)});
   }
   if (samples <= most_samples) return draw_in_step(layered, scene.background);
   for (Work& work : layered) draw_in_step({&work, 1}, scene.background);
@@ -102,7 +127,8 @@ void Renderer::begin(Work& work) {
   buffers.opaque.begin();
   if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, true);
   surfaces_.draw_opaque(plan);
-  if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface) volume_.draw_surface(cast_view(plan, true), *work.volume, *work.volume_look);
+  if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface)
+    volume_.draw_surface(cast_view(plan, true), *work.volume, *work.volume_look);
   caps_.draw(plan);
   lines_.draw(plan);
   if (!plan.lines.empty()) {
@@ -122,7 +148,8 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
     for (Work& work : works) {
       if (!work.more) continue;
       limit_to_touched(*gl_, work.plan);
-      surfaces_.peel(work.plan, work.buffers->opaque, work.before, work.buffers->peeled[i % 2], work.buffers->any_drawn);
+      surfaces_.peel(work.plan, work.buffers->opaque, work.before, work.buffers->peeled[i % 2],
+                     work.buffers->any_drawn);
     }
     bool any = false;
     for (Work& work : works) {
@@ -152,18 +179,24 @@ void Renderer::draw_in_step(std::span<Work> works, const Background& background)
 void Renderer::cast_between(const Work& work, const Layer* before, const Layer* layer) {
   if (!work.volume) return;
   if (work.volume_look->cast == VolumeLook::Cast::shaded) {
-    const CastDepths depths{before ? before->depth() : 0, layer ? layer->depth() : 0, work.buffers->opaque.depth(), has_surfaces(work)};
-    volume_.draw_between(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look, depths, work.buffers->picture);
+    const CastDepths depths{before ? before->depth() : 0, layer ? layer->depth() : 0, work.buffers->opaque.depth(),
+                            has_surfaces(work)};
+    volume_.draw_between(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look, depths,
+                         work.buffers->picture);
   }
-  if (!layer && work.volume_look->projects()) volume_.draw_projection(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look, work.buffers->picture);
+  if (!layer && work.volume_look->projects())
+    volume_.draw_projection(cast_view(work.plan, work.every_ray), *work.volume, *work.volume_look,
+                            work.buffers->picture);
 }
 
 void Renderer::keep_depth(Work& work, const Layer* first) const {
-  if (work.pane->target.keep_depth && !work.depth_kept) depth_.draw(work.plan, work.buffers->opaque, first, work.pane->target);
+  if (work.pane->target.keep_depth && !work.depth_kept)
+    depth_.draw(work.plan, work.buffers->opaque, first, work.pane->target);
   work.depth_kept = true;
 }
 
-void Renderer::draw_film(const GpuModel& model, const Scene& scene, std::span<const Pane> panes, const RenderOptions& options) {
+void Renderer::draw_film(const GpuModel& model, const Scene& scene, std::span<const Pane> panes,
+                         const RenderOptions& options) {
   for (const Pane& pane : panes) {
     refuse_undrawable(*gl_, pane.target.size, options);
     const FramePlan plan = plan_frame(model, scene, pane.view, pane.target.size, options.side);
@@ -188,8 +221,9 @@ void Renderer::draw_finished(const FramePlan& plan, const Background& background
   surfaces_.draw_finished(plan);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  gl_->BlitFramebuffer(0, 0, plan.size.width, plan.size.height, target.left, target.bottom, target.left + plan.size.width,
-                       target.bottom + plan.size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, plan.size.width, plan.size.height, target.left, target.bottom,
+                       target.left + plan.size.width, target.bottom + plan.size.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
 }
 
 void Renderer::add_layer(const FramePlan& plan, const Buffers& buffers, const Layer& layer) const {

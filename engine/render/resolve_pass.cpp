@@ -5,7 +5,8 @@ namespace odontoscope {
 ResolvePass::ResolvePass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), program_(gl, shaders, {"fullscreen.vert", "resolve.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void ResolvePass::draw(const FramePlan& plan, const Framebuffer& picture, const Background& background, const Target& target) const {
+void ResolvePass::draw(const FramePlan& plan, const Framebuffer& picture, const Background& background,
+                       const Target& target) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
   gl_->Disable(GL_DEPTH_TEST);

@@ -11,7 +11,8 @@ struct Target {
   GLuint framebuffer = 0;
   int left = 0, bottom = 0;
   PixelSize size;
-  /// The framebuffer has a depth buffer that may be used, and whose content is worth nothing before and after. Saves a copy of the picture.
+  /// The framebuffer has a depth buffer that may be used, and whose content is worth nothing before and after. Saves a
+  /// copy of the picture.
   bool with_depth = false;
   /// What is nearest at each pixel is to be left in that depth buffer, the background as far as can be.
   bool keep_depth = false;
@@ -20,7 +21,8 @@ struct Target {
 class ResolvePass {
  public:
   ResolvePass(const Gl& gl, const ShaderLibrary& shaders);
-  void draw(const FramePlan& plan, const Framebuffer& picture, const Background& background, const Target& target) const;
+  void draw(const FramePlan& plan, const Framebuffer& picture, const Background& background,
+            const Target& target) const;
 
  private:
   const Gl* gl_;

@@ -37,8 +37,10 @@ bool any_drawn(const Gl& gl, const GlObject& query) {
 void set_culling(const Gl& gl, BackFaces back_faces) {
   gl.FrontFace(GL_CCW);
   gl.CullFace(GL_BACK);
-  if (back_faces == BackFaces::cull) gl.Enable(GL_CULL_FACE);
-  else gl.Disable(GL_CULL_FACE);
+  if (back_faces == BackFaces::cull)
+    gl.Enable(GL_CULL_FACE);
+  else
+    gl.Disable(GL_CULL_FACE);
 }
 
 SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
@@ -49,7 +51,8 @@ SurfacePass::SurfacePass(const Gl& gl, const ShaderLibrary& shaders)
       peel_(gl, shaders, {"surface.vert", "surface.frag", {}, {"PEEL"}}),
       peel_wire_(gl, shaders, {"surface.vert", "surface.frag", "surface_wire.geom", {"PEEL", "WIRE"}}) {}
 
-void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program, bool wire) const {
+void SurfacePass::draw(const FramePlan& plan, const std::vector<DrawnPart>& parts, const Program& program,
+                       bool wire) const {
   const auto belongs = [&](const DrawnPart& part) { return (plan.wire || part.wire) == wire; };
   if (std::none_of(parts.begin(), parts.end(), belongs)) return;
   gl_->Enable(GL_DEPTH_TEST);
@@ -91,7 +94,8 @@ void SurfacePass::draw_finished(const FramePlan& plan) const {
   draw(plan, plan.opaque, finished_, false);
 }
 
-void SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer, const GlObject& any_drawn) const {
+void SurfacePass::peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer,
+                       const GlObject& any_drawn) const {
   layer.begin();
   const Program& program = plan.wire ? peel_wire_ : peel_;
   program.use();

@@ -14,14 +14,16 @@ class SurfacePass {
   /// Into the layer that is bound.
   void draw_opaque(const FramePlan& plan) const;
 
-  /// The opaque ones as the finished picture shows them where nothing darkens or covers them, into the framebuffer that is bound.
-  /// Precondition: none is drawn with its edges.
+  /// The opaque ones as the finished picture shows them where nothing darkens or covers them, into the framebuffer that
+  /// is bound. Precondition: none is drawn with its edges.
   void draw_finished(const FramePlan& plan) const;
 
   /// Empties `layer` and draws the nearest translucent surface behind `before` (null: behind the eye) and in front of
-  /// `opaque` (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001). Surfaces at exactly equal depth become one
-  /// layer, the first structure's. Whether there was any left `any_drawn` knows, a query of make_query: to ask it at once is to wait for the drawing.
-  void peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer, const GlObject& any_drawn) const;
+  /// `opaque` (depth peeling: Everitt, "Interactive order-independent transparency", NVIDIA 2001). Surfaces at exactly
+  /// equal depth become one layer, the first structure's. Whether there was any left `any_drawn` knows, a query of
+  /// make_query: to ask it at once is to wait for the drawing.
+  void peel(const FramePlan& plan, const Layer& opaque, const Layer* before, const Layer& layer,
+            const GlObject& any_drawn) const;
 
  private:
   /// Those parts that are drawn with their edges, or those that are not.

@@ -52,26 +52,40 @@ void for_each_vertex(const Model& model, Visit visit) {
 
 ViewDirection direction_of(NamedView view, const AnatomicalFrame& frame) {
   switch (view) {
-    case NamedView::buccal: return {frame.buccal, frame.occlusal};
-    case NamedView::lingual: return {-frame.buccal, frame.occlusal};
-    case NamedView::mesial: return {frame.mesial, frame.occlusal};
-    case NamedView::distal: return {-frame.mesial, frame.occlusal};
-    case NamedView::occlusal: return {frame.occlusal, -frame.buccal};
-    case NamedView::apical: return {-frame.occlusal, frame.buccal};
-    case NamedView::three_quarter: break;
+    case NamedView::buccal:
+      return {frame.buccal, frame.occlusal};
+    case NamedView::lingual:
+      return {-frame.buccal, frame.occlusal};
+    case NamedView::mesial:
+      return {frame.mesial, frame.occlusal};
+    case NamedView::distal:
+      return {-frame.mesial, frame.occlusal};
+    case NamedView::occlusal:
+      return {frame.occlusal, -frame.buccal};
+    case NamedView::apical:
+      return {-frame.occlusal, frame.buccal};
+    case NamedView::three_quarter:
+      break;
   }
   return {glm::normalize(0.80 * frame.buccal - 0.45 * frame.mesial + 0.40 * frame.occlusal), frame.occlusal};
 }
 
 const char* name(NamedView view) {
   switch (view) {
-    case NamedView::three_quarter: return "three-quarter";
-    case NamedView::buccal: return "buccal";
-    case NamedView::lingual: return "lingual";
-    case NamedView::mesial: return "mesial";
-    case NamedView::distal: return "distal";
-    case NamedView::occlusal: return "occlusal";
-    case NamedView::apical: return "apical";
+    case NamedView::three_quarter:
+      return "three-quarter";
+    case NamedView::buccal:
+      return "buccal";
+    case NamedView::lingual:
+      return "lingual";
+    case NamedView::mesial:
+      return "mesial";
+    case NamedView::distal:
+      return "distal";
+    case NamedView::occlusal:
+      return "occlusal";
+    case NamedView::apical:
+      return "apical";
   }
   return "unknown";
 }
@@ -110,7 +124,8 @@ Camera fit(const Camera& looking, const Model& model, double aspect) {
   return camera;
 }
 
-Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection, const AnatomicalFrame& frame) {
+Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection,
+           const AnatomicalFrame& frame) {
   const ViewDirection direction = direction_of(view, frame);
   Camera camera;
   camera.projection = projection;
@@ -131,11 +146,13 @@ View view_of(const Camera& camera, const Model& model, double aspect) {
   view.world_to_eye = glm::mat4(glm::lookAt(eye, target, camera.up));
   if (camera.projection == Camera::Projection::parallel) {
     const double half = 0.5 * metres_per_mm * camera.height_mm;
-    view.eye_to_clip = glm::mat4(glm::ortho(-half * aspect, half * aspect, -half, half, depth_of_centre - 1.01 * radius, far_distance));
+    view.eye_to_clip = glm::mat4(
+        glm::ortho(-half * aspect, half * aspect, -half, half, depth_of_centre - 1.01 * radius, far_distance));
   } else {
     double near_distance = std::max(depth_of_centre - 1.01 * radius, least_near * radius);
     if (camera.near_mm > 0) near_distance = std::min(near_distance, metres_per_mm * camera.near_mm);
-    view.eye_to_clip = glm::mat4(glm::perspective(glm::radians(camera.field_of_view_deg), aspect, near_distance, far_distance));
+    view.eye_to_clip =
+        glm::mat4(glm::perspective(glm::radians(camera.field_of_view_deg), aspect, near_distance, far_distance));
   }
   return view;
 }
@@ -147,7 +164,8 @@ void validate(const Camera& camera, std::string_view file) {
     throw InputError("bad-camera", place, wrong, "Take a camera that `odontoscope` saved as a pattern.");
   };
   for (const glm::dvec3& v : {camera.position, camera.target, camera.up})
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) refuse("the camera has a coordinate that is no number");
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+      refuse("the camera has a coordinate that is no number");
   const glm::dvec3 sight = camera.target - camera.position;
   if (!(glm::length(sight) > 0)) refuse("the camera stands on what it looks at");
   if (!(glm::length(camera.up) > 0) ||
@@ -156,7 +174,8 @@ void validate(const Camera& camera, std::string_view file) {
   if (!(camera.field_of_view_deg > 0 && camera.field_of_view_deg < widest_angle_deg))
     refuse("the camera's angle of view is not between 0 and 170 degrees");
   if (!(camera.height_mm > 0) || !std::isfinite(camera.height_mm)) refuse("the camera's height is not positive");
-  if (!(camera.near_mm == 0 || (camera.near_mm >= least_near_mm && std::isfinite(camera.near_mm)))) refuse("the camera's near plane is neither 0 nor at a sensible distance");
+  if (!(camera.near_mm == 0 || (camera.near_mm >= least_near_mm && std::isfinite(camera.near_mm))))
+    refuse("the camera's near plane is neither 0 nor at a sensible distance");
 }
 
 }  // namespace odontoscope

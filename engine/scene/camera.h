@@ -14,17 +14,17 @@ struct Camera {
   Projection projection = Projection::perspective;
   glm::dvec3 position{0, 60, 0};
   glm::dvec3 target{0};
-  glm::dvec3 up{0, 0, 1};               // need not be at right angles to the line of sight, only not along it
-  double field_of_view_deg = 24;        // from top to bottom; perspective only
-  double height_mm = 25;                // seen from top to bottom; parallel only
-  /// What lies nearer to the picture's plane is cut off: never more than this; 0 leaves it to the model's size. For an eye between
-  /// walls; perspective only.
+  glm::dvec3 up{0, 0, 1};         // need not be at right angles to the line of sight, only not along it
+  double field_of_view_deg = 24;  // from top to bottom; perspective only
+  double height_mm = 25;          // seen from top to bottom; parallel only
+  /// What lies nearer to the picture's plane is cut off: never more than this; 0 leaves it to the model's size. For an
+  /// eye between walls; perspective only.
   double near_mm = 0;
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// Directions of a tooth in the model's coordinates, unit vectors. The default is the project's convention: roots at low z,
-/// crown at high z; buccal (or labial) is +y, mesial +x.
+/// Directions of a tooth in the model's coordinates, unit vectors. The default is the project's convention: roots at
+/// low z, crown at high z; buccal (or labial) is +y, mesial +x.
 struct AnatomicalFrame {
   glm::dvec3 occlusal{0, 0, 1};
   glm::dvec3 buccal{0, 1, 0};
@@ -45,19 +45,20 @@ ViewDirection direction_of(NamedView view, const AnatomicalFrame& frame = {});
 
 /// Looks at the model from the named side, all of it in the picture whatever its turn, with a small margin.
 /// `aspect` is width over height.
-Camera fit(NamedView view, const Model& model, double aspect, Camera::Projection projection = Camera::Projection::perspective,
-           const AnatomicalFrame& frame = {});
+Camera fit(NamedView view, const Model& model, double aspect,
+           Camera::Projection projection = Camera::Projection::perspective, const AnatomicalFrame& frame = {});
 
 /// The model seen along the camera's own line of sight, all of it in the picture as above.
 Camera fit(const Camera& camera, const Model& model, double aspect);
 
 /// One eye: what it sees, for the model's coordinates in metres. A stereo pair is two of these.
 struct View {
-  glm::mat4 world_to_eye{1};    // eye looks along -z, y up
-  glm::mat4 eye_to_clip{1};     // OpenGL clip space
+  glm::mat4 world_to_eye{1};  // eye looks along -z, y up
+  glm::mat4 eye_to_clip{1};   // OpenGL clip space
 };
 
-/// Near and far are set as tight as the model allows. Precondition: position and target differ, up is not along the line between.
+/// Near and far are set as tight as the model allows. Precondition: position and target differ, up is not along the
+/// line between.
 View view_of(const Camera& camera, const Model& model, double aspect);
 
 /// Throws InputError bad-camera unless a view can be made of it: finite, position and target apart, up not along

@@ -64,7 +64,8 @@ Colour colour_from_hex(std::string_view text) {
   unsigned value = 0;
   const char* end = text.data() + text.size();
   const bool digits = text.size() == 7 && text[0] == '#' && std::from_chars(text.data() + 1, end, value, 16).ptr == end;
-  if (!digits) throw UsageError(fmt::format("\"{}\" is no colour", text), "Write it as # and six hexadecimal digits: #f2e9d8.");
+  if (!digits)
+    throw UsageError(fmt::format("\"{}\" is no colour", text), "Write it as # and six hexadecimal digits: #f2e9d8.");
   return colour_of(value);
 }
 

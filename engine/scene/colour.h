@@ -19,15 +19,16 @@ glm::vec3 linear(const Colour& colour);
 
 /// 0xf2e9d8.
 constexpr Colour colour_of(unsigned rgb) {
-  return {static_cast<float>(rgb >> 16 & 0xffu) / 255, static_cast<float>(rgb >> 8 & 0xffu) / 255, static_cast<float>(rgb & 0xffu) / 255};
+  return {static_cast<float>(rgb >> 16 & 0xffu) / 255, static_cast<float>(rgb >> 8 & 0xffu) / 255,
+          static_cast<float>(rgb & 0xffu) / 255};
 }
 
 /// "#f2e9d8"; throws UsageError for anything but a hash and six hexadecimal digits.
 Colour colour_from_hex(std::string_view hex);
 std::string hex(const Colour& colour);
 
-/// A colour for a structure by its name: enamel, dentine, pulp, cementum, bone, and their usual other spellings have their
-/// own; others take turns in a set that the colour-blind can tell apart (Okabe and Ito, 2008), `index` choosing.
+/// A colour for a structure by its name: enamel, dentine, pulp, cementum, bone, and their usual other spellings have
+/// their own; others take turns in a set that the colour-blind can tell apart (Okabe and Ito, 2008), `index` choosing.
 Colour usual_colour(std::string_view structure, std::size_t index);
 
 /// How deep a tissue lies in a tooth, by its name: enamel and cementum 0, dentine (or a whole tooth) 1, pulp 2.

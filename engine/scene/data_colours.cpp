@@ -11,7 +11,8 @@ const char* name(DataColours::Of of) { return of == DataColours::Of::slope ? "sl
 DataColours::Of data_colours_named(std::string_view wanted) {
   for (const DataColours::Of of : {DataColours::Of::distance, DataColours::Of::slope})
     if (wanted == name(of)) return of;
-  throw UsageError(fmt::format("there is nothing called \"{}\" to colour surfaces by", wanted), "Choose distance or slope.");
+  throw UsageError(fmt::format("there is nothing called \"{}\" to colour surfaces by", wanted),
+                   "Choose distance or slope.");
 }
 
 }  // namespace odontoscope

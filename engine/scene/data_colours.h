@@ -8,12 +8,14 @@
 
 namespace odontoscope {
 
-/// Distance: blue where the data reach beyond the model, white where both agree, red where the model reaches beyond the data. Slope: from dark blue (none) to yellow. Colours that
-/// every kind of colour vision tells apart, and greys too for the slope. Light falls on them as on any other, so that dark may be shadow: the legend's colours are those of full light.
+/// Distance: blue where the data reach beyond the model, white where both agree, red where the model reaches beyond the
+/// data. Slope: from dark blue (none) to yellow. Colours that every kind of colour vision tells apart, and greys too
+/// for the slope. Light falls on them as on any other, so that dark may be shadow: the legend's colours are those of
+/// full light.
 struct DataColours {
   enum class Of { distance, slope };
   Of of = Of::distance;
-  double reach = 1;   // mm, or values a millimetre: from here on the last colour; above 0
+  double reach = 1;  // mm, or values a millimetre: from here on the last colour; above 0
   friend bool operator==(const DataColours&, const DataColours&) = default;
 };
 

@@ -31,11 +31,14 @@ Camera fitted(const std::vector<std::string>& hidden, const How& how, const Mode
 }  // namespace
 
 Camera fit_without(const std::vector<std::string>& hidden, const Camera& looking, const Model& model, double aspect) {
-  return fitted(hidden, [&](const Model& seen) { return fit(looking, seen, aspect); }, model);
+  return fitted(
+      hidden, [&](const Model& seen) { return fit(looking, seen, aspect); }, model);
 }
 
-Camera fit_without(const std::vector<std::string>& hidden, NamedView view, const Model& model, double aspect, Camera::Projection projection) {
-  return fitted(hidden, [&](const Model& seen) { return fit(view, seen, aspect, projection); }, model);
+Camera fit_without(const std::vector<std::string>& hidden, NamedView view, const Model& model, double aspect,
+                   Camera::Projection projection) {
+  return fitted(
+      hidden, [&](const Model& seen) { return fit(view, seen, aspect, projection); }, model);
 }
 
 std::vector<std::string> hidden_in(const Scene& scene) {

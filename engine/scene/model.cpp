@@ -31,7 +31,8 @@ double radius_around(const glm::dvec3& centre, const std::vector<NamedSurface>& 
   double radius = least_radius_mm;
   for (const NamedSurface& named : surfaces)
     for (const Triangle& triangle : named.surface.triangles)
-      for (const PointIndex index : triangle) radius = std::max(radius, glm::distance(centre, vec(named.surface.points[index])));
+      for (const PointIndex index : triangle)
+        radius = std::max(radius, glm::distance(centre, vec(named.surface.points[index])));
   return radius;
 }
 
@@ -41,11 +42,12 @@ ModelPart make_part(const NamedSurface& named, const glm::dvec3& origin_mm, doub
   part.structure = named.structure;
   part.solid = named.solid.empty() ? named.structure : named.solid;
   part.cavity = named.cavity;
-  if (const auto tissue = tissue_called(part.solid)) part.attenuation = linear_attenuation(*tissue, effective_energy_kev(usual_kv));
+  if (const auto tissue = tissue_called(part.solid))
+    part.attenuation = linear_attenuation(*tissue, effective_energy_kev(usual_kv));
   const std::vector<glm::vec3> normals = corner_normals(named.surface, crease_deg);
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> first_of(named.surface.points.size(), none);   // vertex made last for a point
-  std::vector<std::uint32_t> next;                                           // and the one before it
+  std::vector<std::uint32_t> first_of(named.surface.points.size(), none);  // vertex made last for a point
+  std::vector<std::uint32_t> next;                                         // and the one before it
   part.indices.reserve(3 * named.surface.triangles.size());
   for (std::size_t corner = 0; corner < normals.size(); ++corner) {
     const PointIndex point = named.surface.triangles[corner / 3][corner % 3];
@@ -68,7 +70,8 @@ ModelPart make_part(const NamedSurface& named, const glm::dvec3& origin_mm, doub
 Model make_model(const std::vector<NamedSurface>& surfaces, double crease_deg) {
   const bool empty = std::all_of(surfaces.begin(), surfaces.end(),
                                  [](const NamedSurface& named) { return named.surface.triangles.empty(); });
-  if (empty) throw InputError("nothing-to-show", {}, "there is no triangle to show", "Give a model that has a surface.");
+  if (empty)
+    throw InputError("nothing-to-show", {}, "there is no triangle to show", "Give a model that has a surface.");
   Model model;
   model.bounds_mm = bounds(surfaces);
   model.origin_mm = model.bounds_mm.centre();

@@ -26,7 +26,8 @@ inline glm::dvec3 nearest_on_triangle(const std::array<glm::dvec3, 3>& t, const 
   const glm::dvec3 within = over ? t[0] + (s / whole) * u + (r / whole) * v : t[0];
   if (over && whole > needle * uu * vv) return within;
   glm::dvec3 best = within;
-  for (const glm::dvec3& other : {nearest_on_edge(t[0], t[1], place), nearest_on_edge(t[1], t[2], place), nearest_on_edge(t[2], t[0], place)})
+  for (const glm::dvec3& other :
+       {nearest_on_edge(t[0], t[1], place), nearest_on_edge(t[1], t[2], place), nearest_on_edge(t[2], t[0], place)})
     if (squared_distance(other) < squared_distance(best)) best = other;
   return best;
 }

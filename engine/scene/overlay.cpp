@@ -15,12 +15,14 @@ glm::vec3 in_metres(const Point3& point, const glm::dvec3& origin_mm) {
 }
 
 LineSet& lines_of(std::vector<LineSet>& lines, LineKind kind, const std::string& structure) {
-  const auto found = std::find_if(lines.begin(), lines.end(), [&](const LineSet& set) { return set.kind == kind && set.structure == structure; });
+  const auto found = std::find_if(lines.begin(), lines.end(),
+                                  [&](const LineSet& set) { return set.kind == kind && set.structure == structure; });
   return found != lines.end() ? *found : lines.emplace_back(LineSet{kind, structure, {}});
 }
 
 /// All of them, or those of the two slices that bound the slab.
-void add_contours(const ContourStack& stack, std::optional<std::size_t> slab, const glm::dvec3& origin_mm, std::vector<LineSet>& lines) {
+void add_contours(const ContourStack& stack, std::optional<std::size_t> slab, const glm::dvec3& origin_mm,
+                  std::vector<LineSet>& lines) {
   for (std::size_t k = 0; k < stack.slices.size(); ++k) {
     if (slab && k != *slab && k != *slab + 1) continue;
     const Slice& slice = stack.slices[k];
@@ -37,9 +39,12 @@ void add_contours(const ContourStack& stack, std::optional<std::size_t> slab, co
 
 LineKind kind_of(EdgeFault fault) {
   switch (fault) {
-    case EdgeFault::boundary: return LineKind::boundary_edge;
-    case EdgeFault::misoriented: return LineKind::misoriented_edge;
-    case EdgeFault::nonmanifold: break;
+    case EdgeFault::boundary:
+      return LineKind::boundary_edge;
+    case EdgeFault::misoriented:
+      return LineKind::misoriented_edge;
+    case EdgeFault::nonmanifold:
+      break;
   }
   return LineKind::non_manifold_edge;
 }
@@ -53,7 +58,8 @@ void add_faulty_edges(const NamedSurface& named, const glm::dvec3& origin_mm, st
   }
 }
 
-void add_tetrahedron(const TetraMesh& mesh, const Tetrahedron& tetrahedron, const glm::dvec3& origin_mm, float shrink, ModelPart& part) {
+void add_tetrahedron(const TetraMesh& mesh, const Tetrahedron& tetrahedron, const glm::dvec3& origin_mm, float shrink,
+                     ModelPart& part) {
   glm::vec3 corners[4], centre(0);
   for (int i = 0; i < 4; ++i) {
     corners[i] = in_metres(mesh.points[tetrahedron[i]], origin_mm);
@@ -79,7 +85,8 @@ bool lies_between(const TetraMesh& mesh, const Tetrahedron& tetrahedron, double 
   return sum / 4 > low && sum / 4 < high;
 }
 
-SlabPart slab_part(const OverlaySource::Solid& solid, double low, double high, float shrink, const glm::dvec3& origin_mm) {
+SlabPart slab_part(const OverlaySource::Solid& solid, double low, double high, float shrink,
+                   const glm::dvec3& origin_mm) {
   SlabPart part;
   part.surface.structure = part.surface.solid = solid.structure;
   for (const Tetrahedron& tetrahedron : solid.tetrahedra.tetrahedra) {

@@ -1,7 +1,8 @@
 #pragma once
 // What lies over the picture besides surfaces: slice contours, faulty edges, the tetrahedra of one slab.
 //
-// An Overlay is geometry, as a Model is; what of it is shown stands in Scene::overlays. Coordinates are metres relative to the model's origin.
+// An Overlay is geometry, as a Model is; what of it is shown stands in Scene::overlays. Coordinates are metres relative
+// to the model's origin.
 
 #include <glm/vec3.hpp>
 #include <string>
@@ -17,16 +18,17 @@ namespace odontoscope {
 /// Told apart by lightness and hue in every kind of colour vision. `measure` is for the marks of whoever measures.
 enum class LineKind { contour, boundary_edge, non_manifold_edge, misoriented_edge, measure };
 
-/// Lines of one kind; one whose ends are equal is a round dot. Shown while its structure is; without a structure always.
+/// Lines of one kind; one whose ends are equal is a round dot. Shown while its structure is; without a structure
+/// always.
 struct LineSet {
   LineKind kind = LineKind::contour;
   std::string structure;
-  std::vector<glm::vec3> points;   // two a line
+  std::vector<glm::vec3> points;  // two a line
 };
 
 /// The tetrahedra of one structure in one slab, each shrunk towards its centre, as closed outward oriented surfaces.
 struct SlabPart {
-  ModelPart surface;               // its normals are flat
+  ModelPart surface;  // its normals are flat
   std::size_t tetrahedra = 0;
 };
 
@@ -42,15 +44,15 @@ struct OverlaySource {
     std::string structure;
     TetraMesh tetrahedra;
   };
-  std::vector<Solid> solids;       // reconstructed from `contours`
+  std::vector<Solid> solids;  // reconstructed from `contours`
   std::vector<LineSet> faulty_edges;
 
   /// Between neighbouring slices; 0 without tetrahedra.
   std::size_t slabs() const { return solids.empty() || contours.slices.empty() ? 0 : contours.slices.size() - 1; }
 };
 
-/// Edges with one triangle, with more than two, and with two that run through it the same way (see SurfaceReport); kinds that a surface
-/// has none of are left out. Precondition: as make_model.
+/// Edges with one triangle, with more than two, and with two that run through it the same way (see SurfaceReport);
+/// kinds that a surface has none of are left out. Precondition: as make_model.
 std::vector<LineSet> faulty_edges(const std::vector<NamedSurface>& surfaces, const Model& model);
 
 /// The geometry that `choice` shows. A slab beyond the last is empty.

@@ -10,7 +10,8 @@ namespace odontoscope {
 
 bool ValueWindow::sensible() const {
   constexpr double most = 1e30, least_width = 1e-30;
-  return std::abs(low) <= most && std::abs(high) <= most && high - low >= least_width && static_cast<float>(low) < static_cast<float>(high);
+  return std::abs(low) <= most && std::abs(high) <= most && high - low >= least_width &&
+         static_cast<float>(low) < static_cast<float>(high);
 }
 
 namespace {
@@ -41,23 +42,28 @@ bool hides(const ModelPart& outer, const ModelPart& inner) {
 }
 
 float usual_opacity(const Model& model, const ModelPart& part) {
-  const auto hides_it = [](const ModelPart& outer, const ModelPart& inner) { return &outer != &inner && hides(outer, inner); };
-  const bool hides_some = std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(part, p); });
-  const bool hidden = std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(p, part); });
+  const auto hides_it = [](const ModelPart& outer, const ModelPart& inner) {
+    return &outer != &inner && hides(outer, inner);
+  };
+  const bool hides_some =
+      std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(part, p); });
+  const bool hidden =
+      std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& p) { return hides_it(p, part); });
   if (!hides_some) return 1;
   return hidden ? middle_opacity : outermost_opacity;
 }
 
 /// Where a cavity and what fills it end between slices, each ends by its own course: it may stick out a little there.
-constexpr double sticks_out = 0.02;   // of the cavity's diagonal
+constexpr double sticks_out = 0.02;  // of the cavity's diagonal
 
 bool filled(const Model& model, const ModelPart& cavity) {
   Box box = box_of(cavity);
   const double reach = sticks_out * glm::length(box.high - box.low);
   box.low -= reach;
   box.high += reach;
-  return std::any_of(model.parts.begin(), model.parts.end(),
-                     [&](const ModelPart& part) { return &part != &cavity && !part.cavity && holds(box, box_of(part)); });
+  return std::any_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& part) {
+    return &part != &cavity && !part.cavity && holds(box, box_of(part));
+  });
 }
 
 /// The wall of a cavity that something fills belongs to its solid; an empty one is shown as what is missing there.
@@ -74,7 +80,8 @@ Look usual_look(const Model& model, const ModelPart& part, std::size_t index) {
 }  // namespace
 
 Look* Scene::look_of(std::string_view structure) {
-  const auto found = std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.structure == structure; });
+  const auto found =
+      std::find_if(looks.begin(), looks.end(), [&](const Look& look) { return look.structure == structure; });
   return found == looks.end() ? nullptr : &*found;
 }
 

@@ -18,7 +18,7 @@ namespace odontoscope {
 struct Look {
   std::string structure;
   Colour colour;
-  float opacity = 1;      // 0 to 1; less than 1 is translucent
+  float opacity = 1;  // 0 to 1; less than 1 is translucent
   bool visible = true;
   /// Turn the surface inside out: a cavity is then seen from outside as the body that would fill it. Still by winding.
   bool as_body = false;
@@ -28,7 +28,7 @@ struct Look {
 /// Everything on the side that `normal` points to is cut away; closed solids are capped in their own colour.
 struct Section {
   glm::dvec3 point_mm{0};
-  glm::dvec3 normal{0, 1, 0};   // of any length but 0
+  glm::dvec3 normal{0, 1, 0};  // of any length but 0
   friend bool operator==(const Section&, const Section&) = default;
 };
 
@@ -40,12 +40,13 @@ struct ValueWindow {
   friend bool operator==(const ValueWindow&, const ValueWindow&) = default;
 };
 
-/// What a section's cap shows: the material, that is the structure's colour with a grain, lit; the same without the grain, for measuring
-/// colours; or the values of the volume that the model came from (see value_grid.h), which no light changes and only a volume has.
+/// What a section's cap shows: the material, that is the structure's colour with a grain, lit; the same without the
+/// grain, for measuring colours; or the values of the volume that the model came from (see value_grid.h), which no
+/// light changes and only a volume has.
 struct CapLook {
   enum class Shows { material, plain, ct };
   Shows shows = Shows::material;
-  std::optional<ValueWindow> window;   // none: the volume's usual one
+  std::optional<ValueWindow> window;  // none: the volume's usual one
   friend bool operator==(const CapLook&, const CapLook&) = default;
 };
 
@@ -56,7 +57,7 @@ enum class BackFaces { cull, show, tint };
 struct Background {
   enum class Kind { plain, gradient, transparent };
   Kind kind = Kind::gradient;
-  Colour top = colour_of(0xc2cfdb);     // `plain` has only this one
+  Colour top = colour_of(0xc2cfdb);  // `plain` has only this one
   Colour bottom = colour_of(0xf7fafb);
   friend bool operator==(const Background&, const Background&) = default;
 };
@@ -64,7 +65,7 @@ struct Background {
 /// Screen-space ambient occlusion: how much darker it is where little sky is seen.
 struct Occlusion {
   bool on = true;
-  float strength = 1.0f;     // 0 none, 1 natural, more for emphasis
+  float strength = 1.0f;  // 0 none, 1 natural, more for emphasis
   /// How far away things still darken, as part of the model's radius: about the width of a fissure.
   float reach = 0.12f;
   friend bool operator==(const Occlusion&, const Occlusion&) = default;
@@ -72,17 +73,17 @@ struct Occlusion {
 
 /// A lamp that the eye carries along, instead of the studio's lights: for places that no light falls into.
 struct Headlight {
-  double reach_mm = 1;       // at this distance half of it is left
+  double reach_mm = 1;  // at this distance half of it is left
   friend bool operator==(const Headlight&, const Headlight&) = default;
 };
 
 /// What is drawn over the surfaces, if the overlay's source knows it (see overlay.h).
 struct OverlayChoice {
-  bool contours = false;            // of the slices; with a slab only of the two that bound it
-  bool edges = false;               // boundary, non-manifold and misoriented ones
+  bool contours = false;  // of the slices; with a slab only of the two that bound it
+  bool edges = false;     // boundary, non-manifold and misoriented ones
   /// The tetrahedra between slice `slab` and the next, counted from 0, each shrunk towards its centre by `shrink`.
   std::optional<std::size_t> slab;
-  float shrink = 0.8f;              // 1 leaves them as they are
+  float shrink = 0.8f;  // 1 leaves them as they are
   friend bool operator==(const OverlayChoice&, const OverlayChoice&) = default;
 };
 
@@ -97,15 +98,15 @@ struct Scene {
   std::vector<Look> looks;
   std::optional<Section> section;
   CapLook cap;
-  VolumeLook volume;   // of a model that has values, see value_grid.h
+  VolumeLook volume;  // of a model that has values, see value_grid.h
   BackFaces back_faces = BackFaces::cull;
   bool wire = false;
   OverlayChoice overlays;
   Background background;
   Occlusion occlusion;
   std::optional<Headlight> headlight;
-  /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one every five of them
-  /// (ModelPart::depths_mm).
+  /// Canals' walls tell their depth below the orifice: by colour, a ring every Model::depth_step_mm and a bolder one
+  /// every five of them (ModelPart::depths_mm).
   bool wall_depth = false;
   /// Surfaces are coloured by how they lie to the data (ModelPart::deviations); none: in their own colours.
   std::optional<DataColours> data_colours;
@@ -117,15 +118,16 @@ struct Scene {
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
-/// A good first look at the model: every structure in its usual colour, from three quarters. What hides another structure is
-/// translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another structure. A cavity that nothing
-/// fills is shown as the body that would.
+/// A good first look at the model: every structure in its usual colour, from three quarters. What hides another
+/// structure is translucent: enamel over dentine, dentine over pulp, and anything whose box holds that of another
+/// structure. A cavity that nothing fills is shown as the body that would.
 Scene usual_scene(const Model& model, double aspect);
 
 /// How clear structures become around a volume, at most.
 inline constexpr float around_volume = 0.15f;
 
-/// Shows surfaces, volume or both of them: then structures become clear, and greys along whole rays, which have no depth, are no way to cast any more.
+/// Shows surfaces, volume or both of them: then structures become clear, and greys along whole rays, which have no
+/// depth, are no way to cast any more.
 void show_as(VolumeLook::Shows shows, Scene& scene);
 
 }  // namespace odontoscope

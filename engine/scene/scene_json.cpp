@@ -15,8 +15,8 @@ namespace odontoscope {
 
 namespace {
 
-using Json = nlohmann::ordered_json;   // written in the order given
-using Parsed = nlohmann::json;         // finds a key among many in no time
+using Json = nlohmann::ordered_json;  // written in the order given
+using Parsed = nlohmann::json;        // finds a key among many in no time
 
 constexpr const char* format_name = "odontoscope.scene";
 constexpr int format_version = 1;
@@ -24,32 +24,39 @@ constexpr std::size_t most_scene_bytes = 1u << 20;
 constexpr float most_emphasis = 4;
 constexpr double most_slab = 1e9;
 constexpr double most_iso = 1e30;
-constexpr int most_side = 16'384;   // most_picture_side in engine/picture/image.h
+constexpr int most_side = 16'384;  // most_picture_side in engine/picture/image.h
 constexpr double least_reach_mm = 1e-9, most_reach_mm = 1e9;
 
 Json to_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 const char* name(Background::Kind kind) {
   switch (kind) {
-    case Background::Kind::plain: return "plain";
-    case Background::Kind::gradient: return "gradient";
-    case Background::Kind::transparent: return "transparent";
+    case Background::Kind::plain:
+      return "plain";
+    case Background::Kind::gradient:
+      return "gradient";
+    case Background::Kind::transparent:
+      return "transparent";
   }
   return "unknown";
 }
 
 const char* name(CapLook::Shows shows) {
   switch (shows) {
-    case CapLook::Shows::plain: return "plain";
-    case CapLook::Shows::ct: return "ct";
-    default: return "material";
+    case CapLook::Shows::plain:
+      return "plain";
+    case CapLook::Shows::ct:
+      return "ct";
+    default:
+      return "material";
   }
 }
 
 /// Reads members of one object; each call leaves `value` alone if the member is missing.
 class Reader {
  public:
-  Reader(const Parsed& object, std::string path, const std::string& file) : object_(object), path_(std::move(path)), file_(file) {
+  Reader(const Parsed& object, std::string path, const std::string& file)
+      : object_(object), path_(std::move(path)), file_(file) {
     if (!object.is_object()) refuse("wrong-type", path_, "is no object");
   }
 
@@ -124,7 +131,8 @@ class Reader {
   [[noreturn]] void refuse(std::string_view cause, std::string_view key, std::string_view wrong) const {
     Place place;
     place.file = file_;
-    throw InputError(cause, place, fmt::format("\"{}\" {}", path_.empty() ? key : fmt::format("{}.{}", path_, key), wrong),
+    throw InputError(cause, place,
+                     fmt::format("\"{}\" {}", path_.empty() ? key : fmt::format("{}.{}", path_, key), wrong),
                      "A scene that the viewer saves (Ctrl S) shows the form");
   }
 
@@ -171,7 +179,8 @@ void read_looks(const Reader& scene, const std::string& file, Scene& result) {
   const Parsed* json = scene.member("structures");
   if (!json) return;
   if (!json->is_array()) scene.refuse("wrong-type", "structures", "is no list");
-  if (json->size() > limits::structures) scene.refuse("bad-value", "structures", fmt::format("are more than {}", limits::structures));
+  if (json->size() > limits::structures)
+    scene.refuse("bad-value", "structures", fmt::format("are more than {}", limits::structures));
   for (std::size_t i = 0; i < json->size(); ++i) {
     const Reader reader((*json)[i], fmt::format("structures[{}]", i), file);
     std::string structure;
@@ -219,7 +228,8 @@ void read_cap(const Reader& scene, const std::string& file, CapLook& cap) {
 void read_transfer(const Reader& volume, const std::string& file, std::vector<TransferPoint>& transfer) {
   const Parsed* json = volume.member("transfer");
   if (!json) return;
-  if (!json->is_array() || json->size() > most_transfer_points) volume.refuse("wrong-type", "transfer", fmt::format("is no list of at most {} points", most_transfer_points));
+  if (!json->is_array() || json->size() > most_transfer_points)
+    volume.refuse("wrong-type", "transfer", fmt::format("is no list of at most {} points", most_transfer_points));
   transfer.clear();
   for (std::size_t i = 0; i < json->size(); ++i) {
     const Reader reader((*json)[i], fmt::format("volume.transfer[{}]", i), file);
@@ -228,7 +238,8 @@ void read_transfer(const Reader& volume, const std::string& file, std::vector<Tr
     reader.read("colour", point.colour);
     reader.read("extinction", point.extinction);
   }
-  if (!transfer.empty() && !sensible(transfer)) volume.refuse("bad-value", "transfer", "is no transfer function: values ascend, extinctions are not negative");
+  if (!transfer.empty() && !sensible(transfer))
+    volume.refuse("bad-value", "transfer", "is no transfer function: values ascend, extinctions are not negative");
 }
 
 void read_volume_look(const Reader& scene, const std::string& file, VolumeLook& look) {
@@ -250,14 +261,17 @@ void read_volume_look(const Reader& scene, const std::string& file, VolumeLook& 
   look.white = window.high;
   constexpr double most = 1e6;
   reader.read("attenuation", look.attenuation);
-  if (!(look.attenuation >= 0 && look.attenuation <= most)) reader.refuse("bad-value", "attenuation", "is no sensible attenuation");
+  if (!(look.attenuation >= 0 && look.attenuation <= most))
+    reader.refuse("bad-value", "attenuation", "is no sensible attenuation");
   reader.read("latitude", look.latitude);
-  if (!(look.latitude > 1 / most && look.latitude <= most)) reader.refuse("bad-value", "latitude", "is no sensible latitude");
+  if (!(look.latitude > 1 / most && look.latitude <= most))
+    reader.refuse("bad-value", "latitude", "is no sensible latitude");
   reader.read("inverted", look.inverted);
   ValueWindow film{look.film_mm.x, look.film_mm.y};
   reader.read("film_mm", film);
   look.film_mm = {film.low, film.high};
-  if (!(std::min(film.low, film.high) >= 0 && std::max(film.low, film.high) <= most)) reader.refuse("bad-value", "film_mm", "is no size of a film");
+  if (!(std::min(film.low, film.high) >= 0 && std::max(film.low, film.high) <= most))
+    reader.refuse("bad-value", "film_mm", "is no size of a film");
   reader.read("iso", look.iso);
   if (!(std::abs(look.iso) <= most_iso)) reader.refuse("bad-value", "iso", "is no sensible value");
   reader.read("iso_colour", look.iso_colour);
@@ -280,7 +294,8 @@ void read_surroundings(const Reader& scene, const std::string& file, Scene& resu
     const Reader reader(*json, "headlight", file);
     Headlight headlight;
     reader.read("reach_mm", headlight.reach_mm);
-    if (!(headlight.reach_mm >= least_reach_mm && headlight.reach_mm <= most_reach_mm)) reader.refuse("bad-value", "reach_mm", "is no sensible distance");
+    if (!(headlight.reach_mm >= least_reach_mm && headlight.reach_mm <= most_reach_mm))
+      reader.refuse("bad-value", "reach_mm", "is no sensible distance");
     result.headlight = headlight;
   }
 }
@@ -301,10 +316,13 @@ void read_picture(const Reader& scene, const std::string& file, std::optional<Pi
   if (!json) return;
   const Reader reader(*json, "picture", file);
   PictureFormat format;
-  for (const auto& [key, value, most] : {std::tuple{"width", &format.width, most_side}, {"height", &format.height, most_side}, {"samples", &format.samples, 16}}) {
+  for (const auto& [key, value, most] : {std::tuple{"width", &format.width, most_side},
+                                         {"height", &format.height, most_side},
+                                         {"samples", &format.samples, 16}}) {
     double number = *value;
     reader.read(key, number);
-    if (number < 1 || number > most || number != std::floor(number)) reader.refuse("bad-value", key, fmt::format("is no whole number from 1 to {}", most));
+    if (number < 1 || number > most || number != std::floor(number))
+      reader.refuse("bad-value", key, fmt::format("is no whole number from 1 to {}", most));
     *value = static_cast<int>(number);
   }
   const double side = std::sqrt(format.samples);
@@ -322,24 +340,26 @@ void read_overlays(const Reader& scene, const std::string& file, OverlayChoice& 
   if (!reader.member("slab")) return;
   double slab = -1;
   reader.read("slab", slab);
-  if (slab < 0 || slab > most_slab || slab != std::floor(slab)) reader.refuse("bad-value", "slab", "is no number of a slab");
+  if (slab < 0 || slab > most_slab || slab != std::floor(slab))
+    reader.refuse("bad-value", "slab", "is no number of a slab");
   overlays.slab = static_cast<std::size_t>(slab);
 }
 
 Json camera_json(const Camera& camera) {
   Json json{{"projection", camera.projection == Camera::Projection::parallel ? "parallel" : "perspective"},
-              {"position", to_json(camera.position)},
-              {"target", to_json(camera.target)},
-              {"up", to_json(camera.up)},
-              {"field_of_view_deg", camera.field_of_view_deg},
-              {"height_mm", camera.height_mm}};
+            {"position", to_json(camera.position)},
+            {"target", to_json(camera.target)},
+            {"up", to_json(camera.up)},
+            {"field_of_view_deg", camera.field_of_view_deg},
+            {"height_mm", camera.height_mm}};
   if (camera.near_mm > 0) json["near_mm"] = camera.near_mm;
   return json;
 }
 
 Json volume_json(const VolumeLook& look) {
   Json transfer = Json::array();
-  for (const TransferPoint& point : look.transfer) transfer.push_back({{"value", point.value}, {"colour", hex(point.colour)}, {"extinction", point.extinction}});
+  for (const TransferPoint& point : look.transfer)
+    transfer.push_back({{"value", point.value}, {"colour", hex(point.colour)}, {"extinction", point.extinction}});
   return {{"shows", name(look.shows)},
           {"cast", name(look.cast)},
           {"transfer", transfer},
@@ -361,9 +381,12 @@ double short_number(float value) { return std::stod(fmt::format("{}", value)); }
 
 const char* name(BackFaces mode) {
   switch (mode) {
-    case BackFaces::cull: return "cull";
-    case BackFaces::show: return "show";
-    case BackFaces::tint: return "tint";
+    case BackFaces::cull:
+      return "cull";
+    case BackFaces::show:
+      return "show";
+    case BackFaces::tint:
+      return "tint";
   }
   return "unknown";
 }
@@ -383,7 +406,8 @@ std::string to_json(const Scene& scene) {
                                   {"opacity", short_number(look.opacity)},
                                   {"visible", look.visible},
                                   {"as_body", look.as_body}});
-  if (scene.section) json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
+  if (scene.section)
+    json["section"] = {{"point", to_json(scene.section->point_mm)}, {"normal", to_json(scene.section->normal)}};
   json["cap"] = {{"shows", name(scene.cap.shows)},
                  {"window", scene.cap.window ? Json::array({scene.cap.window->low, scene.cap.window->high}) : Json()}};
   if (scene.volume != VolumeLook{}) json["volume"] = volume_json(scene.volume);
@@ -401,8 +425,11 @@ std::string to_json(const Scene& scene) {
                                {"reach", short_number(scene.occlusion.reach)}};
   if (scene.headlight) json["headlight"] = {{"reach_mm", scene.headlight->reach_mm}};
   if (scene.wall_depth) json["wall_depth"] = true;
-  if (scene.data_colours) json["data_colours"] = {{"of", name(scene.data_colours->of)}, {"reach", scene.data_colours->reach}};
-  if (scene.picture) json["picture"] = {{"width", scene.picture->width}, {"height", scene.picture->height}, {"samples", scene.picture->samples}};
+  if (scene.data_colours)
+    json["data_colours"] = {{"of", name(scene.data_colours->of)}, {"reach", scene.data_colours->reach}};
+  if (scene.picture)
+    json["picture"] = {
+        {"width", scene.picture->width}, {"height", scene.picture->height}, {"samples", scene.picture->samples}};
   return json.dump(2) + "\n";
 }
 
@@ -410,7 +437,8 @@ Scene scene_from_json(const std::string& text, const Scene& start, const std::st
   const Parsed json = Parsed::parse(text, nullptr, /*allow_exceptions=*/false);
   Place place;
   place.file = file;
-  if (json.is_discarded()) throw InputError("unparsable", place, "this is no JSON", "Save a scene from the viewer as a pattern.");
+  if (json.is_discarded())
+    throw InputError("unparsable", place, "this is no JSON", "Save a scene from the viewer as a pattern.");
   const Reader reader(json, "", file);
   std::string format;
   double version = 0;

@@ -18,7 +18,8 @@
 //
 // The camera may have "near_mm" as well: an eye between walls (see camera.h).
 //
-// Every member but format and version may be missing and then keeps its value; unknown members are ignored. Lengths in mm.
+// Every member but format and version may be missing and then keeps its value; unknown members are ignored. Lengths in
+// mm.
 
 #include <string>
 

@@ -28,7 +28,8 @@ SurfaceMesh shells_of(const SurfaceMesh& surface, const SurfaceReport& report, S
 
 }  // namespace
 
-void add_shells(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report, std::vector<NamedSurface>& to) {
+void add_shells(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report,
+                std::vector<NamedSurface>& to) {
   to.push_back({structure, shells_of(surface, report, Shell::Kind::external), structure});
   SurfaceMesh cavities = shells_of(surface, report, Shell::Kind::cavity);
   if (!cavities.triangles.empty()) to.push_back({structure + " cavity", std::move(cavities), structure, true});

@@ -9,8 +9,9 @@
 
 namespace odontoscope {
 
-/// Appends the external shells of `surface` as "S" and its cavities, if it has any, as "S cavity". `report` is that of `surface`; open shells
-/// are left out.
-void add_shells(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report, std::vector<NamedSurface>& to);
+/// Appends the external shells of `surface` as "S" and its cavities, if it has any, as "S cavity". `report` is that of
+/// `surface`; open shells are left out.
+void add_shells(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report,
+                std::vector<NamedSurface>& to);
 
 }  // namespace odontoscope

@@ -40,7 +40,8 @@ Counts merged_within(const ValueGridLimits& limits, const Crop& crop, const Volu
   while (size(0) * size(1) * size(2) > limits.most_values) {
     std::size_t finest = 3;
     for (std::size_t n = 0; n < 3; ++n) {
-      const bool finer = finest == 3 || volume.spacing[n] * static_cast<double>(merged[n]) < volume.spacing[finest] * static_cast<double>(merged[finest]);
+      const bool finer = finest == 3 || volume.spacing[n] * static_cast<double>(merged[n]) <
+                                            volume.spacing[finest] * static_cast<double>(merged[finest]);
       if (size(n) > 1 && finer) finest = n;
     }
     ++merged[finest];
@@ -96,7 +97,8 @@ ValueGrid grid_of(const Volume& volume, const Crop& crop, const ValueGridLimits&
     grid.size[n] = blocks(crop.count[n], grid.merged[n]);
     grid.step_mm[axis] = together * volume.spacing[n];
     // The middle of the first block, whose voxels' centres lie (together - 1) spacings apart.
-    grid.first_mm[axis] = origin[axis] + (static_cast<double>(crop.first[n]) + 0.5 * (together - 1)) * volume.spacing[n];
+    grid.first_mm[axis] =
+        origin[axis] + (static_cast<double>(crop.first[n]) + 0.5 * (together - 1)) * volume.spacing[n];
   }
   return grid;
 }
@@ -118,7 +120,10 @@ ValueGrid value_grid(const Volume& volume, const Box& bounds_mm, const ValueGrid
   for (std::size_t k = 0; k < grid.size[2]; ++k)
     for (std::size_t j = 0; j < grid.size[1]; ++j)
       for (std::size_t i = 0; i < grid.size[0]; ++i)
-        grid.values.push_back(mean(volume, {crop.first[0] + i * grid.merged[0], crop.first[1] + j * grid.merged[1], crop.first[2] + k * grid.merged[2]}, grid.merged));
+        grid.values.push_back(mean(volume,
+                                   {crop.first[0] + i * grid.merged[0], crop.first[1] + j * grid.merged[1],
+                                    crop.first[2] + k * grid.merged[2]},
+                                   grid.merged));
   finish(volume, grid);
   return grid;
 }

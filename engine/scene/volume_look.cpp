@@ -14,8 +14,10 @@ namespace odontoscope {
 namespace {
 
 constexpr std::array all_shows{VolumeLook::Shows::surfaces, VolumeLook::Shows::volume, VolumeLook::Shows::both};
-constexpr std::array all_casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average, VolumeLook::Cast::radiograph, VolumeLook::Cast::surface};
-constexpr std::array all_presets{TransferPreset::tooth, TransferPreset::enamel, TransferPreset::dentine, TransferPreset::pulp, TransferPreset::soft};
+constexpr std::array all_casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average,
+                               VolumeLook::Cast::radiograph, VolumeLook::Cast::surface};
+constexpr std::array all_presets{TransferPreset::tooth, TransferPreset::enamel, TransferPreset::dentine,
+                                 TransferPreset::pulp, TransferPreset::soft};
 
 template <class All>
 auto one_named(const All& all, std::string_view wanted, std::string_view what) {
@@ -44,48 +46,70 @@ struct Anchored {
   double extinction;
 };
 
-constexpr Colour dentine_colour = colour_of(0xeec488), enamel_colour = colour_of(0xeef4fa), pulp_colour = colour_of(0xd0242f), soft_colour = colour_of(0xe07f6a);
+constexpr Colour dentine_colour = colour_of(0xeec488), enamel_colour = colour_of(0xeef4fa),
+                 pulp_colour = colour_of(0xd0242f), soft_colour = colour_of(0xe07f6a);
 
 std::vector<Anchored> anchored(TransferPreset preset) {
   switch (preset) {
-    case TransferPreset::enamel: return {{1.1, enamel_colour, 0}, {1.25, enamel_colour, 4}, {1.5, enamel_colour, 30}};
-    case TransferPreset::dentine: return {{0.4, dentine_colour, 0}, {0.7, dentine_colour, 20}, {1.15, dentine_colour, 30}, {1.35, enamel_colour, 40}};
-    case TransferPreset::pulp: return {{0.25, pulp_colour, 0}, {0.45, pulp_colour, 2.5}, {0.65, pulp_colour, 0}, {0.9, dentine_colour, 0}, {1, dentine_colour, 0.03}, {1.2, enamel_colour, 0.03}};
-    case TransferPreset::soft: return {{0.12, soft_colour, 0}, {0.25, soft_colour, 3}, {0.4, soft_colour, 3}, {0.5, soft_colour, 0}};
-    case TransferPreset::tooth: break;
+    case TransferPreset::enamel:
+      return {{1.1, enamel_colour, 0}, {1.25, enamel_colour, 4}, {1.5, enamel_colour, 30}};
+    case TransferPreset::dentine:
+      return {
+          {0.4, dentine_colour, 0}, {0.7, dentine_colour, 20}, {1.15, dentine_colour, 30}, {1.35, enamel_colour, 40}};
+    case TransferPreset::pulp:
+      return {{0.25, pulp_colour, 0},   {0.45, pulp_colour, 2.5},  {0.65, pulp_colour, 0},
+              {0.9, dentine_colour, 0}, {1, dentine_colour, 0.03}, {1.2, enamel_colour, 0.03}};
+    case TransferPreset::soft:
+      return {{0.12, soft_colour, 0}, {0.25, soft_colour, 3}, {0.4, soft_colour, 3}, {0.5, soft_colour, 0}};
+    case TransferPreset::tooth:
+      break;
   }
-  return {{0.4, dentine_colour, 0}, {0.6, dentine_colour, 1.6}, {0.85, dentine_colour, 0.35}, {1.1, dentine_colour, 0.35}, {1.3, enamel_colour, 1}, {1.6, enamel_colour, 3}};
+  return {{0.4, dentine_colour, 0},    {0.6, dentine_colour, 1.6}, {0.85, dentine_colour, 0.35},
+          {1.1, dentine_colour, 0.35}, {1.3, enamel_colour, 1},    {1.6, enamel_colour, 3}};
 }
 
 }  // namespace
 
 const char* name(VolumeLook::Shows shows) {
   switch (shows) {
-    case VolumeLook::Shows::volume: return "volume";
-    case VolumeLook::Shows::both: return "both";
-    case VolumeLook::Shows::surfaces: break;
+    case VolumeLook::Shows::volume:
+      return "volume";
+    case VolumeLook::Shows::both:
+      return "both";
+    case VolumeLook::Shows::surfaces:
+      break;
   }
   return "surfaces";
 }
 
 const char* name(VolumeLook::Cast cast) {
   switch (cast) {
-    case VolumeLook::Cast::maximum: return "maximum";
-    case VolumeLook::Cast::average: return "average";
-    case VolumeLook::Cast::radiograph: return "radiograph";
-    case VolumeLook::Cast::surface: return "surface";
-    case VolumeLook::Cast::shaded: break;
+    case VolumeLook::Cast::maximum:
+      return "maximum";
+    case VolumeLook::Cast::average:
+      return "average";
+    case VolumeLook::Cast::radiograph:
+      return "radiograph";
+    case VolumeLook::Cast::surface:
+      return "surface";
+    case VolumeLook::Cast::shaded:
+      break;
   }
   return "shaded";
 }
 
 const char* name(TransferPreset preset) {
   switch (preset) {
-    case TransferPreset::enamel: return "enamel";
-    case TransferPreset::dentine: return "dentine";
-    case TransferPreset::pulp: return "pulp";
-    case TransferPreset::soft: return "soft";
-    case TransferPreset::tooth: break;
+    case TransferPreset::enamel:
+      return "enamel";
+    case TransferPreset::dentine:
+      return "dentine";
+    case TransferPreset::pulp:
+      return "pulp";
+    case TransferPreset::soft:
+      return "soft";
+    case TransferPreset::tooth:
+      break;
   }
   return "tooth";
 }
@@ -96,8 +120,11 @@ TransferPreset transfer_named(std::string_view wanted) { return one_named(all_pr
 
 glm::vec4 transferred(const std::vector<TransferPoint>& transfer, double value) {
   if (transfer.empty()) return glm::vec4(0);
-  const auto look = [](const TransferPoint& point) { return glm::vec4(linear(point.colour), static_cast<float>(point.extinction)); };
-  const auto above = std::upper_bound(transfer.begin(), transfer.end(), value, [](double wanted, const TransferPoint& point) { return wanted < point.value; });
+  const auto look = [](const TransferPoint& point) {
+    return glm::vec4(linear(point.colour), static_cast<float>(point.extinction));
+  };
+  const auto above = std::upper_bound(transfer.begin(), transfer.end(), value,
+                                      [](double wanted, const TransferPoint& point) { return wanted < point.value; });
   if (above == transfer.begin()) return look(transfer.front());
   if (above == transfer.end()) return look(transfer.back());
   const TransferPoint& below = *(above - 1);
@@ -106,7 +133,9 @@ glm::vec4 transferred(const std::vector<TransferPoint>& transfer, double value) 
 
 bool any_extinction(const std::vector<TransferPoint>& transfer, double low, double high) {
   if (transferred(transfer, low).a > 0 || transferred(transfer, high).a > 0) return true;
-  return std::any_of(transfer.begin(), transfer.end(), [&](const TransferPoint& point) { return point.value > low && point.value < high && point.extinction > 0; });
+  return std::any_of(transfer.begin(), transfer.end(), [&](const TransferPoint& point) {
+    return point.value > low && point.value < high && point.extinction > 0;
+  });
 }
 
 bool sensible(const std::vector<TransferPoint>& transfer) {
@@ -114,7 +143,8 @@ bool sensible(const std::vector<TransferPoint>& transfer) {
   if (transfer.empty() || transfer.size() > most_transfer_points) return false;
   for (std::size_t i = 0; i < transfer.size(); ++i) {
     const TransferPoint& point = transfer[i];
-    if (!(std::abs(point.value) <= most_value) || !(point.extinction >= 0 && point.extinction <= most_extinction)) return false;
+    if (!(std::abs(point.value) <= most_value) || !(point.extinction >= 0 && point.extinction <= most_extinction))
+      return false;
     if (i > 0 && !(transfer[i - 1].value < point.value)) return false;
   }
   return true;
@@ -127,7 +157,8 @@ bool Slopes::sensible() const {
 
 std::vector<TransferPoint> transfer_of(TransferPreset preset, double air, double dentine) {
   std::vector<TransferPoint> transfer;
-  for (const Anchored& point : anchored(preset)) transfer.push_back({air + point.place * (dentine - air), point.colour, point.extinction});
+  for (const Anchored& point : anchored(preset))
+    transfer.push_back({air + point.place * (dentine - air), point.colour, point.extinction});
   return transfer;
 }
 

@@ -13,25 +13,27 @@
 
 namespace odontoscope {
 
-/// What material of this value looks like; between two points of a transfer function colour (in linear light) and extinction run straight, beyond
-/// the outermost they stay.
+/// What material of this value looks like; between two points of a transfer function colour (in linear light) and
+/// extinction run straight, beyond the outermost they stay.
 struct TransferPoint {
   double value = 0;
   Colour colour;
-  double extinction = 0;   // 1/mm: of light, exp(-extinction * mm) is let through
+  double extinction = 0;  // 1/mm: of light, exp(-extinction * mm) is let through
   friend bool operator==(const TransferPoint&, const TransferPoint&) = default;
 };
 
-/// How steep values are where something is seen of them, in values a millimetre: of `flat` ones and flatter nothing, of `steep` ones and steeper all, in proportion
-/// between (Levoy, "Display of surfaces from volume data", IEEE CG&A 8(3), 1988). So borders are seen and what lies between them is clear.
+/// How steep values are where something is seen of them, in values a millimetre: of `flat` ones and flatter nothing, of
+/// `steep` ones and steeper all, in proportion between (Levoy, "Display of surfaces from volume data", IEEE CG&A 8(3),
+/// 1988). So borders are seen and what lies between them is clear.
 struct Slopes {
-  double flat = 0, steep = 0;   // steep 0: all is seen, however flat
+  double flat = 0, steep = 0;  // steep 0: all is seen, however flat
   bool count() const { return steep > 0; }
   bool sensible() const;
   friend bool operator==(const Slopes&, const Slopes&) = default;
 };
 
-/// Intraoral films by their size, upright: 0 and 1 for children and front teeth, 2 the usual one, 3 of bitewings, 4 occlusal.
+/// Intraoral films by their size, upright: 0 and 1 for children and front teeth, 2 the usual one, 3 of bitewings, 4
+/// occlusal.
 inline constexpr std::array<glm::dvec2, 5> dental_films_mm{{{22, 35}, {24, 40}, {31, 41}, {27, 54}, {57, 76}}};
 inline constexpr glm::dvec2 usual_film_mm = dental_films_mm[2];
 /// The size of a film, upright or across; nothing: none of them.
@@ -39,19 +41,20 @@ std::optional<std::size_t> dental_film(const glm::dvec2& mm);
 
 struct VolumeLook {
   enum class Shows { surfaces, volume, both };
-  /// Shaded: emission and absorption after the transfer function. Maximum and average: along the ray, of the values' places in the window; radiograph: what is
-  /// swallowed on the way, in proportion to the value from `black` on. Surface: where the values first cross `iso`.
+  /// Shaded: emission and absorption after the transfer function. Maximum and average: along the ray, of the values'
+  /// places in the window; radiograph: what is swallowed on the way, in proportion to the value from `black` on.
+  /// Surface: where the values first cross `iso`.
   enum class Cast { shaded, maximum, average, radiograph, surface };
   Shows shows = Shows::surfaces;
   Cast cast = Cast::shaded;
-  std::vector<TransferPoint> transfer;         // ascending
-  Slopes slopes;                               // of a shaded volume; the extinction is less where values are flat
-  bool lit = true;                             // by the values' slope, as if it were a surface
-  double black = 0, white = 1;                 // of maximum and average; air and dentine of a radiograph
-  double attenuation = 0.25;                   // 1/mm of value `white`, for a radiograph
-  double latitude = 4;                         // attenuation that it shows white,
-  bool inverted = false;                       // or black
-  glm::dvec2 film_mm{0};                       // width and height of a film; 0: it has no edge
+  std::vector<TransferPoint> transfer;  // ascending
+  Slopes slopes;                        // of a shaded volume; the extinction is less where values are flat
+  bool lit = true;                      // by the values' slope, as if it were a surface
+  double black = 0, white = 1;          // of maximum and average; air and dentine of a radiograph
+  double attenuation = 0.25;            // 1/mm of value `white`, for a radiograph
+  double latitude = 4;                  // attenuation that it shows white,
+  bool inverted = false;                // or black
+  glm::dvec2 film_mm{0};                // width and height of a film; 0: it has no edge
   double iso = 0;
   Colour iso_colour = colour_of(0xeddebd);
 
@@ -64,7 +67,8 @@ struct VolumeLook {
 
 const char* name(VolumeLook::Shows shows);
 const char* name(VolumeLook::Cast cast);
-/// "surfaces", "volume", "both"; "shaded", "maximum", "average", "radiograph", "surface". Throw UsageError for anything else.
+/// "surfaces", "volume", "both"; "shaded", "maximum", "average", "radiograph", "surface". Throw UsageError for anything
+/// else.
 VolumeLook::Shows shows_named(std::string_view name);
 VolumeLook::Cast cast_named(std::string_view name);
 
@@ -77,11 +81,13 @@ bool any_extinction(const std::vector<TransferPoint>& transfer, double low, doub
 inline constexpr std::size_t most_transfer_points = 64;
 inline constexpr double most_extinction = 1e4;
 
-/// Ascending, finite, of a size that graphics processors reckon with, extinctions from 0 to most_extinction, at most most_transfer_points.
+/// Ascending, finite, of a size that graphics processors reckon with, extinctions from 0 to most_extinction, at most
+/// most_transfer_points.
 bool sensible(const std::vector<TransferPoint>& transfer);
 
-/// Ready-made transfer functions, laid out by the values that air and dentine have. Tooth: dentine clear enough to show what is in it, enamel denser. Enamel:
-/// dentine only a breath. Dentine: all hard tissue. Pulp: the walls of what is hollow, in red. Soft: what is a little denser than air.
+/// Ready-made transfer functions, laid out by the values that air and dentine have. Tooth: dentine clear enough to show
+/// what is in it, enamel denser. Enamel: dentine only a breath. Dentine: all hard tissue. Pulp: the walls of what is
+/// hollow, in red. Soft: what is a little denser than air.
 enum class TransferPreset { tooth, enamel, dentine, pulp, soft };
 const char* name(TransferPreset preset);
 /// Throws UsageError with the list of names.

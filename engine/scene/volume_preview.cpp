@@ -15,7 +15,9 @@ constexpr std::size_t most_bars = 128;
 Box all_of(const Volume& volume) {
   const glm::dvec3 low(volume.origin.x, volume.origin.y, volume.origin.z);
   glm::dvec3 high = low;
-  for (int axis = 0; axis < 3; ++axis) high[axis] += static_cast<double>(volume.size[static_cast<std::size_t>(axis)] - 1) * volume.spacing[static_cast<std::size_t>(axis)];
+  for (int axis = 0; axis < 3; ++axis)
+    high[axis] += static_cast<double>(volume.size[static_cast<std::size_t>(axis)] - 1) *
+                  volume.spacing[static_cast<std::size_t>(axis)];
   return {low, high};
 }
 
@@ -53,7 +55,9 @@ std::vector<VolumePreview::Label> labels_of(const Volume& volume) {
 }
 
 /// Rows of the grid run upwards.
-glm::dvec2 in_picture(const ValueGrid& values, double i, double j) { return {i + 0.5, static_cast<double>(values.size[1]) - 0.5 - j}; }
+glm::dvec2 in_picture(const ValueGrid& values, double i, double j) {
+  return {i + 0.5, static_cast<double>(values.size[1]) - 0.5 - j};
+}
 
 }  // namespace
 
@@ -72,7 +76,8 @@ VolumePreview volume_preview(const Volume& volume) {
     const std::vector<double> thresholds = otsu_thresholds(histogram, classes);
     if (thresholds.size() + 1 != classes) continue;
     for (const double threshold : thresholds)
-      if (std::find(preview.thresholds.begin(), preview.thresholds.end(), threshold) == preview.thresholds.end()) preview.thresholds.push_back(threshold);
+      if (std::find(preview.thresholds.begin(), preview.thresholds.end(), threshold) == preview.thresholds.end())
+        preview.thresholds.push_back(threshold);
   }
   if (looks_like_labels(volume)) preview.labels = labels_of(volume);
   return preview;
@@ -85,14 +90,17 @@ SlicePicture slice_picture(const ValueGrid& values, std::size_t k, const ValueWi
   for (std::size_t row = 0; row < picture.height; ++row) {
     const float* line = values.values.data() + (k * picture.height + picture.height - 1 - row) * picture.width;
     for (std::size_t i = 0; i < picture.width; ++i)
-      picture.grey.push_back(static_cast<std::uint8_t>(std::clamp((static_cast<double>(line[i]) - window.low) * scale, 0.0, 255.0)));
+      picture.grey.push_back(
+          static_cast<std::uint8_t>(std::clamp((static_cast<double>(line[i]) - window.low) * scale, 0.0, 255.0)));
   }
   return picture;
 }
 
 std::vector<std::array<glm::dvec2, 2>> slice_outline(const ValueGrid& values, std::size_t k, double iso) {
   std::vector<std::array<glm::dvec2, 2>> pieces;
-  const auto value = [&](std::size_t i, std::size_t j) { return static_cast<double>(values.values[(k * values.size[1] + j) * values.size[0] + i]); };
+  const auto value = [&](std::size_t i, std::size_t j) {
+    return static_cast<double>(values.values[(k * values.size[1] + j) * values.size[0] + i]);
+  };
   for (std::size_t j = 0; j + 1 < values.size[1]; ++j)
     for (std::size_t i = 0; i + 1 < values.size[0]; ++i) {
       // Around the cell, counter-clockwise; crossings in that order, of which a saddle has four.
@@ -103,7 +111,9 @@ std::vector<std::array<glm::dvec2, 2>> slice_outline(const ValueGrid& values, st
         const double a = value(from[0], from[1]), b = value(to[0], to[1]);
         if ((a >= iso) == (b >= iso)) continue;
         const double share = (iso - a) / (b - a);
-        const auto between = [share](std::size_t one, std::size_t other) { return static_cast<double>(one) + share * (static_cast<double>(other) - static_cast<double>(one)); };
+        const auto between = [share](std::size_t one, std::size_t other) {
+          return static_cast<double>(one) + share * (static_cast<double>(other) - static_cast<double>(one));
+        };
         crossings.push_back(in_picture(values, between(from[0], to[0]), between(from[1], to[1])));
       }
       if (crossings.size() == 4) {
@@ -116,14 +126,16 @@ std::vector<std::array<glm::dvec2, 2>> slice_outline(const ValueGrid& values, st
   return pieces;
 }
 
-std::vector<std::array<glm::dvec2, 2>> label_outline(const ValueGrid& values, std::size_t k, const std::set<std::int64_t>& labels) {
+std::vector<std::array<glm::dvec2, 2>> label_outline(const ValueGrid& values, std::size_t k,
+                                                     const std::set<std::int64_t>& labels) {
   std::vector<std::array<glm::dvec2, 2>> pieces;
   const std::size_t pixels = values.size[0] * values.size[1];
   ValueGrid mask;
   mask.size = {values.size[0], values.size[1], 1};
   for (const std::int64_t label : labels) {
     mask.values.assign(pixels, 0);
-    for (std::size_t n = 0; n < pixels; ++n) mask.values[n] = values.values[k * pixels + n] == static_cast<float>(label) ? 1.0f : 0.0f;
+    for (std::size_t n = 0; n < pixels; ++n)
+      mask.values[n] = values.values[k * pixels + n] == static_cast<float>(label) ? 1.0f : 0.0f;
     const auto one = slice_outline(mask, 0, 0.5);
     pieces.insert(pieces.end(), one.begin(), one.end());
   }
@@ -136,7 +148,9 @@ std::size_t fullest_slice(const ValueGrid& values, double iso) {
   std::size_t best = middle, most = 0;
   for (std::size_t k = 0; k < values.size[2]; ++k) {
     const auto begin = values.values.begin() + static_cast<std::ptrdiff_t>(k * pixels);
-    const auto full = static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(pixels), [iso](float value) { return static_cast<double>(value) >= iso; }));
+    const auto full =
+        static_cast<std::size_t>(std::count_if(begin, begin + static_cast<std::ptrdiff_t>(pixels),
+                                               [iso](float value) { return static_cast<double>(value) >= iso; }));
     const auto off = [middle](std::size_t slice) { return slice > middle ? slice - middle : middle - slice; };
     if (full > most || (full == most && off(k) < off(best))) most = full, best = k;
   }

@@ -112,7 +112,9 @@ constexpr std::array<Gesture, 9> mouse = {{
     {"Tab, Shift Tab", "into the panel; arrows, Enter; Esc: back"},
 }};
 
-char32_t small(char32_t character) { return character >= U'A' && character <= U'Z' ? character - U'A' + U'a' : character; }
+char32_t small(char32_t character) {
+  return character >= U'A' && character <= U'Z' ? character - U'A' + U'a' : character;
+}
 
 }  // namespace
 
@@ -127,26 +129,38 @@ std::span<const Gesture> flight_gestures() { return flying; }
 std::span<const Gesture> gamepad_gestures() { return gamepad; }
 
 std::optional<Action> action_for(const TextTyped& text, std::span<const ActionKey> known) {
-  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) { return key.character != 0 && key.character == small(text.character); });
+  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
+    return key.character != 0 && key.character == small(text.character);
+  });
   return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 
 std::optional<Action> action_for(const KeyChanged& pressed, std::span<const ActionKey> known) {
   if (!pressed.down || pressed.key == Key::other) return std::nullopt;
-  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) { return key.key == pressed.key && key.control == pressed.with.control; });
+  const auto found = std::find_if(known.begin(), known.end(), [&](const ActionKey& key) {
+    return key.key == pressed.key && key.control == pressed.with.control;
+  });
   return found == known.end() ? std::nullopt : std::optional(found->action);
 }
 
 std::optional<NamedView> view_of(Action action) {
   switch (action) {
-    case Action::view_three_quarter: return NamedView::three_quarter;
-    case Action::view_buccal: return NamedView::buccal;
-    case Action::view_lingual: return NamedView::lingual;
-    case Action::view_mesial: return NamedView::mesial;
-    case Action::view_distal: return NamedView::distal;
-    case Action::view_occlusal: return NamedView::occlusal;
-    case Action::view_apical: return NamedView::apical;
-    default: return std::nullopt;
+    case Action::view_three_quarter:
+      return NamedView::three_quarter;
+    case Action::view_buccal:
+      return NamedView::buccal;
+    case Action::view_lingual:
+      return NamedView::lingual;
+    case Action::view_mesial:
+      return NamedView::mesial;
+    case Action::view_distal:
+      return NamedView::distal;
+    case Action::view_occlusal:
+      return NamedView::occlusal;
+    case Action::view_apical:
+      return NamedView::apical;
+    default:
+      return std::nullopt;
   }
 }
 

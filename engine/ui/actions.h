@@ -11,11 +11,11 @@
 namespace odontoscope {
 
 struct ActionKey {
-  std::string_view printed;         // as on the keyboard
+  std::string_view printed;  // as on the keyboard
   Action action;
   std::string_view words;
-  char32_t character = 0;           // typed; small and capital letters alike
-  Key key = Key::other;             // or pressed
+  char32_t character = 0;  // typed; small and capital letters alike
+  Key key = Key::other;    // or pressed
   bool control = false;
 };
 

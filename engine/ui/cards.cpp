@@ -26,13 +26,17 @@ void title(const Interface& interface, const char* words) {
   ImGui::PopFont();
 }
 
-std::string name_of(const std::string& file) { return file.empty() ? "the sample molar" : std::filesystem::path(file).filename().string(); }
+std::string name_of(const std::string& file) {
+  return file.empty() ? "the sample molar" : std::filesystem::path(file).filename().string();
+}
 std::string name_of(const LoadRequest& request) { return request.lesson ? "the lesson" : name_of(request.file); }
 
 void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
   // Below a draft, which is to be seen.
   const double strip = std::min<double>(scaled(190), viewport.height);
-  const Card card("loading", state.draft ? Area{viewport.left, viewport.top + viewport.height - strip, viewport.width, strip} : viewport, 400);
+  const Card card(
+      "loading",
+      state.draft ? Area{viewport.left, viewport.top + viewport.height - strip, viewport.width, strip} : viewport, 400);
   title(interface, fmt::format("Making {}", name_of(loading.request().file)).c_str());
   const LoadJob::Stage stage = loading.stage();
   widgets::remark(interface, loading.cancelling() ? "Stopping\xE2\x80\xA6" : stage_in_words(stage.name));
@@ -58,7 +62,10 @@ void trouble_card(ViewerState& state, const Interface& interface, const Area& vi
 
 void question_card(ViewerState& state, const Interface& interface, const Area& viewport) {
   const float with_picture = 760, with_series = 560, alone = 460;
-  const Card card("question", viewport, state.question->preview ? with_picture : state.question->series.empty() ? alone : with_series);
+  const Card card("question", viewport,
+                  state.question->preview          ? with_picture
+                  : state.question->series.empty() ? alone
+                                                   : with_series);
   title(interface, name_of(state.question->request.file).c_str());
   VolumeAnswer answer = volume_card(*state.question, interface);
   if (answer.open) state.to_load = std::move(answer.open);
@@ -83,7 +90,9 @@ std::string listed_file(ViewerState& state, const Interface& interface) {
   if (!state.folder.trouble.empty()) widgets::remark(interface, state.folder.trouble);
   ImGui::BeginChild("folder", {0, scaled(190)});
   std::filesystem::path enter;
-  if (state.folder.folder.has_parent_path() && state.folder.folder != state.folder.folder.root_path() && widgets::wide_button("..")) enter = state.folder.folder.parent_path();
+  if (state.folder.folder.has_parent_path() && state.folder.folder != state.folder.folder.root_path() &&
+      widgets::wide_button(".."))
+    enter = state.folder.folder.parent_path();
   for (const FolderEntry& entry : state.folder.entries) {
     ImGui::PushID(entry.name.c_str());
     if (entry.folder) {
@@ -93,7 +102,8 @@ std::string listed_file(ViewerState& state, const Interface& interface) {
     }
     ImGui::PopID();
   }
-  if (state.folder.left_out > 0) widgets::remark(interface, fmt::format("{} more are not listed: type the name.", state.folder.left_out));
+  if (state.folder.left_out > 0)
+    widgets::remark(interface, fmt::format("{} more are not listed: type the name.", state.folder.left_out));
   ImGui::EndChild();
   if (!enter.empty()) state.folder = list_folder(enter);
   return chosen;
@@ -102,7 +112,9 @@ std::string listed_file(ViewerState& state, const Interface& interface) {
 void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
   const Card card("open", viewport, 560);
   title(interface, "Open a file");
-  widgets::remark(interface, "A contour stack, a GLB, STL or PLY mesh, a volume, or a lesson. Dropping it on the window does the same. Nothing typed: the sample molar.");
+  widgets::remark(interface,
+                  "A contour stack, a GLB, STL or PLY mesh, a volume, or a lesson. Dropping it on the window does the "
+                  "same. Nothing typed: the sample molar.");
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##file");
@@ -126,17 +138,21 @@ void leaving_card(ViewerState& state, const Interface& interface, const Area& vi
   const Card card("leaving", viewport, 460);
   LeavingNotes& leaving = *state.notes.leaving;
   title(interface, "Your notes are not saved");
-  widgets::wrapped(leaving.to_open ? fmt::format("They are about {} and go when {} is opened.", state.shown ? state.shown->title : "this model", name_of(*leaving.to_open))
-                          : "They go when the window is closed.");
-  if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true)) leaving.answer = Answer::save;
-  if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving")) leaving.answer = Answer::drop;
+  widgets::wrapped(leaving.to_open
+                       ? fmt::format("They are about {} and go when {} is opened.",
+                                     state.shown ? state.shown->title : "this model", name_of(*leaving.to_open))
+                       : "They go when the window is closed.");
+  if (widgets::wide_button(leaving.to_open ? "Save them, then open" : "Save them, then close", true))
+    leaving.answer = Answer::save;
+  if (widgets::wide_button(leaving.to_open ? "Open without saving" : "Close without saving"))
+    leaving.answer = Answer::drop;
   if (widgets::wide_button("Stay (Esc)")) leaving.answer = Answer::stay;
 }
 
 void key_row(const Interface& interface, std::string_view printed, std::string_view words, float column) {
   ImGui::PushFont(interface.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::accent);
-  const float start = ImGui::GetCursorPosX() - ImGui::GetColumnOffset();   // `column` is counted from the window's edge
+  const float start = ImGui::GetCursorPosX() - ImGui::GetColumnOffset();  // `column` is counted from the window's edge
   widgets::expect_room(widgets::say(std::string(printed)), column - start);
   widgets::text(std::string(printed));
   ImGui::PopStyleColor();
@@ -150,7 +166,9 @@ void gamepad_card(ViewerState& state, const Interface& interface, const Area& vi
   const Card card("help", viewport, 480);
   title(interface, "Gamepad");
   for (const Gesture& gesture : gamepad_gestures()) key_row(interface, gesture.printed, gesture.words, scaled(170));
-  widgets::remark(interface, "By the letters of an Xbox pad: A lies below, B at the right, X at the left, Y above. ? on the keyboard lists the keys.");
+  widgets::remark(interface,
+                  "By the letters of an Xbox pad: A lies below, B at the right, X at the left, Y above. ? on the "
+                  "keyboard lists the keys.");
   if (widgets::wide_button("Close (Start or B)")) state.help = false;
 }
 
@@ -160,12 +178,13 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
   ImGui::Columns(2, "columns", false);
   ImGui::SetColumnWidth(0, scaled(420));
-  for (const Gesture& gesture : state.fly.on ? flight_gestures() : gestures()) key_row(interface, gesture.printed, gesture.words, scaled(180));
+  for (const Gesture& gesture : state.fly.on ? flight_gestures() : gestures())
+    key_row(interface, gesture.printed, gesture.words, scaled(180));
   ImGui::Dummy({0, scaled(6)});
   std::set<Action> told;
   std::size_t row = 0;
   for (const ActionKey& key : state.fly.on ? flight_keys() : action_keys()) {
-    if (!told.insert(key.action).second || key.words.empty()) continue;   // a second key for the same
+    if (!told.insert(key.action).second || key.words.empty()) continue;  // a second key for the same
     const std::size_t rows_at_left = state.fly.on ? 7 : 12;
     if (row++ == rows_at_left) ImGui::NextColumn();
     key_row(interface, key.printed, key.words, scaled(72));
@@ -194,10 +213,12 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
     ImFont* font = interface.regular;
     const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, wrap, words);
     const float middle = static_cast<float>(viewport.left + viewport.width / 2);
-    const ImVec2 low(middle - size.x / 2 - scaled(16), bottom - size.y - scaled(20)), high(middle + size.x / 2 + scaled(16), bottom);
+    const ImVec2 low(middle - size.x / 2 - scaled(16), bottom - size.y - scaled(20)),
+        high(middle + size.x / 2 + scaled(16), bottom);
     list.AddRectFilled(low, high, theme::rgb(0x252b32, 240), scaled(8));
     list.AddRect(low, high, notice->bad ? theme::bad : theme::line, scaled(8));
-    list.AddText(font, font->FontSize, {low.x + scaled(16), low.y + scaled(10)}, notice->bad ? theme::bad : theme::text, words, nullptr, wrap);
+    list.AddText(font, font->FontSize, {low.x + scaled(16), low.y + scaled(10)}, notice->bad ? theme::bad : theme::text,
+                 words, nullptr, wrap);
     bottom = low.y - scaled(8);
   }
 }
@@ -206,7 +227,9 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 
 Card::Card(const char* id, const Area& viewport, float width) {
   const float most = static_cast<float>(viewport.width) - scaled(32);
-  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)},
+      ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(scaled(width), most), 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {scaled(24), scaled(20)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, scaled(10));
@@ -219,44 +242,57 @@ Card::~Card() { ImGui::End(); }
 
 bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom) {
   const float width = std::min(most_width * scale, static_cast<float>(viewport.width) - 40 * scale);
-  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height) - from_bottom * scale}, ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2),
+                           static_cast<float>(viewport.top + viewport.height) - from_bottom * scale},
+                          ImGuiCond_Always, {0.5f, 1});
   ImGui::SetNextWindowSize({width, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {16 * scale, 12 * scale});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 10 * scale);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x1a1e23, 240));
-  const bool open = ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  const bool open = ImGui::Begin(id, nullptr,
+                                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar(2);
   return open;
 }
 
 std::string stage_in_words(std::string_view stage) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> known = {{{"read", "Reading the file"},
-                                                                                   {"contours", "Tracing contours through the volume"},
-                                                                                   {"simplify", "Leaving out points that say nothing"},
-                                                                                   {"validate", "Checking the contours"},
-                                                                                   {"conform", "Triangulating the slices"},
-                                                                                   {"slabs", "Joining neighbouring slices"},
-                                                                                   {"plates", "Closing what ends between slices"},
-                                                                                   {"assemble", "Putting the slabs together"},
-                                                                                   {"certify", "Proving that the model is sound"},
-                                                                                   {"shade", "Smoothing the light"},
-                                                                                   {"prepare picking", "Preparing to measure"},
-                                                                                   {"centre lines", "Finding the canals"}}};
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> known = {
+      {{"read", "Reading the file"},
+       {"contours", "Tracing contours through the volume"},
+       {"simplify", "Leaving out points that say nothing"},
+       {"validate", "Checking the contours"},
+       {"conform", "Triangulating the slices"},
+       {"slabs", "Joining neighbouring slices"},
+       {"plates", "Closing what ends between slices"},
+       {"assemble", "Putting the slabs together"},
+       {"certify", "Proving that the model is sound"},
+       {"shade", "Smoothing the light"},
+       {"prepare picking", "Preparing to measure"},
+       {"centre lines", "Finding the canals"}}};
   for (const auto& [name, words] : known)
     if (stage == name) return std::string(words);
   return stage.empty() ? "Beginning" : fmt::format("Working: {}", stage);
 }
 
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport) {
-  if (loading) loading_card(state, *loading, interface, viewport);
-  else if (!state.trouble.empty()) trouble_card(state, interface, viewport);
-  else if (state.notes.leaving) leaving_card(state, interface, viewport);
-  else if (state.question) question_card(state, interface, viewport);
-  else if (state.file_asked_for) open_card(state, interface, viewport);
-  else if (state.help && state.pad_in_hand) gamepad_card(state, interface, viewport);
-  else if (state.help) help_card(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});   // long, so over all
-  else if (!state.shown) empty_card(state, interface, viewport);
+  if (loading)
+    loading_card(state, *loading, interface, viewport);
+  else if (!state.trouble.empty())
+    trouble_card(state, interface, viewport);
+  else if (state.notes.leaving)
+    leaving_card(state, interface, viewport);
+  else if (state.question)
+    question_card(state, interface, viewport);
+  else if (state.file_asked_for)
+    open_card(state, interface, viewport);
+  else if (state.help && state.pad_in_hand)
+    gamepad_card(state, interface, viewport);
+  else if (state.help)
+    help_card(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});  // long, so over all
+  else if (!state.shown)
+    empty_card(state, interface, viewport);
   draw_notices(state, interface, viewport);
 }
 

@@ -19,7 +19,8 @@ class Card {
 /// `viewport` is the part of the picture that the panel leaves.
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport);
 
-/// Begins a card to read, in the middle of the viewport's lower edge; ImGui::End() ends it. Lengths are of a screen of usual density.
+/// Begins a card to read, in the middle of the viewport's lower edge; ImGui::End() ends it. Lengths are of a screen of
+/// usual density.
 bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom);
 
 /// "Cutting the slices into triangles" for "conform".

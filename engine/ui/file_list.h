@@ -15,10 +15,10 @@ struct FolderEntry {
 };
 
 struct FolderList {
-  std::filesystem::path folder;        // absolute
-  std::vector<FolderEntry> entries;    // folders first, then files, by name without regard to capitals
-  std::size_t left_out = 0;            // beyond the most that are listed
-  std::string trouble;                 // why it cannot be read; empty if it can
+  std::filesystem::path folder;      // absolute
+  std::vector<FolderEntry> entries;  // folders first, then files, by name without regard to capitals
+  std::size_t left_out = 0;          // beyond the most that are listed
+  std::string trouble;               // why it cannot be read; empty if it can
 };
 
 inline constexpr std::size_t most_listed = 500;
@@ -27,7 +27,8 @@ inline constexpr std::size_t most_looked_into = 2000;
 
 /// By its ending: contours, meshes, volumes, lessons.
 bool openable(std::string_view name);
-/// What begins with a dot is left out; what is DICOM by its content is in, whatever its name. Never throws for what the disk holds.
+/// What begins with a dot is left out; what is DICOM by its content is in, whatever its name. Never throws for what the
+/// disk holds.
 FolderList list_folder(const std::filesystem::path& folder);
 
 }  // namespace odontoscope

@@ -14,11 +14,12 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double turned_cosine = 0.985;   // some ten degrees
-constexpr double compass_width = 170;     // interface pixels
+constexpr double turned_cosine = 0.985;  // some ten degrees
+constexpr double compass_width = 170;    // interface pixels
 
 bool has_canals(const ViewerState& state) {
-  return state.shown->flight && !state.shown->flight->cavities.empty() && !rideable(state.shown->flight->cavities.front().lines).empty();
+  return state.shown->flight && !state.shown->flight->cavities.empty() &&
+         !rideable(state.shown->flight->cavities.front().lines).empty();
 }
 
 }  // namespace
@@ -43,13 +44,17 @@ void FirstHints::draw(ViewerState& state, const Interface& interface, const Area
     bool done;
   };
   const bool inside = has_canals(state);
-  const std::array hints = {Hint{"Drag to turn", turned_}, Hint{inside ? "Click a canal" : "Click a name", clicked_}, Hint{inside ? "C: fly inside" : "A: fly around", flown_}};
+  const std::array hints = {Hint{"Drag to turn", turned_}, Hint{inside ? "Click a canal" : "Click a name", clicked_},
+                            Hint{inside ? "C: fly inside" : "A: fly around", flown_}};
   const float room = static_cast<float>(viewport.width - (14 + compass_width) * scale);
-  ImGui::SetNextWindowPos({static_cast<float>(viewport.left) + 14 * scale, static_cast<float>(viewport.top) + 12 * scale});
+  ImGui::SetNextWindowPos(
+      {static_cast<float>(viewport.left) + 14 * scale, static_cast<float>(viewport.top) + 12 * scale});
   ImGui::SetNextWindowSize({0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * scale, 7 * scale});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::rgb(0x14181c, 225));
-  ImGui::Begin("hints", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::Begin("hints", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   const bool in_a_row = room > 480 * scale;
@@ -63,12 +68,14 @@ void FirstHints::draw(ViewerState& state, const Interface& interface, const Area
     list.AddCircleFilled(middle, radius, hints[i].done ? theme::good_back : theme::accent_dark, 24);
     if (hints[i].done) {
       const float s = 4 * scale;
-      const ImVec2 tick[] = {{middle.x - s, middle.y}, {middle.x - 0.2f * s, middle.y + 0.8f * s}, {middle.x + s, middle.y - 0.8f * s}};
+      const ImVec2 tick[] = {
+          {middle.x - s, middle.y}, {middle.x - 0.2f * s, middle.y + 0.8f * s}, {middle.x + s, middle.y - 0.8f * s}};
       list.AddPolyline(tick, 3, theme::good, 0, 2 * scale);
     } else {
       const char number[] = {static_cast<char>('1' + i), 0};
       const ImVec2 extent = interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, 0, number);
-      list.AddText(interface.small, interface.small->FontSize, {middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y}, theme::text, number);
+      list.AddText(interface.small, interface.small->FontSize, {middle.x - 0.5f * extent.x, middle.y - 0.5f * extent.y},
+                   theme::text, number);
     }
     ImGui::Dummy({2 * radius, line});
     ImGui::SameLine(0, 7 * scale);

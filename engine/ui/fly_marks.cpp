@@ -22,9 +22,12 @@ void draw_vignette(ImDrawList& list, const Area& viewport, double strength) {
   constexpr int around = 48;
   const double x = viewport.left + viewport.width / 2, y = viewport.top + viewport.height / 2;
   const double outer = 0.5 * std::hypot(viewport.width, viewport.height), inner = outer * (0.80 - 0.42 * strength);
-  const auto rim = theme::rgb(0x000000, static_cast<unsigned>(std::lround(255 * std::clamp(1.25 * strength, 0.0, 1.0)))), clear = theme::rgb(0x000000, 0);
+  const auto rim =
+                 theme::rgb(0x000000, static_cast<unsigned>(std::lround(255 * std::clamp(1.25 * strength, 0.0, 1.0)))),
+             clear = theme::rgb(0x000000, 0);
   const ImVec2 white = ImGui::GetDrawListSharedData() ? ImGui::GetFontTexUvWhitePixel() : ImVec2(0, 0);
-  list.PushClipRect(vec(viewport.left, viewport.top), vec(viewport.left + viewport.width, viewport.top + viewport.height));
+  list.PushClipRect(vec(viewport.left, viewport.top),
+                    vec(viewport.left + viewport.width, viewport.top + viewport.height));
   list.PrimReserve(6 * around, 2 * around);
   const unsigned first = list._VtxCurrentIdx;
   for (int i = 0; i < around; ++i) {
@@ -43,7 +46,8 @@ void draw_vignette(ImDrawList& list, const Area& viewport, double strength) {
 
 namespace {
 
-constexpr double where_width = 190, where_height = 230, where_margin = 20, where_above = 62, slice_height = 150;   // interface pixels
+constexpr double where_width = 190, where_height = 230, where_margin = 20, where_above = 62,
+                 slice_height = 150;  // interface pixels
 
 /// A label as it is drawn: a pill of words beside its place.
 struct DrawnLabel {
@@ -57,12 +61,14 @@ bool overlap(const Area& a, const Area& b) {
 }
 
 bool within(const Area& box, const Area& whole) {
-  return box.left >= whole.left && box.top >= whole.top && box.left + box.width <= whole.left + whole.width && box.top + box.height <= whole.top + whole.height;
+  return box.left >= whole.left && box.top >= whole.top && box.left + box.width <= whole.left + whole.width &&
+         box.top + box.height <= whole.top + whole.height;
 }
 
-/// Nearest first, beside their places at the right, or where there is no room at the left; one that would lie over another or over the small
-/// pictures is left out.
-std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
+/// Nearest first, beside their places at the right, or where there is no room at the left; one that would lie over
+/// another or over the small pictures is left out.
+std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& pane, const Interface& interface,
+                                     float scale) {
   const FlyState& fly = state.fly;
   const FlightSpaces& spaces = *state.shown->flight;
   const Walls& walls = fly.cavity ? spaces.cavities[*fly.cavity].walls : spaces.outside;
@@ -71,7 +77,7 @@ std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& p
   const double slice = pictures.width > 0 ? slice_height * scale + 8 * scale : 0;
   pictures.top -= slice;
   pictures.height += slice;
-  const double farthest_depth = 0.5 * state.shown->model.radius_mm;   // beyond, numbers would crowd
+  const double farthest_depth = 0.5 * state.shown->model.radius_mm;  // beyond, numbers would crowd
   std::vector<DrawnLabel> drawn;
   for (const SeenLabel& seen : seen_labels(fly.labels, pane.camera, pane.area.aspect(), walls, slack)) {
     const FlightLabel& label = fly.labels[seen.label];
@@ -83,12 +89,18 @@ std::vector<DrawnLabel> drawn_labels(const ViewerState& state, const ViewPane& p
     const ImVec2 right = vec(at.x + 12 * scale, at.y - height / 2), left{right.x - 24 * scale - width, right.y};
     const auto fits = [&](const ImVec2& low) {
       const Area box{low.x, low.y, width, height};
-      const auto over = [&](const DrawnLabel& other) { return overlap(box, {other.low.x, other.low.y, other.high.x - other.low.x, other.high.y - other.low.y}); };
+      const auto over = [&](const DrawnLabel& other) {
+        return overlap(box, {other.low.x, other.low.y, other.high.x - other.low.x, other.high.y - other.low.y});
+      };
       return within(box, pane.area) && !overlap(box, pictures) && std::none_of(drawn.begin(), drawn.end(), over);
     };
     if (!fits(right) && !fits(left)) continue;
     const ImVec2 low = fits(right) ? right : left;
-    drawn.push_back({&label, vec(at.x, at.y), low, {low.x + width, low.y + height}, std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
+    drawn.push_back({&label,
+                     vec(at.x, at.y),
+                     low,
+                     {low.x + width, low.y + height},
+                     std::clamp(1.15 - 0.6 * seen.distance / far, 0.45, 1.0)});
   }
   return drawn;
 }
@@ -99,7 +111,8 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
   for (auto label = drawn.rbegin(); label != drawn.rend(); ++label) {
     if (label->label->depth) {
       list.AddRectFilled(label->low, label->high, faded(theme::rgb(0x14181c, 150), label->opacity), 4 * scale);
-      list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale}, faded(theme::text, label->opacity), interface.say(label->label->words).c_str());
+      list.AddText(interface.small, interface.small->FontSize, {label->low.x + 5 * scale, label->low.y + 2 * scale},
+                   faded(theme::text, label->opacity), interface.say(label->label->words).c_str());
       continue;
     }
     const bool rides = label->label->line.has_value();
@@ -109,7 +122,8 @@ void draw_labels(const ViewerState& state, const ViewPane& pane, const Interface
     list.AddCircleFilled(label->dot, 5.0f * scale, faded(theme::mark_outline, label->opacity), 20);
     list.AddCircleFilled(label->dot, 3.4f * scale, faded(ink, label->opacity), 20);
     list.AddRectFilled(label->low, label->high, faded(ground, label->opacity), 6 * scale);
-    list.AddText(interface.bold, interface.bold->FontSize, {label->low.x + 9 * scale, label->low.y + 5 * scale}, faded(ink, label->opacity), interface.say(label->label->words).c_str());
+    list.AddText(interface.bold, interface.bold->FontSize, {label->low.x + 9 * scale, label->low.y + 5 * scale},
+                 faded(ink, label->opacity), interface.say(label->label->words).c_str());
   }
 }
 
@@ -124,19 +138,29 @@ std::string gamepad_hint(const ViewerState& state) {
 /// Breadcrumb and figures, at the upper left of the picture.
 void draw_words(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const std::string where = interface.say(where_in_words(state)), measured = interface.say(measured_in_words(state)), pad = interface.say(state.pad_in_hand ? gamepad_hint(state) : "");
-  const float wrap = std::max(120.0f * scale, static_cast<float>(pane.area.width) - 200 * scale);   // the compass is at the right
+  const std::string where = interface.say(where_in_words(state)), measured = interface.say(measured_in_words(state)),
+                    pad = interface.say(state.pad_in_hand ? gamepad_hint(state) : "");
+  const float wrap =
+      std::max(120.0f * scale, static_cast<float>(pane.area.width) - 200 * scale);  // the compass is at the right
   const ImVec2 first = interface.bold->CalcTextSizeA(interface.bold->FontSize, 1e9f, wrap, where.c_str());
-  const ImVec2 second = measured.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, measured.c_str());
-  const ImVec2 third = pad.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, pad.c_str());
+  const ImVec2 second = measured.empty()
+                            ? ImVec2(0, 0)
+                            : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, measured.c_str());
+  const ImVec2 third =
+      pad.empty() ? ImVec2(0, 0) : interface.small->CalcTextSizeA(interface.small->FontSize, 1e9f, wrap, pad.c_str());
   const ImVec2 low = vec(pane.area.left + 16 * scale, pane.area.top + 16 * scale);
   const ImVec2 high{low.x + std::max({first.x, second.x, third.x}) + 24 * scale,
-                    low.y + first.y + second.y + third.y + static_cast<float>(14 + (measured.empty() ? 0 : 4) + (pad.empty() ? 0 : 4)) * scale};
+                    low.y + first.y + second.y + third.y +
+                        static_cast<float>(14 + (measured.empty() ? 0 : 4) + (pad.empty() ? 0 : 4)) * scale};
   list.AddRectFilled(low, high, theme::rgb(0x14181c, 190), 8 * scale);
-  list.AddText(interface.bold, interface.bold->FontSize, {low.x + 12 * scale, low.y + 7 * scale}, theme::text, where.c_str(), nullptr, wrap);
+  list.AddText(interface.bold, interface.bold->FontSize, {low.x + 12 * scale, low.y + 7 * scale}, theme::text,
+               where.c_str(), nullptr, wrap);
   const ImVec2 below{low.x + 12 * scale, low.y + first.y + 11 * scale};
-  if (!measured.empty()) list.AddText(interface.small, interface.small->FontSize, below, theme::mark, measured.c_str(), nullptr, wrap);
-  if (!pad.empty()) list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, high.y - third.y - 7 * scale}, theme::text, pad.c_str(), nullptr, wrap);
+  if (!measured.empty())
+    list.AddText(interface.small, interface.small->FontSize, below, theme::mark, measured.c_str(), nullptr, wrap);
+  if (!pad.empty())
+    list.AddText(interface.small, interface.small->FontSize, {low.x + 12 * scale, high.y - third.y - 7 * scale},
+                 theme::text, pad.c_str(), nullptr, wrap);
 }
 
 /// Where the eye is in the small picture, where it looks, and how it came there.
@@ -176,7 +200,8 @@ void draw_where(const ViewerState& state, const ViewPane& pane, const Interface&
   list.AddCircleFilled(eye, 4.8f * scale, theme::mark, 24);
   list.PopClipRect();
   const std::string from = interface.say(std::string("from ") + name(fly.where_from) + "   V: another side");
-  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, from.c_str());
+  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet,
+               from.c_str());
 }
 
 /// The slice at the eye's height with its contours, seen from occlusal, and the eye in it.
@@ -185,7 +210,7 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
   const Area below = where_area(pane, scale);
   if (slices.empty() || below.width < 1) return;
   const Area area{below.left, below.top - slice_height * scale - 8 * scale, below.width, slice_height * scale};
-  if (area.top < pane.area.top + 170 * scale) return;   // the compass is there
+  if (area.top < pane.area.top + 170 * scale) return;  // the compass is there
   const glm::dvec3 eye = state.fly.flight.eye;
   std::size_t nearest = 0;
   for (std::size_t i = 1; i < slices.size(); ++i)
@@ -199,7 +224,8 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
   const double per_mm = 0.86 * std::min(area.width / extent.x, (area.height - 18 * scale) / extent.y);
   // As in the file: x to the right, y, towards buccal, up.
   const auto pixel = [&](double x, double y) {
-    return vec(area.left + area.width / 2 + per_mm * (x - middle.x), area.top + 9 * scale + area.height / 2 - per_mm * (y - middle.y));
+    return vec(area.left + area.width / 2 + per_mm * (x - middle.x),
+               area.top + 9 * scale + area.height / 2 - per_mm * (y - middle.y));
   };
   list.PushClipRect(low, high);
   for (const Contour& contour : slices[nearest].contours) {
@@ -207,18 +233,23 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
     for (const Point2& point : contour.points) points.push_back(pixel(point.x, point.y));
     const Look* look = state.fly.scene_before.look_of(contour.structure);
     const Colour colour = look ? look->colour : usual_colour(contour.structure, 0);
-    const auto byte = [](float value) { return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f))); };
+    const auto byte = [](float value) {
+      return static_cast<unsigned>(std::lround(255 * std::clamp(value, 0.0f, 1.0f)));
+    };
     const ImU32 ink = theme::rgb(byte(colour.red) << 16 | byte(colour.green) << 8 | byte(colour.blue));
     list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, ImDrawFlags_Closed, 1.5f * scale);
   }
   const ImVec2 at = pixel(eye.x, eye.y);
-  const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.sight.x) * 18 * scale, at.y - static_cast<float>(state.fly.flight.sight.y) * 18 * scale};
+  const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.sight.x) * 18 * scale,
+                   at.y - static_cast<float>(state.fly.flight.sight.y) * 18 * scale};
   list.AddLine(at, tip, theme::mark, 2.2f * scale);
   list.AddCircleFilled(at, 5.5f * scale, theme::mark_outline, 24);
   list.AddCircleFilled(at, 4 * scale, theme::mark, 24);
   list.PopClipRect();
-  const std::string words = interface.say(fmt::format("slice {} of {}, z {:.2f} mm", nearest + 1, slices.size(), slices[nearest].z));
-  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet, words.c_str());
+  const std::string words =
+      interface.say(fmt::format("slice {} of {}, z {:.2f} mm", nearest + 1, slices.size(), slices[nearest].z));
+  list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet,
+               words.c_str());
 }
 
 }  // namespace
@@ -267,8 +298,10 @@ std::string measured_in_words(const FlightSpace& space, const CanalPlace& place)
   const bool canal = place.line < space.lines.canals.size();
   const std::string& name = rideable(space.lines)[place.line]->name;
   if (space.lines.has_chamber && place.depth < 0)
-    return canal ? fmt::format("{:.2f} mm wide here; {:.2f} mm to the orifice of {}", place.width, -place.depth, name) : fmt::format("{:.2f} mm wide here", place.width);
-  return fmt::format("{:.2f} mm {}; {:.2f} mm wide here; {:.2f} mm to the {}", place.depth, canal ? "past the orifice" : "from its start", place.width, place.to_end, canal ? "apex" : "end");
+    return canal ? fmt::format("{:.2f} mm wide here; {:.2f} mm to the orifice of {}", place.width, -place.depth, name)
+                 : fmt::format("{:.2f} mm wide here", place.width);
+  return fmt::format("{:.2f} mm {}; {:.2f} mm wide here; {:.2f} mm to the {}", place.depth,
+                     canal ? "past the orifice" : "from its start", place.width, place.to_end, canal ? "apex" : "end");
 }
 
 std::string measured_in_words(const ViewerState& state) {
@@ -276,11 +309,12 @@ std::string measured_in_words(const ViewerState& state) {
   return fly.place ? measured_in_words(state.shown->flight->cavities[*fly.cavity], *fly.place) : std::string();
 }
 
-std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y) {
+std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface,
+                                     float scale, double x, double y) {
   if (!state.fly.show_labels) return std::nullopt;
   for (const DrawnLabel& drawn : drawn_labels(state, pane, interface, scale))
-    if (drawn.label->line && x >= std::min(drawn.dot.x - 8 * scale, drawn.low.x) && x <= std::max(drawn.dot.x + 8 * scale, drawn.high.x) &&
-        y >= drawn.low.y && y <= drawn.high.y)
+    if (drawn.label->line && x >= std::min(drawn.dot.x - 8 * scale, drawn.low.x) &&
+        x <= std::max(drawn.dot.x + 8 * scale, drawn.high.x) && y >= drawn.low.y && y <= drawn.high.y)
       return drawn.label->line;
   return std::nullopt;
 }
@@ -298,7 +332,8 @@ void draw_fade(const ViewerState& state, const Area& viewport) {
   const FlyState& fly = state.fly;
   if (fly.on && state.settings.comfort.vignette && fly.turning > 0) draw_vignette(list, viewport, fly.turning);
   if (fly.dark > 0)
-    list.AddRectFilled(vec(viewport.left, viewport.top), vec(viewport.left + viewport.width, viewport.top + viewport.height),
+    list.AddRectFilled(vec(viewport.left, viewport.top),
+                       vec(viewport.left + viewport.width, viewport.top + viewport.height),
                        theme::rgb(0x000000, static_cast<unsigned>(std::lround(255 * std::clamp(fly.dark, 0.0, 1.0)))));
 }
 

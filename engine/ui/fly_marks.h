@@ -1,11 +1,11 @@
 #pragma once
 // What is drawn over the picture while one flies: the fade, the vignette, and where one is.
 
-#include "engine/ui/interface.h"
-#include "engine/ui/viewer_state.h"
-
 #include <optional>
 #include <string>
+
+#include "engine/ui/interface.h"
+#include "engine/ui/viewer_state.h"
 
 namespace odontoscope {
 
@@ -16,7 +16,8 @@ inline constexpr double least_haste = 0.2, most_haste = 8;
 void draw_flight(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale);
 
 /// The line whose name was clicked.
-std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y);
+std::optional<std::size_t> label_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface,
+                                     float scale, double x, double y);
 
 /// Where the tooth is shown small, and how; an empty area where the picture is too small for it.
 Area where_area(const ViewPane& pane, float scale);

@@ -20,7 +20,9 @@ void flight_section(ViewerState& state, const Interface& interface) {
   FlyState& fly = state.fly;
   if (widgets::wide_button("Back to outside (C)", true)) state.todo.push_back(Action::leave_flight);
   if (widgets::wide_button("Through the wall ahead (X)")) state.todo.push_back(Action::pass_wall);
-  widgets::remark(interface, "W A S D fly, Q E down and up, or with the other hand I J K L and U O. Arrow keys or a drag look around. Shift: faster. ? lists all keys.");
+  widgets::remark(interface,
+                  "W A S D fly, Q E down and up, or with the other hand I J K L and U O. Arrow keys or a drag look "
+                  "around. Shift: faster. ? lists all keys.");
   widgets::slider("Speed", fly.haste, least_haste, most_haste, "%.1f \xC3\x97");
   widgets::toggle("Mouse looks without a button (M)", fly.mouse_caught);
 }
@@ -30,7 +32,8 @@ void canal_buttons(FlyState& fly, const std::vector<const CentreLine*>& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const bool here = fly.ride && fly.ride->line == i;
     const double length = lines[i]->length_to_wall();
-    const std::string words = fly.on && i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1) : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
+    const std::string words = fly.on && i < 9 ? fmt::format("{}   {:.1f} mm   ({})", lines[i]->name, length, i + 1)
+                                              : fmt::format("{}   {:.1f} mm", lines[i]->name, length);
     if (widgets::wide_button(words.c_str(), here)) fly.ride_asked = i;
   }
 }
@@ -47,7 +50,8 @@ void ride_section(ViewerState& state, const Interface& interface) {
     return;
   }
   Ride& ride = *fly.ride;
-  two_buttons(state, ride.playing ? "Stop (Space)" : "Go on (Space)", Action::ride_play, ride.back ? "Forwards (R)" : "Backwards (R)", Action::ride_back);
+  two_buttons(state, ride.playing ? "Stop (Space)" : "Go on (Space)", Action::ride_play,
+              ride.back ? "Forwards (R)" : "Backwards (R)", Action::ride_back);
   const double from = ride.track.points.front().along, to = ride.track.points.back().along;
   if (widgets::slider("Along the canal", ride.along, from, to, "%.2f mm")) ride.playing = false;
   widgets::remark(interface, "Arrow keys or a drag look around on the way; any key that flies leaves it.");
@@ -61,7 +65,8 @@ void where_section(ViewerState& state, const Interface& interface) {
   widgets::toggle("Names (B)", fly.show_labels);
   widgets::toggle("Depth on the wall (G)", state.settings.comfort.wall_depth);
   if (state.settings.comfort.wall_depth)
-    widgets::remark(interface, fmt::format("Below the orifice: a ring every {:.0f} mm, a bold one every {:.0f}. Amber near the crown, teal and blue towards the apex.",
+    widgets::remark(interface, fmt::format("Below the orifice: a ring every {:.0f} mm, a bold one every {:.0f}. Amber "
+                                           "near the crown, teal and blue towards the apex.",
                                            state.shown->model.depth_step_mm, 5 * state.shown->model.depth_step_mm));
   widgets::toggle("Tooth and slice, small (H)", fly.show_where);
 }
@@ -73,7 +78,9 @@ void comfort_section(ViewerState& state, const Interface& interface) {
   widgets::slider("Speed limit", comfort.speed_limit, 0.5, 24, "%.1f \xC3\x97");
   widgets::toggle("Dark rim while turning", comfort.vignette);
   widgets::toggle("Reduced motion", comfort.reduced_motion);
-  widgets::remark(interface, "Reduced motion: no dives and no flights by themselves, and keys turn more slowly. All of this is remembered.");
+  widgets::remark(
+      interface,
+      "Reduced motion: no dives and no flights by themselves, and keys turn more slowly. All of this is remembered.");
 }
 
 }  // namespace
@@ -89,7 +96,9 @@ void fly_entrance(ViewerState& state, const Interface& interface) {
   const auto lines = rideable(state.shown->flight->cavities.front().lines);
   if (lines.empty() || !widgets::section(interface, "Canals", false)) return;
   canal_buttons(state.fly, lines);
-  widgets::remark(interface, "Choose one to be led along it; or double click it in the picture, where you see it through the tooth or in a section.");
+  widgets::remark(interface,
+                  "Choose one to be led along it; or double click it in the picture, where you see it through the "
+                  "tooth or in a section.");
 }
 
 void fly_sections(ViewerState& state, const Interface& interface) {

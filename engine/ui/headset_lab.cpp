@@ -9,7 +9,8 @@
 
 namespace odontoscope {
 
-HeadsetLab::HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab) : loaded_(std::move(loaded)), options_(lab.made ? lab.made->options : lab.wanted), made_(lab.made) {}
+HeadsetLab::HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab)
+    : loaded_(std::move(loaded)), options_(lab.made ? lab.made->options : lab.wanted), made_(lab.made) {}
 
 void HeadsetLab::tend(bool wanted) {
   if (made_ || !possible() || !trouble_.empty()) return;
@@ -31,7 +32,9 @@ void HeadsetLab::tend(bool wanted) {
 
 std::string HeadsetLab::in_words() const {
   if (!trouble_.empty()) return trouble_;
-  if (made_) return fmt::format("DB on a grid of {}: {} edges of cracks, {} misoriented.", made_->options.grid, grouped(made_->cracks()), grouped(made_->misoriented()));
+  if (made_)
+    return fmt::format("DB on a grid of {}: {} edges of cracks, {} misoriented.", made_->options.grid,
+                       grouped(made_->cracks()), grouped(made_->misoriented()));
   if (!worker_) return {};
   const DbWorker::Stage stage = worker_->stage();
   return fmt::format("Making DB: {} {} %", stage.name, std::lround(100 * stage.fraction));

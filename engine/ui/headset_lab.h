@@ -1,5 +1,6 @@
 #pragma once
-// DT and DB in the headset: the second model is made when it is first asked for, off the frame's thread, or taken from the desktop's DB mode.
+// DT and DB in the headset: the second model is made when it is first asked for, off the frame's thread, or taken from
+// the desktop's DB mode.
 
 #include <memory>
 #include <string>

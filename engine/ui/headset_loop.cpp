@@ -29,7 +29,7 @@ bool is_escape(const Event& event) {
 /// Draws the viewer's own frame, which also takes what was loaded.
 void draw_viewer(Viewer& viewer, Window& window) {
   const PixelSize size = window.size();
-  if (size.width < 1 || size.height < 1) return;   // put away as an icon
+  if (size.width < 1 || size.height < 1) return;  // put away as an icon
   viewer.draw({size, window.scale(), 0.01}, {0, 0, 0, size});
   window.show();
 }
@@ -55,7 +55,12 @@ std::string title_of(const Visit& visit, const Viewer& viewer, HeadsetState stat
 class HeadsetVisit {
  public:
   HeadsetVisit(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const HeadsetVisitOptions& options)
-      : viewer_(viewer), window_(window), shaders_(shaders), options_(options), gl_(window.context().gl()), headset_(open_headset(gl_, options.headset)),
+      : viewer_(viewer),
+        window_(window),
+        shaders_(shaders),
+        options_(options),
+        gl_(window.context().gl()),
+        headset_(open_headset(gl_, options.headset)),
         sheet_(gl_, shaders) {
     say(fmt::format("In the headset: {}.", headset_->in_words()));
     put_on_stage();
@@ -70,8 +75,10 @@ class HeadsetVisit {
       }
       take_new_model();
       tell_controllers(state);
-      if (state == HeadsetState::waiting) std::this_thread::sleep_for(rest);
-      else headset_->frame([this](const HeadsetFrame& frame) { return draw(frame); });
+      if (state == HeadsetState::waiting)
+        std::this_thread::sleep_for(rest);
+      else
+        headset_->frame([this](const HeadsetFrame& frame) { return draw(frame); });
       show(state);
     }
   }
@@ -87,11 +94,13 @@ class HeadsetVisit {
     shows_db_ = false;
     visit_ = {};
     cavities_ = {};
-    painter_.reset();   // first, so that two models need not fit beside each other
+    painter_.reset();  // first, so that two models need not fit beside each other
     painter_ = std::make_unique<EyePainter>(gl_, shaders_, loaded_->model, options_.quality, loaded_->values);
-    if (loaded_->greys && scene_.volume.transfer.empty()) scene_.volume.transfer = transfer_of(TransferPreset::tooth, loaded_->greys->air, loaded_->greys->dentine);
+    if (loaded_->greys && scene_.volume.transfer.empty())
+      scene_.volume.transfer = transfer_of(TransferPreset::tooth, loaded_->greys->air, loaded_->greys->dentine);
     if (loaded_->flight) cavities_ = loaded_->flight->cavities;
-    say(cavities_.empty() ? "This model has no cavity to enter." : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
+    say(cavities_.empty() ? "This model has no cavity to enter."
+                          : std::string("Point at a cavity, such as the pulp, and pull the trigger to be inside."));
   }
 
   /// Takes the window's events: files dropped on it are opened, Escape and closing end the visit.
@@ -139,7 +148,8 @@ class HeadsetVisit {
   Depths draw(const HeadsetFrame& frame) {
     Depths depths;
     choose_model();
-    const VisitWorld world{shows_db_ ? lab_->made()->model : loaded_->model, shows_db_ ? *lab_->made()->pickable : *loaded_->pickable, scene_, cavities_};
+    const VisitWorld world{shows_db_ ? lab_->made()->model : loaded_->model,
+                           shows_db_ ? *lab_->made()->pickable : *loaded_->pickable, scene_, cavities_};
     visit_ = stepped(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
     constexpr double pulse_seconds = 0.04;
     for (std::size_t i = 0; i < 2; ++i)
@@ -149,7 +159,9 @@ class HeadsetVisit {
                    mark_of(loaded_->certificate.verdict), loaded_->values && loaded_->greys},
                   frame.seconds);
     if (frame.draw) {
-      depths = painter_->draw(visit_, frame.input, world, frame.eyes, frame.targets, [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden, frame.beat);
+      depths = painter_->draw(
+          visit_, frame.input, world, frame.eyes, frame.targets,
+          [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden, frame.beat);
       const PixelSize size = window_.size();
       const bool open = size.width > 0 && size.height > 0 && !viewer_.loading();
       if (open) EyePainter::mirror(gl_, frame.targets.front(), {0, 0, 0, size});
@@ -170,7 +182,8 @@ class HeadsetVisit {
   void show(HeadsetState state) {
     if (mirrored_) window_.show();
     mirrored_ = false;
-    if (std::string title = title_of(visit_, viewer_, state); title != title_) window_.set_title(title_ = std::move(title));
+    if (std::string title = title_of(visit_, viewer_, state); title != title_)
+      window_.set_title(title_ = std::move(title));
   }
 
   Viewer& viewer_;
@@ -195,7 +208,8 @@ class HeadsetVisit {
 
 }  // namespace
 
-bool visit_in_headset(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const std::stop_token& stop, const HeadsetVisitOptions& options) {
+bool visit_in_headset(Viewer& viewer, Window& window, const ShaderLibrary& shaders, const std::stop_token& stop,
+                      const HeadsetVisitOptions& options) {
   if (!wait_for_model(viewer, window, stop)) return true;
   bool well = true;
   window.set_paced(false);

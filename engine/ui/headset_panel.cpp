@@ -46,7 +46,8 @@ void structures(Visit& visit) {
     ImGui::SameLine(0, scaled(8));
     ImGui::BeginGroup();
     double percent = 100.0 * look.opacity;
-    if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%")) look.opacity = static_cast<float>(percent / 100);
+    if (widgets::slider(look.structure.c_str(), percent, 0, 100, "%.0f %%"))
+      look.opacity = static_cast<float>(percent / 100);
     ImGui::EndGroup();
     ImGui::PopID();
   }
@@ -60,18 +61,21 @@ void section_rows(Visit& visit) {
 
 void grey_values(Visit& visit) {
   int shows = static_cast<int>(visit.scene.volume.shows);
-  if (widgets::choice("volume shows", shows, {"Surfaces", "Volume", "Both"})) show_as(static_cast<VolumeLook::Shows>(shows), visit.scene);
+  if (widgets::choice("volume shows", shows, {"Surfaces", "Volume", "Both"}))
+    show_as(static_cast<VolumeLook::Shows>(shows), visit.scene);
 }
 
 void outside(Visit& visit, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface) {
   if (!words.certificate.empty()) widgets::marked(interface, words.mark, words.certificate);
   structures(visit);
   int method = visit.db ? 1 : 0;
-  if (words.db_possible && widgets::choice("method", method, {"DT", "DB"})) ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
+  if (words.db_possible && widgets::choice("method", method, {"DT", "DB"}))
+    ask(visit, method == 1 ? VisitAction::show_db : VisitAction::show_dt);
   if (words.db_possible && visit.db && !words.db.empty()) say(words.db);
   if (words.volume_possible) grey_values(visit);
   int faces = static_cast<int>(visit.scene.back_faces);
-  if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"})) visit.scene.back_faces = static_cast<BackFaces>(faces);
+  if (widgets::choice("back faces", faces, {"Cull", "Two-sided", "Tint"}))
+    visit.scene.back_faces = static_cast<BackFaces>(faces);
   section_rows(visit);
   button(visit, visit.stage.magnification == 1 ? "Enlarge it" : "True size", VisitAction::change_size);
   if (!world.cavities.empty()) button(visit, "Go inside", VisitAction::enter, true);
@@ -101,9 +105,12 @@ void canals(Visit& visit, const VisitWorld& world) {
   if (visit.tour) {
     const Ride& tour = *visit.tour;
     widgets::text(lines[tour.line]->name);
-    ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) / (tour.track.points.back().along - tour.track.points.front().along)), {-1, scaled(12)}, "");
+    ImGui::ProgressBar(static_cast<float>((tour.along - tour.track.points.front().along) /
+                                          (tour.track.points.back().along - tour.track.points.front().along)),
+                       {-1, scaled(12)}, "");
     button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
-    two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here", VisitAction::end_tour);
+    two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here",
+                VisitAction::end_tour);
     widgets::slider("Pace", visit.tour_haste, 0.1, 1, "%.1f");
   } else {
     say(lines.empty() ? "No centre line was found here." : "Choose one to be led along it.");
@@ -111,14 +118,19 @@ void canals(Visit& visit, const VisitWorld& world) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const CentreLine& line = *lines[i];
     const double length = line.length_to_wall();
-    if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(), visit.tour && visit.tour->line == i)) visit.tour_asked = i;
+    if (widgets::wide_button(fmt::format("{}   {:.1f} mm", line.name, length).c_str(),
+                             visit.tour && visit.tour->line == i))
+      visit.tour_asked = i;
   }
 }
 
 void measure(Visit& visit, const Interface& interface) {
   int tool = static_cast<int>(visit.tool);
   say("The trigger, on the tooth:");
-  if (widgets::choice("tool", tool, {visit.cavity ? (visit.travel == Travel::leap ? "Leaps" : "Glides") : "Enters, names", "Measures"})) visit.tool = static_cast<HandTool>(tool);
+  if (widgets::choice(
+          "tool", tool,
+          {visit.cavity ? (visit.travel == Travel::leap ? "Leaps" : "Glides") : "Enters, names", "Measures"}))
+    visit.tool = static_cast<HandTool>(tool);
   if (visit.tool == HandTool::distance) say("Pull it at one place and at another: the straight way between them.");
   if (visit.ends.size() == 2) {
     ImGui::PushFont(interface.large);
@@ -132,36 +144,54 @@ void measure(Visit& visit, const Interface& interface) {
 
 void help(Visit& visit) {
   if (visit.cavity) {
-    say(visit.tour ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again." : visit.travel == Travel::leap ? "Trigger: point at a place; let go: you are there.\nStick: turn.\nMenu: this panel. Menu, held: out again." : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: turn.\nMenu: this panel. Menu, held: out again.");
+    say(visit.tour
+            ? "Trigger: stop, go on. Stick: forth, back; right hand: turn.\nMenu: this panel. Menu, held: out again."
+        : visit.travel == Travel::leap ? "Trigger: point at a place; let go: you are there.\nStick: turn.\nMenu: this "
+                                         "panel. Menu, held: out again."
+                                       : "Trigger: glide where the hand points.\nStick: ahead, back; right hand: "
+                                         "turn.\nMenu: this panel. Menu, held: out again.");
   } else {
-    say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");
+    say("Trigger on the pulp: go in; elsewhere: what is this?\nGrab: carry it, with both hands scale it. Grab this "
+        "panel to move it.\nStick: turn it, bring it nearer.\nMenu: this panel. Menu, held: true size.");
   }
-  say("Sit or stand as you like; there is no floor. The headset's own recentre puts everything before you again. Not well? Close your eyes, take it off.");
+  say("Sit or stand as you like; there is no floor. The headset's own recentre puts everything before you again. Not "
+      "well? Close your eyes, take it off.");
   button(visit, "Leave the headset", VisitAction::leave_headset);
 }
 
 }  // namespace
 
-void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface, float width, float height) {
+void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world, const HeadsetPanelWords& words,
+                        const Interface& interface, float width, float height) {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({width, height});
-  ImGui::Begin("room panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
+  ImGui::Begin(
+      "room panel", nullptr,
+      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove);
   ImGui::PushFont(interface.large);
   widgets::text(words.title);
   ImGui::PopFont();
   int chosen = static_cast<int>(page);
-  if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Canals", "Measure", "Help"})) page = static_cast<HeadsetPage>(chosen);
-  if (visit.cavity) button(visit, "Out again", VisitAction::leave);   // above what may be longer than the panel
+  if (widgets::choice("page", chosen, {visit.cavity ? "Here" : "Tooth", "Canals", "Measure", "Help"}))
+    page = static_cast<HeadsetPage>(chosen);
+  if (visit.cavity) button(visit, "Out again", VisitAction::leave);  // above what may be longer than the panel
   ImGui::Dummy({0, scaled(2)});
   switch (page) {
     case HeadsetPage::tooth:
-      if (visit.cavity) where(visit, world, words);
+      if (visit.cavity)
+        where(visit, world, words);
       else
         outside(visit, world, words, interface);
       break;
-    case HeadsetPage::canals: canals(visit, world); break;
-    case HeadsetPage::measure: measure(visit, interface); break;
-    case HeadsetPage::help: help(visit); break;
+    case HeadsetPage::canals:
+      canals(visit, world);
+      break;
+    case HeadsetPage::measure:
+      measure(visit, interface);
+      break;
+    case HeadsetPage::help:
+      help(visit);
+      break;
   }
   ImGui::End();
 }

@@ -1,6 +1,7 @@
 #pragma once
-// What stands on the panel in the room: the desktop's controls in fewer words and larger, since a hand's ray is no mouse. Called between
-// Interface::begin and end; they change the visit's plain values at once and ask for everything else as a VisitAction.
+// What stands on the panel in the room: the desktop's controls in fewer words and larger, since a hand's ray is no
+// mouse. Called between Interface::begin and end; they change the visit's plain values at once and ask for everything
+// else as a VisitAction.
 
 #include <string>
 
@@ -16,13 +17,14 @@ enum class HeadsetPage { tooth, canals, measure, help };
 struct HeadsetPanelWords {
   std::string title;
   bool db_possible = false;
-  std::string db;          // how far DB is, or what is wrong with it
+  std::string db;           // how far DB is, or what is wrong with it
   std::string certificate;  // its headline
   Certificate::Mark mark = Certificate::Mark::good;
-  bool volume_possible = false;   // the model came from grey values, which can be shown
+  bool volume_possible = false;  // the model came from grey values, which can be shown
 };
 
 /// In the upper left of the sheet, `width` by `height` pixels.
-void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world, const HeadsetPanelWords& words, const Interface& interface, float width, float height);
+void draw_headset_panel(Visit& visit, HeadsetPage& page, const VisitWorld& world, const HeadsetPanelWords& words,
+                        const Interface& interface, float width, float height);
 
 }  // namespace odontoscope

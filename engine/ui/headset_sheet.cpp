@@ -13,7 +13,7 @@ namespace {
 
 /// Two pixels a millimetre of the panel, somewhat more than headsets resolve at its distance.
 constexpr int panel_width = 880, panel_height = 920, label_height = 60, label_rows = 8, label_columns = 2;
-constexpr PixelSize sheet_size{panel_width, panel_height + label_rows * label_height};
+constexpr PixelSize sheet_size{panel_width, panel_height + label_rows* label_height};
 /// Pixels for one of the interface's: capital letters are then 11 mm high, one degree at the panel's distance.
 constexpr float scale = 2.35f;
 /// Without a hand on it: often enough for what is told there.
@@ -23,7 +23,11 @@ constexpr float nowhere = -1e6f;
 }  // namespace
 
 HeadsetSheet::HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page)
-    : gl_(&gl), interface_pass_(gl, shaders), placard_pass_(gl, shaders), sheet_(gl, {sheet_size, {GL_RGBA8}}), page_(page) {}
+    : gl_(&gl),
+      interface_pass_(gl, shaders),
+      placard_pass_(gl, shaders),
+      sheet_(gl, {sheet_size, {GL_RGBA8}}),
+      page_(page) {}
 
 glm::dvec2 HeadsetSheet::on_panel(double x, double y) { return {x / panel_width, y / panel_height}; }
 
@@ -35,10 +39,12 @@ void HeadsetSheet::feed(const Visit& visit, const HeadsetInput& input, double se
   if (down != down_) interface_.feed(MouseButtonChanged{MouseButton::left, down});
   down_ = down;
   constexpr double notches_per_second = 12, at_rest = 0.15;
-  if (hand && std::abs(input.hands[*hand].stick.y) > at_rest) interface_.feed(Scrolled{0, seconds * notches_per_second * input.hands[*hand].stick.y});
+  if (hand && std::abs(input.hands[*hand].stick.y) > at_rest)
+    interface_.feed(Scrolled{0, seconds * notches_per_second * input.hands[*hand].stick.y});
 }
 
-void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const HeadsetPanelWords& words, double seconds) {
+void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWorld& world,
+                          const HeadsetPanelWords& words, double seconds) {
   const std::vector<Placard> placards = odontoscope::placards(visit, input, world);
   std::vector<std::string> wanted;
   for (const Placard& placard : placards) wanted.push_back(placard.words);
@@ -49,10 +55,11 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
     interface_.begin({sheet_size, scale, std::min(waited_, 1.0)});
     if (visit.panel) draw_headset_panel(visit, page_, world, words, interface_, panel_width, panel_height);
     write(placards, input.head);
-    if (const auto hand = panel_hand(visit)) {   // over everything
+    if (const auto hand = panel_hand(visit)) {  // over everything
       const ImVec2 at = ImGui::GetIO().MousePos;
       ImGui::GetForegroundDrawList()->AddCircleFilled(at, 4.5f * scale, theme::mark_outline, 24);
-      ImGui::GetForegroundDrawList()->AddCircleFilled(at, 3.2f * scale, visit.pressing[*hand] ? theme::text : theme::mark, 24);
+      ImGui::GetForegroundDrawList()->AddCircleFilled(at, 3.2f * scale,
+                                                      visit.pressing[*hand] ? theme::text : theme::mark, 24);
     }
     const ImDrawData& drawn = *interface_.end();
     sheet_.bind();
@@ -79,12 +86,14 @@ void HeadsetSheet::write(const std::vector<Placard>& placards, const Pose& head)
   const ImFont& font = *interface_.bold;
   for (std::size_t i = 0; i < std::min<std::size_t>(placards.size(), label_rows * label_columns); ++i) {
     constexpr float column = static_cast<float>(panel_width) / label_columns, margin = 14, gap = 4;
-    const float left = column * static_cast<float>(i % label_columns), top = static_cast<float>(panel_height + label_height * static_cast<int>(i / label_columns));
+    const float left = column * static_cast<float>(i % label_columns),
+                top = static_cast<float>(panel_height + label_height * static_cast<int>(i / label_columns));
     const ImVec2 extent = font.CalcTextSizeA(font.FontSize, 1e9f, 0, interface_.say(placards[i].words).c_str());
     const float width = std::min(extent.x + 2 * margin, column), height = label_height - gap;
     list.PushClipRect({left, top}, {left + width, top + height});
     list.AddRectFilled({left, top}, {left + width, top + height}, theme::rgb(0x14181c, 215), 12);
-    list.AddText(interface_.bold, font.FontSize, {left + margin, top + 0.5f * (height - extent.y)}, theme::text, interface_.say(placards[i].words).c_str());
+    list.AddText(interface_.bold, font.FontSize, {left + margin, top + 0.5f * (height - extent.y)}, theme::text,
+                 interface_.say(placards[i].words).c_str());
     list.PopClipRect();
     const PlacardShape shape = shape_of(placards[i], head, width / height);
     labels_.push_back({shape.pose, shape.size, left, top, width, height});
@@ -96,16 +105,20 @@ void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
   // Far ones first: a near label hides a far one.
   pieces_ = labels_;
   const auto distance = [&](const SheetPiece& piece) { return glm::length(piece.pose.position - input.head.position); };
-  std::sort(pieces_.begin(), pieces_.end(), [&](const SheetPiece& a, const SheetPiece& b) { return distance(a) > distance(b); });
+  std::sort(pieces_.begin(), pieces_.end(),
+            [&](const SheetPiece& a, const SheetPiece& b) { return distance(a) > distance(b); });
   if (visit.panel) pieces_.push_back({visit.panel->pose, visit.panel->size, 0, 0, panel_width, panel_height});
   beams_.clear();
   for (std::size_t i = 0; i < 2; ++i) {
     if (!visit.on_panel[i]) continue;
     const Pose& aim = input.hands[i].aim;
-    beams_.push_back({aim.position, aim.position + visit.on_panel[i]->distance * aim.ahead(), 0.003, {1.0f, 0.79f, 0.30f, 0.8f}});
+    beams_.push_back(
+        {aim.position, aim.position + visit.on_panel[i]->distance * aim.ahead(), 0.003, {1.0f, 0.79f, 0.30f, 0.8f}});
   }
 }
 
-void HeadsetSheet::draw(const EyeView& eye, const Target& target) const { placard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_); }
+void HeadsetSheet::draw(const EyeView& eye, const Target& target) const {
+  placard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_);
+}
 
 }  // namespace odontoscope

@@ -1,6 +1,6 @@
 #pragma once
-// The sheet that everything written in the headset's room is drawn on, once for both eyes: the panel at its upper left, labels below. A hand's ray is
-// its mouse.
+// The sheet that everything written in the headset's room is drawn on, once for both eyes: the panel at its upper left,
+// labels below. A hand's ray is its mouse.
 
 #include <vector>
 
@@ -18,7 +18,8 @@ class HeadsetSheet {
   HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page = HeadsetPage::tooth);
 
   /// Takes what the hands do on the panel into `visit`, and draws the sheet if something on it may have changed.
-  void update(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const HeadsetPanelWords& words, double seconds);
+  void update(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const HeadsetPanelWords& words,
+              double seconds);
   /// The panel, the labels and the rays that meet the panel, over what an eye sees.
   void draw(const EyeView& eye, const Target& target) const;
 
@@ -38,12 +39,12 @@ class HeadsetSheet {
   PlacardPass placard_pass_;
   Framebuffer sheet_;
   HeadsetPage page_;
-  bool down_ = false;                       // the mouse's button, as it was fed
-  double waited_ = 1e9;                     // seconds since the sheet was drawn
-  std::vector<std::string> written_;        // on it: the labels
+  bool down_ = false;                 // the mouse's button, as it was fed
+  double waited_ = 1e9;               // seconds since the sheet was drawn
+  std::vector<std::string> written_;  // on it: the labels
   std::vector<SheetPiece> pieces_, labels_;
   std::vector<Beam> beams_;
-  double light_ = 1;                        // less during a fade
+  double light_ = 1;  // less during a fade
 };
 
 }  // namespace odontoscope

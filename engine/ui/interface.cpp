@@ -15,33 +15,50 @@ namespace odontoscope {
 namespace {
 
 /// ImGui counts keys by numbers of ours.
-constexpr std::pair<ImGuiKey_, Key> known_keys[] = {
-    {ImGuiKey_LeftArrow, Key::left}, {ImGuiKey_RightArrow, Key::right}, {ImGuiKey_UpArrow, Key::up},
-    {ImGuiKey_DownArrow, Key::down}, {ImGuiKey_Home, Key::home},     {ImGuiKey_End, Key::end},          {ImGuiKey_PageUp, Key::page_up},
-    {ImGuiKey_PageDown, Key::page_down}, {ImGuiKey_Enter, Key::enter}, {ImGuiKey_Escape, Key::escape},  {ImGuiKey_Backspace, Key::backspace},
-    {ImGuiKey_Delete, Key::remove}, {ImGuiKey_Space, Key::space},    {ImGuiKey_A, Key::a},              {ImGuiKey_C, Key::c},
-    {ImGuiKey_V, Key::v},           {ImGuiKey_X, Key::x},            {ImGuiKey_Y, Key::y},              {ImGuiKey_Z, Key::z}};
+constexpr std::pair<ImGuiKey_, Key> known_keys[] = {{ImGuiKey_LeftArrow, Key::left},
+                                                    {ImGuiKey_RightArrow, Key::right},
+                                                    {ImGuiKey_UpArrow, Key::up},
+                                                    {ImGuiKey_DownArrow, Key::down},
+                                                    {ImGuiKey_Home, Key::home},
+                                                    {ImGuiKey_End, Key::end},
+                                                    {ImGuiKey_PageUp, Key::page_up},
+                                                    {ImGuiKey_PageDown, Key::page_down},
+                                                    {ImGuiKey_Enter, Key::enter},
+                                                    {ImGuiKey_Escape, Key::escape},
+                                                    {ImGuiKey_Backspace, Key::backspace},
+                                                    {ImGuiKey_Delete, Key::remove},
+                                                    {ImGuiKey_Space, Key::space},
+                                                    {ImGuiKey_A, Key::a},
+                                                    {ImGuiKey_C, Key::c},
+                                                    {ImGuiKey_V, Key::v},
+                                                    {ImGuiKey_X, Key::x},
+                                                    {ImGuiKey_Y, Key::y},
+                                                    {ImGuiKey_Z, Key::z}};
 
 /// Latin with accents, Greek mu and friends, dashes and quotes, arrows.
-constexpr ImWchar characters[] = {0x20, 0xff, 0x100, 0x17f, 0x3bc, 0x3bc, 0x2010, 0x2026, 0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
+constexpr ImWchar characters[] = {0x20,   0xff,   0x100,  0x17f,  0x3bc,  0x3bc,  0x2010, 0x2026,
+                                  0x2190, 0x2193, 0x2212, 0x2212, 0x2264, 0x2265, 0};
 
 constexpr auto keys_in_all = static_cast<std::size_t>(Key::shift) + 1;
 
 /// Of the panels only while a text is typed: elsewhere they lead through lessons and rides.
-bool moves_in_text(Key key) { return key == Key::home || key == Key::end || key == Key::page_up || key == Key::page_down; }
+bool moves_in_text(Key key) {
+  return key == Key::home || key == Key::end || key == Key::page_up || key == Key::page_down;
+}
 
 }  // namespace
 
-Interface::Interface(Clipboard clipboard) : clipboard_(std::move(clipboard)), keys_down_(keys_in_all), keys_pressed_(keys_in_all) {
+Interface::Interface(Clipboard clipboard)
+    : clipboard_(std::move(clipboard)), keys_down_(keys_in_all), keys_pressed_(keys_in_all) {
   ImGuiContext* before = ImGui::GetCurrentContext();
   context_ = ImGui::CreateContext();
   ImGui::SetCurrentContext(context_);
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;   // what is remembered is ours to say; see settings.h
+  io.IniFilename = nullptr;  // what is remembered is ours to say; see settings.h
   io.LogFilename = nullptr;
   io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
   for (const auto& [theirs, ours] : known_keys) io.KeyMap[theirs] = static_cast<int>(ours);
-  io.UserData = this;   // see widgets.cpp
+  io.UserData = this;  // see widgets.cpp
   io.ClipboardUserData = this;
   io.GetClipboardTextFn = [](void* self) -> const char* {
     Interface& interface = *static_cast<Interface*>(self);
@@ -74,7 +91,7 @@ void Interface::feed(const Event& event) {
   } else if (const auto* button = std::get_if<MouseButtonChanged>(&event)) {
     const auto i = static_cast<std::size_t>(button->button);
     down_[i] = button->down;
-    pressed_[i] = pressed_[i] || button->down;   // a click shorter than a frame is a click all the same
+    pressed_[i] = pressed_[i] || button->down;  // a click shorter than a frame is a click all the same
     hold(button->with);
   } else if (const auto* scroll = std::get_if<Scrolled>(&event)) {
     io.MouseWheel += static_cast<float>(scroll->along);
@@ -82,7 +99,7 @@ void Interface::feed(const Event& event) {
   } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
     hold(key->with);
     Key meant = key->key;
-    if (meant == Key::enter && by_keys_ && !io.WantTextInput) meant = Key::space;   // ImGui's key that presses
+    if (meant == Key::enter && by_keys_ && !io.WantTextInput) meant = Key::space;  // ImGui's key that presses
     if (meant == Key::other || meant == Key::tab || (key->down && moves_in_text(meant) && !io.WantTextInput)) return;
     const auto i = static_cast<std::size_t>(meant);
     keys_down_[i] = key->down;
@@ -107,11 +124,13 @@ void Interface::begin(const FrameInput& input) {
     io.MouseDown[i] = down_[i] || pressed;
   }
   for (std::size_t i = 0; i < keys_in_all; ++i) {
-    io.KeysDown[i] = keys_down_[i] || keys_pressed_[i];   // likewise
+    io.KeysDown[i] = keys_down_[i] || keys_pressed_[i];  // likewise
     keys_pressed_[i] = false;
   }
-  if (by_keys_) io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  else io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (by_keys_)
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  else
+    io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   places.clear();
   cut_off.clear();
   ImGui::NewFrame();
@@ -120,7 +139,7 @@ void Interface::begin(const FrameInput& input) {
 void Interface::speak(Language language) {
   language_ = std::move(language);
   said_.clear();
-  scale_ = 0;   // letters anew
+  scale_ = 0;  // letters anew
 }
 
 std::string Interface::say(const std::string& words) const {
@@ -134,7 +153,9 @@ std::string Interface::say(const std::string& words) const {
 ImDrawData* Interface::end() {
   ImGui::Render();
   // What the keyboard was on is gone, with its card: back to the picture.
-  const auto here = [&](const Place& place) { return place.id == context_->NavId || place.id == context_->ActiveId || place.id == letters_to_; };
+  const auto here = [&](const Place& place) {
+    return place.id == context_->NavId || place.id == context_->ActiveId || place.id == letters_to_;
+  };
   if (by_keys_ && !popup_open() && std::none_of(places.begin(), places.end(), here)) leave_keys();
   return ImGui::GetDrawData();
 }
@@ -157,7 +178,8 @@ void Interface::make_letters(float scale) {
     config.FontDataOwnedByAtlas = false;
     config.OversampleH = 2;
     config.OversampleV = 1;
-    return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()), size * scale, &config, ranges_.data());
+    return atlas.AddFontFromMemoryTTF(const_cast<unsigned char*>(bytes.data()), static_cast<int>(bytes.size()),
+                                      size * scale, &config, ranges_.data());
   };
   regular = add(regular_font(), theme::text_size);
   bold = add(bold_font(), theme::text_size);
@@ -214,7 +236,9 @@ void Interface::leave_keys() {
   context_->NavDisableHighlight = true;
 }
 
-bool Interface::on_control(unsigned id) const { return by_keys_ && context_->NavId == id && !context_->NavDisableHighlight; }
+bool Interface::on_control(unsigned id) const {
+  return by_keys_ && context_->NavId == id && !context_->NavDisableHighlight;
+}
 
 bool Interface::takes_letters(unsigned id) {
   if (letters_to_ != id) return false;
@@ -228,9 +252,12 @@ bool Interface::wants_text() const { return context_->IO.WantTextInput; }
 
 Pointer Interface::pointer() const {
   switch (context_->MouseCursor) {
-    case ImGuiMouseCursor_TextInput: return Pointer::text;
-    case ImGuiMouseCursor_Hand: return Pointer::hand;
-    default: return Pointer::arrow;
+    case ImGuiMouseCursor_TextInput:
+      return Pointer::text;
+    case ImGuiMouseCursor_Hand:
+      return Pointer::hand;
+    default:
+      return Pointer::arrow;
   }
 }
 

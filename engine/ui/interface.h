@@ -53,7 +53,8 @@ class Interface {
 
   /// The keyboard is in the panels: arrows, space, enter and escape are theirs.
   bool by_keys() const { return by_keys_; }
-  /// Puts the keyboard on the next control, or the one before (`by` is negative), or the first; `panel` may be left out, behind a dialog. Between frames.
+  /// Puts the keyboard on the next control, or the one before (`by` is negative), or the first; `panel` may be left
+  /// out, behind a dialog. Between frames.
   void step(int by, bool panel);
   void leave_keys();
   /// Of a control that was made just now: is the keyboard on it?
@@ -63,7 +64,8 @@ class Interface {
   /// A list or palette that came up over a panel.
   bool popup_open() const;
 
-  /// Where the controls of the last frame were, by ImGui's id, in their order: for the keyboard, and for whoever drives the interface by script.
+  /// Where the controls of the last frame were, by ImGui's id, in their order: for the keyboard, and for whoever drives
+  /// the interface by script.
   struct Place {
     unsigned id = 0;
     float left = 0, top = 0, right = 0, bottom = 0;
@@ -84,14 +86,14 @@ class Interface {
 
   Clipboard clipboard_;
   Language language_;
-  mutable std::unordered_map<std::string, std::string> said_;   // what is said in each frame is looked for once
+  mutable std::unordered_map<std::string, std::string> said_;  // what is said in each frame is looked for once
   std::string copied_;
   ImGuiContext* context_ = nullptr;
   float scale_ = 0;
   int font_version_ = 0;
   bool down_[3] = {}, pressed_[3] = {};
-  std::vector<bool> keys_down_, keys_pressed_;   // by Key
-  std::vector<unsigned short> ranges_;           // of letters, as ImGui wants them; they outlive the atlas
+  std::vector<bool> keys_down_, keys_pressed_;  // by Key
+  std::vector<unsigned short> ranges_;          // of letters, as ImGui wants them; they outlive the atlas
   bool by_keys_ = false;
   unsigned letters_to_ = 0;
 };

@@ -50,10 +50,12 @@ void InterfacePass::upload(const SlicePicture& picture) {
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, static_cast<GLsizei>(picture.width), static_cast<GLsizei>(picture.height), 0, GL_RED, GL_UNSIGNED_BYTE, picture.grey.data());
+  gl_->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, static_cast<GLsizei>(picture.width), static_cast<GLsizei>(picture.height), 0,
+                  GL_RED, GL_UNSIGNED_BYTE, picture.grey.data());
 }
 
-void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, const Target& target, const SlicePicture* picture) {
+void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, const Target& target,
+                         const SlicePicture* picture) {
   gl_->ActiveTexture(GL_TEXTURE0);
   upload_letters(interface);
   if (picture && !picture->grey.empty()) upload(*picture);
@@ -86,7 +88,8 @@ void InterfacePass::draw(const Interface& interface, const ImDrawData& drawn, co
       gl_->BindTexture(GL_TEXTURE_2D, grey ? picture_.id() : letters_.id());
       constexpr GLenum index_type = sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT;
       gl_->DrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), index_type,
-                                  reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)), static_cast<GLint>(command.VtxOffset));
+                                  reinterpret_cast<const void*>(command.IdxOffset * sizeof(ImDrawIdx)),
+                                  static_cast<GLint>(command.VtxOffset));
     }
   }
   gl_->Disable(GL_SCISSOR_TEST);

@@ -15,7 +15,8 @@ class InterfacePass {
  public:
   InterfacePass(const Gl& gl, const ShaderLibrary& shaders);
   /// Over what `target` shows. `picture`: what grey_picture() stands for in it.
-  void draw(const Interface& interface, const ImDrawData& drawn, const Target& target, const SlicePicture* picture = nullptr);
+  void draw(const Interface& interface, const ImDrawData& drawn, const Target& target,
+            const SlicePicture* picture = nullptr);
 
  private:
   void upload_letters(const Interface& interface);

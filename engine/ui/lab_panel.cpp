@@ -24,7 +24,8 @@ using widgets::scaled;
 constexpr double culling_height = 40;
 
 /// One line of the comparison: its name, DT's count, DB's.
-void count_row(const Interface& interface, const char* words, std::size_t dt, std::optional<std::size_t> db, bool faults) {
+void count_row(const Interface& interface, const char* words, std::size_t dt, std::optional<std::size_t> db,
+               bool faults) {
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
   widgets::text(words);
   const auto number = [&](const std::string& count, float right, ImU32 colour) {
@@ -65,9 +66,11 @@ void counts(const ViewerState& state, const Interface& interface) {
 
 void db_options(LabState& lab, const Interface& interface) {
   double grid = static_cast<double>(lab.wanted.grid);
-  if (widgets::slider("Grid points across", grid, lab_limits::least_grid, 192, "%.0f")) lab.wanted.grid = 4 * static_cast<std::size_t>(std::lround(grid / 4));
+  if (widgets::slider("Grid points across", grid, lab_limits::least_grid, 192, "%.0f"))
+    lab.wanted.grid = 4 * static_cast<std::size_t>(std::lround(grid / 4));
   int cases = static_cast<int>(lab.wanted.cases);
-  if (widgets::choice("cases", cases, {"Classic", "Unoriented", "Consistent"})) lab.wanted.cases = static_cast<CaseTable>(cases);
+  if (widgets::choice("cases", cases, {"Classic", "Unoriented", "Consistent"}))
+    lab.wanted.cases = static_cast<CaseTable>(cases);
   constexpr const char* tables[] = {"Table of 1987: neighbours disagree about some faces, which tears cracks.",
                                     "The same, complements not turned over: triangles that face the wrong way.",
                                     "Three more base cases: neighbours always agree."};
@@ -77,7 +80,8 @@ void db_options(LabState& lab, const Interface& interface) {
     lab.wanted.field = field == 0 ? FieldKind::hybrid : field == 1 ? FieldKind::signed_distance : FieldKind::sign;
   widgets::text("Triangles kept");
   int decimation = static_cast<int>(lab.wanted.decimation);
-  if (widgets::choice("decimation", decimation, {"All", "1/2", "1/10", "Fewest"})) lab.wanted.decimation = static_cast<LabDecimation>(decimation);
+  if (widgets::choice("decimation", decimation, {"All", "1/2", "1/10", "Fewest"}))
+    lab.wanted.decimation = static_cast<LabDecimation>(decimation);
 }
 
 void progress_line(const LabState& lab, const Interface& interface) {
@@ -86,9 +90,11 @@ void progress_line(const LabState& lab, const Interface& interface) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (lab.working) {
     list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, height / 2);
-    list.AddRectFilled(corner, {corner.x + width * static_cast<float>(std::clamp(lab.fraction, 0.03, 1.0)), corner.y + height}, theme::accent, height / 2);
+    list.AddRectFilled(corner,
+                       {corner.x + width * static_cast<float>(std::clamp(lab.fraction, 0.03, 1.0)), corner.y + height},
+                       theme::accent, height / 2);
   }
-  ImGui::Dummy({width, height});   // its room is kept, so that nothing jumps
+  ImGui::Dummy({width, height});  // its room is kept, so that nothing jumps
   if (lab.trouble.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
   widgets::wrapped(lab.trouble);
@@ -97,7 +103,8 @@ void progress_line(const LabState& lab, const Interface& interface) {
 }
 
 /// A line of words on a dark ground; returns its height.
-float pill(const Interface& interface, ImFont* font, double left, double top, float scale, ImU32 colour, const std::string& english, double most_width) {
+float pill(const Interface& interface, ImFont* font, double left, double top, float scale, ImU32 colour,
+           const std::string& english, double most_width) {
   const std::string words = interface.say(english);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float wrap = static_cast<float>(most_width) - 20 * scale;
@@ -120,31 +127,37 @@ std::string faults_in_words(std::size_t cracks, std::size_t misoriented, std::si
   return words;
 }
 
-void draw_names(const ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport, float scale) {
+void draw_names(const ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface,
+                const Area& viewport, float scale) {
   const LabState& lab = state.lab;
   for (const ViewPane& pane : panes) {
     const Area& area = pane.shown();
     constexpr double compass = 150;
-    const double left = area.left + 14 * scale, width = area.width - (28 + (&pane == &panes.back() ? compass : 0)) * scale;
+    const double left = area.left + 14 * scale,
+                 width = area.width - (28 + (&pane == &panes.back() ? compass : 0)) * scale;
     if (width < 60 * scale) continue;
     double top = area.top + 14 * scale;
     std::string facts;
     bool faulty = false;
     if (pane.db) {
       const LabResult& made = *lab.made;
-      facts = fmt::format("grid {}, {}: {}", made.options.grid, name(made.options.cases), faults_in_words(made.cracks(), made.misoriented(), made.nonmanifold()));
+      facts = fmt::format("grid {}, {}: {}", made.options.grid, name(made.options.cases),
+                          faults_in_words(made.cracks(), made.misoriented(), made.nonmanifold()));
       faulty = made.cracks() + made.misoriented() + made.nonmanifold() > 0;
     } else {
       const FaultyEdges edges = faulty_edges_of(*state.shown);
       facts = faults_in_words(edges.cracks, edges.misoriented, edges.nonmanifold);
       faulty = edges.cracks + edges.misoriented + edges.nonmanifold > 0;
     }
-    top += pill(interface, interface.large, left, top, scale, theme::text, pane.db ? "DB  distance field" : "DT  Delaunay", width) + 4 * scale;
+    top += pill(interface, interface.large, left, top, scale, theme::text,
+                pane.db ? "DB  distance field" : "DT  Delaunay", width) +
+           4 * scale;
     pill(interface, interface.small, left, top, scale, faulty ? theme::bad : theme::good, facts, width);
   }
   if (!lab.made && lab.trouble.empty()) {
     const double width = 260 * scale;
-    pill(interface, interface.bold, viewport.left + (viewport.width - width) / 2, viewport.top + viewport.height / 2, scale, theme::mark, "Making the DB surface\xE2\x80\xA6", width + 40 * scale);
+    pill(interface, interface.bold, viewport.left + (viewport.width - width) / 2, viewport.top + viewport.height / 2,
+         scale, theme::mark, "Making the DB surface\xE2\x80\xA6", width + 40 * scale);
   }
 }
 
@@ -152,7 +165,8 @@ void draw_split_line(const std::vector<ViewPane>& panes, float scale) {
   for (const ViewPane& pane : panes) {
     if (!pane.seen || !pane.db) continue;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 top = vec(pane.seen->left, pane.seen->top), bottom = vec(pane.seen->left, pane.seen->top + pane.seen->height);
+    const ImVec2 top = vec(pane.seen->left, pane.seen->top),
+                 bottom = vec(pane.seen->left, pane.seen->top + pane.seen->height);
     list.AddLine(top, bottom, theme::mark_outline, 4 * scale);
     list.AddLine(top, bottom, theme::mark, 1.6f * scale);
     const ImVec2 knob(top.x, 0.5f * (top.y + bottom.y));
@@ -181,7 +195,8 @@ void draw_artefact_ring(const ViewerState& state, const std::vector<ViewPane>& p
 }
 
 /// Back, next, close, side by side.
-void three_buttons(ViewerState& state, const char* back, Action on_back, const char* next, Action on_next, Action on_close) {
+void three_buttons(ViewerState& state, const char* back, Action on_back, const char* next, Action on_next,
+                   Action on_close) {
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
   if (widgets::button(back, {width, 0})) state.todo.push_back(on_back);
   ImGui::SameLine();
@@ -198,8 +213,10 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
     widgets::text(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title));
     ImGui::PopFont();
     widgets::wrapped(step.words);
-    if (lab.artefact && lab.made && *lab.artefact < lab.made->artefacts.size()) widgets::remark(interface, in_words(lab.made->artefacts[*lab.artefact], lab.made->options.cases));
-    three_buttons(state, "Back (Page up)", Action::previous_step, "Next (Page down)", Action::next_step, Action::toggle_lesson);
+    if (lab.artefact && lab.made && *lab.artefact < lab.made->artefacts.size())
+      widgets::remark(interface, in_words(lab.made->artefacts[*lab.artefact], lab.made->options.cases));
+    three_buttons(state, "Back (Page up)", Action::previous_step, "Next (Page down)", Action::next_step,
+                  Action::toggle_lesson);
   }
   ImGui::End();
 }
@@ -209,11 +226,15 @@ void artefact_card(ViewerState& state, const Interface& interface, const Area& v
   const LabArtefact& artefact = made.artefacts[*state.lab.artefact];
   if (begin_card("artefact", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
-    const char* kind = artefact.kind == DefectKind::crack ? "Crack" : artefact.kind == DefectKind::misoriented ? "Misoriented triangles" : "Non-manifold edge";
-    widgets::text(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1), grouped(made.artefacts.size())));
+    const char* kind = artefact.kind == DefectKind::crack         ? "Crack"
+                       : artefact.kind == DefectKind::misoriented ? "Misoriented triangles"
+                                                                  : "Non-manifold edge";
+    widgets::text(fmt::format("{} in {}   {} of {}", kind, artefact.structure, grouped(*state.lab.artefact + 1),
+                              grouped(made.artefacts.size())));
     ImGui::PopFont();
     widgets::wrapped(in_words(artefact, made.options.cases));
-    three_buttons(state, "Before (V)", Action::previous_artefact, "Next artefact (N)", Action::next_artefact, Action::escape);
+    three_buttons(state, "Before (V)", Action::previous_artefact, "Next artefact (N)", Action::next_artefact,
+                  Action::escape);
   }
   ImGui::End();
 }
@@ -227,7 +248,8 @@ void draw_culling(const ViewerState& state, const Interface& interface, const Ar
   ImFont* font = interface.bold;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.c_str());
   const double room = viewport.width - 40 * scale, width = std::min<double>(size.x + 20 * scale, room);
-  const double top = viewport.top + viewport.height - culling_height * scale - (width < size.x + 20 * scale ? size.y : 0);
+  const double top =
+      viewport.top + viewport.height - culling_height * scale - (width < size.x + 20 * scale ? size.y : 0);
   pill(interface, font, viewport.left + (viewport.width - width) / 2, top, scale, theme::mark, words, room);
 }
 
@@ -239,9 +261,12 @@ FaultyEdges faulty_edges_of(const LoadedModel& shown) {
   FaultyEdges edges;
   for (const LineSet& set : shown.overlays.faulty_edges) {
     const std::size_t count = set.points.size() / 2;
-    if (set.kind == LineKind::boundary_edge) edges.cracks += count;
-    else if (set.kind == LineKind::misoriented_edge) edges.misoriented += count;
-    else if (set.kind == LineKind::non_manifold_edge) edges.nonmanifold += count;
+    if (set.kind == LineKind::boundary_edge)
+      edges.cracks += count;
+    else if (set.kind == LineKind::misoriented_edge)
+      edges.misoriented += count;
+    else if (set.kind == LineKind::non_manifold_edge)
+      edges.nonmanifold += count;
   }
   return edges;
 }
@@ -261,22 +286,27 @@ void lab_section(ViewerState& state, const Interface& interface) {
   }
   counts(state, interface);
   int faces = static_cast<int>(state.scene.back_faces);
-  if (widgets::choice("lab faces", faces, {"Cull (B)", "Two-sided", "Tint"})) state.scene.back_faces = static_cast<BackFaces>(faces);
+  if (widgets::choice("lab faces", faces, {"Cull (B)", "Two-sided", "Tint"}))
+    state.scene.back_faces = static_cast<BackFaces>(faces);
   widgets::toggle("Draw the faulty edges (E)", state.scene.overlays.edges);
   if (widgets::wide_button("Next artefact (N)", true)) state.todo.push_back(Action::next_artefact);
   progress_line(lab, interface);
   db_options(lab, interface);
-  if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors")) state.todo.push_back(Action::toggle_lesson);
+  if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors"))
+    state.todo.push_back(Action::toggle_lesson);
   if (widgets::wide_button("Leave DB mode (D)")) state.todo.push_back(Action::toggle_lab);
 }
 
-void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport, float scale) {
+void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport,
+              float scale) {
   draw_split_line(panes, scale);
   draw_names(state, panes, interface, viewport, scale);
   draw_artefact_ring(state, panes, scale);
   draw_culling(state, interface, viewport, scale);
-  if (state.lab.lesson) lesson_card(state, interface, viewport, scale);
-  else if (state.lab.artefact && state.lab.made) artefact_card(state, interface, viewport, scale);
+  if (state.lab.lesson)
+    lesson_card(state, interface, viewport, scale);
+  else if (state.lab.artefact && state.lab.made)
+    artefact_card(state, interface, viewport, scale);
 }
 
 }  // namespace odontoscope

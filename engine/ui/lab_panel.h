@@ -1,5 +1,6 @@
 #pragma once
-// DB mode's controls in the panel, and what it draws over the picture: which method is where, the line of a split view, the artefact and the lesson.
+// DB mode's controls in the panel, and what it draws over the picture: which method is where, the line of a split view,
+// the artefact and the lesson.
 
 #include <vector>
 
@@ -8,11 +9,13 @@
 
 namespace odontoscope {
 
-/// A button while the mode is off; the comparison's numbers and controls while it is on; nothing where no contours are known.
+/// A button while the mode is off; the comparison's numbers and controls while it is on; nothing where no contours are
+/// known.
 void lab_section(ViewerState& state, const Interface& interface);
 
 /// Over the picture. Precondition: the mode is on.
-void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport, float scale);
+void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport,
+              float scale);
 
 /// DB needs two slices of contours: a mesh from elsewhere has none.
 bool lab_possible(const ViewerState& state);

@@ -1,5 +1,6 @@
 #pragma once
-// DB mode as plain values: what is shown of the two methods, what is wanted of DB, and what was made. Part of ViewerState.
+// DB mode as plain values: what is shown of the two methods, what is wanted of DB, and what was made. Part of
+// ViewerState.
 
 #include <memory>
 #include <optional>
@@ -15,18 +16,18 @@ namespace odontoscope {
 struct LabState {
   bool on = false;
   LabLayout layout = LabLayout::side_by_side;
-  bool db_in_place = true;             // which of the two LabLayout::in_place shows
-  double split = 0.5;                  // where the line is, over the view's width
-  LabOptions wanted;                   // changed freely; runs follow
-  std::shared_ptr<const LabResult> made;   // shown until the next is ready; null before the first
-  std::string trouble;                 // why `wanted` could not be made; empty if it could
+  bool db_in_place = true;                // which of the two LabLayout::in_place shows
+  double split = 0.5;                     // where the line is, over the view's width
+  LabOptions wanted;                      // changed freely; runs follow
+  std::shared_ptr<const LabResult> made;  // shown until the next is ready; null before the first
+  std::string trouble;                    // why `wanted` could not be made; empty if it could
 
   bool working = false;
-  std::string stage;                   // of the run that works
+  std::string stage;  // of the run that works
   double fraction = 0;
 
-  std::optional<std::size_t> artefact; // of `made` that the camera was led to
-  std::optional<Lesson> lesson;        // being given
+  std::optional<std::size_t> artefact;  // of `made` that the camera was led to
+  std::optional<Lesson> lesson;         // being given
   std::size_t step = 0;
   /// What leaving the mode brings back.
   std::vector<Look> looks_before;

@@ -22,11 +22,15 @@ void large(const Interface& interface, const std::string& words) {
   ImGui::PopFont();
 }
 
-float button_width(int count) { return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) / static_cast<float>(count); }
+float button_width(int count) {
+  return (ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
+         static_cast<float>(count);
+}
 
 /// A button in a colour of its own.
 bool coloured_button(const char* words, float width, ImU32 colour) {
-  for (const ImGuiCol part : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive}) ImGui::PushStyleColor(part, colour);
+  for (const ImGuiCol part : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
+    ImGui::PushStyleColor(part, colour);
   const bool pressed = widgets::button(words, {width, 0});
   ImGui::PopStyleColor(3);
   return pressed;
@@ -40,13 +44,17 @@ void choices(ViewerState& state, LessonMode& lesson, const TourQuestion& questio
     if (columns == 2 && i % 2 == 1) ImGui::SameLine();
     const std::string words = fmt::format("{}   {}", i + 1, question.choices[i]);
     const bool right = is_right(question, i), given = row.answered && row.given == question.choices[i];
-    const ImU32 colour = told && right ? theme::good_back : told && given ? theme::bad_back : given ? theme::accent_dark : theme::raised;
+    const ImU32 colour = told && right   ? theme::good_back
+                         : told && given ? theme::bad_back
+                         : given         ? theme::accent_dark
+                                         : theme::raised;
     if (coloured_button(words.c_str(), width, colour) && !row.answered) lesson.answer(state.notes, i);
   }
 }
 
 /// Letters go here without a click, see LessonMode::handle: drawn, not ImGui's.
-void number_field(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question, const QuizRow& row) {
+void number_field(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question,
+                  const QuizRow& row) {
   if (row.answered) return;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight(), width = scaled(150);
@@ -55,7 +63,8 @@ void number_field(ViewerState& state, LessonMode& lesson, const Interface& inter
   list.AddRect(corner, {corner.x + width, corner.y + height}, theme::accent, scaled(6));
   const std::string& typed = lesson.typed();
   const ImVec2 at(corner.x + scaled(10), corner.y + 0.5f * (height - ImGui::GetFontSize()));
-  list.AddText(at, typed.empty() ? theme::quiet : theme::text, typed.empty() ? interface.say("type a number").c_str() : typed.c_str());
+  list.AddText(at, typed.empty() ? theme::quiet : theme::text,
+               typed.empty() ? interface.say("type a number").c_str() : typed.c_str());
   const float end = at.x + (typed.empty() ? -scaled(3) : ImGui::CalcTextSize(typed.c_str()).x + scaled(2));
   list.AddLine({end, at.y}, {end, at.y + ImGui::GetFontSize()}, theme::text, scaled(1.4f));
   ImGui::Dummy({width, height});
@@ -71,13 +80,17 @@ void number_field(ViewerState& state, LessonMode& lesson, const Interface& inter
   if (!typed.empty() && !number_from(typed)) widgets::remark(interface, "That is no number yet.");
 }
 
-void question_part(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question, const QuizRow& row) {
+void question_part(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question,
+                   const QuizRow& row) {
   ImGui::PushFont(interface.bold);
   widgets::as_written(question.ask);
   ImGui::PopFont();
   if (question.kind == TourQuestion::Kind::choice) choices(state, lesson, question, row);
   if (question.kind == TourQuestion::Kind::number) number_field(state, lesson, interface, question, row);
-  if (question.kind == TourQuestion::Kind::click && !row.answered) widgets::remark(interface, "Drag or the arrow keys turn the tooth. Click the place; or bring it under the cross and press Enter.");
+  if (question.kind == TourQuestion::Kind::click && !row.answered)
+    widgets::remark(
+        interface,
+        "Drag or the arrow keys turn the tooth. Click the place; or bring it under the cross and press Enter.");
   if (!row.answered) return;
   const std::string words = lesson.feedback(state.notes);
   if (lesson.quiz()->at_end) {
@@ -103,7 +116,9 @@ void note_part(ViewerState& state, LessonMode& lesson, const Interface& interfac
   const bool result_next = last && lesson.quiz();
   ImGui::BeginDisabled(last && !lesson.quiz());
   const bool lead_on = row && row->answered;
-  if (coloured_button(result_next ? "Result (Page down)" : "Next (Page down)", width, lead_on ? theme::accent_dark : theme::raised)) state.todo.push_back(Action::next_step);
+  if (coloured_button(result_next ? "Result (Page down)" : "Next (Page down)", width,
+                      lead_on ? theme::accent_dark : theme::raised))
+    state.todo.push_back(Action::next_step);
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
@@ -115,9 +130,12 @@ void result_rows(const NotesState& notes, const Quiz& quiz, const Interface& int
     const QuizRow& row = quiz.rows[i];
     const TourQuestion& question = *notes.tour.notes[row.note].question;
     std::string words = fmt::format("{}   {}   ", i + 1, row.question);
-    if (row.right) words += row.given;
-    else if (row.answered) words += fmt::format("You said {}; it is {}.", row.given, right_answer(question));
-    else words += fmt::format("Not answered; it is {}.", right_answer(question));
+    if (row.right)
+      words += row.given;
+    else if (row.answered)
+      words += fmt::format("You said {}; it is {}.", row.given, right_answer(question));
+    else
+      words += fmt::format("Not answered; it is {}.", right_answer(question));
     widgets::marked(interface, row.right ? Certificate::Mark::good : Certificate::Mark::bad, words);
     if (quiz.at_end && !question.explain.empty()) {
       ImGui::Indent(scaled(20));
@@ -131,7 +149,8 @@ void result_part(ViewerState& state, LessonMode& lesson, const Interface& interf
   const Quiz& quiz = *lesson.quiz();
   large(interface, interface.say(fmt::format("{} of {} right", quiz.score(), quiz.rows.size())));
   constexpr std::size_t most_rows = 8;
-  const float height = scaled(22) * static_cast<float>(std::min((quiz.at_end ? 2 : 1) * quiz.rows.size(), most_rows)) + scaled(8);
+  const float height =
+      scaled(22) * static_cast<float>(std::min((quiz.at_end ? 2 : 1) * quiz.rows.size(), most_rows)) + scaled(8);
   ImGui::BeginChild("rows", {0, height});
   result_rows(state.notes, quiz, interface);
   ImGui::EndChild();
@@ -151,12 +170,15 @@ class Dock {
   Dock(const char* id, const Area& whole, float scale, double& height) : height_(height) {
     constexpr float most_line = 860, most_share = 0.62f;
     const float wide = static_cast<float>(whole.width), inset = std::max(18 * scale, 0.5f * (wide - most_line * scale));
-    ImGui::SetNextWindowPos({static_cast<float>(whole.left), static_cast<float>(whole.top + whole.height)}, ImGuiCond_Always, {0, 1});
+    ImGui::SetNextWindowPos({static_cast<float>(whole.left), static_cast<float>(whole.top + whole.height)},
+                            ImGuiCond_Always, {0, 1});
     ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, most_share * static_cast<float>(whole.height)});
     ImGui::SetNextWindowSize({wide, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {inset, 12 * scale});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-    ImGui::Begin(id, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     ImGui::PopStyleVar(2);
     const ImVec2 corner = ImGui::GetWindowPos();
     ImGui::GetWindowDrawList()->AddLine(corner, {corner.x + wide, corner.y}, theme::line, scale);
@@ -174,11 +196,13 @@ class Dock {
 
 }  // namespace
 
-void draw_lesson_dock(ViewerState& state, LessonMode& lesson, const Interface& interface, const Area& whole, float scale) {
+void draw_lesson_dock(ViewerState& state, LessonMode& lesson, const Interface& interface, const Area& whole,
+                      float scale) {
   NotesState& notes = state.notes;
   const bool note = notes.shown && *notes.shown < notes.tour.notes.size();
   if (notes.draft) {
-    const Dock dock(notes.placing == NotesState::Placing::none ? "note draft" : "placing", whole, scale, lesson.dock_height);
+    const Dock dock(notes.placing == NotesState::Placing::none ? "note draft" : "placing", whole, scale,
+                    lesson.dock_height);
     note_editor(state, interface);
   } else if (note && lesson.result() && lesson.quiz()) {
     const Dock dock("quiz result", whole, scale, lesson.dock_height);
@@ -198,13 +222,15 @@ void draw_lesson_menu(ViewerState& state, LessonMode& lesson, const Interface& i
   std::size_t number = 0;
   const auto entry = [&](const std::string& words, const std::string& remark) {
     ImGui::PushID(static_cast<int>(number));
-    if (widgets::wide_button(fmt::format("{}   {}", number + 1, words).c_str(), number == lesson.menu_at())) lesson.choose(number, state);
+    if (widgets::wide_button(fmt::format("{}   {}", number + 1, words).c_str(), number == lesson.menu_at()))
+      lesson.choose(number, state);
     ImGui::PopID();
     if (!remark.empty()) widgets::remark(interface, remark);
     ++number;
   };
   for (const BuiltInLesson& built_in : lesson.lessons())
-    entry(built_in.title, built_in.questions > 0 ? fmt::format("A quiz of {} questions", built_in.questions) : fmt::format("{} steps", built_in.notes));
+    entry(built_in.title, built_in.questions > 0 ? fmt::format("A quiz of {} questions", built_in.questions)
+                                                 : fmt::format("{} steps", built_in.notes));
   entry("Why culling shows errors", "The sample molar made in two ways, for those who make models");
   entry("Open a lesson's file\xE2\x80\xA6", "NAME.tour.json, from a teacher; dropping it on the window does the same");
   if (widgets::wide_button("Close (Esc)")) lesson.close_menu();

@@ -23,7 +23,9 @@ bool is_of(const Quiz& quiz, const TourNotes& tour) {
   const Quiz fresh = quiz_of(tour);
   return quiz.title == fresh.title && quiz.at_end == fresh.at_end &&
          std::equal(quiz.rows.begin(), quiz.rows.end(), fresh.rows.begin(), fresh.rows.end(),
-                    [](const QuizRow& a, const QuizRow& b) { return a.note == b.note && a.kind == b.kind && a.question == b.question; });
+                    [](const QuizRow& a, const QuizRow& b) {
+                      return a.note == b.note && a.kind == b.kind && a.question == b.question;
+                    });
 }
 
 bool belongs_to_number(char32_t character, const std::string& typed) {
@@ -45,16 +47,21 @@ void LessonMode::toggle_menu() {
 void LessonMode::choose(std::size_t number, ViewerState& state) {
   const std::size_t built_in = lesson_tours().size();
   menu_ = false;
-  if (number < built_in) state.to_load = LoadRequest{.file = {}, .volume = {}, .lesson = number};
-  else if (number == built_in) state.todo.push_back(Action::toggle_lesson);
-  else if (number == built_in + 1) state.todo.push_back(Action::open_file);
+  if (number < built_in)
+    state.to_load = LoadRequest{.file = {}, .volume = {}, .lesson = number};
+  else if (number == built_in)
+    state.todo.push_back(Action::toggle_lesson);
+  else if (number == built_in + 1)
+    state.todo.push_back(Action::open_file);
 }
 
 void LessonMode::enter(const NotesState& notes) {
   typed_.clear();
   result_ = false;
-  if (!notes.tour.is_quiz()) quiz_.reset();
-  else if (!quiz_ || !is_of(*quiz_, notes.tour)) quiz_ = quiz_of(notes.tour);
+  if (!notes.tour.is_quiz())
+    quiz_.reset();
+  else if (!quiz_ || !is_of(*quiz_, notes.tour))
+    quiz_ = quiz_of(notes.tour);
 }
 
 void LessonMode::leave() {
@@ -105,7 +112,8 @@ void LessonMode::answer(const NotesState& notes, std::size_t choice) {
 void LessonMode::answer_typed(const NotesState& notes) {
   const TourQuestion* question = asked(notes);
   if (!question || question->kind != TourQuestion::Kind::number) return;
-  if (const auto number = number_from(typed_)) finish(*row_asked(notes), number_in_words(*number, question->unit), is_right(*question, *number));
+  if (const auto number = number_from(typed_))
+    finish(*row_asked(notes), number_in_words(*number, question->unit), is_right(*question, *number));
 }
 
 std::string LessonMode::feedback(const NotesState& notes) const {
@@ -146,11 +154,16 @@ bool LessonMode::handle(const Event& event, ViewerState& state) {
   const bool enter = key && key->down && key->key == Key::enter;
   if (menu_) {
     const std::size_t count = lesson_choices();
-    if (key && key->down && key->key == Key::down) menu_at_ = (menu_at_ + 1) % count;
-    else if (key && key->down && key->key == Key::up) menu_at_ = (menu_at_ + count - 1) % count;
-    else if (enter) choose(menu_at_, state);
-    else if (text && text->character >= U'1' && text->character < U'1' + count) choose(text->character - U'1', state);
-    else return text && text->character != U'?' && text->character != U'g' && text->character != U'G';
+    if (key && key->down && key->key == Key::down)
+      menu_at_ = (menu_at_ + 1) % count;
+    else if (key && key->down && key->key == Key::up)
+      menu_at_ = (menu_at_ + count - 1) % count;
+    else if (enter)
+      choose(menu_at_, state);
+    else if (text && text->character >= U'1' && text->character < U'1' + count)
+      choose(text->character - U'1', state);
+    else
+      return text && text->character != U'?' && text->character != U'g' && text->character != U'G';
     return true;
   }
   if (notes.draft || !notes.shown) return false;
@@ -173,7 +186,8 @@ bool LessonMode::handle(const Event& event, ViewerState& state) {
       if (!text || text->character < U'1' || text->character >= U'1' + question->choices.size()) return false;
       answer(notes, static_cast<std::size_t>(text->character - U'1'));
       return true;
-    case TourQuestion::Kind::number: break;
+    case TourQuestion::Kind::number:
+      break;
   }
   if (text && belongs_to_number(text->character, typed_)) {
     if (typed_.size() < most_typed) typed_ += static_cast<char>(text->character);

@@ -1,9 +1,10 @@
 #pragma once
-// A lesson in the viewer: the menu to choose one from, the questions of a quiz with what was answered, and the dock below the picture
-// that they are read from. What the notes are and which is shown stands in NotesState; going to one is the viewer's work.
+// A lesson in the viewer: the menu to choose one from, the questions of a quiz with what was answered, and the dock
+// below the picture that they are read from. What the notes are and which is shown stands in NotesState; going to one
+// is the viewer's work.
 //
-// Without a mouse: in the menu arrows and Enter, or a digit; a choice by its digit; a number by typing it, then Enter; something to click by
-// turning the tooth under the cross, then Enter. After an answer Enter leads on.
+// Without a mouse: in the menu arrows and Enter, or a digit; a choice by its digit; a number by typing it, then Enter;
+// something to click by turning the tooth under the cross, then Enter. After an answer Enter leads on.
 
 #include <optional>
 #include <string>
@@ -31,7 +32,8 @@ class LessonMode {
   bool handle(const Event& event, ViewerState& state);
   /// Past the last note lies the result. true: it was shown, or put away.
   bool step(int by, const NotesState& notes);
-  /// Counts the time for the question that waits. `seconds` are the frame's, which a window at rest cuts short: by the clock it may have been longer.
+  /// Counts the time for the question that waits. `seconds` are the frame's, which a window at rest cuts short: by the
+  /// clock it may have been longer.
   void advance(const NotesState& notes, double seconds);
 
   /// The question on the screen that waits for an answer; null: none.
@@ -70,7 +72,7 @@ class LessonMode {
   std::vector<BuiltInLesson> lessons_;
   std::optional<Quiz> quiz_;
   std::string typed_;
-  std::optional<double> clock_before_;   // s, of the frame before, while a question waits
+  std::optional<double> clock_before_;  // s, of the frame before, while a question waits
 };
 
 /// Entries of the menu: built-in lessons, "Why culling shows errors", "Open a lesson's file".

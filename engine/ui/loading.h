@@ -37,37 +37,37 @@ struct VolumeChoice {
 struct LoadedModel;
 
 struct LoadRequest {
-  std::string file = {};         // empty: the sample molar
+  std::string file = {};  // empty: the sample molar
   std::optional<VolumeChoice> volume = {};
-  std::string series = {};       // of several in DICOM: its number, from 1 on
+  std::string series = {};  // of several in DICOM: its number, from 1 on
   bool from_command_line = false;
-  std::optional<std::size_t> lesson = {};   // of built_in_lessons(): instead of a file
+  std::optional<std::size_t> lesson = {};  // of built_in_lessons(): instead of a file
   /// For the loader, on its thread: something true to look at until the model is there. Empty: nobody looks.
   std::function<void(LoadedModel)> show_meanwhile = {};
 };
 
 /// What is known of a volume's grey values besides the grid of them.
 struct GreyValues {
-  double air = 0, dentine = 1;          // as recon/radiograph/grey_anchors.h finds them
-  double dentine_attenuation = 0.25;    // of X-rays, 1/mm
-  std::vector<double> isos;             // at which the model's surfaces were taken
-  double low = 0, high = 1;             // of the bars
-  std::vector<float> bars;              // a histogram's, 0 to 1
+  double air = 0, dentine = 1;        // as recon/radiograph/grey_anchors.h finds them
+  double dentine_attenuation = 0.25;  // of X-rays, 1/mm
+  std::vector<double> isos;           // at which the model's surfaces were taken
+  double low = 0, high = 1;           // of the bars
+  std::vector<float> bars;            // a histogram's, 0 to 1
 };
 
 /// All that the viewer knows of what it shows.
 struct LoadedModel {
   std::string title;
-  std::string tooth = {};                     // "lower left first molar: FDI 36, Universal 19"; empty: not known
+  std::string tooth = {};  // "lower left first molar: FDI 36, Universal 19"; empty: not known
   Model model;
   OverlaySource overlays;
-  std::shared_ptr<const ValueGrid> values;    // of the volume that the model came from; null: there is none
-  std::optional<GreyValues> greys = {};       // with `values`
-  std::vector<IsoOf> isos = {};               // of them, at which surfaces of `model` were taken
-  std::optional<DeviationSummary> deviations = {};   // of these surfaces from them; none: nobody asked yet
-  std::shared_ptr<const Pickable> pickable;   // never null
-  std::shared_ptr<const FlightSpaces> flight; // null: one cannot fly in it
-  Scene scene;                   // a good first look
+  std::shared_ptr<const ValueGrid> values;          // of the volume that the model came from; null: there is none
+  std::optional<GreyValues> greys = {};             // with `values`
+  std::vector<IsoOf> isos = {};                     // of them, at which surfaces of `model` were taken
+  std::optional<DeviationSummary> deviations = {};  // of these surfaces from them; none: nobody asked yet
+  std::shared_ptr<const Pickable> pickable;         // never null
+  std::shared_ptr<const FlightSpaces> flight;       // null: one cannot fly in it
+  Scene scene;                                      // a good first look
   Certificate certificate;
   std::size_t triangles = 0;
   /// What the person said about `scene` and the viewer therefore leaves as it is; the rest follows window and settings.
@@ -111,7 +111,9 @@ class Job {
   }
   void cancel() { thread_.request_stop(); }
   bool cancelling() const { return thread_.get_stop_token().stop_requested(); }
-  bool finished() const { return result_.valid() && result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+  bool finished() const {
+    return result_.valid() && result_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  }
   /// Precondition: finished, and not taken before. Throws what the work threw.
   Result take() { return result_.get(); }
 
@@ -119,12 +121,13 @@ class Job {
   mutable std::mutex mutex_;
   Stage stage_;
   std::future<Result> result_;
-  std::jthread thread_;   // last: it uses the others
+  std::jthread thread_;  // last: it uses the others
 };
 
 class LoadJob : public Job<LoadedModel> {
  public:
-  LoadJob(Loader loader, const LoadRequest& request, bool with_draft = false) : LoadJob(std::move(loader), request, with_draft, std::make_shared<Slot>()) {}
+  LoadJob(Loader loader, const LoadRequest& request, bool with_draft = false)
+      : LoadJob(std::move(loader), request, with_draft, std::make_shared<Slot>()) {}
   const LoadRequest& request() const { return request_; }
   /// What the loader gave to be shown meanwhile, once; null: nothing yet, or no more.
   std::shared_ptr<const LoadedModel> take_draft();

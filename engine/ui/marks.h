@@ -21,9 +21,11 @@ double handle_tolerance(const Area& area, float scale);
 /// Which of the compass's six names is at this pixel.
 std::optional<Action> compass_hit(const ViewPane& pane, float scale, double x, double y);
 /// With the side that one looks from in words; in flight, with where one looks to.
-void draw_compass(const ViewPane& pane, const Interface& interface, float scale, std::optional<Action> hovered, bool in_flight);
+void draw_compass(const ViewPane& pane, const Interface& interface, float scale, std::optional<Action> hovered,
+                  bool in_flight);
 
-/// A length of 1, 2 or 5 times a power of ten, in mm or the unit that suits. Length in pixels is at the depth of the camera's target.
+/// A length of 1, 2 or 5 times a power of ten, in mm or the unit that suits. Length in pixels is at the depth of the
+/// camera's target.
 struct ScaleBar {
   double pixels = 0;
   std::string words;

@@ -1,5 +1,6 @@
 #pragma once
-// Names beside the tooth seen from outside, each with a line to a place on its structure. A click tells what the structure is.
+// Names beside the tooth seen from outside, each with a line to a place on its structure. A click tells what the
+// structure is.
 
 #include <glm/vec2.hpp>
 #include <optional>
@@ -17,17 +18,20 @@ std::vector<NamedPlaces> named_places(const Model& model, const Scene& usual);
 
 /// A name as it is drawn: words in a box, and a line to its place.
 struct DrawnName {
-  std::size_t which = 0;   // of ViewerState::names
-  glm::dvec2 place{0};     // pixels
+  std::size_t which = 0;  // of ViewerState::names
+  glm::dvec2 place{0};    // pixels
   Area box;
 };
 /// Of what is visible and lies in the picture; with a section, at the cut. What something opaque hides has no name.
-std::vector<DrawnName> drawn_names(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale);
+std::vector<DrawnName> drawn_names(const ViewerState& state, const ViewPane& pane, const Interface& interface,
+                                   float scale);
 void draw_names(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale);
 /// Whose name is at this pixel.
-std::optional<std::size_t> name_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale, double x, double y);
+std::optional<std::size_t> name_hit(const ViewerState& state, const ViewPane& pane, const Interface& interface,
+                                    float scale, double x, double y);
 
-/// What a structure is, in two sentences, by its name; empty: not known. Terms after Terminologia Anatomica (FIPAT, second edition, 2019), with dentine for dentin.
+/// What a structure is, in two sentences, by its name; empty: not known. Terms after Terminologia Anatomica (FIPAT,
+/// second edition, 2019), with dentine for dentin.
 std::string_view told_of(std::string_view structure);
 
 }  // namespace odontoscope

@@ -20,7 +20,8 @@ using widgets::scaled;
 bool line_field(const char* id, std::string& text, std::size_t most, float width = -1, const char* hint = "") {
   ImGui::SetNextItemWidth(width);
   widgets::text_field(id);
-  const bool entered = ImGui::InputTextWithHint(id, widgets::say(hint).c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint(id, widgets::say(hint).c_str(), &text, ImGuiInputTextFlags_EnterReturnsTrue);
   widgets::noted(id);
   if (text.size() > most) text.resize(most);
   return entered;
@@ -40,7 +41,8 @@ void pins(NotesState& notes) {
   TourNote& draft = *notes.draft;
   for (std::size_t i = 0; i < draft.marks.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    line_field("##label", draft.marks[i].label, most_title_bytes, ImGui::GetContentRegionAvail().x - scaled(76), "no label: a bare pin");
+    line_field("##label", draft.marks[i].label, most_title_bytes, ImGui::GetContentRegionAvail().x - scaled(76),
+               "no label: a bare pin");
     ImGui::SameLine();
     const bool gone = widgets::button("Remove");
     ImGui::PopID();
@@ -53,7 +55,9 @@ void pins(NotesState& notes) {
 }
 
 void click_fields(NotesState& notes, TourQuestion& question) {
-  const std::string said = question.structure.empty() ? "nothing yet" : question.part.empty() ? question.structure : question.structure + ", " + question.part;
+  const std::string said = question.structure.empty() ? "nothing yet"
+                           : question.part.empty()    ? question.structure
+                                                      : question.structure + ", " + question.part;
   widgets::wrapped("Right is: " + said);
   if (widgets::wide_button("Show what is right")) notes.placing = NotesState::Placing::answer;
 }
@@ -68,7 +72,8 @@ void choice_fields(TourQuestion& question) {
     line_field("##choice", question.choices[i], most_title_bytes, -1, "a choice");
     ImGui::PopID();
   }
-  if (question.choices.size() < most_choices && widgets::wide_button("One choice more")) question.choices.emplace_back();
+  if (question.choices.size() < most_choices && widgets::wide_button("One choice more"))
+    question.choices.emplace_back();
 }
 
 void question_fields(NotesState& notes) {
@@ -78,7 +83,9 @@ void question_fields(NotesState& notes) {
     if (kind == 0) {
       draft.question.reset();
     } else {
-      TourQuestion fresh{.kind = static_cast<TourQuestion::Kind>(kind - 1), .ask = draft.question ? draft.question->ask : "", .explain = draft.question ? draft.question->explain : ""};
+      TourQuestion fresh{.kind = static_cast<TourQuestion::Kind>(kind - 1),
+                         .ask = draft.question ? draft.question->ask : "",
+                         .explain = draft.question ? draft.question->explain : ""};
       draft.question = std::move(fresh);
     }
   }
@@ -102,7 +109,8 @@ void ride_toggle(ViewerState& state) {
   TourNote& draft = *state.notes.draft;
   const FlyState& fly = state.fly;
   std::string name = draft.tour;
-  if (fly.on && fly.cavity && fly.place) name = rideable(state.shown->flight->cavities[*fly.cavity].lines)[fly.place->line]->name;
+  if (fly.on && fly.cavity && fly.place)
+    name = rideable(state.shown->flight->cavities[*fly.cavity].lines)[fly.place->line]->name;
   if (name.empty() || !draft.inside) return;
   bool rides = draft.tour == name;
   if (widgets::toggle(fmt::format("Ride down the {}", name).c_str(), rides)) draft.tour = rides ? name : "";
@@ -156,8 +164,10 @@ void note_editor(ViewerState& state, const Interface& interface) {
   widgets::text("Question");
   question_fields(notes);
   ImGui::Columns(1);
-  if ((keep || entered) && fault.empty()) keep_draft(notes);
-  else if (cancel) drop_draft(notes);
+  if ((keep || entered) && fault.empty())
+    keep_draft(notes);
+  else if (cancel)
+    drop_draft(notes);
 }
 
 }  // namespace odontoscope

@@ -1,5 +1,6 @@
 #pragma once
-// A note being written or changed: title, text, pins and a question. Drawn into the window that is open (see lesson_cards.h).
+// A note being written or changed: title, text, pins and a question. Drawn into the window that is open (see
+// lesson_cards.h).
 
 #include "engine/ui/interface.h"
 #include "engine/ui/viewer_state.h"

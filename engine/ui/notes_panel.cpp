@@ -35,20 +35,25 @@ void notes_section(ViewerState& state, const Interface& interface) {
   NotesState& notes = state.notes;
   if (!widgets::section(interface, "Notes", !notes.tour.notes.empty())) return;
   if (!notes.tour.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
-  const std::optional<std::size_t> shown = notes.shown;   // what is pressed here counts in the next frame
+  const std::optional<std::size_t> shown = notes.shown;  // what is pressed here counts in the next frame
   const std::size_t count = notes.tour.notes.size();
   for (std::size_t i = 0; i < count && i < notes.tour.notes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     const TourNote& note = notes.tour.notes[i];
-    const std::string words = fmt::format("{}   {}{}", i + 1, note.title.empty() ? "(no title)" : note.title, note.question ? "   ?" : "");
+    const std::string words =
+        fmt::format("{}   {}{}", i + 1, note.title.empty() ? "(no title)" : note.title, note.question ? "   ?" : "");
     if (widgets::wide_button(words.c_str(), shown == i)) notes.go_to = i;
     if (shown == i && !notes.draft) note_buttons(notes, i);
     ImGui::PopID();
   }
-  if (!notes.removed.empty() && widgets::wide_button(fmt::format("Bring back \"{}\"", notes.removed.back().second.title).c_str())) bring_back_note(notes);
+  if (!notes.removed.empty() &&
+      widgets::wide_button(fmt::format("Bring back \"{}\"", notes.removed.back().second.title).c_str()))
+    bring_back_note(notes);
   if (widgets::wide_button(state.fly.on ? "Note this view (N)" : "Note this view")) notes.write = true;
   if (notes.tour.notes.empty()) {
-    widgets::remark(interface, "Make a lesson: views with a title and a text, pins and questions, for others to be led along. Click a note in the list to change it.");
+    widgets::remark(interface,
+                    "Make a lesson: views with a title and a text, pins and questions, for others to be led along. "
+                    "Click a note in the list to change it.");
     return;
   }
   widgets::text("Title of the lesson");
@@ -57,7 +62,8 @@ void notes_section(ViewerState& state, const Interface& interface) {
   if (ImGui::InputText("##lesson", &notes.tour.title)) notes.unsaved = true;
   widgets::noted("##lesson");
   if (notes.tour.title.size() > most_title_bytes) notes.tour.title.resize(most_title_bytes);
-  if (notes.tour.is_quiz() && widgets::toggle("Right or wrong at the end", notes.tour.feedback_at_end)) notes.unsaved = true;
+  if (notes.tour.is_quiz() && widgets::toggle("Right or wrong at the end", notes.tour.feedback_at_end))
+    notes.unsaved = true;
   if (widgets::wide_button(notes.unsaved ? "Save the notes" : "Save the notes again")) notes.save = true;
 }
 

@@ -60,7 +60,9 @@ void heading(ViewerState& state, const Interface& interface) {
   const Certificate::Verdict verdict = state.shown->certificate.verdict;
   if (look_of(verdict).mark != Certificate::Mark::good) return;
   ImGui::PushFont(interface.small);
-  widgets::marked(interface, Certificate::Mark::good, verdict == Certificate::Verdict::certified ? "Certified: the report is below" : "Sound: the report is below");
+  widgets::marked(
+      interface, Certificate::Mark::good,
+      verdict == Certificate::Verdict::certified ? "Certified: the report is below" : "Sound: the report is below");
   ImGui::PopFont();
 }
 
@@ -113,7 +115,8 @@ void headline(const Certificate& certificate, const VerdictLook& look, const Int
   const float width = ImGui::GetContentRegionAvail().x, inset = scaled(12);
   const float wrap = width - 2 * inset - scaled(20);
   ImGui::PushFont(interface.bold);
-  const float height = ImGui::CalcTextSize(interface.say(certificate.headline).c_str(), nullptr, false, wrap).y + 2 * scaled(9);
+  const float height =
+      ImGui::CalcTextSize(interface.say(certificate.headline).c_str(), nullptr, false, wrap).y + 2 * scaled(9);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, look.ground, scaled(6));
   list.AddRectFilled(corner, {corner.x + scaled(4), corner.y + height}, look.edge, scaled(6),
@@ -145,7 +148,8 @@ void report_section(ViewerState& state, const Interface& interface) {
   headline(certificate, look, interface);
   if (!widgets::section(interface, "Report", look.mark != Certificate::Mark::good)) return;
   const std::size_t structures = state.shown->scene.looks.size();
-  widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures, structures == 1 ? "" : "s"));
+  widgets::remark(interface, fmt::format("{} triangles in {} surface{}", grouped(state.shown->triangles), structures,
+                                         structures == 1 ? "" : "s"));
   ImGui::PushFont(interface.small);
   std::size_t number = 0;
   for (const Certificate::Finding& finding : certificate.findings) {
@@ -162,16 +166,19 @@ void structures_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Structures")) return;
   for (Look& look : state.scene.looks)
     if (structure_row(look) && !state.lab.on) remember(state.settings, look);
-  if (!state.lab.on && !looks_are_usual(state) && widgets::wide_button("Usual colours and opacities")) reset_looks(state);
+  if (!state.lab.on && !looks_are_usual(state) && widgets::wide_button("Usual colours and opacities"))
+    reset_looks(state);
 }
 
 void faces_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Faces")) return;
   int mode = static_cast<int>(state.scene.back_faces);
-  if (widgets::choice("back faces", mode, {"Cull", "Two-sided", "Tint"})) state.scene.back_faces = static_cast<BackFaces>(mode);
-  constexpr const char* explained[] = {"Faces seen from behind are left out, as games and web pages do: a wrongly turned triangle is a hole.",
-                                       "Faces seen from behind are drawn like any other.",
-                                       "Faces seen from behind are magenta. On a sound model there are none to see from outside."};
+  if (widgets::choice("back faces", mode, {"Cull", "Two-sided", "Tint"}))
+    state.scene.back_faces = static_cast<BackFaces>(mode);
+  constexpr const char* explained[] = {
+      "Faces seen from behind are left out, as games and web pages do: a wrongly turned triangle is a hole.",
+      "Faces seen from behind are drawn like any other.",
+      "Faces seen from behind are magenta. On a sound model there are none to see from outside."};
   widgets::remark(interface, explained[mode]);
   double strength = state.scene.occlusion.on ? state.scene.occlusion.strength : 0;
   if (widgets::slider("Shadow in fissures", strength, 0, 2, "%.1f")) {
@@ -189,35 +196,41 @@ void overlays_section(ViewerState& state, const Interface& interface) {
   widgets::toggle("Contours of the slices", overlays.contours);
   ImGui::EndDisabled();
   widgets::toggle("Faulty edges", overlays.edges);
-  if (overlays.edges && source.faulty_edges.empty()) widgets::remark(interface, "There are none: every edge has two triangles that agree.");
+  if (overlays.edges && source.faulty_edges.empty())
+    widgets::remark(interface, "There are none: every edge has two triangles that agree.");
   ImGui::BeginDisabled(source.slabs() == 0);
   bool slab = overlays.slab.has_value();
   if (widgets::toggle("Tetrahedra of one slab", slab)) {
     overlays.slab = slab ? std::optional(source.slabs() / 2) : std::nullopt;
-    constexpr float clear_enough = 0.12f;   // what surrounds the tetrahedra must let them be seen
+    constexpr float clear_enough = 0.12f;  // what surrounds the tetrahedra must let them be seen
     if (slab)
       for (Look& look : state.scene.looks) look.opacity = std::min(look.opacity, clear_enough);
   }
   ImGui::EndDisabled();
   if (overlays.slab && source.slabs() > 0) {
     double number = static_cast<double>(*overlays.slab), shrink = 100.0 * overlays.shrink;
-    if (widgets::slider("Slab", number, 0, static_cast<double>(source.slabs() - 1), "%.0f")) overlays.slab = static_cast<std::size_t>(std::lround(number));
+    if (widgets::slider("Slab", number, 0, static_cast<double>(source.slabs() - 1), "%.0f"))
+      overlays.slab = static_cast<std::size_t>(std::lround(number));
     if (widgets::slider("Size of each", shrink, 20, 100, "%.0f %%")) overlays.shrink = static_cast<float>(shrink / 100);
   }
-  if (source.slabs() == 0) widgets::remark(interface, "A mesh file has neither contours nor tetrahedra: open the contour stack for those.");
+  if (source.slabs() == 0)
+    widgets::remark(interface, "A mesh file has neither contours nor tetrahedra: open the contour stack for those.");
 }
 
 void measure_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Measure")) return;
   int tool = state.tool == Tool::distance ? 0 : state.tool == Tool::thickness ? 1 : -1;
-  if (widgets::choice("tool", tool, {"Distance", "Wall thickness"})) state.todo.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
+  if (widgets::choice("tool", tool, {"Distance", "Wall thickness"}))
+    state.todo.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
   const Measured& measured = state.measured;
   if (measured.ends.size() == 2) {
     widgets::text(fmt::format("{:.3f} mm", distance_between_mm(measured.ends[0], measured.ends[1])));
-    widgets::remark(interface, fmt::format("from {} to {}, straight", measured.ends[0].structure, measured.ends[1].structure));
+    widgets::remark(interface,
+                    fmt::format("from {} to {}, straight", measured.ends[0].structure, measured.ends[1].structure));
   } else if (measured.wall) {
     widgets::text(fmt::format("{:.3f} mm", measured.wall->along_normal_mm));
-    widgets::remark(interface, fmt::format("{}, straight through. The largest ball that fits in is {:.3f} mm across.", measured.wall_at->structure, measured.wall->largest_ball_mm));
+    widgets::remark(interface, fmt::format("{}, straight through. The largest ball that fits in is {:.3f} mm across.",
+                                           measured.wall_at->structure, measured.wall->largest_ball_mm));
   }
   if (state.tool != Tool::look && widgets::wide_button("Done")) state.todo.push_back(Action::escape);
 }
@@ -225,16 +238,19 @@ void measure_section(ViewerState& state, const Interface& interface) {
 /// Only what came from a volume has values to show.
 void cap_choice(CapLook& cap, const ValueGrid& values) {
   int shows = cap.shows == CapLook::Shows::ct ? 1 : 0;
-  if (widgets::choice("cap", shows, {"Material", "CT values"})) cap.shows = shows == 1 ? CapLook::Shows::ct : CapLook::Shows::material;
+  if (widgets::choice("cap", shows, {"Material", "CT values"}))
+    cap.shows = shows == 1 ? CapLook::Shows::ct : CapLook::Shows::material;
   if (cap.shows != CapLook::Shows::ct) return;
   const ValueWindow range = values.range;
   ValueWindow window = cap.window.value_or(values.usual);
-  const double least = 0.001 * (range.high - range.low);   // that black and white stay apart
+  const double least = 0.001 * (range.high - range.low);  // that black and white stay apart
   const bool black = widgets::slider("Black", window.low, range.low, range.high, "%.5g");
   const bool white = widgets::slider("White", window.high, range.low, range.high, "%.5g");
   if (!black && !white) return;
-  if (black) window.high = std::max(window.high, window.low + least);
-  else window.low = std::min(window.low, window.high - least);
+  if (black)
+    window.high = std::max(window.high, window.low + least);
+  else
+    window.low = std::min(window.low, window.high - least);
   if (window.sensible()) cap.window = window;
 }
 
@@ -246,13 +262,16 @@ void section_section(ViewerState& state, const Interface& interface) {
   Section& section = *state.scene.section;
   const Model& model = state.shown->model;
   const AnatomicalFrame tooth;
-  const std::pair<const char*, glm::dvec3> sides[] = {{"Buccal", tooth.buccal}, {"Mesial", tooth.mesial}, {"Occlusal", tooth.occlusal}};
+  const std::pair<const char*, glm::dvec3> sides[] = {
+      {"Buccal", tooth.buccal}, {"Mesial", tooth.mesial}, {"Occlusal", tooth.occlusal}};
   int chosen = -1;
   for (int i = 0; i < 3; ++i)
     if (std::abs(glm::dot(glm::normalize(section.normal), sides[i].second)) > 0.99999) chosen = i;
-  if (widgets::choice("side", chosen, {"Buccal", "Mesial", "Occlusal"})) section = with_offset({section.point_mm, sides[chosen].second}, 0, model);
+  if (widgets::choice("side", chosen, {"Buccal", "Mesial", "Occlusal"}))
+    section = with_offset({section.point_mm, sides[chosen].second}, 0, model);
   double offset = offset_of(section, model);
-  if (widgets::slider("Position", offset, -model.radius_mm, model.radius_mm, "%+.2f mm")) section = with_offset(section, offset, model);
+  if (widgets::slider("Position", offset, -model.radius_mm, model.radius_mm, "%+.2f mm"))
+    section = with_offset(section, offset, model);
   SectionAngles angles = angles_of(section);
   const bool turned = widgets::slider("Turn", angles.round_deg, -180, 180, "%.0f\xC2\xB0");
   if (widgets::slider("Tilt", angles.up_deg, -90, 90, "%.0f\xC2\xB0") || turned) {
@@ -272,13 +291,15 @@ void language_choice(ViewerState& state, const Interface& interface) {
     if (language.tag == interface.language().tag) chosen = static_cast<int>(names.size());
     names.push_back(language.name.c_str());
   }
-  if (widgets::choice("language", chosen, names)) state.settings.language = state.languages[static_cast<std::size_t>(chosen)].tag;
+  if (widgets::choice("language", chosen, names))
+    state.settings.language = state.languages[static_cast<std::size_t>(chosen)].tag;
 }
 
 void camera_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "View")) return;
   int projection = static_cast<int>(state.scene.camera.projection);
-  if (widgets::choice("projection", projection, {"Perspective", "Parallel"})) state.todo.push_back(Action::toggle_projection);
+  if (widgets::choice("projection", projection, {"Perspective", "Parallel"}))
+    state.todo.push_back(Action::toggle_projection);
   widgets::toggle("Names (H)", state.settings.names);
   two_buttons(state, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
   int backdrop = static_cast<int>(state.settings.backdrop);
@@ -327,7 +348,9 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
   ImGui::SetNextWindowPos({static_cast<float>(area.left), static_cast<float>(area.top)});
   ImGui::SetNextWindowSize({static_cast<float>(area.width), static_cast<float>(area.height)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
-  ImGui::Begin("panel", nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::Begin("panel", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleVar();
   heading(state, interface);
   if (state.shown && state.fly.on) {

@@ -1,5 +1,6 @@
 #pragma once
-// The panel at the left, section by section. They change the state's plain values at once and ask for everything else as actions.
+// The panel at the left, section by section. They change the state's plain values at once and ask for everything else
+// as actions.
 
 #include "engine/ui/interface.h"
 #include "engine/ui/viewer_state.h"

@@ -40,8 +40,10 @@ class Reader {
   void read(const char* key, bool& value) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
-    if (found->is_boolean()) value = found->get<bool>();
-    else complain(key, "is neither true nor false");
+    if (found->is_boolean())
+      value = found->get<bool>();
+    else
+      complain(key, "is neither true nor false");
   }
   template <class Value>
   void read(const char* key, Value& value, std::initializer_list<std::pair<const char*, Value>> words) const {
@@ -57,16 +59,20 @@ class Reader {
     constexpr std::size_t longest = 35;
     const auto found = object_.find(key);
     if (found == object_.end()) return;
-    if (found->is_string() && found->get<std::string>().size() <= longest) tag = found->get<std::string>();
-    else complain(key, "is no language");
+    if (found->is_string() && found->get<std::string>().size() <= longest)
+      tag = found->get<std::string>();
+    else
+      complain(key, "is no language");
   }
   void read(const char* key, std::vector<std::string>& files) const {
     const auto found = object_.find(key);
     if (found == object_.end()) return;
     if (!found->is_array()) return void(complain(key, "is no list"));
     for (const Json& file : *found) {
-      if (files.size() == most_recent_files) return void(complain(key, fmt::format("has more than {} files", most_recent_files)));
-      if (!file.is_string() || file.get<std::string>().empty() || file.get<std::string>().size() > most_path_bytes) return void(complain(key, "has a file that is none"));
+      if (files.size() == most_recent_files)
+        return void(complain(key, fmt::format("has more than {} files", most_recent_files)));
+      if (!file.is_string() || file.get<std::string>().empty() || file.get<std::string>().size() > most_path_bytes)
+        return void(complain(key, "has a file that is none"));
       files.push_back(file.get<std::string>());
     }
   }
@@ -75,17 +81,21 @@ class Reader {
     if (found == object_.end()) return;
     if (!found->is_object()) return void(complain(key, "is no object"));
     for (const auto& [structure, json] : found->items()) {
-      if (looks.size() == most_remembered_looks) return void(complain(key, fmt::format("has more than {} structures", most_remembered_looks)));
-      if (structure.empty() || structure.size() > most_structure_bytes || !json.is_object()) return void(complain(key, "has a structure that is none"));
+      if (looks.size() == most_remembered_looks)
+        return void(complain(key, fmt::format("has more than {} structures", most_remembered_looks)));
+      if (structure.empty() || structure.size() > most_structure_bytes || !json.is_object())
+        return void(complain(key, "has a structure that is none"));
       RememberedLook look{structure, {}, 1};
       const auto colour = json.find("colour");
       try {
-        if (colour == json.end() || !colour->is_string()) return void(complain(key, "has a structure without a colour"));
+        if (colour == json.end() || !colour->is_string())
+          return void(complain(key, "has a structure without a colour"));
         look.colour = colour_from_hex(colour->template get<std::string>());
       } catch (const UsageError&) {
         return void(complain(key, "has a colour that is none"));
       }
-      if (!json.contains("opacity") || !Reader(json, complaint_).number("opacity", look.opacity)) return void(complain(key, "has an opacity that is none"));
+      if (!json.contains("opacity") || !Reader(json, complaint_).number("opacity", look.opacity))
+        return void(complain(key, "has an opacity that is none"));
       looks.push_back(std::move(look));
     }
   }
@@ -186,9 +196,12 @@ void remember_file(Settings& settings, const std::string& file) {
 
 Background background_of(Backdrop backdrop) {
   switch (backdrop) {
-    case Backdrop::light: return {};
-    case Backdrop::white: return {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
-    case Backdrop::dark: break;
+    case Backdrop::light:
+      return {};
+    case Backdrop::white:
+      return {Background::Kind::plain, {1, 1, 1}, {1, 1, 1}};
+    case Backdrop::dark:
+      break;
   }
   return {Background::Kind::gradient, colour_of(0x3d4854), colour_of(0x14181c)};
 }
@@ -215,28 +228,29 @@ void apply_remembered(const Settings& settings, Scene& scene) {
 std::string to_json(const Settings& wanted) {
   const Settings settings = within_limits(wanted);
   Json json{{"format", format_name},
-                  {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
-                  {"panel", settings.panel},
-                    {"names", settings.names},
-                  {"hints", settings.hints},
-                  {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
-                  {"back_faces", word_for(settings.back_faces, back_faces_words)},
-                  {"projection", word_for(settings.projection, projection_words)},
-                  {"backdrop", word_for(settings.backdrop, backdrop_words)},
-                  {"picture",
-                   {{"width", settings.picture.width},
-                    {"height", settings.picture.height},
-                    {"as_seen", settings.picture.as_seen},
-                    {"samples_a_side", settings.picture.side},
-                    {"transparent", settings.picture.transparent}}},
-                  {"flight",
-                   {{"field_of_view_deg", settings.comfort.field_of_view_deg},
-                    {"speed_limit", settings.comfort.speed_limit},
-                    {"vignette", settings.comfort.vignette},
-                    {"reduced_motion", settings.comfort.reduced_motion},
-                    {"wall_depth", settings.comfort.wall_depth}}}};
+            {"window", {{"width", settings.window.width}, {"height", settings.window.height}}},
+            {"panel", settings.panel},
+            {"names", settings.names},
+            {"hints", settings.hints},
+            {"text_scale", std::stod(fmt::format("{}", settings.text_scale))},
+            {"back_faces", word_for(settings.back_faces, back_faces_words)},
+            {"projection", word_for(settings.projection, projection_words)},
+            {"backdrop", word_for(settings.backdrop, backdrop_words)},
+            {"picture",
+             {{"width", settings.picture.width},
+              {"height", settings.picture.height},
+              {"as_seen", settings.picture.as_seen},
+              {"samples_a_side", settings.picture.side},
+              {"transparent", settings.picture.transparent}}},
+            {"flight",
+             {{"field_of_view_deg", settings.comfort.field_of_view_deg},
+              {"speed_limit", settings.comfort.speed_limit},
+              {"vignette", settings.comfort.vignette},
+              {"reduced_motion", settings.comfort.reduced_motion},
+              {"wall_depth", settings.comfort.wall_depth}}}};
   Json looks = Json::object();
-  for (const RememberedLook& look : settings.looks) looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
+  for (const RememberedLook& look : settings.looks)
+    looks[look.structure] = {{"colour", hex(look.colour)}, {"opacity", std::stod(fmt::format("{}", look.opacity))}};
   json["looks"] = looks;
   json["recent"] = settings.recent;
   if (!settings.language.empty()) json["language"] = settings.language;
@@ -248,7 +262,8 @@ ReadSettings settings_from_json(const std::string& text) {
   ReadSettings read;
   if (text.size() > most_bytes) return {{}, "it is larger than settings can be"};
   const Json json = parsed(text);
-  if (!json.is_object() || !json.contains("format") || json["format"] != format_name) return {{}, "it is no settings file of this viewer"};
+  if (!json.is_object() || !json.contains("format") || json["format"] != format_name)
+    return {{}, "it is no settings file of this viewer"};
   const Reader reader(json, read.complaint);
   Settings& settings = read.settings;
   const Reader window = reader.inside("window");
@@ -283,7 +298,7 @@ std::filesystem::path settings_file() {
   const auto folder = [](const char* variable) {
     const char* value = std::getenv(variable);
     const std::filesystem::path path = value ? value : "";
-    return path.is_absolute() ? path : std::filesystem::path();   // the XDG rule: a relative one counts as not set
+    return path.is_absolute() ? path : std::filesystem::path();  // the XDG rule: a relative one counts as not set
   };
   if (const auto config = folder("XDG_CONFIG_HOME"); !config.empty()) return config / "odontoscope" / "viewer.json";
   if (const auto home = folder("HOME"); !home.empty()) return home / ".config" / "odontoscope" / "viewer.json";
@@ -293,7 +308,8 @@ std::filesystem::path settings_file() {
 ReadSettings read_settings(const std::filesystem::path& file) {
   std::error_code error;
   if (file.empty() || !std::filesystem::exists(file, error)) return {};
-  if (!std::filesystem::is_regular_file(file, error)) return {{}, fmt::format("The settings are left aside: {} is no ordinary file.", file.string())};
+  if (!std::filesystem::is_regular_file(file, error))
+    return {{}, fmt::format("The settings are left aside: {} is no ordinary file.", file.string())};
   std::string text;
   try {
     text = read_file(file.string(), most_bytes);
@@ -301,7 +317,8 @@ ReadSettings read_settings(const std::filesystem::path& file) {
     return {{}, fmt::format("The settings are left aside: {}", wrong.what())};
   }
   ReadSettings read = settings_from_json(text);
-  if (!read.complaint.empty()) read.complaint = fmt::format("{}: {}. What makes no sense is left at its default.", file.string(), read.complaint);
+  if (!read.complaint.empty())
+    read.complaint = fmt::format("{}: {}. What makes no sense is left at its default.", file.string(), read.complaint);
   return read;
 }
 
@@ -309,7 +326,9 @@ void write_settings(const Settings& settings, const std::filesystem::path& file)
   if (file.empty()) return;
   std::error_code error;
   std::filesystem::create_directories(file.parent_path(), error);
-  if (error) throw FileError(file.parent_path().string(), fmt::format("the folder cannot be made ({})", error.message()), "The settings are not remembered.");
+  if (error)
+    throw FileError(file.parent_path().string(), fmt::format("the folder cannot be made ({})", error.message()),
+                    "The settings are not remembered.");
   remove_leftovers(file.parent_path());
   AtomicFile written(file);
   written.write(to_json(settings));

@@ -1,8 +1,8 @@
 #pragma once
 // What the viewer remembers from one run to the next.
 //
-// A small JSON file, $XDG_CONFIG_HOME/odontoscope/viewer.json (~/.config where that is not set). Deleting it brings back the
-// defaults; whatever it holds, the viewer starts: what makes no sense is left at its default and said once.
+// A small JSON file, $XDG_CONFIG_HOME/odontoscope/viewer.json (~/.config where that is not set). Deleting it brings
+// back the defaults; whatever it holds, the viewer starts: what makes no sense is left at its default and said once.
 
 #include <filesystem>
 #include <string>
@@ -17,8 +17,8 @@ enum class Backdrop { dark, light, white };
 
 struct PictureSettings {
   int width = 2400, height = 1800;
-  bool as_seen = true;        // the height follows the shape of the view
-  int side = 3;               // samples a pixel along one axis
+  bool as_seen = true;  // the height follows the shape of the view
+  int side = 3;         // samples a pixel along one axis
   bool transparent = false;
   friend bool operator==(const PictureSettings&, const PictureSettings&) = default;
 };
@@ -55,8 +55,8 @@ struct Settings {
   Backdrop backdrop = Backdrop::dark;
   PictureSettings picture = {};
   Comfort comfort = {};
-  std::vector<RememberedLook> looks = {};   // the latest last; the oldest are forgotten
-  std::vector<std::string> recent = {};     // files that were opened, the latest first
+  std::vector<RememberedLook> looks = {};  // the latest last; the oldest are forgotten
+  std::vector<std::string> recent = {};    // files that were opened, the latest first
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 
@@ -74,10 +74,11 @@ void apply_remembered(const Settings& settings, Scene& scene);
 
 struct ReadSettings {
   Settings settings;
-  std::string complaint;      // empty if all was well or there was no file
+  std::string complaint;  // empty if all was well or there was no file
 };
 
-/// Numbers beyond what settings_from_json takes are moved to the nearest that it takes: what is written can always be read.
+/// Numbers beyond what settings_from_json takes are moved to the nearest that it takes: what is written can always be
+/// read.
 std::string to_json(const Settings& settings);
 /// Never throws for what the text holds.
 ReadSettings settings_from_json(const std::string& text);

@@ -24,7 +24,9 @@ void apply(ImGuiStyle& style, float scale) {
   style.ScaleAllSizes(scale);
   style.PopupBorderSize = 1;
 
-  const auto set = [&style](ImGuiCol which, ImU32 colour) { style.Colors[which] = ImGui::ColorConvertU32ToFloat4(colour); };
+  const auto set = [&style](ImGuiCol which, ImU32 colour) {
+    style.Colors[which] = ImGui::ColorConvertU32ToFloat4(colour);
+  };
   ImGui::StyleColorsDark(&style);
   set(ImGuiCol_Text, text);
   set(ImGuiCol_TextDisabled, quiet);

@@ -26,8 +26,8 @@ namespace odontoscope {
 
 namespace {
 
-/// A fine picture that takes longer than the first is drawn only once nothing moves, for so long; one that takes longer than the
-/// last not at all, since nothing would answer meanwhile.
+/// A fine picture that takes longer than the first is drawn only once nothing moves, for so long; one that takes longer
+/// than the last not at all, since nothing would answer meanwhile.
 constexpr double slow_picture_seconds = 0.030, still_seconds = 0.15, too_slow_seconds = 0.8;
 /// Samples beyond which a picture on the screen is not refined, for the memory that it takes.
 constexpr double most_screen_samples = 10e6;
@@ -38,9 +38,12 @@ double clock_seconds() {
 
 BackFaces after(BackFaces mode) {
   switch (mode) {
-    case BackFaces::cull: return BackFaces::show;
-    case BackFaces::show: return BackFaces::tint;
-    case BackFaces::tint: break;
+    case BackFaces::cull:
+      return BackFaces::show;
+    case BackFaces::show:
+      return BackFaces::tint;
+    case BackFaces::tint:
+      break;
   }
   return BackFaces::cull;
 }
@@ -48,10 +51,17 @@ BackFaces after(BackFaces mode) {
 }  // namespace
 
 Viewer::Viewer(const Gl& gl, const ShaderLibrary& shaders, ViewerOptions options)
-    : gl_(&gl), shaders_(shaders), options_(std::move(options)), interface_(options_.clipboard), interface_pass_(gl, shaders), renderer_(gl, shaders) {
+    : gl_(&gl),
+      shaders_(shaders),
+      options_(std::move(options)),
+      interface_(options_.clipboard),
+      interface_pass_(gl, shaders),
+      renderer_(gl, shaders) {
   state_.settings = options_.settings;
   state_.languages = known_languages();
-  if (std::none_of(state_.languages.begin(), state_.languages.end(), [&](const Language& known) { return known == options_.language; })) state_.languages.push_back(options_.language);
+  if (std::none_of(state_.languages.begin(), state_.languages.end(),
+                   [&](const Language& known) { return known == options_.language; }))
+    state_.languages.push_back(options_.language);
   interface_.speak(options_.language);
 }
 
@@ -63,8 +73,10 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   scale_ = input.scale * state_.settings.text_scale;
   follow_language();
   lay_out(input);
-  if (!events_.empty()) frames_to_settle_ = 3;
-  else if (frames_to_settle_ > 0) --frames_to_settle_;
+  if (!events_.empty())
+    frames_to_settle_ = 3;
+  else if (frames_to_settle_ > 0)
+    --frames_to_settle_;
   for (const Event& event : std::exchange(events_, {})) {
     interface_.feed(event);
     react(event);
@@ -93,7 +105,8 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
 void Viewer::follow_language() {
   const std::string& wanted = state_.settings.language;
   if (wanted.empty() || wanted == interface_.language().tag) return;
-  const auto found = std::find_if(state_.languages.begin(), state_.languages.end(), [&](const Language& known) { return known.tag == wanted; });
+  const auto found = std::find_if(state_.languages.begin(), state_.languages.end(),
+                                  [&](const Language& known) { return known.tag == wanted; });
   if (found != state_.languages.end()) interface_.speak(*found);
 }
 
@@ -101,8 +114,9 @@ void Viewer::follow_language() {
 void Viewer::lay_out(const FrameInput& input) {
   const double left = state_.settings.panel ? std::min<double>(theme::panel_width * scale_, input.size.width / 2.0) : 0;
   const double whole = std::round(left);
-  constexpr double least_share = 0.3;   // of the picture, above a lesson's words
-  const double dock = state_.shown ? std::min(std::ceil(lesson_.dock_height), (1 - least_share) * input.size.height) : 0;
+  constexpr double least_share = 0.3;  // of the picture, above a lesson's words
+  const double dock =
+      state_.shown ? std::min(std::ceil(lesson_.dock_height), (1 - least_share) * input.size.height) : 0;
   viewport_ = {whole, 0, input.size.width - whole, input.size.height - std::ceil(dock)};
   lay_out_lab(viewport_);
 }
@@ -141,44 +155,77 @@ void Viewer::lead_to(const glm::dvec3& place) {
 void Viewer::perform(Action action) {
   ViewerState& state = state_;
   switch (action) {
-    case Action::toggle_panel: state.settings.panel = !state.settings.panel; return;
-    case Action::toggle_help: state.help = !state.help; return;
+    case Action::toggle_panel:
+      state.settings.panel = !state.settings.panel;
+      return;
+    case Action::toggle_help:
+      state.help = !state.help;
+      return;
     case Action::open_file:
       state.file_asked_for = "";
-      state.folder = list_folder(state.settings.recent.empty() ? std::filesystem::path() : std::filesystem::path(state.settings.recent.front()).parent_path());
+      state.folder = list_folder(state.settings.recent.empty()
+                                     ? std::filesystem::path()
+                                     : std::filesystem::path(state.settings.recent.front()).parent_path());
       if (!state.folder.trouble.empty()) state.folder = list_folder({});
       return;
-    case Action::escape: escape(); return;
-    default: break;
+    case Action::escape:
+      escape();
+      return;
+    default:
+      break;
   }
   if (!state.shown && action == Action::toggle_lessons) lesson_.toggle_menu();
-  if (!state.shown && action == Action::enter_pulp) notice(job_ ? "The model is still being made." : "Open a model first.");
+  if (!state.shown && action == Action::enter_pulp)
+    notice(job_ ? "The model is still being made." : "Open a model first.");
   if (!state.shown || perform_on_notes(action) || perform_in_flight(action) || perform_in_lab(action)) return;
   const Camera& goal = transition_ ? transition_->goal() : state.scene.camera;
   const double aspect = panes_.front().area.aspect();
-  if (const auto view = view_of(action)) return go_to(fit_without(hidden_in(state.scene), *view, state.shown->model, aspect, goal.projection));
+  if (const auto view = view_of(action))
+    return go_to(fit_without(hidden_in(state.scene), *view, state.shown->model, aspect, goal.projection));
   switch (action) {
-    case Action::fit: go_to(fit_without(hidden_in(state.scene), goal, state.shown->model, aspect)); break;
+    case Action::fit:
+      go_to(fit_without(hidden_in(state.scene), goal, state.shown->model, aspect));
+      break;
     case Action::toggle_projection: {
       const bool parallel = goal.projection == Camera::Projection::parallel;
       transition_.reset();
-      state.scene.camera = with_projection(goal, parallel ? Camera::Projection::perspective : Camera::Projection::parallel);
+      state.scene.camera =
+          with_projection(goal, parallel ? Camera::Projection::perspective : Camera::Projection::parallel);
       state.settings.projection = state.scene.camera.projection;
       break;
     }
-    case Action::next_back_faces: state.scene.back_faces = after(state.scene.back_faces); break;
-    case Action::toggle_names: state.settings.names = !state.settings.names; break;
-    case Action::toggle_wire: state.scene.wire = !state.scene.wire; break;
-    case Action::toggle_section: toggle_section(); break;
+    case Action::next_back_faces:
+      state.scene.back_faces = after(state.scene.back_faces);
+      break;
+    case Action::toggle_names:
+      state.settings.names = !state.settings.names;
+      break;
+    case Action::toggle_wire:
+      state.scene.wire = !state.scene.wire;
+      break;
+    case Action::toggle_section:
+      toggle_section();
+      break;
     case Action::flip_section:
       if (state.scene.section) state.scene.section->normal = -state.scene.section->normal;
       break;
-    case Action::measure_distance: choose(Tool::distance); break;
-    case Action::measure_thickness: choose(Tool::thickness); break;
-    case Action::enter_here: enter_here(); break;
-    case Action::take_picture: take_picture(); break;
-    case Action::save_scene: save_scene(); break;
-    default: break;
+    case Action::measure_distance:
+      choose(Tool::distance);
+      break;
+    case Action::measure_thickness:
+      choose(Tool::thickness);
+      break;
+    case Action::enter_here:
+      enter_here();
+      break;
+    case Action::take_picture:
+      take_picture();
+      break;
+    case Action::save_scene:
+      save_scene();
+      break;
+    default:
+      break;
   }
 }
 
@@ -207,28 +254,48 @@ void Viewer::toggle_section() {
 }
 
 void Viewer::escape() {
-  if (job_) job_->cancel();
-  else if (!state_.trouble.empty()) state_.trouble.clear();
-  else if (state_.notes.leaving) state_.notes.leaving->answer = LeavingNotes::Answer::stay;
-  else if (state_.question) state_.question.reset();
-  else if (state_.file_asked_for) state_.file_asked_for.reset();
-  else if (state_.help) state_.help = false;
-  else if (lesson_.menu()) lesson_.close_menu();
-  else if (state_.notes.placing != NotesState::Placing::none) state_.notes.placing = NotesState::Placing::none;
-  else if (state_.notes.draft) drop_draft(state_.notes);
-  else if (state_.notes.shown) state_.notes.shown.reset();
-  else if (state_.fly.on) leave_flight();
-  else if (state_.tool != Tool::look) state_.tool = Tool::look;
-  else if (state_.name_told) state_.name_told.reset();
-  else if (state_.canal) state_.canal.reset();
-  else if (state_.lab.lesson) state_.lab.lesson.reset();
-  else if (state_.lab.artefact) put_artefact_away();
+  if (job_)
+    job_->cancel();
+  else if (!state_.trouble.empty())
+    state_.trouble.clear();
+  else if (state_.notes.leaving)
+    state_.notes.leaving->answer = LeavingNotes::Answer::stay;
+  else if (state_.question)
+    state_.question.reset();
+  else if (state_.file_asked_for)
+    state_.file_asked_for.reset();
+  else if (state_.help)
+    state_.help = false;
+  else if (lesson_.menu())
+    lesson_.close_menu();
+  else if (state_.notes.placing != NotesState::Placing::none)
+    state_.notes.placing = NotesState::Placing::none;
+  else if (state_.notes.draft)
+    drop_draft(state_.notes);
+  else if (state_.notes.shown)
+    state_.notes.shown.reset();
+  else if (state_.fly.on)
+    leave_flight();
+  else if (state_.tool != Tool::look)
+    state_.tool = Tool::look;
+  else if (state_.name_told)
+    state_.name_told.reset();
+  else if (state_.canal)
+    state_.canal.reset();
+  else if (state_.lab.lesson)
+    state_.lab.lesson.reset();
+  else if (state_.lab.artefact)
+    put_artefact_away();
   else if (state_.looked_at)
     state_.looked_at.reset();
-  else state_.measured = {};
+  else
+    state_.measured = {};
 }
 
-bool Viewer::dialog_open() const { return !state_.trouble.empty() || state_.notes.leaving || state_.question || state_.file_asked_for || state_.help || lesson_.menu(); }
+bool Viewer::dialog_open() const {
+  return !state_.trouble.empty() || state_.notes.leaving || state_.question || state_.file_asked_for || state_.help ||
+         lesson_.menu();
+}
 
 bool Viewer::pins_shown() const {
   const NotesState& notes = state_.notes;
@@ -238,7 +305,7 @@ bool Viewer::pins_shown() const {
 
 void Viewer::notice(std::string words, bool bad, double seconds) {
   constexpr std::size_t most = 3;
-  std::erase_if(state_.notices, [&](const Notice& shown) { return shown.words == words; });   // said again, not twice
+  std::erase_if(state_.notices, [&](const Notice& shown) { return shown.words == words; });  // said again, not twice
   state_.notices.push_back({std::move(words), bad, seconds});
   if (state_.notices.size() > most) state_.notices.erase(state_.notices.begin());
 }
@@ -281,10 +348,14 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
   DrawnModel wanted{state_.shown, state_.scene, panes_, state_.lab.made, state_.lab.artefact, input.size, drawn_.side};
   const bool changed = wanted != drawn_;
   if (changed) still_since_ = now_;
-  const bool too_large = static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side > most_screen_samples;
+  const bool too_large =
+      static_cast<double>(input.size.width) * input.size.height * options_.side * options_.side > most_screen_samples;
   const bool too_slow = options_.coarse_when_slow && fine_picture_seconds_ > too_slow_seconds;
-  const bool wait = options_.coarse_when_slow && fine_picture_seconds_ > slow_picture_seconds && now_ - still_since_ < still_seconds;
-  wanted.side = changed && (too_large || too_slow || wait) ? 1 : too_large || too_slow || wait ? drawn_.side : options_.side;
+  const bool wait =
+      options_.coarse_when_slow && fine_picture_seconds_ > slow_picture_seconds && now_ - still_since_ < still_seconds;
+  wanted.side = changed && (too_large || too_slow || wait) ? 1
+                : too_large || too_slow || wait            ? drawn_.side
+                                                           : options_.side;
   if (wanted != drawn_) {
     if (!state_.shown) {
       const GLfloat ground[4] = {0.085f, 0.1f, 0.118f, 1};
@@ -302,8 +373,9 @@ void Viewer::draw_model(const FrameInput& input, const Target& target) {
   }
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  gl_->BlitFramebuffer(0, 0, input.size.width, input.size.height, target.left, target.bottom, target.left + input.size.width,
-                       target.bottom + input.size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, input.size.width, input.size.height, target.left, target.bottom,
+                       target.left + input.size.width, target.bottom + input.size.height, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
 }
 
 void Viewer::draw_interface(const FrameInput& input, const Target& target) {
@@ -315,18 +387,22 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
     if (state_.fly.on) draw_flight(state_, panes_.front(), interface_, scale_);
     draw_fade(state_, viewport);
     for (const ViewPane& pane : panes_) {
-      const bool first = &pane == &panes_.front(), last = &pane == &panes_.back();   // cameras are linked: one of each will do
-      if (first && !state_.fly.on) draw_scale_bar(pane, interface_, scale_);   // in a canal, nothing lies at one depth
+      const bool first = &pane == &panes_.front(),
+                 last = &pane == &panes_.back();                              // cameras are linked: one of each will do
+      if (first && !state_.fly.on) draw_scale_bar(pane, interface_, scale_);  // in a canal, nothing lies at one depth
       if (names_shown() && first) draw_names(state_, pane, interface_, scale_);
       if (!state_.fly.on && !pane.db && (!pane.seen || first)) draw_canal(pane, state_, interface_, scale_);
       if (!pane.seen || first) draw_measured(pane, state_, interface_, scale_);
       if (first && !pane.db) draw_pins(state_, pane, interface_, scale_);
-      if (first && (lesson_.wants_click(state_.notes) || state_.notes.placing != NotesState::Placing::none)) draw_cross(pane, scale_);
+      if (first && (lesson_.wants_click(state_.notes) || state_.notes.placing != NotesState::Placing::none))
+        draw_cross(pane, scale_);
       if (state_.looked_at) draw_place(pane, *state_.looked_at, scale_);
       if (last) draw_readout(pane, state_, interface_, scale_);
       if (last) draw_compass(pane, interface_, scale_, hovered_compass_, state_.fly.on);
-      if (pane.seen && !first) continue;   // over the same place as the other half
-      if (handle_shown()) draw_section_handle(pane, *state_.scene.section, scale_, drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
+      if (pane.seen && !first) continue;  // over the same place as the other half
+      if (handle_shown())
+        draw_section_handle(pane, *state_.scene.section, scale_,
+                            drag_ && drag_->what == Drag::What::section ? drag_->grip : hovered_grip_);
     }
   }
   const double height = static_cast<double>(input.size.height), dock_before = lesson_.dock_height;
@@ -345,7 +421,9 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 }
 
 double Viewer::patience() const {
-  if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() || state_.to_load || state_.cancel_loading || !events_.empty()) return 0;
+  if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() ||
+      state_.to_load || state_.cancel_loading || !events_.empty())
+    return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;
   if (job_ || preview_job_ || deviation_job_ || !writing_.empty() || state_.lab.working) return loading;
   if (state_.shown && drawn_.side < options_.side && now_ - still_since_ < 1) return refining;
@@ -355,7 +433,8 @@ double Viewer::patience() const {
 std::string Viewer::title() const {
   if (!state_.shown) return "Odontoscope";
   const LoadedModel& shown = *state_.shown;
-  return fmt::format("{}{}{} \xE2\x80\x94 Odontoscope", interface_.say(shown.title), shown.tooth.empty() ? "" : ", ", interface_.say(shown.tooth));
+  return fmt::format("{}{}{} \xE2\x80\x94 Odontoscope", interface_.say(shown.title), shown.tooth.empty() ? "" : ", ",
+                     interface_.say(shown.tooth));
 }
 
 }  // namespace odontoscope

@@ -1,5 +1,6 @@
 #pragma once
-// The viewer: events and time in, pictures out. A window's loop and a test without a display drive the very same object.
+// The viewer: events and time in, pictures out. A window's loop and a test without a display drive the very same
+// object.
 
 #include <exception>
 #include <filesystem>
@@ -40,11 +41,12 @@ struct ViewerOptions {
   /// Where pictures and scenes are saved; empty: the current folder.
   std::filesystem::path folder = {};
   Clipboard clipboard = {};
-  /// Samples a pixel along one axis for a picture that stands still. While it moves, one, if this machine is too slow for more and
-  /// `coarse_when_slow`; without that, pictures depend on nothing but the state.
+  /// Samples a pixel along one axis for a picture that stands still. While it moves, one, if this machine is too slow
+  /// for more and `coarse_when_slow`; without that, pictures depend on nothing but the state.
   int side = 2;
   bool coarse_when_slow = true;
-  /// Show what the loader has meanwhile, where nothing else is to be seen. What comes then depends on how fast the machine is.
+  /// Show what the loader has meanwhile, where nothing else is to be seen. What comes then depends on how fast the
+  /// machine is.
   bool with_drafts = false;
 };
 
@@ -76,9 +78,13 @@ class Viewer {
 
   /// Structures' names beside the tooth: from outside, and not beside DB's surface.
   /// Not while they would answer a question, and not over a lesson's own pins.
-  bool names_shown() const { return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on && !lesson_.asked(state_.notes) && !pins_shown(); }
+  bool names_shown() const {
+    return state_.settings.names && state_.shown && !state_.fly.on && !state_.lab.on && !lesson_.asked(state_.notes) &&
+           !pins_shown();
+  }
 
-  /// What F12 saves, as it is now: the model by the settings for pictures, without the interface. Precondition: a model is shown. Throws GraphicsError.
+  /// What F12 saves, as it is now: the model by the settings for pictures, without the interface. Precondition: a model
+  /// is shown. Throws GraphicsError.
   Image picture();
   /// Its scene, with size and samples: `render --scene` draws the same picture.
   Scene scene_of_picture() const;
@@ -145,7 +151,9 @@ class Viewer {
   void go_to_step(std::size_t step);
   void draw_pane(const ViewPane& pane, PixelSize size, int side);
   const Model& model_of(const ViewPane& pane) const { return pane.db ? state_.lab.made->model : state_.shown->model; }
-  const Pickable& pickable_of(const ViewPane& pane) const { return pane.db ? *state_.lab.made->pickable : *state_.shown->pickable; }
+  const Pickable& pickable_of(const ViewPane& pane) const {
+    return pane.db ? *state_.lab.made->pickable : *state_.shown->pickable;
+  }
 
   // viewer_fly.cpp: flying
   bool flight_possible() const;
@@ -242,12 +250,12 @@ class Viewer {
     enum class What { orbit, pan, section, split, look };
     What what = What::orbit;
     MouseButton button = MouseButton::left;
-    double x = 0, y = 0;             // where the hand is
+    double x = 0, y = 0;  // where the hand is
     double start_x = 0, start_y = 0;
-    bool moved = false;              // far enough to be no click
+    bool moved = false;  // far enough to be no click
     glm::dvec3 anchor{0};
     SectionGrip grip = SectionGrip::slide;
-    std::size_t pane = 0;            // that it began in
+    std::size_t pane = 0;  // that it began in
   };
   struct Click {
     double x = 0, y = 0, when = -1e9;
@@ -274,21 +282,21 @@ class Viewer {
   GpuModel gpu_model_;
   GpuOverlay gpu_overlay_;
   OverlayChoice overlays_made_;
-  std::optional<GpuValueGrid> gpu_values_;   // once they are shown
-  std::optional<GpuVolume> gpu_volume_;      // of them
+  std::optional<GpuValueGrid> gpu_values_;  // once they are shown
+  std::optional<GpuVolume> gpu_volume_;     // of them
   Framebuffer picture_;
   DrawnModel drawn_;
-  double fine_picture_seconds_ = 0.5;   // about what one takes; a slow machine's guess until one was drawn
+  double fine_picture_seconds_ = 0.5;  // about what one takes; a slow machine's guess until one was drawn
   double still_since_ = 0;
 
   LessonMode lesson_;
   FirstHints hints_;
   std::vector<Event> events_;
   std::vector<ViewPane> panes_;
-  Area viewport_;                     // all of them together
+  Area viewport_;  // all of them together
   float scale_ = 1;
   double now_ = 0;
-  int frames_to_settle_ = 3;          // panels need a frame or two to follow an event
+  int frames_to_settle_ = 3;  // panels need a frame or two to follow an event
   double mouse_x_ = -1, mouse_y_ = -1;
   std::optional<Drag> drag_;
   Click last_click_;
@@ -299,41 +307,41 @@ class Viewer {
   std::optional<LookTransition> look_transition_;
   std::unique_ptr<LoadJob> job_;
   std::exception_ptr failure_;
-  std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;   // until they have noticed
+  std::vector<std::unique_ptr<LoadJob>> stopped_jobs_;  // until they have noticed
   std::unique_ptr<Job<VolumePreview>> preview_job_;
   std::vector<std::unique_ptr<Job<VolumePreview>>> stopped_previews_;
   std::unique_ptr<Job<LoadedModel>> deviation_job_;
-  std::shared_ptr<const LoadedModel> deviations_of_;   // that the job is about
+  std::shared_ptr<const LoadedModel> deviations_of_;  // that the job is about
   std::unique_ptr<DbWorker> lab_worker_;
   std::vector<std::unique_ptr<DbWorker>> left_workers_;  // until they have noticed
   std::optional<LabOptions> lab_asked_;                  // of the worker
   GpuModel lab_gpu_model_;
   GpuOverlay lab_gpu_overlay_;
-  std::shared_ptr<const LabResult> lab_edges_of_;        // that the overlay was made from,
-  std::optional<std::size_t> lab_edges_near_;            // and of which artefact; none: all
-  Framebuffer other_half_;                               // of a split view
-  std::optional<Camera> draft_camera_; // while a draft is shown: that it began with
+  std::shared_ptr<const LabResult> lab_edges_of_;  // that the overlay was made from,
+  std::optional<std::size_t> lab_edges_near_;      // and of which artefact; none: all
+  Framebuffer other_half_;                         // of a split view
+  std::optional<Camera> draft_camera_;             // while a draft is shown: that it began with
   bool sample_shown_ = false, lesson_after_load_ = false, artefact_when_made_ = false;
   struct Fade {
     double seconds = 0;
-    bool done = false;                 // what the dark is for
+    bool done = false;  // what the dark is for
     std::function<void()> at_dark;
   };
   std::optional<Fade> fade_;
-  Framebuffer where_picture_;          // the tooth from outside, drawn once
+  Framebuffer where_picture_;  // the tooth from outside, drawn once
   std::shared_ptr<const LoadedModel> where_of_;
   NamedView where_from_ = NamedView::buccal;
-  int tabs_ = 0;                       // asked for: controls on, or back
-  char last_place_ = 0;                // of the key pressed last, for keyboards without Latin letters
-  std::set<int> held_;                 // keys, while one flies; see viewer_fly.cpp
+  int tabs_ = 0;         // asked for: controls on, or back
+  char last_place_ = 0;  // of the key pressed last, for keyboards without Latin letters
+  std::set<int> held_;   // keys, while one flies; see viewer_fly.cpp
   GamepadChanged gamepad_;
   std::optional<Camera> camera_before_dive_;
-  std::string file_shown_;             // that the model came from; empty: the sample, or nobody can open it again by name alone
+  std::string file_shown_;  // that the model came from; empty: the sample, or nobody can open it again by name alone
   std::optional<TourNotes> tour_after_load_;
-  bool notes_may_go_ = false;          // the person said so of those that are there
-  std::mutex one_picture_;             // is drawn at a time
-  std::vector<std::future<std::string>> writing_;        // each ends with words for a notice, or throws
-  std::set<std::filesystem::path> names_given_;          // to files that may not be there yet
+  bool notes_may_go_ = false;                      // the person said so of those that are there
+  std::mutex one_picture_;                         // is drawn at a time
+  std::vector<std::future<std::string>> writing_;  // each ends with words for a notice, or throws
+  std::set<std::filesystem::path> names_given_;    // to files that may not be there yet
 };
 
 }  // namespace odontoscope

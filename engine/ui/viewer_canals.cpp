@@ -1,4 +1,5 @@
-// Canals pointed at from outside: through what is translucent, in the section, or in flight on the small picture of the tooth.
+// Canals pointed at from outside: through what is translucent, in the section, or in flight on the small picture of the
+// tooth.
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -24,7 +25,9 @@ double slack_mm(const Camera& camera, const Area& area, float scale) {
 
 /// What fills the cavity, if a structure of the model does; else the cavity itself.
 std::string pulp_of(const LoadedModel& shown, std::size_t cavity) {
-  const auto pulp = std::find_if(shown.model.parts.begin(), shown.model.parts.end(), [](const ModelPart& part) { return !part.cavity && lower_case(part.structure).find("pulp") != std::string::npos; });
+  const auto pulp = std::find_if(shown.model.parts.begin(), shown.model.parts.end(), [](const ModelPart& part) {
+    return !part.cavity && lower_case(part.structure).find("pulp") != std::string::npos;
+  });
   return pulp != shown.model.parts.end() ? pulp->structure : shown.flight->cavities[cavity].structure;
 }
 
@@ -39,9 +42,12 @@ SightLine from_before(SightLine sight, const Camera& camera, const Model& model)
 
 std::optional<CanalPick> Viewer::canal_at(const ViewPane& pane, double x, double y) const {
   if (!flight_possible() || pane.db || state_.fly.on) return std::nullopt;
-  const SightLine sight = from_before(sight_line(pane.camera, place_in(pane.area, x, y)), pane.camera, state_.shown->model);
+  const SightLine sight =
+      from_before(sight_line(pane.camera, place_in(pane.area, x, y)), pane.camera, state_.shown->model);
   CanalPickOptions options{.slack_mm = slack_mm(pane.camera, pane.area, scale_), .section = state_.scene.section};
-  if (const auto hit = pick(pickable_of(pane), state_.scene, {sight.origin, sight.direction}, {.least_opacity = see_through})) options.sight_mm = hit->distance_mm;
+  if (const auto hit =
+          pick(pickable_of(pane), state_.scene, {sight.origin, sight.direction}, {.least_opacity = see_through}))
+    options.sight_mm = hit->distance_mm;
   const auto found = pick_canal(*state_.shown->flight, sight, options);
   if (!found) return std::nullopt;
   // What has no wall in the picture cannot be pointed at, unless a section lays the hollow open.
@@ -57,11 +63,14 @@ std::optional<PointedAt> Viewer::pointed_at(const ViewPane& pane, double x, doub
   const auto is_pulp = [&](const std::string& structure) {
     const auto& cavities = state_.shown->flight->cavities;
     return lower_case(structure).find("pulp") != std::string::npos ||
-           std::any_of(cavities.begin(), cavities.end(), [&](const FlightSpace& space) { return space.structure == structure; });
+           std::any_of(cavities.begin(), cavities.end(),
+                       [&](const FlightSpace& space) { return space.structure == structure; });
   };
   const auto hit = hit_at(pane, x, y);
-  if (const auto canal = canal_at(pane, x, y); canal && ((question && is_pulp(question->structure)) || (hit && is_pulp(hit->structure)) || !question))
-    return PointedAt{question ? question->structure : pulp_of(*state_.shown, canal->cavity), name_of(*canal, *state_.shown->flight)};
+  if (const auto canal = canal_at(pane, x, y);
+      canal && ((question && is_pulp(question->structure)) || (hit && is_pulp(hit->structure)) || !question))
+    return PointedAt{question ? question->structure : pulp_of(*state_.shown, canal->cavity),
+                     name_of(*canal, *state_.shown->flight)};
   return hit ? std::optional(PointedAt{hit->structure, ""}) : std::nullopt;
 }
 
@@ -92,8 +101,10 @@ void Viewer::enter_here() {
   if (state_.tool != Tool::look) {
     const ViewPane& pane = panes_.front();
     const double x = pane.area.left + pane.area.width / 2, y = pane.area.top + pane.area.height / 2;
-    if (const auto hit = hit_at(pane, x, y)) measure_at(pickable_of(pane), *hit);
-    else notice("In the middle of the picture there is no surface: turn the model with the arrow keys.");
+    if (const auto hit = hit_at(pane, x, y))
+      measure_at(pickable_of(pane), *hit);
+    else
+      notice("In the middle of the picture there is no surface: turn the model with the arrow keys.");
     return;
   }
   if (!state_.canal) return;

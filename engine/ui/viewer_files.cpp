@@ -44,15 +44,18 @@ Scene Viewer::scene_of_picture() const {
   Scene scene = state_.scene;
   if (settings.transparent) scene.background.kind = Background::Kind::transparent;
   scene.picture = {settings.width, settings.height, settings.side * settings.side};
-  if (settings.as_seen) scene.picture->height = std::max(1, static_cast<int>(std::lround(settings.width / panes_.front().area.aspect())));
+  if (settings.as_seen)
+    scene.picture->height = std::max(1, static_cast<int>(std::lround(settings.width / panes_.front().area.aspect())));
   return scene;
 }
 
 Image Viewer::picture() {
   const Scene scene = scene_of_picture();
-  const PictureOptions options{.size = {scene.picture->width, scene.picture->height}, .render = {.side = state_.settings.picture.side}};
+  const PictureOptions options{.size = {scene.picture->width, scene.picture->height},
+                               .render = {.side = state_.settings.picture.side}};
   refuse_undrawable(*gl_, options.size, options.render);
-  return picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(), volume());
+  return picture_of(*gl_, renderer_, gpu_model_, state_.shown->model, scene, options, &gpu_overlay_, cap_values(),
+                    volume());
 }
 
 namespace {
@@ -61,7 +64,8 @@ namespace {
 constexpr const char* only_here = "";
 
 /// With a context of its own, which takes its buffers along when it goes. Null: there is none besides the window's.
-std::optional<Image> drawn_apart(const LoadedModel& shown, const Scene& scene, const PictureOptions& options, const ShaderLibrary& shaders) {
+std::optional<Image> drawn_apart(const LoadedModel& shown, const Scene& scene, const PictureOptions& options,
+                                 const ShaderLibrary& shaders) {
   std::unique_ptr<GlContext> context;
   try {
     context = make_context();
@@ -72,12 +76,14 @@ std::optional<Image> drawn_apart(const LoadedModel& shown, const Scene& scene, c
   Renderer renderer(gl, shaders);
   const GpuModel model = upload(gl, shown.model);
   const GpuOverlay overlay = upload(gl, make_overlay(shown.overlays, scene.overlays, shown.model));
-  const bool on_cap = scene.cap.shows == CapLook::Shows::ct && scene.section && shown.values, cast = scene.volume.shows_volume() && shown.values;
+  const bool on_cap = scene.cap.shows == CapLook::Shows::ct && scene.section && shown.values,
+             cast = scene.volume.shows_volume() && shown.values;
   std::optional<GpuValueGrid> values;
   std::optional<GpuVolume> volume;
   if (on_cap || cast) values = upload(gl, *shown.values, model);
   if (cast) volume.emplace(gl, *shown.values, values->field());
-  return picture_of(gl, renderer, model, shown.model, scene, options, &overlay, on_cap ? &*values : nullptr, volume ? &*volume : nullptr);
+  return picture_of(gl, renderer, model, shown.model, scene, options, &overlay, on_cap ? &*values : nullptr,
+                    volume ? &*volume : nullptr);
 }
 
 std::string kept_as(const Image& image, AtomicFile& place) {
@@ -92,15 +98,18 @@ std::string kept_as(const Image& image, AtomicFile& place) {
 void Viewer::take_picture() {
   try {
     const std::filesystem::path file = new_file(state_.shown->title, ".png");
-    AtomicFile place(file);   // trouble with the folder is told before the work
+    AtomicFile place(file);  // trouble with the folder is told before the work
     const Scene scene = scene_of_picture();
-    const PictureOptions options{.size = {scene.picture->width, scene.picture->height}, .render = {.side = state_.settings.picture.side}};
+    const PictureOptions options{.size = {scene.picture->width, scene.picture->height},
+                                 .render = {.side = state_.settings.picture.side}};
     refuse_undrawable(*gl_, options.size, options.render);
-    writing_.push_back(std::async(std::launch::async, [this, shown = state_.shown, scene, options, place = std::move(place)]() mutable -> std::string {
-      const std::lock_guard alone(one_picture_);
-      const std::optional<Image> image = drawn_apart(*shown, scene, options, shaders_);
-      return image ? kept_as(*image, place) : only_here;
-    }));
+    writing_.push_back(
+        std::async(std::launch::async,
+                   [this, shown = state_.shown, scene, options, place = std::move(place)]() mutable -> std::string {
+                     const std::lock_guard alone(one_picture_);
+                     const std::optional<Image> image = drawn_apart(*shown, scene, options, shaders_);
+                     return image ? kept_as(*image, place) : only_here;
+                   }));
     notice(fmt::format("The picture is being drawn: {} \xC3\x97 {}", options.size.width, options.size.height));
   } catch (const Error& error) {
     state_.trouble = error.what();
@@ -135,8 +144,10 @@ void Viewer::take_written() {
     if (writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
     try {
       const std::string words = writing.get();
-      if (words == only_here) take_picture_here();
-      else notice(words);
+      if (words == only_here)
+        take_picture_here();
+      else
+        notice(words);
     } catch (const std::exception& error) {
       state_.trouble = error.what();
     }

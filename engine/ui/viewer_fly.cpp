@@ -31,9 +31,9 @@ constexpr double lamp_reach = 0.14;
 constexpr float crevice_reach = 0.035f;
 /// Before the outer surface, in parts of the model's radius.
 constexpr double outdoors_before = 0.45, outdoors_beyond = 1.5;
-constexpr double widest_picture = 2.4;   // width over height
+constexpr double widest_picture = 2.4;  // width over height
 constexpr std::size_t most_trail = 4000;
-constexpr double trail_step = 3;   // clearances
+constexpr double trail_step = 3;  // clearances
 
 /// As one number: letters by place, other keys beyond them.
 int held_as(const KeyChanged& key) { return key.place ? key.place : 256 + static_cast<int>(key.key); }
@@ -45,10 +45,15 @@ constexpr double reading_seconds = 14;
 std::string words_without_cavity(const LoadedModel& shown) {
   if (!shown.flight) return "One cannot fly in this model: nothing is known of its walls.";
   if (shown.certificate.verdict == Certificate::Verdict::wanting)
-    return "There is no cavity in this model to fly in: its surface is not closed (see Report), so it has no inside. Open a sound model, or fly around this one (A).";
-  const char* volume = shown.values ? " A lower grey value keeps thin walls closed: open the volume again with one." : "";
-  return fmt::format("There is no cavity in this model to fly in: nothing in it is hollow all round. Where a root is open at its tip, fly around (A) and in through the opening.{}"
-                     " A structure with \"pulp\" in its name counts as a cavity, too.", volume);
+    return "There is no cavity in this model to fly in: its surface is not closed (see Report), so it has no inside. "
+           "Open a sound model, or fly around this one (A).";
+  const char* volume =
+      shown.values ? " A lower grey value keeps thin walls closed: open the volume again with one." : "";
+  return fmt::format(
+      "There is no cavity in this model to fly in: nothing in it is hollow all round. Where a root is open at its tip, "
+      "fly around (A) and in through the opening.{}"
+      " A structure with \"pulp\" in its name counts as a cavity, too.",
+      volume);
 }
 
 }  // namespace
@@ -81,7 +86,8 @@ void Viewer::enter_cavity(std::size_t cavity, std::function<void()> then) {
     return;
   }
   const FlightSpace& space = state_.shown->flight->cavities[cavity];
-  if (!state_.fly.on && !state_.settings.comfort.reduced_motion) go_to(zoom(state_.scene.camera, dive_zoom, space.middle));
+  if (!state_.fly.on && !state_.settings.comfort.reduced_motion)
+    go_to(zoom(state_.scene.camera, dive_zoom, space.middle));
   darken_then([this, cavity, then = std::move(then)] {
     const FlightSpace& there = state_.shown->flight->cavities[cavity];
     const glm::dvec3 sight = longest_sight(there.walls, there.middle);
@@ -119,17 +125,19 @@ void Viewer::arrive(std::optional<std::size_t> cavity, const Flight& flight) {
   }
   transition_.reset();
   drag_.reset();
-  interface_.leave_keys();   // arrows look around now
+  interface_.leave_keys();  // arrows look around now
   fly.on = true;
   fly.cavity = cavity;
   fly.flight = flight;
   fly.trail = {flight.eye};
   fly.ride.reset();
-  fly.labels = cavity ? labels_inside(state_.shown->flight->cavities[*cavity]) : labels_outside(state_.shown->model, *state_.shown->flight);
+  fly.labels = cavity ? labels_inside(state_.shown->flight->cavities[*cavity])
+                      : labels_outside(state_.shown->model, *state_.shown->flight);
   state_.scene = fly.scene_before;
   if (cavity) {
     const Model& model = state_.shown->model;
-    state_.scene = seen_within(fly.scene_before, model, state_.shown->flight->cavities[*cavity].wall(), lamp_reach * model.radius_mm);
+    state_.scene = seen_within(fly.scene_before, model, state_.shown->flight->cavities[*cavity].wall(),
+                               lamp_reach * model.radius_mm);
     state_.scene.occlusion = {.on = true, .strength = 1.1f, .reach = crevice_reach};
     const auto depths = depth_labels(state_.shown->flight->cavities[*cavity], state_.shown->model.depth_step_mm);
     fly.labels.insert(fly.labels.end(), depths.begin(), depths.end());
@@ -144,7 +152,8 @@ void Viewer::see_from_flight() {
   const double ahead = walls_now().free_distance(fly.flight.eye, fly.flight.sight);
   state_.scene.camera = camera_of(fly.flight, angle, std::isfinite(ahead) ? ahead : state_.shown->model.radius_mm);
   // Wide enough for pictures of another shape, too.
-  state_.scene.camera.near_mm = safe_near_mm(state_.shown->flight->rules.clearance, angle, std::max(aspect, widest_picture));
+  state_.scene.camera.near_mm =
+      safe_near_mm(state_.shown->flight->rules.clearance, angle, std::max(aspect, widest_picture));
 }
 
 void Viewer::leave_flight() {
@@ -152,7 +161,7 @@ void Viewer::leave_flight() {
   darken_then([this] {
     const bool lab = state_.fly.lab_before;
     end_flight();
-    if (lab) enter_lab();   // what one came from
+    if (lab) enter_lab();  // what one came from
   });
 }
 
@@ -160,7 +169,7 @@ void Viewer::leave_flight() {
 void Viewer::end_flight() {
   if (!state_.fly.on) return;
   state_.scene = state_.fly.scene_before;
-  FlyState ended;   // the next flight begins as this one ended
+  FlyState ended;  // the next flight begins as this one ended
   ended.haste = state_.fly.haste;
   ended.show_labels = state_.fly.show_labels;
   ended.show_where = state_.fly.show_where;
@@ -177,7 +186,7 @@ void Viewer::pass_wall() {
     notice("Straight ahead there is no room beyond the wall. Look another way.");
     return;
   }
-  darken_then([this, passage = *passage] {   // outside one turns round: ahead there would be nothing
+  darken_then([this, passage = *passage] {  // outside one turns round: ahead there would be nothing
     const Flight& flight = state_.fly.flight;
     arrive(passage.cavity, looking(passage.at, passage.cavity ? flight.sight : -flight.sight, flight.up));
   });
@@ -187,32 +196,48 @@ bool Viewer::perform_in_flight(Action action) {
   FlyState& fly = state_.fly;
   switch (action) {
     case Action::enter_pulp:
-      if (fade_ && !fade_->done) return true;   // on the way already: a key that is held repeats
+      if (fade_ && !fade_->done) return true;  // on the way already: a key that is held repeats
       state_.help = false;
       if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
-      if (!fly.on) enter_cavity(0);
-      else if (fly.cavity) leave_flight();
-      else enter_cavity(0);
+      if (!fly.on)
+        enter_cavity(0);
+      else if (fly.cavity)
+        leave_flight();
+      else
+        enter_cavity(0);
       return true;
     case Action::fly_outdoors:
       if (fade_ && !fade_->done) return true;
       if (!fly.on) camera_before_dive_ = transition_ ? transition_->goal() : state_.scene.camera;
       enter_outdoors();
       return true;
-    default: break;
+    default:
+      break;
   }
   if (!fly.on) return false;
   if (perform_on_ride(action)) return true;
   switch (action) {
-    case Action::leave_flight: leave_flight(); return true;
-    case Action::pass_wall: pass_wall(); return true;
-    case Action::catch_mouse: fly.mouse_caught = !fly.mouse_caught; return true;
-    case Action::faster: fly.haste = std::min(fly.haste * notch_haste, most_haste); return true;
-    case Action::slower: fly.haste = std::max(fly.haste / notch_haste, least_haste); return true;
+    case Action::leave_flight:
+      leave_flight();
+      return true;
+    case Action::pass_wall:
+      pass_wall();
+      return true;
+    case Action::catch_mouse:
+      fly.mouse_caught = !fly.mouse_caught;
+      return true;
+    case Action::faster:
+      fly.haste = std::min(fly.haste * notch_haste, most_haste);
+      return true;
+    case Action::slower:
+      fly.haste = std::max(fly.haste / notch_haste, least_haste);
+      return true;
     case Action::take_picture:
     case Action::save_scene:
-    case Action::toggle_wire: return false;
-    default: return true;   // what is for looking from outside
+    case Action::toggle_wire:
+      return false;
+    default:
+      return true;  // what is for looking from outside
   }
 }
 
@@ -228,7 +253,9 @@ void Viewer::on_flight_key(const KeyChanged& key) {
 
 void Viewer::on_gamepad(const GamepadChanged& gamepad) {
   const GamepadChanged before = std::exchange(gamepad_, gamepad);
-  if (gamepad.present != before.present) notice(gamepad.present ? "A gamepad is there: Start shows what it does." : "The gamepad is gone. Keys and mouse go on.");
+  if (gamepad.present != before.present)
+    notice(gamepad.present ? "A gamepad is there: Start shows what it does."
+                           : "The gamepad is gone. Keys and mouse go on.");
   state_.pad_in_hand = gamepad.present && (state_.pad_in_hand || in_use(gamepad));
   if (!gamepad.present) return;
   const auto pressed = [&](bool GamepadChanged::*button) { return gamepad.*button && !(before.*button); };
@@ -255,8 +282,10 @@ void Viewer::on_gamepad(const GamepadChanged& gamepad) {
 FlightWish Viewer::flight_wish() const {
   const auto either = [&](int a, int b) { return held_.contains(a) || held_.contains(b) ? 1.0 : 0.0; };
   FlightWish wish;
-  wish.move = {either('d', 'l') - either('a', 'j'), either('e', 'o') - either('q', 'u'), either('w', 'i') - either('s', 'k')};
-  wish.turn = {either(held_as(Key::right), 0) - either(held_as(Key::left), 0), either(held_as(Key::up), 0) - either(held_as(Key::down), 0)};
+  wish.move = {either('d', 'l') - either('a', 'j'), either('e', 'o') - either('q', 'u'),
+               either('w', 'i') - either('s', 'k')};
+  wish.turn = {either(held_as(Key::right), 0) - either(held_as(Key::left), 0),
+               either(held_as(Key::up), 0) - either(held_as(Key::down), 0)};
   wish.move += glm::dvec3(gamepad_.move_right, gamepad_.rise, gamepad_.move_ahead);
   wish.turn += glm::dvec2(gamepad_.turn_right, gamepad_.turn_up);
   return wish;
@@ -264,10 +293,13 @@ FlightWish Viewer::flight_wish() const {
 
 /// The hand went so many pixels.
 void Viewer::look_by(double across, double down) {
-  const double per_pixel = glm::radians(drag_fields * state_.settings.comfort.field_of_view_deg) / std::max(panes_.front().area.height, 1.0);
+  const double per_pixel =
+      glm::radians(drag_fields * state_.settings.comfort.field_of_view_deg) / std::max(panes_.front().area.height, 1.0);
   const glm::dvec2 angles = per_pixel * glm::dvec2(across, -down);
-  if (state_.fly.ride) state_.fly.ride->look += angles;
-  else state_.fly.flight = turned(state_.fly.flight, angles, flight_rules());
+  if (state_.fly.ride)
+    state_.fly.ride->look += angles;
+  else
+    state_.fly.flight = turned(state_.fly.flight, angles, flight_rules());
 }
 
 void Viewer::advance_flight(double seconds) {
@@ -289,14 +321,17 @@ void Viewer::advance_flight(double seconds) {
   const FlightWish wish = may_move ? flight_wish() : FlightWish{};
   if (fly.ride) advance_ride(wish, seconds);
   if (!fly.ride) fly.flight = flown(fly.flight, wish, walls_now(), flight_rules(), seconds);
-  if (fly.cavity) fly.place = canal_place(state_.shown->flight->cavities[*fly.cavity].lines, fly.flight.eye);
-  else fly.place.reset();
+  if (fly.cavity)
+    fly.place = canal_place(state_.shown->flight->cavities[*fly.cavity].lines, fly.flight.eye);
+  else
+    fly.place.reset();
   const double step = trail_step * state_.shown->flight->rules.clearance;
   if (fly.trail.empty() || glm::length(fly.flight.eye - fly.trail.back()) > step) fly.trail.push_back(fly.flight.eye);
   if (fly.trail.size() > most_trail) fly.trail.erase(fly.trail.begin());
   // How fast the picture turns, evened out over a few frames.
-  const double angle = sight_before == glm::dvec3(0) ? 0 : std::acos(std::clamp(glm::dot(sight_before, fly.flight.sight), -1.0, 1.0));
-  constexpr double quick = 1.2, evened = 0.15;   // rad/s, seconds
+  const double angle =
+      sight_before == glm::dvec3(0) ? 0 : std::acos(std::clamp(glm::dot(sight_before, fly.flight.sight), -1.0, 1.0));
+  constexpr double quick = 1.2, evened = 0.15;  // rad/s, seconds
   const double now = seconds > 0 ? std::min(angle / seconds / quick, 1.0) : fly.turning;
   fly.turning += (1 - std::exp(-seconds / evened)) * (now - fly.turning);
   if (fly.turning < 0.01) fly.turning = 0;
@@ -309,7 +344,8 @@ bool Viewer::flight_moves() const {
   if (!state_.fly.on) return false;
   if (state_.fly.ride && (state_.fly.ride->playing || state_.fly.ride->pace != 0)) return true;
   const FlightWish wish = flight_wish();
-  return wish.move != glm::dvec3(0) || wish.turn != glm::dvec2(0) || state_.fly.turning > 0 || !resting(state_.fly.flight, state_.shown->flight->rules);
+  return wish.move != glm::dvec3(0) || wish.turn != glm::dvec2(0) || state_.fly.turning > 0 ||
+         !resting(state_.fly.flight, state_.shown->flight->rules);
 }
 
 }  // namespace odontoscope

@@ -1,4 +1,5 @@
-// DB mode: DT and DB of the same contours beside each other. The work is done by a DbWorker; a frame only asks whether something is ready.
+// DB mode: DT and DB of the same contours beside each other. The work is done by a DbWorker; a frame only asks whether
+// something is ready.
 
 #include <fmt/format.h>
 
@@ -16,15 +17,18 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double line_slack = 9;   // interface pixels
+constexpr double line_slack = 9;  // interface pixels
 /// Steps through a volume while the picture moves on a slow machine, over usual ones.
 constexpr float moving_coarseness = 2;
 
 LabLayout after(LabLayout layout) {
   switch (layout) {
-    case LabLayout::side_by_side: return LabLayout::split;
-    case LabLayout::split: return LabLayout::in_place;
-    case LabLayout::in_place: break;
+    case LabLayout::side_by_side:
+      return LabLayout::split;
+    case LabLayout::split:
+      return LabLayout::in_place;
+    case LabLayout::in_place:
+      break;
   }
   return LabLayout::side_by_side;
 }
@@ -38,7 +42,8 @@ std::vector<LineSet> edges_near(const LabResult& made, std::size_t artefact) {
   for (const LineSet& set : made.faulty_edges) {
     LineSet kept{set.kind, set.structure, {}};
     for (std::size_t i = 0; i + 1 < set.points.size(); i += 2)
-      if (glm::distance(0.5f * (set.points[i] + set.points[i + 1]), at) < reach) kept.points.insert(kept.points.end(), {set.points[i], set.points[i + 1]});
+      if (glm::distance(0.5f * (set.points[i] + set.points[i + 1]), at) < reach)
+        kept.points.insert(kept.points.end(), {set.points[i], set.points[i + 1]});
     if (!kept.points.empty()) near.push_back(std::move(kept));
   }
   return near;
@@ -60,10 +65,14 @@ bool Viewer::perform_in_lab(Action action) {
   LabState& lab = state_.lab;
   switch (action) {
     case Action::toggle_lab:
-      if (lab.on) leave_lab();
-      else enter_lab();
+      if (lab.on)
+        leave_lab();
+      else
+        enter_lab();
       return true;
-    case Action::toggle_faulty_edges: state_.scene.overlays.edges = !state_.scene.overlays.edges; return true;
+    case Action::toggle_faulty_edges:
+      state_.scene.overlays.edges = !state_.scene.overlays.edges;
+      return true;
     case Action::next_lab_layout:
       if (lab.on) lab.layout = after(lab.layout);
       return true;
@@ -72,11 +81,17 @@ bool Viewer::perform_in_lab(Action action) {
       lab.db_in_place = lab.layout == LabLayout::in_place && !lab.db_in_place;
       lab.layout = LabLayout::in_place;
       return true;
-    case Action::next_artefact: step_artefact(1); return true;
-    case Action::previous_artefact: step_artefact(-1); return true;
+    case Action::next_artefact:
+      step_artefact(1);
+      return true;
+    case Action::previous_artefact:
+      step_artefact(-1);
+      return true;
     case Action::toggle_lesson:
-      if (lab.lesson) lab.lesson.reset();
-      else begin_lesson();
+      if (lab.lesson)
+        lab.lesson.reset();
+      else
+        begin_lesson();
       return true;
     case Action::next_step:
       if (lab.lesson && lab.step + 1 < lab.lesson->steps.size()) go_to_step(lab.step + 1);
@@ -84,7 +99,8 @@ bool Viewer::perform_in_lab(Action action) {
     case Action::previous_step:
       if (lab.lesson && lab.step > 0) go_to_step(lab.step - 1);
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
@@ -99,9 +115,11 @@ void Viewer::enter_lab() {
   lab.looks_before = state_.scene.looks;
   lab.back_faces_before = state_.scene.back_faces;
   lab.overlays_before = state_.scene.overlays;
-  for (Look& look : state_.scene.looks) look.opacity = 1;   // what one method hides, the other must hide as well
+  for (Look& look : state_.scene.looks) look.opacity = 1;  // what one method hides, the other must hide as well
   state_.scene.back_faces = BackFaces::cull;
-  if (!lab_worker_) lab_worker_ = std::make_unique<DbWorker>(std::shared_ptr<const ContourStack>(state_.shown, &state_.shown->overlays.contours));
+  if (!lab_worker_)
+    lab_worker_ =
+        std::make_unique<DbWorker>(std::shared_ptr<const ContourStack>(state_.shown, &state_.shown->overlays.contours));
 }
 
 void Viewer::leave_lab() {
@@ -115,7 +133,7 @@ void Viewer::leave_lab() {
     state_.scene.back_faces = lab.back_faces_before;
     state_.scene.overlays = lab.overlays_before;
   }
-  LabState left;   // the next time begins as this one ended
+  LabState left;  // the next time begins as this one ended
   left.layout = lab.layout;
   left.db_in_place = lab.db_in_place;
   left.split = lab.split;
@@ -153,7 +171,8 @@ void Viewer::tend_lab() {
   }
   lab.working = lab_worker_->working();
   if (lab.made && (lab_edges_of_ != lab.made || lab_edges_near_ != lab.artefact)) {
-    lab_gpu_overlay_ = upload(*gl_, Overlay{lab.artefact ? edges_near(*lab.made, *lab.artefact) : lab.made->faulty_edges, {}});
+    lab_gpu_overlay_ =
+        upload(*gl_, Overlay{lab.artefact ? edges_near(*lab.made, *lab.artefact) : lab.made->faulty_edges, {}});
     lab_edges_of_ = lab.made;
     lab_edges_near_ = lab.artefact;
   }
@@ -167,11 +186,14 @@ void Viewer::lay_out_lab(const Area& whole) {
     return;
   }
   switch (lab.layout) {
-    case LabLayout::in_place: panes_ = {{whole, camera, lab.db_in_place}}; return;
+    case LabLayout::in_place:
+      panes_ = {{whole, camera, lab.db_in_place}};
+      return;
     case LabLayout::side_by_side: {
       const double half = std::floor(whole.width / 2);
       if (half < 1) break;
-      panes_ = {{{whole.left, whole.top, half, whole.height}, camera}, {{whole.left + half, whole.top, half, whole.height}, camera, true}};
+      panes_ = {{{whole.left, whole.top, half, whole.height}, camera},
+                {{whole.left + half, whole.top, half, whole.height}, camera, true}};
       return;
     }
     case LabLayout::split: {
@@ -185,10 +207,12 @@ void Viewer::lay_out_lab(const Area& whole) {
 }
 
 bool Viewer::on_split_line(double x, double y) const {
-  return panes_.size() == 2 && panes_[1].seen && viewport_.holds(x, y) && !interface_.covers(x, y) && std::abs(x - panes_[1].seen->left) < line_slack * scale_;
+  return panes_.size() == 2 && panes_[1].seen && viewport_.holds(x, y) && !interface_.covers(x, y) &&
+         std::abs(x - panes_[1].seen->left) < line_slack * scale_;
 }
 
-/// Into the kept picture. A pane of which only a part is seen is drawn whole and cut out, so that a pixel is the same on either side of the line.
+/// Into the kept picture. A pane of which only a part is seen is drawn whole and cut out, so that a pixel is the same
+/// on either side of the line.
 void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   const auto left = static_cast<int>(pane.area.left), top = static_cast<int>(pane.area.top);
   const PixelSize pane_size{static_cast<int>(pane.area.width), static_cast<int>(pane.area.height)};
@@ -197,7 +221,8 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   const bool partly = pane.seen.has_value();
   if (partly && !(other_half_.size() == size)) other_half_ = Framebuffer(*gl_, {size, {GL_RGBA8}});
   const Framebuffer& target = partly ? other_half_ : picture_;
-  const Pane eye{odontoscope::view_of(pane.camera, model_of(pane), pane.area.aspect()), {target.id(), left, bottom, pane_size}};
+  const Pane eye{odontoscope::view_of(pane.camera, model_of(pane), pane.area.aspect()),
+                 {target.id(), left, bottom, pane_size}};
   Scene scene = state_.scene;
   // On a slow machine a flight's moving pictures do without it, as without fine samples.
   if (state_.fly.on && side < options_.side) scene.occlusion.on = false;
@@ -205,13 +230,16 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
   const bool moving = side < options_.side;
   if (grey) grey->set_coarseness(moving ? moving_coarseness : 1);
   const RenderOptions options{.side = side, .rays = moving ? RenderOptions::Rays::few : RenderOptions::Rays::as_usual};
-  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, options, pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values(), grey);
+  renderer_.draw(pane.db ? lab_gpu_model_ : gpu_model_, scene, {&eye, 1}, options,
+                 pane.db ? (state_.scene.overlays.edges ? &lab_gpu_overlay_ : nullptr) : &gpu_overlay_, cap_values(),
+                 grey);
   if (!partly) return;
   const int from = static_cast<int>(pane.seen->left), to = from + static_cast<int>(pane.seen->width);
   if (to <= from) return;
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, other_half_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, picture_.id());
-  gl_->BlitFramebuffer(from, bottom, to, bottom + pane_size.height, from, bottom, to, bottom + pane_size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(from, bottom, to, bottom + pane_size.height, from, bottom, to, bottom + pane_size.height,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Viewer::lead_to_artefact(std::size_t artefact) {
@@ -221,7 +249,8 @@ void Viewer::lead_to_artefact(std::size_t artefact) {
   state_.scene.overlays.edges = true;
   // Enamel hides what is broken in dentine; DT's dentine has its cavity as a part of its own.
   const auto belongs = [&](const Look& look) {
-    return look.structure == broken.structure || std::any_of(state_.shown->model.parts.begin(), state_.shown->model.parts.end(), [&](const ModelPart& part) {
+    return look.structure == broken.structure ||
+           std::any_of(state_.shown->model.parts.begin(), state_.shown->model.parts.end(), [&](const ModelPart& part) {
              return part.structure == look.structure && part.solid == broken.structure;
            });
   };
@@ -235,7 +264,8 @@ void Viewer::put_artefact_away() {
   if (!lab.artefact) return;
   lab.artefact.reset();
   for (Look& look : state_.scene.looks) {
-    const auto before = std::find_if(lab.looks_before.begin(), lab.looks_before.end(), [&](const Look& known) { return known.structure == look.structure; });
+    const auto before = std::find_if(lab.looks_before.begin(), lab.looks_before.end(),
+                                     [&](const Look& known) { return known.structure == look.structure; });
     look.visible = before == lab.looks_before.end() || before->visible;
   }
 }
@@ -253,7 +283,7 @@ void Viewer::step_artefact(int by) {
 }
 
 void Viewer::begin_lesson() {
-  if (!sample_shown_) {   // its steps speak of the sample molar
+  if (!sample_shown_) {  // its steps speak of the sample molar
     lesson_after_load_ = true;
     open({});
     return;
@@ -277,7 +307,7 @@ void Viewer::go_to_step(std::size_t number) {
   for (Look& look : usual.looks) look.opacity = 1;
   usual.back_faces = BackFaces::cull;
   usual.background = state_.scene.background;
-  constexpr double shrink = 0.85, lift = 0.14;   // the card covers the lower part of the view
+  constexpr double shrink = 0.85, lift = 0.14;  // the card covers the lower part of the view
   const double aspect = viewport_.aspect() / (step.layout == LabLayout::side_by_side ? 2 : 1);
   usual.camera = fit(NamedView::three_quarter, state_.shown->model, aspect, state_.scene.camera.projection);
   usual.camera = zoom(usual.camera, shrink, usual.camera.target);

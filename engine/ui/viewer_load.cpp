@@ -37,7 +37,10 @@ void Viewer::take_finished_load() {
   try {
     auto made = std::make_shared<const LoadedModel>(job->take());
     // Who turned the draft goes on from there.
-    const std::optional<Camera> turned = state_.draft && draft_camera_ && !made->camera_given && state_.scene.camera != *draft_camera_ ? std::optional(state_.scene.camera) : std::nullopt;
+    const std::optional<Camera> turned =
+        state_.draft && draft_camera_ && !made->camera_given && state_.scene.camera != *draft_camera_
+            ? std::optional(state_.scene.camera)
+            : std::nullopt;
     show(std::move(made));
     if (turned) state_.scene.camera = *turned;
     sample_shown_ = job->request().file.empty();
@@ -45,7 +48,7 @@ void Viewer::take_finished_load() {
     const bool by_name = !job->request().volume && !options_.wants_level({.file = job->request().file, .volume = {}});
     file_shown_ = by_name ? job->request().file : std::string();
     if (!job->request().file.empty()) remember_file(state_.settings, job->request().file);
-    if (notes_at_risk() && !notes_may_go_) save_notes();   // written while it loaded: nobody was asked
+    if (notes_at_risk() && !notes_may_go_) save_notes();  // written while it loaded: nobody was asked
     notes_may_go_ = false;
     state_.notes = {};
     lesson_.leave();
@@ -66,7 +69,7 @@ void Viewer::give_up_loading() {
   notes_may_go_ = false;
   if (!std::exchange(state_.draft, false)) return;
   end_flight();
-  state_.shown.reset();   // it stood for a model that will not be
+  state_.shown.reset();  // it stood for a model that will not be
   state_.names.clear();
 }
 
@@ -93,12 +96,14 @@ void Viewer::show(std::shared_ptr<const LoadedModel> shown) {
   state_.scene = shown->scene;
   if (shown->greys) state_.volume_layout = {.air = shown->greys->air, .dentine = shown->greys->dentine};
   // The same plane, its handle where the model is.
-  if (auto& section = state_.scene.section) section = with_offset(*section, offset_of(*section, shown->model), shown->model);
+  if (auto& section = state_.scene.section)
+    section = with_offset(*section, offset_of(*section, shown->model), shown->model);
   if (!shown->back_faces_given) state_.scene.back_faces = state_.settings.back_faces;
   if (!shown->looks_given) apply_remembered(state_.settings, state_.scene);
   if (!shown->background_given) state_.scene.background = background_of(state_.settings.backdrop);
   if (!shown->camera_given)
-    state_.scene.camera = fit_without(hidden_in(state_.scene), NamedView::three_quarter, shown->model, panes_.front().area.aspect(), state_.settings.projection);
+    state_.scene.camera = fit_without(hidden_in(state_.scene), NamedView::three_quarter, shown->model,
+                                      panes_.front().area.aspect(), state_.settings.projection);
   state_.shown = std::move(shown);
   state_.names = named_places(state_.shown->model, state_.shown->scene);
   state_.name_told.reset();

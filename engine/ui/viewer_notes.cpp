@@ -19,7 +19,10 @@ namespace {
 
 /// Without looks of structures that this model does not have.
 Scene of_model(Scene scene, const Model& model) {
-  std::erase_if(scene.looks, [&](const Look& look) { return std::none_of(model.parts.begin(), model.parts.end(), [&](const ModelPart& part) { return part.structure == look.structure; }); });
+  std::erase_if(scene.looks, [&](const Look& look) {
+    return std::none_of(model.parts.begin(), model.parts.end(),
+                        [&](const ModelPart& part) { return part.structure == look.structure; });
+  });
   return scene;
 }
 
@@ -30,8 +33,10 @@ void keep_draft(NotesState& notes) {
   const std::optional<std::size_t> place = std::exchange(notes.draft_of, std::nullopt);
   notes.placing = NotesState::Placing::none;
   if (note.title.empty()) note.title = fmt::format("Note {}", place.value_or(notes.tour.notes.size()) + 1);
-  if (place && *place < notes.tour.notes.size()) notes.tour.notes[*place] = std::move(note);
-  else notes.tour.notes.push_back(std::move(note));
+  if (place && *place < notes.tour.notes.size())
+    notes.tour.notes[*place] = std::move(note);
+  else
+    notes.tour.notes.push_back(std::move(note));
   notes.unsaved = true;
 }
 
@@ -48,7 +53,7 @@ void edit_note(NotesState& notes, std::size_t number) {
 }
 
 void move_note(NotesState& notes, std::size_t number, int by) {
-  const std::size_t to = number + static_cast<std::size_t>(by);   // below 0 is beyond the last
+  const std::size_t to = number + static_cast<std::size_t>(by);  // below 0 is beyond the last
   if (number >= notes.tour.notes.size() || to >= notes.tour.notes.size()) return;
   std::swap(notes.tour.notes[number], notes.tour.notes[to]);
   if (notes.shown == number) notes.shown = to;
@@ -93,7 +98,8 @@ bool Viewer::notes_at_risk() const {
   const NotesState& notes = state_.notes;
   if (notes.unsaved || !notes.draft) return notes.unsaved;
   const TourNote& draft = *notes.draft;
-  if (notes.draft_of) return *notes.draft_of >= notes.tour.notes.size() || !(draft == notes.tour.notes[*notes.draft_of]);
+  if (notes.draft_of)
+    return *notes.draft_of >= notes.tour.notes.size() || !(draft == notes.tour.notes[*notes.draft_of]);
   return !draft.title.empty() || !draft.text.empty() || !draft.marks.empty() || draft.question;
 }
 
@@ -109,7 +115,8 @@ void Viewer::answer_about_notes() {
   if (!notes.leaving || notes.leaving->answer == Answer::none) return;
   const LeavingNotes leaving = std::move(*std::exchange(notes.leaving, std::nullopt));
   if (leaving.answer == Answer::save) save_notes();
-  if (leaving.answer == Answer::stay || (leaving.answer == Answer::save && notes_at_risk())) {   // or it could not be written
+  if (leaving.answer == Answer::stay ||
+      (leaving.answer == Answer::save && notes_at_risk())) {  // or it could not be written
     lesson_after_load_ = false;
     return;
   }
@@ -193,7 +200,8 @@ void Viewer::save_marks() {
   }
 }
 
-/// What a click here means for the lesson: a pin or an answer for the draft, or an answer to the question. true: it was for the lesson.
+/// What a click here means for the lesson: a pin or an answer for the draft, or an answer to the question. true: it was
+/// for the lesson.
 bool Viewer::point_for_lesson(const ViewPane& pane, double x, double y) {
   NotesState& notes = state_.notes;
   const bool placing = notes.draft && notes.placing != NotesState::Placing::none;
@@ -241,10 +249,15 @@ void Viewer::save_notes() {
     const std::filesystem::path file = new_file(notes.tour.title, std::string(tour_ending));
     notes.tour.model.clear();
     std::error_code error;
-    if (!file_shown_.empty()) notes.tour.model = std::filesystem::proximate(std::filesystem::absolute(file_shown_), std::filesystem::absolute(file).parent_path(), error).generic_string();
+    if (!file_shown_.empty())
+      notes.tour.model = std::filesystem::proximate(std::filesystem::absolute(file_shown_),
+                                                    std::filesystem::absolute(file).parent_path(), error)
+                             .generic_string();
     const std::string text = to_json(notes.tour);
     if (text.size() > most_tour_bytes)
-      throw UsageError(fmt::format("The notes are {} bytes long; a lesson has at most {}", text.size(), most_tour_bytes), "Make two lessons of them.");
+      throw UsageError(
+          fmt::format("The notes are {} bytes long; a lesson has at most {}", text.size(), most_tour_bytes),
+          "Make two lessons of them.");
     AtomicFile written(file);
     written.write(text);
     written.commit();
@@ -261,7 +274,8 @@ bool Viewer::open_tour(LoadRequest& request) {
   failure_ = nullptr;
   TourNotes tour;
   try {
-    tour = request.lesson ? translated(built_in_lesson_tour(*request.lesson), interface_.language()) : read_tour(request.file);
+    tour = request.lesson ? translated(built_in_lesson_tour(*request.lesson), interface_.language())
+                          : read_tour(request.file);
   } catch (const Error& error) {
     failure_ = std::current_exception();
     state_.trouble = error.what();
@@ -270,7 +284,9 @@ bool Viewer::open_tour(LoadRequest& request) {
   if (!request.lesson) remember_file(state_.settings, request.file);
   const std::filesystem::path folder = std::filesystem::path(request.file).parent_path();
   const std::string model = tour.model.empty() ? "" : (folder / tour.model).lexically_normal().string();
-  const bool there = state_.shown && (!request.lesson || sample_shown_) && (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) == std::filesystem::weakly_canonical(model)));
+  const bool there = state_.shown && (!request.lesson || sample_shown_) &&
+                     (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) ==
+                                                                         std::filesystem::weakly_canonical(model)));
   if (there) {
     take_tour(std::move(tour));
     return true;
@@ -305,8 +321,12 @@ void Viewer::go_to_note(std::size_t number) {
   }
   const FlightSpaces* spaces = state_.shown->flight.get();
   const glm::dvec3 eye = note.camera.position;
-  const auto fits = [&](const FlightSpace& space) { return space.walls.locate(eye) == Walls::Side::inside && space.walls.nearest(eye).distance >= spaces->rules.clearance; };
-  const auto found = spaces ? std::find_if(spaces->cavities.begin(), spaces->cavities.end(), fits) : std::vector<FlightSpace>::const_iterator{};
+  const auto fits = [&](const FlightSpace& space) {
+    return space.walls.locate(eye) == Walls::Side::inside &&
+           space.walls.nearest(eye).distance >= spaces->rules.clearance;
+  };
+  const auto found = spaces ? std::find_if(spaces->cavities.begin(), spaces->cavities.end(), fits)
+                            : std::vector<FlightSpace>::const_iterator{};
   if (!spaces || found == spaces->cavities.end()) {
     notice("This note was taken inside another tooth: at its place there is no cavity here.", true);
     return;
@@ -351,7 +371,7 @@ void Viewer::show_note_outside(const TourNote& note) {
     darken_then(in_the_dark);
     return;
   }
-  if (!note.scene.empty()) leave_lab();   // its looks are its own
+  if (!note.scene.empty()) leave_lab();  // its looks are its own
   const Scene goal = of_model(note.scene_over(state_.scene, usual), state_.shown->model);
   go_to(note.camera, lesson_seconds);
   look_transition_.emplace(state_.scene, goal);

@@ -13,8 +13,8 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double scrub_share = 0.02;   // of the track, with one key
-constexpr int where_side = 2;          // samples a pixel along one axis: drawn once, so fine
+constexpr double scrub_share = 0.02;  // of the track, with one key
+constexpr int where_side = 2;         // samples a pixel along one axis: drawn once, so fine
 
 }  // namespace
 
@@ -56,7 +56,9 @@ void Viewer::leave_ride() {
     const auto& points = fly.ride->track.points;
     const Track::Point* best = nullptr;
     for (const Track::Point& point : points)
-      if (walls.nearest(point.at).distance >= clearance && (!best || std::abs(point.along - fly.ride->along) < std::abs(best->along - fly.ride->along))) best = &point;
+      if (walls.nearest(point.at).distance >= clearance &&
+          (!best || std::abs(point.along - fly.ride->along) < std::abs(best->along - fly.ride->along)))
+        best = &point;
     if (!best) return;
     fly.flight.eye = best->at;
   }
@@ -87,11 +89,19 @@ void Viewer::advance_ride(const FlightWish& wish, double seconds) {
 bool Viewer::perform_on_ride(Action action) {
   FlyState& fly = state_.fly;
   switch (action) {
-    case Action::toggle_labels: fly.show_labels = !fly.show_labels; return true;
-    case Action::toggle_depth: state_.settings.comfort.wall_depth = !state_.settings.comfort.wall_depth; return true;
-    case Action::toggle_where: fly.show_where = !fly.show_where; return true;
+    case Action::toggle_labels:
+      fly.show_labels = !fly.show_labels;
+      return true;
+    case Action::toggle_depth:
+      state_.settings.comfort.wall_depth = !state_.settings.comfort.wall_depth;
+      return true;
+    case Action::toggle_where:
+      fly.show_where = !fly.show_where;
+      return true;
     case Action::turn_where:
-      fly.where_from = fly.where_from == NamedView::buccal ? NamedView::mesial : fly.where_from == NamedView::mesial ? NamedView::occlusal : NamedView::buccal;
+      fly.where_from = fly.where_from == NamedView::buccal   ? NamedView::mesial
+                       : fly.where_from == NamedView::mesial ? NamedView::occlusal
+                                                             : NamedView::buccal;
       return true;
     case Action::next_canal: {
       if (!fly.cavity) {
@@ -109,8 +119,10 @@ bool Viewer::perform_on_ride(Action action) {
     case Action::ride_farther:
     case Action::ride_nearer:
     case Action::ride_to_start:
-    case Action::ride_to_end: break;
-    default: return false;
+    case Action::ride_to_end:
+      break;
+    default:
+      return false;
   }
   if (!fly.ride) return true;
   Ride& ride = *fly.ride;
@@ -118,7 +130,7 @@ bool Viewer::perform_on_ride(Action action) {
   switch (action) {
     case Action::ride_play:
       ride.playing = !ride.playing;
-      if (ride.playing && !ride.back && ride.along >= to) ride.along = from;   // once more
+      if (ride.playing && !ride.back && ride.along >= to) ride.along = from;  // once more
       if (ride.playing && ride.back && ride.along <= from) ride.along = to;
       ride.look = ride.playing ? glm::dvec2(0) : ride.look;
       break;
@@ -126,11 +138,20 @@ bool Viewer::perform_on_ride(Action action) {
       ride.back = !ride.back;
       ride.playing = true;
       break;
-    case Action::ride_farther: ride.along = std::min(ride.along + scrub_share * (to - from), to); break;
-    case Action::ride_nearer: ride.along = std::max(ride.along - scrub_share * (to - from), from); break;
-    case Action::ride_to_start: ride.along = from; break;
-    case Action::ride_to_end: ride.along = to; break;
-    default: break;
+    case Action::ride_farther:
+      ride.along = std::min(ride.along + scrub_share * (to - from), to);
+      break;
+    case Action::ride_nearer:
+      ride.along = std::max(ride.along - scrub_share * (to - from), from);
+      break;
+    case Action::ride_to_start:
+      ride.along = from;
+      break;
+    case Action::ride_to_end:
+      ride.along = to;
+      break;
+    default:
+      break;
   }
   return true;
 }
@@ -148,13 +169,16 @@ void Viewer::draw_where_picture(const Target& target) {
     scene.camera = where_camera(state_.shown->model, state_.fly.where_from, area);
     scene.background = {Background::Kind::plain, colour_of(0x14181c), colour_of(0x14181c)};
     scene.occlusion.on = false;
-    const Pane eye{odontoscope::view_of(scene.camera, state_.shown->model, area.aspect()), {where_picture_.id(), 0, 0, size}};
+    const Pane eye{odontoscope::view_of(scene.camera, state_.shown->model, area.aspect()),
+                   {where_picture_.id(), 0, 0, size}};
     renderer_.draw(gpu_model_, scene, {&eye, 1}, {where_side});
   }
-  const int left = target.left + static_cast<int>(area.left), bottom = target.bottom + target.size.height - static_cast<int>(area.top) - size.height;
+  const int left = target.left + static_cast<int>(area.left),
+            bottom = target.bottom + target.size.height - static_cast<int>(area.top) - size.height;
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, where_picture_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-  gl_->BlitFramebuffer(0, 0, size.width, size.height, left, bottom, left + size.width, bottom + size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_->BlitFramebuffer(0, 0, size.width, size.height, left, bottom, left + size.width, bottom + size.height,
+                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 }  // namespace odontoscope

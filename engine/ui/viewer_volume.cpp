@@ -1,5 +1,5 @@
-// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile; what it works out
-// of a volume that is shown; and where it looks at a film from.
+// The viewer before a volume: it asks where the surface lies, and reads the slices to look at meanwhile; what it works
+// out of a volume that is shown; and where it looks at a film from.
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,15 @@ void Viewer::ask_about(LoadRequest request) {
   }
   if (!options_.preview) return;
   state_.question->reading = true;
-  preview_job_ = std::make_unique<Job<VolumePreview>>(
-      [preview = options_.preview, asked = state_.question->request](const Progress& progress) { return preview(asked, progress); });
+  preview_job_ =
+      std::make_unique<Job<VolumePreview>>([preview = options_.preview, asked = state_.question->request](
+                                               const Progress& progress) { return preview(asked, progress); });
 }
 
 void Viewer::tend_question() {
   std::erase_if(stopped_previews_, [](const auto& job) { return job->finished(); });
   if (!preview_job_) return;
-  if (!state_.question) {   // answered or called off before there was anything to see
+  if (!state_.question) {  // answered or called off before there was anything to see
     preview_job_->cancel();
     stopped_previews_.push_back(std::move(preview_job_));
     return;
@@ -66,7 +67,8 @@ void Viewer::tend_deviations() {
   if (!still_shown || !asked) return;
   gpu_model_ = upload(*gl_, marked->model);
   state_.shown = std::move(marked);
-  if (state_.shown->deviations) state_.scene.data_colours = usual_data_colours(*asked, *state_.shown->deviations, *state_.shown->values);
+  if (state_.shown->deviations)
+    state_.scene.data_colours = usual_data_colours(*asked, *state_.shown->deviations, *state_.shown->values);
   frames_to_settle_ = 3;
 }
 
@@ -76,7 +78,8 @@ void Viewer::swing_tube(double degrees) {
   Camera camera = transition_ ? transition_->goal() : state_.scene.camera;
   const double far = glm::distance(camera.position, camera.target), angle = glm::radians(degrees);
   camera.target = state_.shown->model.bounds_mm.centre();
-  camera.position = camera.target + far * (std::cos(angle) * tooth.buccal + std::sin(angle) * glm::cross(tooth.occlusal, tooth.buccal));
+  camera.position = camera.target +
+                    far * (std::cos(angle) * tooth.buccal + std::sin(angle) * glm::cross(tooth.occlusal, tooth.buccal));
   camera.up = tooth.occlusal;
   transition_.reset();
   state_.scene.camera = camera;

@@ -18,17 +18,20 @@ using widgets::scaled;
 void slice_in_outline(const VolumeQuestion& question, float side) {
   const VolumePreview& preview = *question.preview;
   const SlicePicture& picture = question.drawn.picture;
-  const float wide = static_cast<float>(static_cast<double>(picture.width) * preview.values.step_mm.x), high = static_cast<float>(static_cast<double>(picture.height) * preview.values.step_mm.y);
+  const float wide = static_cast<float>(static_cast<double>(picture.width) * preview.values.step_mm.x),
+              high = static_cast<float>(static_cast<double>(picture.height) * preview.values.step_mm.y);
   const float scale = side / std::max(wide, high);
   const ImVec2 frame = ImGui::GetCursorScreenPos();
   const ImVec2 corner(frame.x + (side - scale * wide) / 2, frame.y + (side - scale * high) / 2);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(frame, {frame.x + side, frame.y + side}, theme::rgb(0x000000, 255), scaled(6));
   list.AddImage(grey_picture(), corner, {corner.x + scale * wide, corner.y + scale * high});
-  const float x = scale * wide / static_cast<float>(picture.width), y = scale * high / static_cast<float>(picture.height);
+  const float x = scale * wide / static_cast<float>(picture.width),
+              y = scale * high / static_cast<float>(picture.height);
   for (const auto& [from, to] : question.drawn.outline)
-    list.AddLine({corner.x + static_cast<float>(from.x) * x, corner.y + static_cast<float>(from.y) * y}, {corner.x + static_cast<float>(to.x) * x, corner.y + static_cast<float>(to.y) * y},
-                 theme::accent, scaled(1.5f));
+    list.AddLine({corner.x + static_cast<float>(from.x) * x, corner.y + static_cast<float>(from.y) * y},
+                 {corner.x + static_cast<float>(to.x) * x, corner.y + static_cast<float>(to.y) * y}, theme::accent,
+                 scaled(1.5f));
   ImGui::Dummy({side, side});
 }
 
@@ -40,13 +43,17 @@ void histogram(VolumeQuestion& question, float height) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, scaled(4));
   const double span = std::max(preview.high - preview.low, 1e-30);
-  const auto at = [&](double value) { return corner.x + static_cast<float>(std::clamp((value - preview.low) / span, 0.0, 1.0)) * width; };
+  const auto at = [&](double value) {
+    return corner.x + static_cast<float>(std::clamp((value - preview.low) / span, 0.0, 1.0)) * width;
+  };
   const float bar = width / static_cast<float>(std::max<std::size_t>(preview.bars.size(), 1));
   for (std::size_t i = 0; i < preview.bars.size(); ++i) {
     const float left = corner.x + static_cast<float>(i) * bar;
-    list.AddRectFilled({left, corner.y + height - preview.bars[i] * (height - scaled(6))}, {left + std::max(bar - scaled(0.5f), 1.0f), corner.y + height}, theme::quiet);
+    list.AddRectFilled({left, corner.y + height - preview.bars[i] * (height - scaled(6))},
+                       {left + std::max(bar - scaled(0.5f), 1.0f), corner.y + height}, theme::quiet);
   }
-  for (const double threshold : preview.thresholds) list.AddLine({at(threshold), corner.y}, {at(threshold), corner.y + scaled(8)}, theme::text, scaled(1.5f));
+  for (const double threshold : preview.thresholds)
+    list.AddLine({at(threshold), corner.y}, {at(threshold), corner.y + scaled(8)}, theme::text, scaled(1.5f));
   list.AddLine({at(question.iso), corner.y}, {at(question.iso), corner.y + height}, theme::accent, scaled(2));
   ImGui::InvisibleButton("##histogram", {width, height});
   widgets::noted("##histogram", false);
@@ -71,7 +78,9 @@ void ask_for_grey_value(VolumeQuestion& question, const Interface& interface) {
       }
     }
   } else {
-    widgets::remark(interface, "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a value eats into the tooth.");
+    widgets::remark(interface,
+                    "In CT, dentine begins where soft tissue and air end. Too low a value shows noise, too high a "
+                    "value eats into the tooth.");
   }
   widgets::text("Grey value");
   ImGui::SetNextItemWidth(-1);
@@ -90,10 +99,13 @@ void ask_for_labels(VolumeQuestion& question, const Interface& interface) {
   ImGui::BeginChild("labels", {0, row * static_cast<float>(std::min(question.preview->labels.size(), rows_seen))});
   for (const VolumePreview::Label& label : question.preview->labels) {
     bool wanted = question.labels.contains(label.value);
-    const std::string words = label.name.empty() ? fmt::format("Label {}", label.value) : fmt::format("{} ({})", label.name, label.value);
+    const std::string words =
+        label.name.empty() ? fmt::format("Label {}", label.value) : fmt::format("{} ({})", label.name, label.value);
     if (!widgets::toggle(words.c_str(), wanted)) continue;
-    if (wanted) question.labels.insert(label.value);
-    else question.labels.erase(label.value);
+    if (wanted)
+      question.labels.insert(label.value);
+    else
+      question.labels.erase(label.value);
   }
   ImGui::EndChild();
 }
@@ -103,8 +115,10 @@ void ask(VolumeQuestion& question, const Interface& interface) {
     int kind = question.as_grey ? 1 : 0;
     if (widgets::choice("kind", kind, {"Labels", "Grey values"})) question.as_grey = kind == 1;
   }
-  if (question.of_labels()) ask_for_labels(question, interface);
-  else ask_for_grey_value(question, interface);
+  if (question.of_labels())
+    ask_for_labels(question, interface);
+  else
+    ask_for_grey_value(question, interface);
   widgets::text("Leave out contours smaller than, pixels");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##area");
@@ -114,15 +128,17 @@ void ask(VolumeQuestion& question, const Interface& interface) {
 }
 
 std::string size_in_words(const VolumePreview& preview) {
-  return fmt::format("{} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm", preview.size[0], preview.size[1], preview.size[2], preview.spacing_mm[0], preview.spacing_mm[1], preview.spacing_mm[2]);
+  return fmt::format("{} x {} x {} voxels of {:.3g} x {:.3g} x {:.3g} mm", preview.size[0], preview.size[1],
+                     preview.size[2], preview.spacing_mm[0], preview.spacing_mm[1], preview.spacing_mm[2]);
 }
 
 std::string size_in_words(const SeriesOffer& offer) {
   if (!offer.trouble.empty()) return fmt::format("It cannot be read ({}).", offer.trouble);
   if (!offer.segments.empty()) return fmt::format("{} segments", offer.segments.size());
-  if (!offer.pixel_mm || !offer.apart_mm) return fmt::format("{} x {} pixels, {} slices", offer.columns, offer.rows, offer.slices);
-  return fmt::format("{} x {} pixels of {:.3g} x {:.3g} mm, {} slices {:.3g} mm apart", offer.columns, offer.rows, (*offer.pixel_mm)[0], (*offer.pixel_mm)[1], offer.slices,
-                     *offer.apart_mm);
+  if (!offer.pixel_mm || !offer.apart_mm)
+    return fmt::format("{} x {} pixels, {} slices", offer.columns, offer.rows, offer.slices);
+  return fmt::format("{} x {} pixels of {:.3g} x {:.3g} mm, {} slices {:.3g} mm apart", offer.columns, offer.rows,
+                     (*offer.pixel_mm)[0], (*offer.pixel_mm)[1], offer.slices, *offer.apart_mm);
 }
 
 /// The place of the one that was pressed.
@@ -159,7 +175,8 @@ VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface) {
     if (question.preview->values.size[2] > 1) {
       double slice = static_cast<double>(question.slice);
       ImGui::BeginChild("slices", {side, 2 * ImGui::GetFrameHeightWithSpacing()});
-      if (widgets::slider("Slice", slice, 0, static_cast<double>(question.preview->values.size[2] - 1), "%.0f")) question.slice = static_cast<std::size_t>(slice + 0.5);
+      if (widgets::slider("Slice", slice, 0, static_cast<double>(question.preview->values.size[2] - 1), "%.0f"))
+        question.slice = static_cast<std::size_t>(slice + 0.5);
       ImGui::EndChild();
     }
     ImGui::EndGroup();
@@ -168,7 +185,9 @@ VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface) {
     ask(question, interface);
     ImGui::EndChild();
   } else {
-    widgets::remark(interface, question.reading ? fmt::format("Reading its slices\xE2\x80\xA6 {:.0f} %", 100 * question.read) : "This is a volume.");
+    widgets::remark(interface, question.reading
+                                   ? fmt::format("Reading its slices\xE2\x80\xA6 {:.0f} %", 100 * question.read)
+                                   : "This is a volume.");
     ask(question, interface);
   }
   if (question.answered() && widgets::wide_button("Make the model", true)) return {answer_of(question), true};

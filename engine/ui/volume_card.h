@@ -1,6 +1,6 @@
 #pragma once
-// The card that asks where a volume's surface lies, beside a slice with the outline that the answer would give, and the grey values. Of several DICOM series
-// it asks first which one is meant.
+// The card that asks where a volume's surface lies, beside a slice with the outline that the answer would give, and the
+// grey values. Of several DICOM series it asks first which one is meant.
 
 #include <optional>
 
@@ -10,8 +10,8 @@
 namespace odontoscope {
 
 struct VolumeAnswer {
-  std::optional<LoadRequest> open;   // what is to be made, or asked about next
-  bool put_away = false;             // the card has done its work
+  std::optional<LoadRequest> open;  // what is to be made, or asked about next
+  bool put_away = false;            // the card has done its work
 };
 
 /// What the card holds below its title.

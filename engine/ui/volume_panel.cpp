@@ -20,7 +20,8 @@ using widgets::scaled;
 
 void lay_out_transfer(ViewerState& state) {
   const VolumeLayout& layout = state.volume_layout;
-  state.scene.volume.transfer = layout.edited.empty() ? transfer_of(layout.preset, layout.air, layout.dentine) : layout.edited;
+  state.scene.volume.transfer =
+      layout.edited.empty() ? transfer_of(layout.preset, layout.air, layout.dentine) : layout.edited;
   for (TransferPoint& point : state.scene.volume.transfer) point.extinction *= layout.density;
 }
 
@@ -30,7 +31,7 @@ void begin_cast(VolumeLook::Cast cast, ViewerState& state) {
   const VolumeLayout& layout = state.volume_layout;
   look.cast = cast;
   if (!look.projects()) return;
-  look.shows = VolumeLook::Shows::volume;   // greys along the whole ray have no depth
+  look.shows = VolumeLook::Shows::volume;  // greys along the whole ray have no depth
   const double brightest = state.shown->values->usual.high;
   look.black = layout.air;
   look.white = cast == VolumeLook::Cast::radiograph || brightest <= layout.air ? layout.dentine : brightest;
@@ -52,9 +53,12 @@ void choose_what_is_shown(ViewerState& state) {
 /// Two values of which the first stays below the other. true: one was moved.
 bool two_values(const char* low_words, double& low, const char* high_words, double& high, const ValueWindow& range) {
   const double least = 0.001 * (range.high - range.low);
-  const bool low_moved = widgets::slider(low_words, low, range.low, range.high, "%.5g"), high_moved = widgets::slider(high_words, high, range.low, range.high, "%.5g");
-  if (low_moved) high = std::max(high, low + least);
-  else if (high_moved) low = std::min(low, high - least);
+  const bool low_moved = widgets::slider(low_words, low, range.low, range.high, "%.5g"),
+             high_moved = widgets::slider(high_words, high, range.low, range.high, "%.5g");
+  if (low_moved)
+    high = std::max(high, low + least);
+  else if (high_moved)
+    low = std::min(low, high - least);
   return low_moved || high_moved;
 }
 
@@ -62,10 +66,14 @@ bool two_values(const char* low_words, double& low, const char* high_words, doub
 void slope_controls(ViewerState& state) {
   Slopes& slopes = state.scene.volume.slopes;
   const ValueGrid& values = *state.shown->values;
-  const double steepest = (values.usual.high - values.usual.low) / std::min({values.step_mm.x, values.step_mm.y, values.step_mm.z});
+  const double steepest =
+      (values.usual.high - values.usual.low) / std::min({values.step_mm.x, values.step_mm.y, values.step_mm.z});
   bool only_borders = slopes.count();
-  if (widgets::toggle("Borders only", only_borders)) slopes = only_borders ? Slopes{0.05 * steepest, 0.2 * steepest} : Slopes{};
-  if (slopes.count()) two_values("Too flat, values/mm", slopes.flat, "Steep enough, values/mm", slopes.steep, {0, std::max(steepest, slopes.steep)});
+  if (widgets::toggle("Borders only", only_borders))
+    slopes = only_borders ? Slopes{0.05 * steepest, 0.2 * steepest} : Slopes{};
+  if (slopes.count())
+    two_values("Too flat, values/mm", slopes.flat, "Steep enough, values/mm", slopes.steep,
+               {0, std::max(steepest, slopes.steep)});
 }
 
 void transfer_controls(ViewerState& state, const Interface& interface) {
@@ -82,15 +90,18 @@ void transfer_controls(ViewerState& state, const Interface& interface) {
     layout.edited = transfer;
     for (TransferPoint& point : layout.edited) point.extinction /= layout.density;
   }
-  widgets::remark(interface, state.shown->greys->isos.empty() ? "Drag points; a click makes one, the right button takes one away."
-                                                              : "Drag points; a click makes one, the right button takes one away. The lines are where the surfaces were taken.");
+  widgets::remark(interface, state.shown->greys->isos.empty()
+                                 ? "Drag points; a click makes one, the right button takes one away."
+                                 : "Drag points; a click makes one, the right button takes one away. The lines are "
+                                   "where the surfaces were taken.");
   double density = 100 * layout.density;
   if (widgets::slider("Density", density, 5, 400, "%.0f %%")) {
     layout.density = density / 100;
     lay_out_transfer(state);
   }
   slope_controls(state);
-  if (layout.edited.empty() && two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range)) lay_out_transfer(state);
+  if (layout.edited.empty() && two_values("Air", layout.air, "Dentine", layout.dentine, state.shown->values->range))
+    lay_out_transfer(state);
 }
 
 /// The legend's bar, its numbers below.
@@ -98,17 +109,29 @@ void data_legend(const DataColours& colours, const Interface& interface) {
   const auto stops = stops_of(colours.of);
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = scaled(10);
-  const auto light = [&](float part) { return part < 0 ? glm::mix(linear(stops[1]), linear(stops[0]), -part) : glm::mix(linear(stops[1]), linear(stops[2]), part); };
-  const auto channel = [](float part) { return static_cast<int>(255 * std::pow(std::clamp(part, 0.0f, 1.0f), 1 / 2.2f)); };
+  const auto light = [&](float part) {
+    return part < 0 ? glm::mix(linear(stops[1]), linear(stops[0]), -part)
+                    : glm::mix(linear(stops[1]), linear(stops[2]), part);
+  };
+  const auto channel = [](float part) {
+    return static_cast<int>(255 * std::pow(std::clamp(part, 0.0f, 1.0f), 1 / 2.2f));
+  };
   constexpr int pieces = 48;
   for (int i = 0; i < pieces; ++i) {
     const glm::vec3 colour = light(2 * (static_cast<float>(i) + 0.5f) / pieces - 1);
-    ImGui::GetWindowDrawList()->AddRectFilled({corner.x + width * static_cast<float>(i) / pieces, corner.y}, {corner.x + width * static_cast<float>(i + 1) / pieces, corner.y + height},
-                                              IM_COL32(channel(colour.r), channel(colour.g), channel(colour.b), 255));
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {corner.x + width * static_cast<float>(i) / pieces, corner.y},
+        {corner.x + width * static_cast<float>(i + 1) / pieces, corner.y + height},
+        IM_COL32(channel(colour.r), channel(colour.g), channel(colour.b), 255));
   }
   ImGui::Dummy({width, height});
-  if (colours.of == DataColours::Of::distance) widgets::remark(interface, fmt::format("−{0:.3g} mm (blue: the CT reaches beyond the model) to +{0:.3g} mm (red: the model beyond the CT)", colours.reach));
-  else widgets::remark(interface, fmt::format("0 to {:.3g} grey values a millimetre", colours.reach));
+  if (colours.of == DataColours::Of::distance)
+    widgets::remark(
+        interface,
+        fmt::format("−{0:.3g} mm (blue: the CT reaches beyond the model) to +{0:.3g} mm (red: the model beyond the CT)",
+                    colours.reach));
+  else
+    widgets::remark(interface, fmt::format("0 to {:.3g} grey values a millimetre", colours.reach));
 }
 
 /// Model against data: distances and slopes on the surfaces.
@@ -123,10 +146,13 @@ void data_colours(ViewerState& state, const Interface& interface) {
     state.data_colours_asked.reset();
     if (chosen > 0) {
       const auto of = chosen == 1 ? DataColours::Of::distance : DataColours::Of::slope;
-      if (state.shown->deviations) colours = usual_data_colours(of, *state.shown->deviations, *state.shown->values);
-      else state.data_colours_asked = of;
+      if (state.shown->deviations)
+        colours = usual_data_colours(of, *state.shown->deviations, *state.shown->values);
+      else
+        state.data_colours_asked = of;
       for (Look& structure : state.scene.looks)
-        if (!structure.as_body && state.scene.volume.shows != VolumeLook::Shows::both) structure.opacity = 1;   // colours are to be told apart
+        if (!structure.as_body && state.scene.volume.shows != VolumeLook::Shows::both)
+          structure.opacity = 1;  // colours are to be told apart
     }
   }
   if (state.data_colours_asked) widgets::remark(interface, "Comparing with the CT\xE2\x80\xA6");
@@ -134,9 +160,12 @@ void data_colours(ViewerState& state, const Interface& interface) {
   const DeviationSummary& found = *state.shown->deviations;
   const bool distance = colours->of == DataColours::Of::distance;
   const double most = distance ? std::max(found.most_mm, colours->reach) : 4 * std::max(found.steep_slope, 1e-9);
-  widgets::slider(distance ? "Colours reach to, mm" : "Colours reach to, values/mm", colours->reach, most / 200, most, "%.3g");
+  widgets::slider(distance ? "Colours reach to, mm" : "Colours reach to, values/mm", colours->reach, most / 200, most,
+                  "%.3g");
   data_legend(*colours, interface);
-  if (distance) widgets::remark(interface, fmt::format("Median {:.3g} mm, 95 % within {:.3g} mm, the farthest {:.3g} mm.", found.median_mm, found.nineteen_of_twenty_mm, found.most_mm));
+  if (distance)
+    widgets::remark(interface, fmt::format("Median {:.3g} mm, 95 % within {:.3g} mm, the farthest {:.3g} mm.",
+                                           found.median_mm, found.nineteen_of_twenty_mm, found.most_mm));
 }
 
 /// From the surfaces alone (0) to the volume alone (1).
@@ -161,9 +190,11 @@ void volume_section(ViewerState& state, const Interface& interface) {
   slide_between(state);
   VolumeLook& look = state.scene.volume;
   if (!look.shows_volume()) return;
-  constexpr std::array casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average, VolumeLook::Cast::radiograph};
+  constexpr std::array casts{VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average,
+                             VolumeLook::Cast::radiograph};
   int cast = static_cast<int>(std::find(casts.begin(), casts.end(), look.cast) - casts.begin());
-  if (widgets::choice("cast", cast, {"Shaded", "Maximum", "Average", "X-ray"})) begin_cast(casts[static_cast<std::size_t>(cast)], state);
+  if (widgets::choice("cast", cast, {"Shaded", "Maximum", "Average", "X-ray"}))
+    begin_cast(casts[static_cast<std::size_t>(cast)], state);
   if (look.cast == VolumeLook::Cast::shaded) return transfer_controls(state, interface);
   if (look.cast == VolumeLook::Cast::radiograph) {
     widgets::slider("White at attenuation", look.latitude, 0.5, 10, "%.1f");

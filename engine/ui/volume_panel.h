@@ -6,7 +6,8 @@
 
 namespace odontoscope {
 
-/// Surfaces, volume or both; how rays are cast; transfer function over the histogram, on which the values of the surfaces stand as lines. Nothing for what came from no volume.
+/// Surfaces, volume or both; how rays are cast; transfer function over the histogram, on which the values of the
+/// surfaces stand as lines. Nothing for what came from no volume.
 void volume_section(ViewerState& state, const Interface& interface);
 
 }  // namespace odontoscope

@@ -23,14 +23,16 @@ void draw_anew(VolumeQuestion& question) {
   const bool other_slice = drawn.pictures == 0 || drawn.slice != question.slice || drawn.as_grey != question.as_grey;
   if (!other_slice && drawn.iso == question.iso && drawn.labels == question.labels) return;
   if (other_slice) {
-    drawn.picture = slice_picture(preview.values, question.slice, question.of_labels() ? preview.values.range : preview.values.usual);
+    drawn.picture = slice_picture(preview.values, question.slice,
+                                  question.of_labels() ? preview.values.range : preview.values.usual);
     ++drawn.pictures;
   }
   drawn.slice = question.slice;
   drawn.iso = question.iso;
   drawn.labels = question.labels;
   drawn.as_grey = question.as_grey;
-  drawn.outline = question.of_labels() ? label_outline(preview.values, question.slice, question.labels) : slice_outline(preview.values, question.slice, question.iso);
+  drawn.outline = question.of_labels() ? label_outline(preview.values, question.slice, question.labels)
+                                       : slice_outline(preview.values, question.slice, question.iso);
 }
 
 LoadRequest about_series(const VolumeQuestion& question, std::size_t place) {
@@ -42,8 +44,10 @@ LoadRequest about_series(const VolumeQuestion& question, std::size_t place) {
 LoadRequest answer_of(const VolumeQuestion& question) {
   LoadRequest request = question.request;
   request.volume = VolumeChoice{.iso = {}, .labels = {}, .min_area_pixels = std::max(question.min_area_pixels, 0.0)};
-  if (question.of_labels()) request.volume->labels.assign(question.labels.begin(), question.labels.end());
-  else request.volume->iso = question.iso;
+  if (question.of_labels())
+    request.volume->labels.assign(question.labels.begin(), question.labels.end());
+  else
+    request.volume->iso = question.iso;
   return request;
 }
 

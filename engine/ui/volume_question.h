@@ -14,18 +14,18 @@
 namespace odontoscope {
 
 struct VolumeQuestion {
-  LoadRequest request = {};                            // that raised it
-  std::shared_ptr<const VolumePreview> preview = {};   // null: there is none, or it is still being read
+  LoadRequest request = {};                           // that raised it
+  std::shared_ptr<const VolumePreview> preview = {};  // null: there is none, or it is still being read
   bool reading = false;
-  double read = 0;                                     // of it, 0 to 1
-  std::vector<SeriesOffer> series = {};                // to choose from before there is anything to see
+  double read = 0;                       // of it, 0 to 1
+  std::vector<SeriesOffer> series = {};  // to choose from before there is anything to see
   double iso = 120;
-  bool iso_said = false;                               // by the person: a preview leaves it as it is
+  bool iso_said = false;  // by the person: a preview leaves it as it is
   double min_area_pixels = 4;
-  std::set<std::int64_t> labels = {};                  // of a label map: those wanted
+  std::set<std::int64_t> labels = {};  // of a label map: those wanted
   std::size_t slice = 0;
 
-  bool as_grey = false;                                // of what looks like a label map: it is none
+  bool as_grey = false;  // of what looks like a label map: it is none
 
   bool of_labels() const { return preview && !preview->labels.empty() && !as_grey; }
   bool answered() const { return series.empty() && (!of_labels() || !labels.empty()); }
@@ -37,7 +37,7 @@ struct VolumeQuestion {
     std::set<std::int64_t> labels = {};
     bool as_grey = false;
     SlicePicture picture = {};
-    int pictures = 0;                                  // counts up with each
+    int pictures = 0;  // counts up with each
     std::vector<std::array<glm::dvec2, 2>> outline = {};
   } drawn = {};
 };

@@ -31,7 +31,8 @@ bool area(const char* id, const ImVec2& size) {
   if (keyboard_here()) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     const float out = scaled(2);
-    ImGui::GetWindowDrawList()->AddRect({low.x - out, low.y - out}, {high.x + out, high.y + out}, theme::accent, scaled(6), 0, scaled(2));
+    ImGui::GetWindowDrawList()->AddRect({low.x - out, low.y - out}, {high.x + out, high.y + out}, theme::accent,
+                                        scaled(6), 0, scaled(2));
   }
   return pressed;
 }
@@ -42,10 +43,11 @@ double moved_by_keys(double value, double low, double high, const char* format) 
   const auto pressed = [&](ImGuiKey_ key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
   const int way = (pressed(ImGuiKey_RightArrow) ? 1 : 0) - (pressed(ImGuiKey_LeftArrow) ? 1 : 0);
   if (way == 0) return value;
-  ImGui::NavMoveRequestCancel();   // not to the neighbour
+  ImGui::NavMoveRequestCancel();  // not to the neighbour
   const char* point = std::strchr(format, '.');
   const bool fixed = point && std::strchr(point, 'f');
-  const double least = fixed ? std::pow(10.0, -std::atoi(point + 1)) : 0, step = std::max((io.KeyShift ? 0.001 : 0.01) * (high - low), least);
+  const double least = fixed ? std::pow(10.0, -std::atoi(point + 1)) : 0,
+               step = std::max((io.KeyShift ? 0.001 : 0.01) * (high - low), least);
   const double wanted = value + way * step;
   return std::clamp(fixed ? least * std::round(wanted / least) : wanted, low, high);
 }
@@ -68,8 +70,10 @@ bool section(const Interface& interface, const char* title, bool open_at_first) 
   ImGui::PopFont();
   const float s = scaled(4);
   const ImVec2 middle(corner.x + width - 2 * s, corner.y + height / 2);
-  const ImVec2 down[] = {{middle.x - s, middle.y - s / 2}, {middle.x, middle.y + s / 2}, {middle.x + s, middle.y - s / 2}};
-  const ImVec2 aside[] = {{middle.x - s / 2, middle.y - s}, {middle.x + s / 2, middle.y}, {middle.x - s / 2, middle.y + s}};
+  const ImVec2 down[] = {
+      {middle.x - s, middle.y - s / 2}, {middle.x, middle.y + s / 2}, {middle.x + s, middle.y - s / 2}};
+  const ImVec2 aside[] = {
+      {middle.x - s / 2, middle.y - s}, {middle.x + s / 2, middle.y}, {middle.x - s / 2, middle.y + s}};
   list.AddPolyline(open ? down : aside, 3, ImGui::IsItemHovered() ? theme::accent : theme::quiet, 0, scaled(1.6f));
   return open;
 }
@@ -106,7 +110,7 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(corner, {corner.x + width, corner.y + height}, theme::raised, scaled(6));
   std::vector<std::string> said;
-  float weight = 0;   // long words get more room
+  float weight = 0;  // long words get more room
   for (const char* word : words) {
     said.push_back(say(word));
     weight += ImGui::CalcTextSize(said.back().c_str()).x + scaled(16);
@@ -124,8 +128,10 @@ bool choice(const char* id, int& chosen, const std::vector<const char*>& words) 
     const bool active = chosen == static_cast<int>(i);
     const float inset = scaled(2);
     if (active || ImGui::IsItemHovered())
-      list.AddRectFilled({left + inset, corner.y + inset}, {left + share - inset, corner.y + height - inset}, active ? theme::accent_dark : theme::hovered, scaled(5));
-    list.AddText({left + 0.5f * (share - size.x), corner.y + 0.5f * (height - size.y)}, active ? theme::text : theme::quiet, said[i].c_str());
+      list.AddRectFilled({left + inset, corner.y + inset}, {left + share - inset, corner.y + height - inset},
+                         active ? theme::accent_dark : theme::hovered, scaled(5));
+    list.AddText({left + 0.5f * (share - size.x), corner.y + 0.5f * (height - size.y)},
+                 active ? theme::text : theme::quiet, said[i].c_str());
     left += share;
   }
   ImGui::PopID();
@@ -143,7 +149,8 @@ bool toggle(const char* words, bool& on) {
   const float middle = corner.y + height / 2;
   const ImU32 back = on ? theme::accent_dark : ImGui::IsItemHovered() ? theme::pressed : theme::hovered;
   list.AddRectFilled({corner.x, middle - radius}, {corner.x + track, middle + radius}, back, radius);
-  list.AddCircleFilled({on ? corner.x + track - radius : corner.x + radius, middle}, radius - scaled(2.5f), on ? theme::text : theme::quiet, 24);
+  list.AddCircleFilled({on ? corner.x + track - radius : corner.x + radius, middle}, radius - scaled(2.5f),
+                       on ? theme::text : theme::quiet, 24);
   list.AddText({corner.x + track + scaled(10), middle - ImGui::GetFontSize() / 2}, theme::text, say(words).c_str());
   return pressed;
 }
@@ -152,7 +159,8 @@ bool slider(const char* words, double& value, double low, double high, const cha
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetTextLineHeight(), height = line + scaled(18);
   area(words, {width, height});
-  const bool held = ImGui::IsItemActive() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Mouse, keyed = keyboard_here();
+  const bool held = ImGui::IsItemActive() && ImGui::GetCurrentContext()->ActiveIdSource == ImGuiInputSource_Mouse,
+             keyed = keyboard_here();
   const bool near = ImGui::IsItemHovered() || held || keyed;
   const float radius = scaled(7), left = corner.x + radius - scaled(2), right = corner.x + width - radius + scaled(2);
   bool changed = false;
@@ -198,7 +206,8 @@ bool eye(const char* id, bool& open) {
     list.AddCircleFilled(middle, scaled(2.6f), colour, 16);
   } else {
     for (const float x : {-0.5f, 0.0f, 0.5f})
-      list.AddLine({middle.x + x * half, middle.y + lift * 0.5f}, {middle.x + 1.25f * x * half, middle.y + lift * 0.95f}, colour, scaled(1.4f));
+      list.AddLine({middle.x + x * half, middle.y + lift * 0.5f},
+                   {middle.x + 1.25f * x * half, middle.y + lift * 0.95f}, colour, scaled(1.4f));
   }
   return pressed;
 }
@@ -211,13 +220,18 @@ bool swatch(const char* id, Colour& colour) {
   const float inset = scaled(5);
   const ImU32 fill = ImGui::ColorConvertFloat4ToU32({colour.red, colour.green, colour.blue, 1});
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, fill, scaled(4));
-  if (ImGui::IsItemHovered()) list.AddRect({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, theme::text, scaled(4), 0, scaled(1.5f));
+  list.AddRectFilled({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, fill,
+                     scaled(4));
+  if (ImGui::IsItemHovered())
+    list.AddRect({corner.x + inset, corner.y + inset}, {corner.x + size - inset, corner.y + size - inset}, theme::text,
+                 scaled(4), 0, scaled(1.5f));
   bool changed = false;
   if (ImGui::BeginPopup("picker")) {
     float channels[3] = {colour.red, colour.green, colour.blue};
     ImGui::SetNextItemWidth(scaled(200));
-    changed = ImGui::ColorPicker3("##colour", channels, ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
+    changed = ImGui::ColorPicker3(
+        "##colour", channels,
+        ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_PickerHueWheel);
     if (changed) colour = {channels[0], channels[1], channels[2]};
     ImGui::EndPopup();
   }
@@ -227,7 +241,8 @@ bool swatch(const char* id, Colour& colour) {
 
 bool button(const char* words, const ImVec2& size) {
   const std::string label(words), seen = say(label.substr(0, label.find("##")));
-  const bool pressed = ImGui::Button(seen == label ? words : (seen + "###" + label).c_str(), size);   // known by its English words
+  const bool pressed =
+      ImGui::Button(seen == label ? words : (seen + "###" + label).c_str(), size);  // known by its English words
   note_place(ImGui::GetItemID(), false);
   if (size.x > 0) expect_room(seen, size.x);
   return pressed;
@@ -248,7 +263,11 @@ bool wide_button(const char* words, bool strong) {
   const bool near = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   const ImU32 calm = strong ? theme::accent_dark : theme::raised, lit = strong ? theme::rgb(0x358792) : theme::hovered;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(corner, {corner.x + width, corner.y + height}, held ? theme::pressed : near ? lit : calm, scaled(6));
+  list.AddRectFilled(corner, {corner.x + width, corner.y + height},
+                     held   ? theme::pressed
+                     : near ? lit
+                            : calm,
+                     scaled(6));
   list.AddText({corner.x + 0.5f * (width - size.x), corner.y + 0.5f * (height - size.y)}, theme::text, seen.c_str());
   return pressed;
 }
@@ -259,7 +278,8 @@ void marked(const Interface&, Certificate::Mark mark, const std::string& words) 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle(corner.x + scaled(6), corner.y + line / 2);
   if (mark == Certificate::Mark::good) {
-    const ImVec2 tick[] = {{middle.x - s, middle.y}, {middle.x - s * 0.2f, middle.y + s * 0.8f}, {middle.x + s, middle.y - s * 0.8f}};
+    const ImVec2 tick[] = {
+        {middle.x - s, middle.y}, {middle.x - s * 0.2f, middle.y + s * 0.8f}, {middle.x + s, middle.y - s * 0.8f}};
     list.AddPolyline(tick, 3, theme::good, 0, scaled(2));
   } else if (mark == Certificate::Mark::look) {
     list.AddLine({middle.x, middle.y - s * 1.2f}, {middle.x, middle.y + s * 0.3f}, theme::amber, scaled(2.4f));

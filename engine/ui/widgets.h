@@ -39,7 +39,8 @@ bool slider(const char* words, double& value, double low, double high, const cha
 /// An eye, open or shut.
 bool eye(const char* id, bool& open);
 
-/// ImGui's own button, and its own text fields between `text_field` and `noted`: the keyboard comes to these as to all others.
+/// ImGui's own button, and its own text fields between `text_field` and `noted`: the keyboard comes to these as to all
+/// others.
 bool button(const char* words, const ImVec2& size = {0, 0});
 void text_field(const char* id);
 void noted(const char* id, bool text = true);
@@ -55,6 +56,6 @@ void marked(const Interface& interface, Certificate::Mark mark, const std::strin
 /// The same as a button. true: pressed.
 bool marked_button(const char* id, Certificate::Mark mark, const std::string& words);
 
-float scaled(float size);   // by the letters' size, so by the screen's scale
+float scaled(float size);  // by the letters' size, so by the screen's scale
 
 }  // namespace odontoscope::widgets

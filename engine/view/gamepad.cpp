@@ -7,7 +7,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double stick_idle = 0.16, trigger_idle = 0.08;   // worn ones do not rest at zero
+constexpr double stick_idle = 0.16, trigger_idle = 0.08;  // worn ones do not rest at zero
 
 double beyond(double size, double idle) { return std::clamp((size - idle) / (1 - idle), 0.0, 1.0); }
 
@@ -32,7 +32,8 @@ GamepadChanged gamepad_from(const PadState& state) {
   using Pad = PadState;
   const auto& axes = state.axes;
   const auto& held = state.held;
-  const Push move = push_of(axes[Pad::left_x], axes[Pad::left_y]), turn = push_of(axes[Pad::right_x], axes[Pad::right_y]);
+  const Push move = push_of(axes[Pad::left_x], axes[Pad::left_y]),
+             turn = push_of(axes[Pad::right_x], axes[Pad::right_y]);
   return {.present = true,
           .move_right = move.right,
           .move_ahead = move.up,

@@ -17,7 +17,8 @@ Image read_pixels(const Gl& gl, GLuint framebuffer, PixelSize size) {
 }
 
 Image picture_of(const Gl& gl, Renderer& renderer, const GpuModel& gpu_model, const Model& model, const Scene& scene,
-                 const PictureOptions& options, const GpuOverlay* overlay, const GpuValueGrid* values, GpuVolume* volume) {
+                 const PictureOptions& options, const GpuOverlay* overlay, const GpuValueGrid* values,
+                 GpuVolume* volume) {
   const Framebuffer pixels(gl, {options.size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
   const double aspect = static_cast<double>(options.size.width) / options.size.height;
   const Pane pane{view_of(scene.camera, model, aspect), {pixels.id(), 0, 0, options.size, true}};

@@ -15,7 +15,8 @@ struct PictureOptions {
 
 /// What the scene's camera sees. The renderer's context is current. Throws GraphicsError.
 Image picture_of(const Gl& gl, Renderer& renderer, const GpuModel& gpu_model, const Model& model, const Scene& scene,
-                 const PictureOptions& options = {}, const GpuOverlay* overlay = nullptr, const GpuValueGrid* values = nullptr, GpuVolume* volume = nullptr);
+                 const PictureOptions& options = {}, const GpuOverlay* overlay = nullptr,
+                 const GpuValueGrid* values = nullptr, GpuVolume* volume = nullptr);
 
 /// The same with everything made for one picture.
 Image picture_of(GlContext& context, const Model& model, const Scene& scene, const PictureOptions& options = {});

@@ -66,31 +66,42 @@ int key_by_layout(int code, int scancode) {
   return code;
 }
 
-char place_of(int code) { return code >= GLFW_KEY_A && code <= GLFW_KEY_Z ? static_cast<char>('a' + (code - GLFW_KEY_A)) : '\0'; }
+char place_of(int code) {
+  return code >= GLFW_KEY_A && code <= GLFW_KEY_Z ? static_cast<char>('a' + (code - GLFW_KEY_A)) : '\0';
+}
 
-static_assert(PadState::axes_in_all == GLFW_GAMEPAD_AXIS_LAST + 1 && PadState::buttons_in_all == GLFW_GAMEPAD_BUTTON_LAST + 1);
-static_assert(PadState::left_y == GLFW_GAMEPAD_AXIS_LEFT_Y && PadState::right_x == GLFW_GAMEPAD_AXIS_RIGHT_X && PadState::left_trigger == GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
-static_assert(PadState::x == GLFW_GAMEPAD_BUTTON_X && PadState::back == GLFW_GAMEPAD_BUTTON_BACK && PadState::start == GLFW_GAMEPAD_BUTTON_START);
+static_assert(PadState::axes_in_all == GLFW_GAMEPAD_AXIS_LAST + 1 &&
+              PadState::buttons_in_all == GLFW_GAMEPAD_BUTTON_LAST + 1);
+static_assert(PadState::left_y == GLFW_GAMEPAD_AXIS_LEFT_Y && PadState::right_x == GLFW_GAMEPAD_AXIS_RIGHT_X &&
+              PadState::left_trigger == GLFW_GAMEPAD_AXIS_LEFT_TRIGGER);
+static_assert(PadState::x == GLFW_GAMEPAD_BUTTON_X && PadState::back == GLFW_GAMEPAD_BUTTON_BACK &&
+              PadState::start == GLFW_GAMEPAD_BUTTON_START);
 static_assert(PadState::dpad_up == GLFW_GAMEPAD_BUTTON_DPAD_UP && PadState::dpad_left == GLFW_GAMEPAD_BUTTON_DPAD_LEFT);
 
 /// The first gamepad that GLFW knows the layout of.
 GamepadChanged gamepad_now() {
   GLFWgamepadstate now;
   int joystick = GLFW_JOYSTICK_1;
-  while (joystick <= GLFW_JOYSTICK_LAST && !(glfwJoystickIsGamepad(joystick) && glfwGetGamepadState(joystick, &now))) ++joystick;
+  while (joystick <= GLFW_JOYSTICK_LAST && !(glfwJoystickIsGamepad(joystick) && glfwGetGamepadState(joystick, &now)))
+    ++joystick;
   if (joystick > GLFW_JOYSTICK_LAST) return {};
   PadState state;
   std::copy(std::begin(now.axes), std::end(now.axes), state.axes.begin());
-  std::transform(std::begin(now.buttons), std::end(now.buttons), state.held.begin(), [](unsigned char button) { return button == GLFW_PRESS; });
+  std::transform(std::begin(now.buttons), std::end(now.buttons), state.held.begin(),
+                 [](unsigned char button) { return button == GLFW_PRESS; });
   return gamepad_from(state);
 }
 
 std::optional<MouseButton> button_of(int code) {
   switch (code) {
-    case GLFW_MOUSE_BUTTON_LEFT: return MouseButton::left;
-    case GLFW_MOUSE_BUTTON_RIGHT: return MouseButton::right;
-    case GLFW_MOUSE_BUTTON_MIDDLE: return MouseButton::middle;
-    default: return std::nullopt;
+    case GLFW_MOUSE_BUTTON_LEFT:
+      return MouseButton::left;
+    case GLFW_MOUSE_BUTTON_RIGHT:
+      return MouseButton::right;
+    case GLFW_MOUSE_BUTTON_MIDDLE:
+      return MouseButton::middle;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -116,20 +127,27 @@ Window::Window(const WindowOptions& options) : context_(open_window(options)), i
     int across = 1, down = 1, pixels_across = 1, pixels_down = 1;
     glfwGetWindowSize(w, &across, &down);
     glfwGetFramebufferSize(w, &pixels_across, &pixels_down);
-    Inbox::of(w).events.push_back(MouseMoved{x * pixels_across / std::max(across, 1), y * pixels_down / std::max(down, 1)});
+    Inbox::of(w).events.push_back(
+        MouseMoved{x * pixels_across / std::max(across, 1), y * pixels_down / std::max(down, 1)});
   });
   glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int code, int action, int bits) {
-    if (const auto button = button_of(code)) Inbox::of(w).events.push_back(MouseButtonChanged{*button, action == GLFW_PRESS, modifiers_of(bits)});
+    if (const auto button = button_of(code))
+      Inbox::of(w).events.push_back(MouseButtonChanged{*button, action == GLFW_PRESS, modifiers_of(bits)});
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double across, double along) {
-    const auto held = [w](int left, int right) { return glfwGetKey(w, left) == GLFW_PRESS || glfwGetKey(w, right) == GLFW_PRESS; };
-    const Modifiers with{held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), false};
+    const auto held = [w](int left, int right) {
+      return glfwGetKey(w, left) == GLFW_PRESS || glfwGetKey(w, right) == GLFW_PRESS;
+    };
+    const Modifiers with{held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+                         held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL), false};
     Inbox::of(w).events.push_back(Scrolled{across, along, with});
   });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int code, int scancode, int action, int bits) {
-    Inbox::of(w).events.push_back(KeyChanged{key_of(key_by_layout(code, scancode)), action != GLFW_RELEASE, modifiers_of(bits), place_of(code)});
+    Inbox::of(w).events.push_back(
+        KeyChanged{key_of(key_by_layout(code, scancode)), action != GLFW_RELEASE, modifiers_of(bits), place_of(code)});
   });
-  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) { Inbox::of(w).events.push_back(TextTyped{character}); });
+  glfwSetCharCallback(window,
+                      [](GLFWwindow* w, unsigned character) { Inbox::of(w).events.push_back(TextTyped{character}); });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** names) {
     Inbox::of(w).events.push_back(FilesDropped{{names, names + count}});
   });
@@ -163,19 +181,22 @@ float Window::scale() const {
 
 std::vector<Event> Window::events(double patience_seconds) {
   const auto ask_gamepad = [this] {
-    if (const GamepadChanged gamepad = gamepad_now(); gamepad != inbox_->gamepad) inbox_->events.push_back(inbox_->gamepad = gamepad);
+    if (const GamepadChanged gamepad = gamepad_now(); gamepad != inbox_->gamepad)
+      inbox_->events.push_back(inbox_->gamepad = gamepad);
   };
-  constexpr double glance = 1.0 / 60;   // a stick wakes nobody: it is asked, and nothing is drawn meanwhile
+  constexpr double glance = 1.0 / 60;  // a stick wakes nobody: it is asked, and nothing is drawn meanwhile
   ask_gamepad();
   double left = inbox_->events.empty() ? patience_seconds : 0;
   for (; left > 0 && inbox_->gamepad.present && inbox_->events.empty(); left -= glance) {
     const double began = glfwGetTime(), most = std::min(left, glance);
     glfwWaitEventsTimeout(most);
     ask_gamepad();
-    if (glfwGetTime() - began < 0.5 * most) left = 0;   // woken by what is no event of ours: a new size
+    if (glfwGetTime() - began < 0.5 * most) left = 0;  // woken by what is no event of ours: a new size
   }
-  if (left > 0 && inbox_->events.empty()) glfwWaitEventsTimeout(left);
-  else glfwPollEvents();
+  if (left > 0 && inbox_->events.empty())
+    glfwWaitEventsTimeout(left);
+  else
+    glfwPollEvents();
   ask_gamepad();
   return std::exchange(inbox_->events, {});
 }
@@ -193,9 +214,11 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(context_->
 void Window::set_pointer(Pointer pointer) {
   if (pointer == inbox_->pointer) return;
   if ((pointer == Pointer::caught) != (inbox_->pointer == Pointer::caught))
-    glfwSetInputMode(context_->handle(), GLFW_CURSOR, pointer == Pointer::caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    glfwSetInputMode(context_->handle(), GLFW_CURSOR,
+                     pointer == Pointer::caught ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
   inbox_->pointer = pointer;
-  if (pointer != Pointer::none && pointer != Pointer::caught) glfwSetCursor(context_->handle(), inbox_->pointers[static_cast<std::size_t>(pointer)]);
+  if (pointer != Pointer::none && pointer != Pointer::caught)
+    glfwSetCursor(context_->handle(), inbox_->pointers[static_cast<std::size_t>(pointer)]);
 }
 
 std::string Window::clipboard() const {

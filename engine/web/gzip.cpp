@@ -13,7 +13,8 @@ std::vector<std::uint8_t> gzip(std::string_view bytes) {
   constexpr int level = 6, gzip_window = 15 + 16, memory = 8;
   constexpr std::size_t piece = std::size_t{1} << 24;
   z_stream stream{};
-  if (deflateInit2(&stream, level, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK) throw InternalError("zlib does not start");
+  if (deflateInit2(&stream, level, Z_DEFLATED, gzip_window, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw InternalError("zlib does not start");
   std::vector<std::uint8_t> packed, room(piece);
   int state = Z_OK;
   for (std::size_t at = 0; state != Z_STREAM_END;) {

@@ -30,7 +30,10 @@ Json json_of(const WebCertificate& certificate) {
 Json json_of(const WebTour& tour) {
   Json points = Json::array();
   for (const Point3& p : tour.points) points.push_back({p.x, p.y, p.z});
-  return {{"name", tour.name}, {"length_mm", tour.length_mm}, {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()}, {"points_mm", points}};
+  return {{"name", tour.name},
+          {"length_mm", tour.length_mm},
+          {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()},
+          {"points_mm", points}};
 }
 
 /// Neighbours are much alike: their differences, modulo 256, take a fifth less room than they themselves.
@@ -51,20 +54,38 @@ Json json_of(const WebVolume& volume) {
   Json transfers = Json::object(), isos = Json::array();
   for (const WebIso& iso : volume.isos) isos.push_back({{"structure", iso.structure}, {"value", iso.value}});
   for (const auto& [name, points] : volume.transfers) transfers[name] = Json::parse(points);
-  return {{"element", "volume"}, {"size", volume.size}, {"first_mm", triple(volume.first_mm)}, {"step_mm", triple(volume.step_mm)}, {"low", volume.low}, {"high", volume.high},
-          {"air", volume.air}, {"dentine", volume.dentine}, {"dentine_attenuation", volume.dentine_attenuation}, {"isos", isos}, {"bars", volume.bars},
-          {"look", Json::parse(volume.look)}, {"transfers", transfers}, {"alone", volume.alone}};
+  return {{"element", "volume"},
+          {"size", volume.size},
+          {"first_mm", triple(volume.first_mm)},
+          {"step_mm", triple(volume.step_mm)},
+          {"low", volume.low},
+          {"high", volume.high},
+          {"air", volume.air},
+          {"dentine", volume.dentine},
+          {"dentine_attenuation", volume.dentine_attenuation},
+          {"isos", isos},
+          {"bars", volume.bars},
+          {"look", Json::parse(volume.look)},
+          {"transfers", transfers},
+          {"alone", volume.alone}};
 }
 
 Json description_of(const WebPage& page) {
   Json models = Json::array(), looks = Json::array(), tours = Json::array();
   for (std::size_t i = 0; i < page.models.size(); ++i) {
     const WebModel& model = page.models[i];
-    models.push_back({{"name", model.name}, {"words", model.words}, {"element", element_id(i)}, {"triangles", model.triangles},
+    models.push_back({{"name", model.name},
+                      {"words", model.words},
+                      {"element", element_id(i)},
+                      {"triangles", model.triangles},
                       {"certificate", json_of(model.certificate)}});
   }
   for (const WebLook& look : page.looks) {
-    looks.push_back({{"structure", look.structure}, {"colour", look.colour}, {"opacity", look.opacity}, {"as_body", look.as_body}, {"depth", look.depth}});
+    looks.push_back({{"structure", look.structure},
+                     {"colour", look.colour},
+                     {"opacity", look.opacity},
+                     {"as_body", look.as_body},
+                     {"depth", look.depth}});
     if (look.attenuation) looks.back()["attenuation"] = *look.attenuation;
   }
   for (const WebTour& tour : page.tours) tours.push_back(json_of(tour));
@@ -76,25 +97,34 @@ Json description_of(const WebPage& page) {
   return description;
 }
 
-/// JSON that no parser of HTML takes for anything but text, whatever its strings hold. Text that is no UTF-8 is replaced.
+/// JSON that no parser of HTML takes for anything but text, whatever its strings hold. Text that is no UTF-8 is
+/// replaced.
 std::string text_in_script(const Json& json) {
   const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
   std::string safe;
   for (const char c : text) {
-    if (c == '<' || c == '>' || c == '&') safe += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else safe += c;
+    if (c == '<' || c == '>' || c == '&')
+      safe += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    else
+      safe += c;
   }
   return safe;
 }
 
 std::string data_elements(const WebPage& page) {
-  std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n", text_in_script(description_of(page)));
+  std::string html = fmt::format("<script type=\"application/json\" id=\"description\">{}</script>\n",
+                                 text_in_script(description_of(page)));
   if (!page.lesson.empty())
-    html += fmt::format("<script type=\"application/json\" id=\"tour\"{}>{}</script>\n", page.lesson_built_in ? " data-built-in" : "", text_in_script(Json::parse(page.lesson)));
-  if (!page.language.empty()) html += fmt::format("<script type=\"application/json\" id=\"language\">{}</script>\n", text_in_script(Json::parse(page.language)));
+    html += fmt::format("<script type=\"application/json\" id=\"tour\"{}>{}</script>\n",
+                        page.lesson_built_in ? " data-built-in" : "", text_in_script(Json::parse(page.lesson)));
+  if (!page.language.empty())
+    html += fmt::format("<script type=\"application/json\" id=\"language\">{}</script>\n",
+                        text_in_script(Json::parse(page.language)));
   for (std::size_t i = 0; i < page.models.size(); ++i)
-    html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i), base64(gzip(page.models[i].glb)));
-  if (page.volume) html += fmt::format("<script type=\"application/gzip\" id=\"volume\">{}</script>\n", packed(*page.volume));
+    html += fmt::format("<script type=\"application/gzip\" id=\"{}\">{}</script>\n", element_id(i),
+                        base64(gzip(page.models[i].glb)));
+  if (page.volume)
+    html += fmt::format("<script type=\"application/gzip\" id=\"volume\">{}</script>\n", packed(*page.volume));
   return html;
 }
 
@@ -104,7 +134,8 @@ std::size_t packed_size(const WebVolume& volume) { return packed(volume).size();
 
 std::string web_page(const WebPage& page, std::string_view shell) {
   const std::size_t title = shell.find(title_place), data = shell.find(data_place);
-  if (title == shell.npos || data == shell.npos || data < title) throw InternalError("the web page has no place for a title and a model");
+  if (title == shell.npos || data == shell.npos || data < title)
+    throw InternalError("the web page has no place for a title and a model");
   std::string html(shell.substr(0, title));
   html += escaped_html(page.title);
   html += shell.substr(title + title_place.size(), data - title - title_place.size());

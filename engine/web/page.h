@@ -1,9 +1,11 @@
 #pragma once
-// A model as a web page in one file: it opens from disk in a browser, asks the network for nothing, and needs no other program.
+// A model as a web page in one file: it opens from disk in a browser, asks the network for nothing, and needs no other
+// program.
 //
-// The page's own text is web/, bundled when the program is built (see embedded_page). Here the model goes into it: GLB files as
-// write_glb makes them, compressed with gzip, and what is said of them as JSON. No text of the input becomes markup or code: it is
-// escaped here, put into the page as text alone by the page's script, and a content security policy allows no script but that one.
+// The page's own text is web/, bundled when the program is built (see embedded_page). Here the model goes into it: GLB
+// files as write_glb makes them, compressed with gzip, and what is said of them as JSON. No text of the input becomes
+// markup or code: it is escaped here, put into the page as text alone by the page's script, and a content security
+// policy allows no script but that one.
 
 #include <array>
 #include <cstddef>
@@ -31,21 +33,22 @@ struct WebCertificate {
 
 /// One way to make the model's surfaces; a page with two has a switch.
 struct WebModel {
-  std::string name;       // "DT"
-  std::string words;      // what it is, a sentence
-  std::string glb;        // bytes
+  std::string name;   // "DT"
+  std::string words;  // what it is, a sentence
+  std::string glb;    // bytes
   std::size_t triangles = 0;
   WebCertificate certificate;
 };
 
-/// How a structure looks at first. `structure` is a node's `extras.structure` in the GLB, with " cavity" behind it for its cavities.
+/// How a structure looks at first. `structure` is a node's `extras.structure` in the GLB, with " cavity" behind it for
+/// its cavities.
 struct WebLook {
   std::string structure;
-  std::string colour;     // "#f2e9d8"
+  std::string colour;  // "#f2e9d8"
   float opacity = 1;
-  bool as_body = false;   // see Look in engine/scene
-  int depth = 0;          // what lies deeper is drawn first where it is seen through others
-  std::optional<double> attenuation = {};   // of X-rays, 1/mm; none: no tissue is known by this name
+  bool as_body = false;                    // see Look in engine/scene
+  int depth = 0;                           // what lies deeper is drawn first where it is seen through others
+  std::optional<double> attenuation = {};  // of X-rays, 1/mm; none: no tissue is known by this name
 };
 
 /// The value at which the surface of a structure was taken.
@@ -54,7 +57,8 @@ struct WebIso {
   double value = 0;
 };
 
-/// Grey values of the volume that the model came from. Value (i, j, k) belongs to the place first_mm + (i, j, k) * step_mm.
+/// Grey values of the volume that the model came from. Value (i, j, k) belongs to the place first_mm + (i, j, k) *
+/// step_mm.
 struct WebVolume {
   std::array<std::size_t, 3> size{};
   Point3 first_mm, step_mm{1, 1, 1};
@@ -65,29 +69,31 @@ struct WebVolume {
   std::vector<WebIso> isos;        // at which surfaces were taken
   std::vector<double> bars;        // of a histogram from `low` to `high`, 0 to 1
   std::string look;                // JSON, as a scene file has it under "volume"
-  std::vector<std::pair<std::string, std::string>> transfers;   // ready-made ones: a name, and JSON as the look's "transfer"
-  bool alone = false;              // the model is but a box around it, and is never shown
+  std::vector<std::pair<std::string, std::string>>
+      transfers;       // ready-made ones: a name, and JSON as the look's "transfer"
+  bool alone = false;  // the model is but a box around it, and is never shown
 };
 
 /// A way through a canal, from the chamber to its end. Millimetres, in the model's coordinates.
 struct WebTour {
   std::string name;
   std::vector<Point3> points;
-  double length_mm = 0;   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
-  std::optional<double> orifice_mm = {};   // along the points, where depth is counted from; none: nowhere
+  double length_mm = 0;                   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
+  std::optional<double> orifice_mm = {};  // along the points, where depth is counted from; none: nowhere
 };
 
 struct WebPage {
   std::string title;
-  std::vector<WebModel> models;   // one or more
+  std::vector<WebModel> models;  // one or more
   std::vector<WebLook> looks;
   std::vector<WebTour> tours;
-  std::string tooth = {};         // "lower left first molar: FDI 36, Universal 19"; empty: not known
-  std::vector<WebTour> horns;     // of the pulp, from the chamber to their tips; only names and points count
+  std::string tooth = {};      // "lower left first molar: FDI 36, Universal 19"; empty: not known
+  std::vector<WebTour> horns;  // of the pulp, from the chamber to their tips; only names and points count
   std::optional<WebVolume> volume = {};
-  std::string lesson;             // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
-  bool lesson_built_in = false;   // its texts are among those of the languages
-  std::string language = {};      // JSON: a language file (engine/language) of its own, or {"language":"de"} of a known one; empty: the browser's
+  std::string lesson;            // a tour file (engine/navigate/notes.h) that the page opens with; empty: none
+  bool lesson_built_in = false;  // its texts are among those of the languages
+  std::string language = {};     // JSON: a language file (engine/language) of its own, or {"language":"de"} of a known
+                                 // one; empty: the browser's
 };
 
 /// The page without a model. Empty if this program was built without it; `why` then says what was missing.
@@ -97,7 +103,8 @@ struct EmbeddedPage {
 };
 EmbeddedPage embedded_page();
 
-/// The same input gives the same bytes. Precondition: `shell` is not empty. InternalError if it has not the places that are filled.
+/// The same input gives the same bytes. Precondition: `shell` is not empty. InternalError if it has not the places that
+/// are filled.
 std::string web_page(const WebPage& page, std::string_view shell);
 
 /// How many bytes of the page hold the volume's values.

@@ -13,7 +13,7 @@ namespace {
 
 odontoscope::Contour ellipse(odontoscope::Point2 centre, double half_width, double half_depth) {
   constexpr int corners = 48;
-  odontoscope::Contour contour;   // of the structure "tooth", as long as nobody says otherwise
+  odontoscope::Contour contour;  // of the structure "tooth", as long as nobody says otherwise
   for (int i = 0; i < corners; ++i) {
     const double turn = 2 * std::numbers::pi * i / corners;
     contour.points.push_back({centre.x + half_width * std::cos(turn), centre.y + half_depth * std::sin(turn)});
@@ -44,7 +44,8 @@ int main(int argc, char** argv) try {
   const odontoscope::Reconstruction made = odontoscope::reconstruct(root_with_dividing_canal());
   for (const odontoscope::Shell& shell : made.solids.front().report.shells) {
     std::printf("%s of genus %ld, volume %.3f mm^3\n",
-                shell.kind == odontoscope::Shell::Kind::cavity ? "cavity" : "external surface", shell.genus, shell.volume);
+                shell.kind == odontoscope::Shell::Kind::cavity ? "cavity" : "external surface", shell.genus,
+                shell.volume);
   }
   const std::vector<std::filesystem::path> files{argc > 1 ? argv[1] : "two_canals.stl"};
   odontoscope::write_model(made, files);

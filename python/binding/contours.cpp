@@ -168,7 +168,8 @@ py::list slice_of(const Contours& contours, std::size_t number) {
 }
 
 /// As the file's ending asks: a contour stack, a structure set, a segmentation, a label map.
-void write_contours(const Contours& contours, const std::string& file, const std::string& voxels, const std::string& voxel_origin) {
+void write_contours(const Contours& contours, const std::string& file, const std::string& voxels,
+                    const std::string& voxel_origin) {
   const app::VoxelWords words{voxels, voxel_origin};
   app::refuse_senseless(words, {file}, contours.origin && contours.origin->whence.grid);
   if (!app::is_structures_file(file)) return write_stack(*contours.stack, file);
@@ -177,7 +178,8 @@ void write_contours(const Contours& contours, const std::string& file, const std
   {
     const py::gil_scoped_release unlocked;
     const app::Whence whence = contours.origin ? contours.origin->whence : app::Whence{};
-    write_files(std::vector<FileContent>{app::structures_file(*contours.stack, file, words, whence, session.watched_by({}))});
+    write_files(
+        std::vector<FileContent>{app::structures_file(*contours.stack, file, words, whence, session.watched_by({}))});
   }
   session.warn();
 }
@@ -188,7 +190,8 @@ std::vector<double> heights_of(const Contours& contours) {
   return heights;
 }
 
-Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool apart, bool filled_dentine, bool filled) {
+Contours sample(const std::string& kind, double slice_spacing, double point_spacing, bool apart, bool filled_dentine,
+                bool filled) {
   SampleOptions options;
   options.slice_spacing = slice_spacing;
   options.point_spacing = point_spacing;

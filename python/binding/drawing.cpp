@@ -1,5 +1,5 @@
-// The part of the Python package that draws: pictures as `odontoscope render` makes them, and the page of `odontoscope web`. A module of its own,
-// so that whoever only computes needs neither OpenGL nor what it brings along.
+// The part of the Python package that draws: pictures as `odontoscope render` makes them, and the page of `odontoscope
+// web`. A module of its own, so that whoever only computes needs neither OpenGL nor what it brings along.
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -62,12 +62,14 @@ PageWords page_words(const py::dict& given) {
   app::refuse_senseless(words.look);
   app::greys_from(words.grey);
   if (!words.with_volume() && (words.look.any_of_volume() || !words.grey.empty()))
-    throw UsageError("cast, transfer, slopes and grey are about a volume's grey values", "Put them into the page: show=\"volume\" or show=\"both\"");
+    throw UsageError("cast, transfer, slopes and grey are about a volume's grey values",
+                     "Put them into the page: show=\"volume\" or show=\"both\"");
   return words;
 }
 
 void add_volume(const Model& model, const PageWords& words, Scene& scene, WebPage& page, app::Session& session) {
-  add_greys(app::page_greys(*model.origin->volume, *model.contours, *model.origin->facts), words.look, words.grey, scene, page, session);
+  add_greys(app::page_greys(*model.origin->volume, *model.contours, *model.origin->facts), words.look, words.grey,
+            scene, page, session);
 }
 
 /// `beside`: what DB made of the same contours, if it is to be there.
@@ -79,8 +81,9 @@ WebPage page_of(const Model& model, const PageWords& words, const std::optional<
   if (words.with_volume()) add_volume(model, words, scene, page, session);
   page.looks = app::looks_of(scene);
   session.progress().check();
-  page.models.push_back(model.dt ? app::web_model_by_dt(model.dt->reconstruction, !model.dt->simplification.structures.empty(), {})
-                                 : app::web_model_by_db(model.db->reconstruction, model.db->options.cases));
+  page.models.push_back(
+      model.dt ? app::web_model_by_dt(model.dt->reconstruction, !model.dt->simplification.structures.empty(), {})
+               : app::web_model_by_db(model.db->reconstruction, model.db->options.cases));
   if (beside) page.models.push_back(app::web_model_by_db(beside->db->reconstruction, beside->db->options.cases));
   return page;
 }
@@ -91,15 +94,20 @@ WebPage page_of(const VolumeImage& image, const PageWords& words, app::Session& 
 
 void refuse_without_values(const Model& model, const PageWords& words) {
   if (words.with_volume() && (!model.origin || !model.origin->volume))
-    throw UsageError("only a model of a volume has grey values to show", "Leave show out, or make it from the volume with iso");
+    throw UsageError("only a model of a volume has grey values to show",
+                     "Leave show out, or make it from the volume with iso");
 }
 
 void refuse_without_values(const VolumeImage& image, const PageWords& words) {
-  if (words.look.show != "volume") throw UsageError("nothing says where in the volume the surface lies", "Say show=\"volume\", or make a model of it with iso or label");
-  if (looks_like_labels(*image.volume)) throw UsageError("the volume looks like a label map, whose values are no grey", "Say with label what is solid");
+  if (words.look.show != "volume")
+    throw UsageError("nothing says where in the volume the surface lies",
+                     "Say show=\"volume\", or make a model of it with iso or label");
+  if (looks_like_labels(*image.volume))
+    throw UsageError("the volume looks like a label map, whose values are no grey", "Say with label what is solid");
 }
 
-py::bytes page(const std::variant<Model, VolumeImage>& shown, const py::dict& given, const std::optional<Model>& beside, const py::object& listener) {
+py::bytes page(const std::variant<Model, VolumeImage>& shown, const py::dict& given, const std::optional<Model>& beside,
+               const py::object& listener) {
   const PageWords words = page_words(given);
   std::visit([&](const auto& one) { refuse_without_values(one, words); }, shown);
   const EmbeddedPage shell = embedded_page();
@@ -107,7 +115,8 @@ py::bytes page(const std::variant<Model, VolumeImage>& shown, const py::dict& gi
     throw UsageError("this package was built without the web page: " + std::string(shell.why),
                      "Install Node.js 18 or newer with npm, see that the npm registry can be reached, and build again");
   const auto* model = std::get_if<Model>(&shown);
-  if (beside && (!beside->db || !model || model->db)) throw UsageError("db is what the DB method made, beside a model of DT", "Give reconstruct(..., method=\"db\")");
+  if (beside && (!beside->db || !model || model->db))
+    throw UsageError("db is what the DB method made, beside a model of DT", "Give reconstruct(..., method=\"db\")");
   QuietSession session;
   std::string html = watched(listener, [&](const Progress& progress) {
     app::Session& by = session.watched_by(progress);
@@ -147,7 +156,7 @@ void translate_graphics_error(std::exception_ptr thrown) {
 PYBIND11_MODULE(_draw, module) {
   using namespace odontoscope::python;
   module.doc() = "Pictures and pages of Odontoscope; use the package odontoscope instead.";
-  py::module_::import("odontoscope._core");   // the types
+  py::module_::import("odontoscope._core");  // the types
   translate_errors();
   py::register_exception_translator(&translate_graphics_error);
   module.def("add_pictures", &add_pictures);

@@ -85,7 +85,8 @@ DbOptions understood(const DbWords& words) {
 }
 
 /// `triangles`: how many its surfaces may have together.
-Model model_of(const Contours& contours, Reconstruction reconstruction, std::optional<std::size_t> triangles, const Progress& progress) {
+Model model_of(const Contours& contours, Reconstruction reconstruction, std::optional<std::size_t> triangles,
+               const Progress& progress) {
   auto made = std::make_shared<DtModel>(DtModel{std::move(reconstruction), {}});
   if (triangles) made->simplification = simplify_surfaces(made->reconstruction, *triangles, progress);
   return {std::move(made), nullptr, contours.stack, contours.origin};
@@ -94,12 +95,14 @@ Model model_of(const Contours& contours, Reconstruction reconstruction, std::opt
 Model made_by_dt(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles,
                  const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    return model_of(contours, reconstruct(*contours.stack, understood(words, *contours.stack), progress), triangles, progress);
+    return model_of(contours, reconstruct(*contours.stack, understood(words, *contours.stack), progress), triangles,
+                    progress);
   });
 }
 
 /// A partition where structures share walls or overlap; why none came of it, if so.
-std::pair<Model, std::string> made_of_structures(const Contours& contours, const DtWords& words, std::optional<std::size_t> triangles, const py::object& listener) {
+std::pair<Model, std::string> made_of_structures(const Contours& contours, const DtWords& words,
+                                                 std::optional<std::size_t> triangles, const py::object& listener) {
   std::string no_partition;
   Model model = watched(listener, [&](const Progress& progress) {
     MadeOfStructures made = reconstruct_structures(*contours.stack, understood(words, *contours.stack), progress);
@@ -135,7 +138,8 @@ Model put_back(const Model& model, const py::object& listener) {
   return watched(listener, [&](const Progress&) {
     app::Model moved{model.dt->reconstruction, {}, {}, {}};
     app::move_model(moved, model.origin->facts->upright->inverse());
-    auto made = std::make_shared<DtModel>(DtModel{std::move(moved.reconstruction), model.dt->simplification, model.dt->elements});
+    auto made = std::make_shared<DtModel>(
+        DtModel{std::move(moved.reconstruction), model.dt->simplification, model.dt->elements});
     auto origin = std::make_shared<Origin>(*model.origin);
     origin->facts->as_given = true;
     return Model{std::move(made), nullptr, model.contours, std::move(origin), model.exact};
@@ -147,7 +151,8 @@ std::vector<std::string> wanting_in(const Model& model) {
   std::vector<std::string> wanting;
   if (!model.dt) return wanting;
   for (const Attention& item : model.dt->reconstruction.attention) wanting.push_back(in_words(item));
-  if (model.dt->simplification.aim && !model.dt->simplification.aim->reached()) wanting.push_back(app::missed_aim_in_words(*model.dt->simplification.aim));
+  if (model.dt->simplification.aim && !model.dt->simplification.aim->reached())
+    wanting.push_back(app::missed_aim_in_words(*model.dt->simplification.aim));
   return wanting;
 }
 
@@ -159,12 +164,15 @@ std::optional<Complex> complex_of(const Model& model) {
 Model made_by_db(const Contours& contours, const DbWords& words, const py::object& listener) {
   const DbOptions options = understood(words);
   return watched(listener, [&](const Progress& progress) {
-    return Model{nullptr, std::make_shared<DbModel>(
-                              DbModel{reconstruct_by_distance(*contours.stack, options, progress), options}), contours.stack, contours.origin};
+    return Model{
+        nullptr,
+        std::make_shared<DbModel>(DbModel{reconstruct_by_distance(*contours.stack, options, progress), options}),
+        contours.stack, contours.origin};
   });
 }
 
-std::shared_ptr<Comparison> compared(const Contours& contours, const DtWords& dt, const DbWords& db, const py::object& listener) {
+std::shared_ptr<Comparison> compared(const Contours& contours, const DtWords& dt, const DbWords& db,
+                                     const py::object& listener) {
   CompareOptions options;
   options.db = understood(db);
   return watched(listener, [&](const Progress& progress) {
@@ -187,9 +195,10 @@ std::vector<Part> parts_of(const Model& model) {
 std::string report_of(const Model& model) {
   const py::gil_scoped_release unlocked;
   if (model.db) return report_json(model.db->reconstruction, model.db->options);
-  return report_json(
-      model.dt->reconstruction,
-      {.simplifications = model.dt->simplification.structures, .volume = model.origin ? model.origin->facts : std::nullopt, .aim = model.dt->simplification.aim, .elements = model.dt->elements});
+  return report_json(model.dt->reconstruction, {.simplifications = model.dt->simplification.structures,
+                                                .volume = model.origin ? model.origin->facts : std::nullopt,
+                                                .aim = model.dt->simplification.aim,
+                                                .elements = model.dt->elements});
 }
 
 std::string links_of(const Model& model) {
@@ -200,7 +209,8 @@ std::string links_of(const Model& model) {
 }
 
 /// JSON and CSV.
-std::pair<std::string, std::string> anatomy_of(const Model& model, const std::string& source, const py::object& listener) {
+std::pair<std::string, std::string> anatomy_of(const Model& model, const std::string& source,
+                                               const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
     std::vector<StructureSurface> sound;  // only what is closed has an inside
     for (const Part& part : parts_of(model))
@@ -345,13 +355,16 @@ void add_models(py::module_& module) {
       .def("write", &write)
       .def("anatomy", &anatomy_of);
   py::class_<GlbOptions>(module, "GltfExtras").def(py::init<>());
-  py::class_<Comparison, std::shared_ptr<Comparison>>(module, "Comparison").def("json", &comparison_json).def("page", &comparison_page);
+  py::class_<Comparison, std::shared_ptr<Comparison>>(module, "Comparison")
+      .def("json", &comparison_json)
+      .def("page", &comparison_page);
   module.def("by_dt",
              [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
                 const py::object& listener) { return made_by_dt(contours, dt_words(words), triangles, listener); });
-  module.def("of_structures",
-             [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
-                const py::object& listener) { return made_of_structures(contours, dt_words(words), triangles, listener); });
+  module.def("of_structures", [](const Contours& contours, const py::dict& words, std::optional<std::size_t> triangles,
+                                 const py::object& listener) {
+    return made_of_structures(contours, dt_words(words), triangles, listener);
+  });
   module.def("as_partition", [](const Contours& contours, const std::vector<std::string>& priority, double gap,
                                 int threads, std::optional<std::size_t> triangles, const py::object& listener) {
     return made_as_partition(contours, {priority, gap, threads}, triangles, listener);

@@ -24,10 +24,10 @@ namespace py = pybind11;
 
 /// What is known of the file or image that contours came from.
 struct Origin {
-  std::shared_ptr<const Volume> volume;   // as it was traced; null: no volume
+  std::shared_ptr<const Volume> volume;  // as it was traced; null: no volume
   std::optional<ReportVolume> facts;
   app::Whence whence;
-  bool reshaped = false;                  // cropped, resampled or turned
+  bool reshaped = false;  // cropped, resampled or turned
 };
 
 /// A valid stack that nobody changes any more: views of its points stay true.
@@ -54,9 +54,9 @@ struct DbModel {
 struct Model {
   std::shared_ptr<const DtModel> dt;
   std::shared_ptr<const DbModel> db;
-  std::shared_ptr<const ContourStack> contours;   // that it was made from
-  std::shared_ptr<const Origin> origin;           // of these; null: nothing is known
-  std::shared_ptr<const DtModel> exact = {};      // before it was meshed anew for simulation; null: it was not
+  std::shared_ptr<const ContourStack> contours;  // that it was made from
+  std::shared_ptr<const Origin> origin;          // of these; null: nothing is known
+  std::shared_ptr<const DtModel> exact = {};     // before it was meshed anew for simulation; null: it was not
 };
 
 /// One structure of a model.

@@ -40,14 +40,14 @@ struct PictureWords {
   app::VolumeLookWords look;
   app::RadiographWords radiograph;
   app::TourWords tour;
-  std::string contact_sheet;   // empty: none
-  std::string colour_by;       // empty: as the scene says
-  std::size_t frames = 0, turntable = 0;   // 0: not asked for
+  std::string contact_sheet;              // empty: none
+  std::string colour_by;                  // empty: as the scene says
+  std::size_t frames = 0, turntable = 0;  // 0: not asked for
   PictureFormat format;
-  PictureOptions picture;   // by it
+  PictureOptions picture;  // by it
   Backend backend = Backend::automatic;
-  std::string save_scene;   // empty: nowhere
-  bool sized = false;       // the call said how large
+  std::string save_scene;  // empty: nowhere
+  bool sized = false;      // the call said how large
 
   bool on_tour() const { return !tour.line.empty(); }
 };
@@ -102,21 +102,28 @@ void refuse_senseless(const PictureWords& words) {
   app::refuse_senseless(words.look);
   app::refuse_senseless(words.radiograph);
   app::refuse_senseless_colour_by(words.colour_by);
-  const bool about_tour = words.frames > 0 || !words.contact_sheet.empty() || words.tour.reverse || words.tour.void_number > 1;
-  if (!words.on_tour() && about_tour) throw UsageError("frames, contact_sheet, reverse and void are about a tour", "Say which line: tour=\"canal-1\"");
+  const bool about_tour =
+      words.frames > 0 || !words.contact_sheet.empty() || words.tour.reverse || words.tour.void_number > 1;
+  if (!words.on_tour() && about_tour)
+    throw UsageError("frames, contact_sheet, reverse and void are about a tour", "Say which line: tour=\"canal-1\"");
   if (words.on_tour() && words.turntable > 0) throw UsageError("tour and turntable both lead the camera", "Choose one");
-  if (words.on_tour() && !words.scene.section.empty()) throw UsageError("section: on a tour nothing is cut open", "Leave it out");
+  if (words.on_tour() && !words.scene.section.empty())
+    throw UsageError("section: on a tour nothing is cut open", "Leave it out");
   if (words.radiograph.on) {
     app::refuse_words_about_pictures(words.scene, words.look);
-    if (!words.colour_by.empty()) throw UsageError("colour_by: a film has no surfaces to colour", "Leave it out, or radiograph");
+    if (!words.colour_by.empty())
+      throw UsageError("colour_by: a film has no surfaces to colour", "Leave it out, or radiograph");
     if (words.on_tour()) throw UsageError("radiograph and tour: no film lies in a canal", "Choose one");
-    if (words.sized || !words.save_scene.empty()) throw UsageError("size and save_scene: a film has no scene, and its size is told in mm", "Give film=\"31x41\" and pixel=0.05");
+    if (words.sized || !words.save_scene.empty())
+      throw UsageError("size and save_scene: a film has no scene, and its size is told in mm",
+                       "Give film=\"31x41\" and pixel=0.05");
   } else if (!words.radiograph.grey.empty() && !wants_voxels(words)) {
     throw UsageError("grey says what values mean, and none are shown", "Ask for radiograph=True or show=\"volume\"");
   }
   if (!words.contact_sheet.empty()) {
     app::refuse_too_large(app::sheet_from(words.contact_sheet), words.format.width, words.format.height);
-    if (words.frames > 0) throw UsageError("frames: a contact sheet has as many pictures as it has places", "Leave it out");
+    if (words.frames > 0)
+      throw UsageError("frames: a contact sheet has as many pictures as it has places", "Leave it out");
   }
 }
 
@@ -136,8 +143,8 @@ PictureWords understood(const py::dict& given) {
   take(given, "colour_by", words.colour_by);
   take(given, "frames", words.frames);
   take(given, "turntable", words.turntable);
-  words.format = app::picture_format(given["size"].cast<std::string>(), given["samples"].cast<std::optional<int>>(), words.scene.scene_file,
-                                     words.contact_sheet.empty() ? usual : usual_on_sheet);
+  words.format = app::picture_format(given["size"].cast<std::string>(), given["samples"].cast<std::optional<int>>(),
+                                     words.scene.scene_file, words.contact_sheet.empty() ? usual : usual_on_sheet);
   words.picture = {.size = {words.format.width, words.format.height}, .render = {.side = app::side_of(words.format)}};
   words.backend = backend_named(given["backend"].cast<std::string>());
   if (words.backend == Backend::window)
@@ -158,18 +165,21 @@ OverlaySource overlays_of(const Model& model, bool wanted) {
   if (!wanted) return source;
   if (model.contours) source.contours = *model.contours;
   if (model.dt)
-    for (const Solid& solid : model.dt->reconstruction.solids) source.solids.push_back({solid.structure, solid.tetrahedra});
+    for (const Solid& solid : model.dt->reconstruction.solids)
+      source.solids.push_back({solid.structure, solid.tetrahedra});
   return source;
 }
 
 /// The grey values around the model, if any are to be seen.
 void add_values(const Model& model, const PictureWords& words, app::Shown& shown) {
-  const bool voxels = wants_voxels(words), cap = !words.scene.cap.empty() || !words.colour_by.empty() || !words.scene.scene_file.empty();
+  const bool voxels = wants_voxels(words),
+             cap = !words.scene.cap.empty() || !words.colour_by.empty() || !words.scene.scene_file.empty();
   if (!model.origin || !model.origin->volume || !(voxels || cap)) return;
   const Volume& volume = *model.origin->volume;
   const Box bounds = app::bounds_of(*model.contours);
   if (voxels) shown.greys = grey_anchors(volume);
-  shown.values = std::make_shared<const ValueGrid>(value_grid(volume, voxels ? app::with_margin(bounds, volume) : bounds));
+  shown.values =
+      std::make_shared<const ValueGrid>(value_grid(volume, voxels ? app::with_margin(bounds, volume) : bounds));
   for (const auto& [structure, iso] : model.origin->facts->isos) shown.isos.push_back({structure, iso});
 }
 
@@ -185,8 +195,11 @@ app::Shown shown_of(const Model& model, const PictureWords& words) {
 }
 
 app::Shown shown_of(const VolumeImage& image, const PictureWords& words) {
-  if (!wants_voxels(words)) throw UsageError("nothing says where in the volume the surface lies", "Give iso for an image, label for a label map, or show=\"volume\"");
-  if (looks_like_labels(*image.volume)) throw UsageError("the volume looks like a label map, whose values are no grey", "Say with label what is solid");
+  if (!wants_voxels(words))
+    throw UsageError("nothing says where in the volume the surface lies",
+                     "Give iso for an image, label for a label map, or show=\"volume\"");
+  if (looks_like_labels(*image.volume))
+    throw UsageError("the volume looks like a label map, whose values are no grey", "Say with label what is solid");
   app::VoxelsAlone voxels = app::voxels_alone(*image.volume, {});
   app::Shown shown;
   shown.surfaces.push_back({"volume", app::box_surface(voxels.dense)});
@@ -204,10 +217,14 @@ app::Shown shown_in(const Seen& seen, const PictureWords& words, app::Session& s
   return app::shown_from(std::get<std::string>(seen), {}, {}, session);
 }
 
-std::vector<Image> along_tour(const app::Shown& shown, const Scene& scene, const app::Film& film, const PictureWords& words, app::Painter& painter) {
-  if (!words.contact_sheet.empty()) return {app::sheet_of(shown, scene, film, app::sheet_from(words.contact_sheet), painter)};
+std::vector<Image> along_tour(const app::Shown& shown, const Scene& scene, const app::Film& film,
+                              const PictureWords& words, app::Painter& painter) {
+  if (!words.contact_sheet.empty())
+    return {app::sheet_of(shown, scene, film, app::sheet_from(words.contact_sheet), painter)};
   std::vector<Image> frames;
-  for (std::size_t i = 0; i < words.frames; ++i) frames.push_back(painter.draw(app::frame_of(scene, shown, film, app::moment(film, i, words.frames)), i, words.frames));
+  for (std::size_t i = 0; i < words.frames; ++i)
+    frames.push_back(
+        painter.draw(app::frame_of(scene, shown, film, app::moment(film, i, words.frames)), i, words.frames));
   return frames;
 }
 
@@ -225,9 +242,11 @@ std::vector<Image> all_around(const Scene& scene, const PictureWords& words, app
 /// What is drawn, and with what: everything but the pictures themselves.
 struct Stage {
   Stage(const Seen& seen, const PictureWords& words, app::Session& session)
-      : shown(shown_in(seen, words, session)), scene(app::scene_from(words.scene, shown.model, shown.overlays, shown.values.get(), words.picture.size)) {
-    app::show_volume({words.look, words.radiograph.grey, words.radiograph.kv, words.scene.opacity, !words.scene.background.empty() || !words.scene.scene_file.empty()}, shown,
-                     scene, session);
+      : shown(shown_in(seen, words, session)),
+        scene(app::scene_from(words.scene, shown.model, shown.overlays, shown.values.get(), words.picture.size)) {
+    app::show_volume({words.look, words.radiograph.grey, words.radiograph.kv, words.scene.opacity,
+                      !words.scene.background.empty() || !words.scene.scene_file.empty()},
+                     shown, scene, session);
     app::colour_by_data(words.colour_by, words.scene.opacity, shown, scene, session);
     app::refuse_cap_without_section(words.scene, scene);
     if (words.on_tour()) film.emplace(app::film_of(shown, words.tour, session));
@@ -240,7 +259,7 @@ struct Stage {
   }
   app::Shown shown;
   Scene scene;
-  std::optional<app::Film> film;   // on a tour
+  std::optional<app::Film> film;  // on a tour
   std::unique_ptr<GlContext> context;
   std::optional<Renderer> renderer;
   std::optional<app::Painter> painter;
@@ -248,14 +267,15 @@ struct Stage {
 
 std::vector<Image> drawn(const Seen& seen, const PictureWords& words, app::Session& session) {
   Stage stage(seen, words, session);
-  std::vector<Image> images = stage.film ? along_tour(stage.shown, stage.scene, *stage.film, words, *stage.painter) : all_around(stage.scene, words, *stage.painter);
+  std::vector<Image> images = stage.film ? along_tour(stage.shown, stage.scene, *stage.film, words, *stage.painter)
+                                         : all_around(stage.scene, words, *stage.painter);
   stage.scene.picture = words.format;
   if (!words.save_scene.empty()) write_files(std::vector<FileContent>{{words.save_scene, to_json(stage.scene)}});
   return images;
 }
 
 double filmed(const Seen& seen, const std::string& file, const PictureWords& words, app::Session& session) {
-  constexpr double rate = 30;   // pictures a second
+  constexpr double rate = 30;  // pictures a second
   constexpr std::size_t most = 3600;
   Stage stage(seen, words, session);
   const app::Film& tour = *stage.film;
@@ -263,7 +283,8 @@ double filmed(const Seen& seen, const std::string& file, const PictureWords& wor
   const std::size_t count = words.frames > 0 ? words.frames : std::min(as_it_is, most);
   FilmMaker maker(file, {words.format.width, words.format.height, rate});
   for (std::size_t i = 0; i < count; ++i)
-    maker.add(stage.painter->draw(app::frame_of(stage.scene, stage.shown, tour, app::moment(tour, i, count)), i, count), session.progress());
+    maker.add(stage.painter->draw(app::frame_of(stage.scene, stage.shown, tour, app::moment(tour, i, count)), i, count),
+              session.progress());
   write_files(std::vector<FileContent>{{file, maker.finish(session.progress())}});
   return static_cast<double>(count) / rate;
 }
@@ -271,12 +292,15 @@ double filmed(const Seen& seen, const std::string& file, const PictureWords& wor
 std::vector<Image> films(const Seen& seen, const PictureWords& words, app::Session& session) {
   std::vector<Image> images;
   const auto keep = [&](Image&& film) { images.push_back(std::move(film)); };
-  const app::RadiographPose pose{words.scene.view.empty() ? NamedView::buccal : view_named(words.scene.view), words.scene.hide, std::max(static_cast<int>(words.turntable), 1)};
+  const app::RadiographPose pose{words.scene.view.empty() ? NamedView::buccal : view_named(words.scene.view),
+                                 words.scene.hide, std::max(static_cast<int>(words.turntable), 1)};
   if (const auto* image = std::get_if<VolumeImage>(&seen)) {
     app::radiographs(words.radiograph, *image->volume, image->volume->source, pose, session, keep);
     return images;
   }
-  if (!words.radiograph.grey.empty()) throw UsageError("grey is about a radiograph through the voxels of a volume", "Leave it out, or leave out iso and label");
+  if (!words.radiograph.grey.empty())
+    throw UsageError("grey is about a radiograph through the voxels of a volume",
+                     "Leave it out, or leave out iso and label");
   const auto* file = std::get_if<std::string>(&seen);
   app::radiographs(words.radiograph, shown_in(seen, words, session), file ? *file : "", pose, session, keep);
   return images;
@@ -286,8 +310,8 @@ std::vector<Image> films(const Seen& seen, const PictureWords& words, app::Sessi
 py::array array_of(Image&& image) {
   const auto kept_image = std::make_shared<Image>(std::move(image));
   const auto width = static_cast<py::ssize_t>(kept_image->width), height = static_cast<py::ssize_t>(kept_image->height);
-  return py::array(py::dtype::of<std::uint8_t>(), {height, width, py::ssize_t{4}}, {4 * width, py::ssize_t{4}, py::ssize_t{1}},
-                   kept_image->rgba.data(), kept(kept_image));
+  return py::array(py::dtype::of<std::uint8_t>(), {height, width, py::ssize_t{4}},
+                   {4 * width, py::ssize_t{4}, py::ssize_t{1}}, kept_image->rgba.data(), kept(kept_image));
 }
 
 }  // namespace
@@ -300,7 +324,8 @@ py::list pictures(const Seen& seen, const py::dict& given, const py::object& lis
   if (model && model->contours && !words.radiograph.on) app::refuse_unknown_structures(words.scene, *model->contours);
   QuietSession session;
   std::vector<Image> images = watched(listener, [&](const Progress& progress) {
-    return words.radiograph.on ? films(seen, words, session.watched_by(progress)) : drawn(seen, words, session.watched_by(progress));
+    return words.radiograph.on ? films(seen, words, session.watched_by(progress))
+                               : drawn(seen, words, session.watched_by(progress));
   });
   session.warn();
   py::list arrays;
@@ -313,10 +338,12 @@ double film(const Seen& seen, const std::string& file, const py::dict& given, co
   const std::string ending = lower_case(std::filesystem::path(file).extension().string());
   if (std::find(film_endings().begin(), film_endings().end(), ending) == film_endings().end())
     throw UsageError(file + " is no film by its name", "Call it something.mp4 or something.webm");
-  if (words.format.width % 2 != 0 || words.format.height % 2 != 0) throw UsageError("size: a film's width and height are even", "Add a pixel: colour is stored for two by two");
+  if (words.format.width % 2 != 0 || words.format.height % 2 != 0)
+    throw UsageError("size: a film's width and height are even", "Add a pixel: colour is stored for two by two");
   need_ffmpeg(file);
   QuietSession session;
-  const double seconds = watched(listener, [&](const Progress& progress) { return filmed(seen, file, words, session.watched_by(progress)); });
+  const double seconds = watched(
+      listener, [&](const Progress& progress) { return filmed(seen, file, words, session.watched_by(progress)); });
   session.warn();
   return seconds;
 }

@@ -16,7 +16,8 @@ app::Session& QuietSession::watched_by(const Progress& progress) {
 void QuietSession::warn() const {
   constexpr Py_ssize_t caller_of_the_package = 3;
   for (const std::string& complaint : console_.complaints())
-    if (PyErr_WarnEx(PyExc_UserWarning, complaint.c_str(), caller_of_the_package) != 0) throw pybind11::error_already_set();
+    if (PyErr_WarnEx(PyExc_UserWarning, complaint.c_str(), caller_of_the_package) != 0)
+      throw pybind11::error_already_set();
 }
 
 }  // namespace odontoscope::python

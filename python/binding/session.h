@@ -18,7 +18,7 @@ class KeptConsole : public app::Console {
   const std::vector<std::string>& complaints() const { return complaints_; }
 
  private:
-  std::vector<std::string> complaints_;   // by the one thread that works
+  std::vector<std::string> complaints_;  // by the one thread that works
 };
 
 class QuietSession {

@@ -40,7 +40,8 @@ VolumeImage volume_of(const Voxels& voxels, const Vector3& spacing, const Vector
 VolumeImage read_image(const std::string& file, std::optional<Vector3> spacing, const std::string& series,
                        bool allow_outside, const py::object& listener) {
   return watched(listener, [&](const Progress& progress) {
-    return VolumeImage{std::make_shared<const Volume>(read_volume(file, {.spacing = spacing, .series = series, .allow_outside = allow_outside}, progress))};
+    return VolumeImage{std::make_shared<const Volume>(
+        read_volume(file, {.spacing = spacing, .series = series, .allow_outside = allow_outside}, progress))};
   });
 }
 
@@ -83,7 +84,8 @@ Contours traced(const VolumeImage& image, const app::VolumeRequest& request, boo
   const Volume& volume = *origin.volume;
   origin.whence = {volume.patient, VoxelGrid{volume.size, volume.spacing, volume.origin}};
   Contours made;
-  made.stack = std::make_shared<const ContourStack>(app::traced_told(volume, std::move(levels), request, upright, session, &origin.facts));
+  made.stack = std::make_shared<const ContourStack>(
+      app::traced_told(volume, std::move(levels), request, upright, session, &origin.facts));
   made.remarks = volume.remarks;
   made.origin = std::make_shared<const Origin>(std::move(origin));
   return made;
@@ -94,7 +96,9 @@ Contours contours_of(const VolumeImage& image, const py::dict& given, const py::
   app::refuse_volume_without_level({}, words);
   const app::VolumeRequest request = app::understood(words);
   QuietSession session;
-  Contours made = watched(listener, [&](const Progress& progress) { return traced(image, request, words.reshape.any(), session.watched_by(progress)); });
+  Contours made = watched(listener, [&](const Progress& progress) {
+    return traced(image, request, words.reshape.any(), session.watched_by(progress));
+  });
   session.warn();
   return made;
 }

@@ -12,9 +12,10 @@
 
 namespace odontoscope::python {
 
-/// All or none. `given`: compress, see_through, variants (bool), voxels, voxel_origin ("X,Y,Z" or ""). `within`: tours and hotspots, by whoever knows the way
-/// through the model. UsageError for options that are about none of the files.
-void write(const Model& model, const std::vector<std::string>& files, const py::dict& given, const GlbOptions& within, const py::object& listener);
+/// All or none. `given`: compress, see_through, variants (bool), voxels, voxel_origin ("X,Y,Z" or ""). `within`: tours
+/// and hotspots, by whoever knows the way through the model. UsageError for options that are about none of the files.
+void write(const Model& model, const std::vector<std::string>& files, const py::dict& given, const GlbOptions& within,
+           const py::object& listener);
 
 /// Names and contents, all or none.
 void write_texts(const std::vector<std::pair<std::string, std::string>>& texts);

@@ -30,12 +30,13 @@ void require_blendable(const Surroundings& s, std::span<const double> shares) {
 }
 
 /// The slices as fields, with what the options want of them beside being blended.
-std::vector<StagedWindow> staged(const Composition& composition, const Grid& grid, std::span<const double> shares, const SliceSet& slices,
-                                 const Surroundings& surroundings, const BlendOptions& options) {
+std::vector<StagedWindow> staged(const Composition& composition, const Grid& grid, std::span<const double> shares,
+                                 const SliceSet& slices, const Surroundings& surroundings,
+                                 const BlendOptions& options) {
   std::vector<StagedWindow> stages;
   for (const double share : shares) stages.push_back({share, composition.at(share)});
   if (options.draw_back) {
-    constexpr double hardly = 0x1p-20;   // the given slices, or nearly so
+    constexpr double hardly = 0x1p-20;  // the given slices, or nearly so
     stages.insert(stages.begin(), {0, composition.at(hardly)});
     stages.push_back({1, composition.at(1 - hardly)});
     stages = drawn_back(stages, grid);
@@ -52,7 +53,8 @@ std::vector<StagedWindow> staged(const Composition& composition, const Grid& gri
 
 }  // namespace
 
-std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std::span<const double> shares, const BlendOptions& options) {
+std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std::span<const double> shares,
+                                           const BlendOptions& options) {
   require_blendable(surroundings, shares);
   std::vector<StagedOutline> result;
   if (surroundings.lower->empty() && surroundings.upper->empty()) {
@@ -63,14 +65,17 @@ std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std
   const BlendPlan plan = blend_plan(slices, surroundings);
   const std::optional<Grid> grid = grid_for(slices, options.most_grid_points, options.finer);
   if (!grid) {
-    for (const double share : shares) result.push_back({share, share < 0.5 ? *surroundings.lower : *surroundings.upper});
+    for (const double share : shares)
+      result.push_back({share, share < 0.5 ? *surroundings.lower : *surroundings.upper});
     return result;
   }
-  const std::vector<StagedWindow> stages = staged(Composition(slices, plan, *grid, options.strips), *grid, shares, slices, surroundings, options);
+  const std::vector<StagedWindow> stages =
+      staged(Composition(slices, plan, *grid, options.strips), *grid, shares, slices, surroundings, options);
   const double tolerance = options.thinning * slices.larger_side();
   const double largest = std::ldexp(tolerance, limits::blend_thinning_rounds);
   const std::size_t enough = std::max(points_in(*surroundings.lower), points_in(*surroundings.upper));
-  for (const StagedWindow& stage : stages) result.push_back({stage.share, thinned(traced(stage.window, *grid), tolerance, largest, enough)});
+  for (const StagedWindow& stage : stages)
+    result.push_back({stage.share, thinned(traced(stage.window, *grid), tolerance, largest, enough)});
   return result;
 }
 

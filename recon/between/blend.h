@@ -59,12 +59,13 @@ struct BlendOptions {
   double thinning = 2e-4;
   /// Largest number of grid points. The step follows from the narrowest contour and wall; this bounds time and memory.
   std::size_t most_grid_points = 90'000;
-  /// What juts out as a strip (the end of an open ring, a groove) grows along its length. Without, distances alone decide.
+  /// What juts out as a strip (the end of an open ring, a groove) grows along its length. Without, distances alone
+  /// decide.
   bool strips = true;
   /// Grid points for each one along either side; `most_grid_points` grows with it. For walls thinner than a step.
   std::size_t finer = 1;
-  /// Passages and walls a step of the grid wide are put where slices join what links keep apart, or part what they join (kept_links.h). The shares' slices
-  /// then depend on each other.
+  /// Passages and walls a step of the grid wide are put where slices join what links keep apart, or part what they join
+  /// (kept_links.h). The shares' slices then depend on each other.
   bool keep_links = false;
   /// More slices than asked for, between those where a lobe would vanish all at once (drawn_back.h).
   bool draw_back = false;
@@ -90,7 +91,8 @@ std::vector<Outline> blend(const Surroundings& surroundings, std::span<const dou
                            const BlendOptions& options = {});
 
 /// The same with their shares: those given, and with options.draw_back others between them. The same preconditions.
-std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std::span<const double> shares, const BlendOptions& options = {});
+std::vector<StagedOutline> blend_in_stages(const Surroundings& surroundings, std::span<const double> shares,
+                                           const BlendOptions& options = {});
 
 /// How much there is to guess in a slab.
 struct SlabNeed {

@@ -34,7 +34,8 @@ double short_below(double value) {
 }  // namespace
 
 Window around(std::span<const Window* const> windows) {
-  Window all = {windows.front()->first_i, windows.front()->first_j, windows.front()->columns, windows.front()->rows, {}};
+  Window all = {
+      windows.front()->first_i, windows.front()->first_j, windows.front()->columns, windows.front()->rows, {}};
   std::ptrdiff_t end_i = all.first_i + all.columns, end_j = all.first_j + all.rows;
   for (const Window* window : windows) {
     all.first_i = std::min(all.first_i, window->first_i);
@@ -64,7 +65,8 @@ std::optional<Grid> grid_for(const SliceSet& slices, std::size_t most_points, st
                         farthest > 0 ? std::ldexp(1.0, std::ilogb(farthest) + 1 - limits::blend_digits_of_place) : 0);
   const double finest = std::sqrt(width * height / static_cast<double>(most_points));
   const double wanted = std::min(side / limits::blend_columns, narrow / limits::blend_points_across);
-  grid.step = short_below(std::max({wanted, finest, side / static_cast<double>(most_points)}) / static_cast<double>(finer));
+  grid.step =
+      short_below(std::max({wanted, finest, side / static_cast<double>(most_points)}) / static_cast<double>(finer));
   if (!(grid.step > limits::blend_grains_in_step * grid.grain)) return std::nullopt;
   grid.anchor = {grid.step * std::floor(box.low.x / grid.step), grid.step * std::floor(box.low.y / grid.step)};
   return grid;

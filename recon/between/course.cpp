@@ -26,7 +26,12 @@ class Ways {
  public:
   Ways(const Lattice& lattice, const std::vector<double>& lower, const std::vector<double>& upper,
        const std::vector<Place>& places, Place stays)
-      : lattice_(lattice), lower_(lower), upper_(upper), places_(places), stays_(stays), way_(lattice.size(), unreached) {
+      : lattice_(lattice),
+        lower_(lower),
+        upper_(upper),
+        places_(places),
+        stays_(stays),
+        way_(lattice.size(), unreached) {
     march();
     measure_ends();
   }
@@ -147,7 +152,8 @@ class Ways {
     for (bool climbs = true; climbs;) {
       std::size_t next = at;
       for_neighbours(at, true, [&](Neighbour q) {
-        const bool level = places_[q.at] == places_[p] && std::abs(way_[q.at] - way_[p]) < limits::strip_level * lattice_.step;
+        const bool level =
+            places_[q.at] == places_[p] && std::abs(way_[q.at] - way_[p]) < limits::strip_level * lattice_.step;
         if (level && depth(q.at) > depth(next)) next = q.at;
       });
       climbs = next != at;

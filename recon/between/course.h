@@ -17,14 +17,14 @@
 namespace odontoscope::between {
 
 struct StripPoint {
-  std::size_t at = 0;      // on the lattice
-  double share = 0;        // of the way from the lower slice to the upper one, where material comes or goes
-  double length = 0;       // of the strip there, mm
-  double certainty = 0;    // 0: as wide as it is long, as between nested contours; 1: a strip
+  std::size_t at = 0;    // on the lattice
+  double share = 0;      // of the way from the lower slice to the upper one, where material comes or goes
+  double length = 0;     // of the strip there, mm
+  double certainty = 0;  // 0: as wide as it is long, as between nested contours; 1: a strip
 };
 
-/// All points of strips, by place. `lower` and `upper` are signed distances on the lattice, `height` is the slab's. What is
-/// much wider than the slab is high is no strip but a flat roof, and left to the blend.
+/// All points of strips, by place. `lower` and `upper` are signed distances on the lattice, `height` is the slab's.
+/// What is much wider than the slab is high is no strip but a flat roof, and left to the blend.
 std::vector<StripPoint> strip_points(const Lattice& lattice, const std::vector<double>& lower,
                                      const std::vector<double>& upper, double height);
 

@@ -15,7 +15,7 @@ SlabNeed need(const Outline& lower, const Outline& upper, std::size_t most_grid_
     }
   }
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
-  if (!std::isnormal(width * height)) return {};   // too small, or too narrow, for areas to be numbers
+  if (!std::isnormal(width * height)) return {};  // too small, or too narrow, for areas to be numbers
   const double points = static_cast<double>(most_grid_points);
   const double step = std::max(std::sqrt(width * height / points), std::max(width, height) / points);
   Lattice lattice{{box.low.x - step, box.low.y - step}, step, 0, 0};

@@ -55,7 +55,8 @@ ContourFacts facts_of(const std::vector<Point2>& ring) {
   }
   facts.area = twice / 2;
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if (!(std::abs(twice) > rounding * facts.perimeter * facts.perimeter) || !std::isnormal(twice))   // a needle's, or a minute one's, may have any sign
+  if (!(std::abs(twice) > rounding * facts.perimeter * facts.perimeter) ||
+      !std::isnormal(twice))  // a needle's, or a minute one's, may have any sign
     facts.area = std::copysign(twice / 2, counter_clockwise(ring) ? 1.0 : -1.0);
   facts.centroid = {std::midpoint(facts.box.low.x, facts.box.high.x), std::midpoint(facts.box.low.y, facts.box.high.y)};
   const Point2 mean{base.x + x / (3 * twice), base.y + y / (3 * twice)};

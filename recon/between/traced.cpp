@@ -53,8 +53,8 @@ std::size_t points_in(const Slice& slice) {
 
 Slice traced(const Window& window, const Grid& grid) {
   Slice slice;
-  trace::contours(Field(window, grid), static_cast<std::size_t>(window.columns),
-                  static_cast<std::size_t>(window.rows), [&slice](std::vector<Point2>&& points) {
+  trace::contours(Field(window, grid), static_cast<std::size_t>(window.columns), static_cast<std::size_t>(window.rows),
+                  [&slice](std::vector<Point2>&& points) {
                     slice.contours.push_back({"", std::move(points)});
                     return true;
                   });

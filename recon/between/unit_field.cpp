@@ -157,9 +157,9 @@ std::vector<double> UnitField::blended(double share) const {
   std::vector<double> values(lattice_.size());
   if (end_) {
     const double way = (end_->beside == at_lower ? share : 1 - share) / end_->share;
-    const double radius = way < 1 ? end_->radius * portable::pow(1 - way, 1 / limits::blend_tip) : end_->radius * (1 - way);
-    for (std::size_t p = 0; p < values.size(); ++p)
-      values[p] = distances_[end_->beside][p] + end_->radius - radius;
+    const double radius =
+        way < 1 ? end_->radius * portable::pow(1 - way, 1 / limits::blend_tip) : end_->radius * (1 - way);
+    for (std::size_t p = 0; p < values.size(); ++p) values[p] = distances_[end_->beside][p] + end_->radius - radius;
     return values;
   }
   for (std::size_t p = 0; p < values.size(); ++p)

@@ -28,7 +28,8 @@ MeasuredStructure measured(const StructureSurface& part, const SurfaceReport& re
 }
 
 /// Of a hollow that opens to the outside all closed voids are loose.
-LoosePieces loose_pieces(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports, const Cavity& hollow) {
+LoosePieces loose_pieces(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports,
+                         const Cavity& hollow) {
   LoosePieces loose;
   const Shell::Kind kind = hollow.body ? Shell::Kind::external : Shell::Kind::cavity;
   std::vector<double> volumes;
@@ -65,18 +66,22 @@ std::vector<AccessoryCanal> accessory_canals(const Cavity& hollow, const CentreL
     if (shape.leaves == branch.points.size() || shape.length < shape.mean_width) continue;
     const CentrePoint& from = branch.points[shape.leaves];
     const CentreLine& parent = lines.canals[shape.parent];
-    const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) { return length(a.at - from.at) < length(b.at - from.at); };
+    const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) {
+      return length(a.at - from.at) < length(b.at - from.at);
+    };
     const CentrePoint& beside = *std::min_element(parent.points.begin(), parent.points.end(), nearer);
     const double below = beside.along - parent.points[parent.orifice].along;
-    if (below < 0) continue;   // of the chamber
+    if (below < 0) continue;  // of the chamber
     const auto third = static_cast<std::size_t>(3 * below / parent.length_to_wall());
-    found.push_back({branch.name, shape.parent, std::min<std::size_t>(third, 2), from.at, branch.end, shape.length, shape.mean_width});
+    found.push_back({branch.name, shape.parent, std::min<std::size_t>(third, 2), from.at, branch.end, shape.length,
+                     shape.mean_width});
   }
   return found;
 }
 
 /// Of the slices that the model was made from; told from the wall where their number is not known.
-double spacing_of(const std::vector<StructureSurface>& model, const SurfaceMesh& wall, std::optional<std::size_t> slices) {
+double spacing_of(const std::vector<StructureSurface>& model, const SurfaceMesh& wall,
+                  std::optional<std::size_t> slices) {
   if (!slices || *slices < 2) return cavity::slice_spacing_of(wall);
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const StructureSurface& part : model)
@@ -89,7 +94,8 @@ double spacing_of(const std::vector<StructureSurface>& model, const SurfaceMesh&
 }
 
 /// Sections are cut by planes of constant z: an oblique tooth is set upright for them.
-std::vector<MeasuredRoot> roots_along(const ToothAxis& axis, const Cavity& hollow, const CentreLines& lines, const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals) {
+std::vector<MeasuredRoot> roots_along(const ToothAxis& axis, const Cavity& hollow, const CentreLines& lines,
+                                      const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals) {
   if (!axis.own) return cavity::roots_of(hollow, lines, outside, canals);
   const Upright upright(axis.along);
   Cavity turned = hollow;
@@ -104,7 +110,8 @@ std::vector<MeasuredRoot> roots_along(const ToothAxis& axis, const Cavity& hollo
 
 }  // namespace
 
-Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress, std::optional<std::size_t> slices) {
+Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress,
+                        std::optional<std::size_t> slices) {
   Anatomy made;
   std::vector<SurfaceReport> reports;
   for (const StructureSurface& part : model) {
@@ -131,7 +138,8 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
   made.narrow_handles = genus - std::min(made.handles, genus);
   made.slice_spacing = spacing_of(model, hollow.wall, slices);
   const WallTree tree(hollow.wall);
-  for (const CentreLine& line : lines.canals) made.canals.push_back(cavity::measured_canal(line, hollow.wall, tree, made.slice_spacing));
+  for (const CentreLine& line : lines.canals)
+    made.canals.push_back(cavity::measured_canal(line, hollow.wall, tree, made.slice_spacing));
   made.shapes = canal_shapes(hollow, lines, progress);
   made.accessory_canals = accessory_canals(hollow, lines);
   const cavity::Outside outside = cavity::outside_of(model, reports, hollow);
@@ -140,8 +148,11 @@ Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progre
     progress.tell(measure_stage, 0.5);
     made.roots = roots_along(made.axis, hollow, lines, outside.surface, made.canals);
   }
-  const cavity::SliceKnowledge known = cavity::slice_knowledge(outside.surface, made.slice_spacing, lines.chamber_radius, hollow.mouths);
-  for (std::size_t c = 0; c < made.canals.size(); ++c) made.uncertainties.push_back(cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], hollow.wall, known));
+  const cavity::SliceKnowledge known =
+      cavity::slice_knowledge(outside.surface, made.slice_spacing, lines.chamber_radius, hollow.mouths);
+  for (std::size_t c = 0; c < made.canals.size(); ++c)
+    made.uncertainties.push_back(
+        cavity::uncertainty_of(made.canals[c], made.shapes[c], lines.canals[c], hollow.wall, known));
   made.graph = canal_graph(lines);
   for (const CanalPart& part : made.graph.parts) made.parts.push_back(measured(lines, made.graph, part));
   made.lines = std::move(lines);

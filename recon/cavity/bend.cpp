@@ -31,7 +31,8 @@ Frame frame_of(const std::vector<Point3>& line, std::size_t first, std::size_t l
     const Direction off = line[i] - line[first];
     frame.side = frame.side + off + -dot(off, frame.along) * frame.along;
   }
-  if (!(length(frame.side) > 0)) frame.side = cross(frame.along, std::abs(frame.along.x) < 0.9 ? Direction{1, 0, 0} : Direction{0, 1, 0});
+  if (!(length(frame.side) > 0))
+    frame.side = cross(frame.along, std::abs(frame.along.x) < 0.9 ? Direction{1, 0, 0} : Direction{0, 1, 0});
   frame.side = (1 / length(frame.side)) * frame.side;
   frame.up = cross(frame.along, frame.side);
   return frame;
@@ -73,7 +74,8 @@ Circle circle_through(const std::vector<double>& x, const std::vector<double>& y
   circle.radius = std::sqrt(cx * cx + cy * cy + z);
   if (!std::isfinite(circle.radius)) return {};
   double squares = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) squares += portable::square(portable::hypot(x[i] - mx - cx, y[i] - my - cy) - circle.radius) / count;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    squares += portable::square(portable::hypot(x[i] - mx - cx, y[i] - my - cy) - circle.radius) / count;
   circle.off = std::sqrt(squares);
   return circle;
 }
@@ -90,12 +92,12 @@ Circle circle_of(const std::vector<Point3>& line, std::size_t first, std::size_t
     aside += portable::square(y.back()) / static_cast<double>(last - first + 1);
   }
   Circle circle = circle_through(x, y);
-  if (!std::isfinite(circle.radius)) circle.off = std::sqrt(aside);   // all in one line
+  if (!std::isfinite(circle.radius)) circle.off = std::sqrt(aside);  // all in one line
   circle.off = portable::hypot(circle.off, std::sqrt(up));
   const double half = 0.5 * length(line[last] - line[first]);
   if (std::isfinite(circle.radius)) {
     const double rest = std::sqrt(std::max(circle.radius * circle.radius - half * half, 0.0));
-    const bool beyond = *std::max_element(y.begin(), y.end()) > circle.radius;   // more than half a circle
+    const bool beyond = *std::max_element(y.begin(), y.end()) > circle.radius;  // more than half a circle
     circle.bow = beyond ? circle.radius + rest : half * half / (circle.radius + rest);
   }
   return circle;
@@ -105,7 +107,8 @@ Circle circle_of(const std::vector<Point3>& line, std::size_t first, std::size_t
 std::vector<Point3> thinned(const std::vector<Point3>& line) {
   if (line.size() <= limits::bend_points) return line;
   std::vector<Point3> made;
-  for (std::size_t i = 0; i < limits::bend_points; ++i) made.push_back(line[i * (line.size() - 1) / (limits::bend_points - 1)]);
+  for (std::size_t i = 0; i < limits::bend_points; ++i)
+    made.push_back(line[i * (line.size() - 1) / (limits::bend_points - 1)]);
   return made;
 }
 
@@ -113,7 +116,8 @@ std::vector<Point3> thinned(const std::vector<Point3>& line) {
 double loosest(const std::vector<Point3>& line, std::size_t first, std::size_t last, const Looseness& loose) {
   const Frame frame = frame_of(line, first, last);
   double most = 0;
-  for (const std::size_t quarter : {1u, 2u, 3u}) most = std::max(most, loose(line[first + quarter * (last - first) / 4], frame.side));
+  for (const std::size_t quarter : {1u, 2u, 3u})
+    most = std::max(most, loose(line[first + quarter * (last - first) / 4], frame.side));
   return most;
 }
 
@@ -134,10 +138,12 @@ Bend smallest_bend(const std::vector<Point3>& all, double width, const Looseness
   for (std::size_t i = 1; i < line.size(); ++i) whole += length(line[i] - line[i - 1]);
   if (line.size() < 5 || !(whole > 0)) return bend;
   const double step = whole / static_cast<double>(line.size() - 1);
-  const auto reach = std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(limits::bend_stretch * width / step)));
+  const auto reach =
+      std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(limits::bend_stretch * width / step)));
   if (reach >= line.size()) return bend;
-  const double known = std::clamp(limits::bend_noise * noise_of(line, reach), limits::bend_finest * width, limits::bend_coarsest * width);
-  std::size_t covered = 0;   // last point of the stretch before
+  const double known = std::clamp(limits::bend_noise * noise_of(line, reach), limits::bend_finest * width,
+                                  limits::bend_coarsest * width);
+  std::size_t covered = 0;  // last point of the stretch before
   for (std::size_t first = 0; first + reach < line.size(); ++first) {
     std::size_t last = first + reach;
     Circle fit = circle_of(line, first, last);
@@ -147,12 +153,13 @@ Bend smallest_bend(const std::vector<Point3>& all, double width, const Looseness
       fit = longer;
       ++last;
     }
-    if (last <= covered) continue;   // a part of it
+    if (last <= covered) continue;  // a part of it
     covered = last;
     if (fit.bow <= limits::bend_bow * known || fit.radius >= bend.radius) continue;
     const double off = std::max(known, loose ? loosest(line, first, last, loose) : 0);
     if (fit.bow <= limits::bend_bow * off) continue;
-    // Middle and ends may be off either way; and the stretch goes on beyond the arc's ends until it is off by as much again.
+    // Middle and ends may be off either way; and the stretch goes on beyond the arc's ends until it is off by as much
+    // again.
     bend = {fit.radius, 4 * fit.radius * off / fit.bow};
   }
   return bend;

@@ -26,7 +26,7 @@ NodeIndex widest(const MedialGraph& graph) {
 }
 
 struct Chamber {
-  std::vector<char> inside;   // of each node: it is wide, and joined to the widest through such
+  std::vector<char> inside;  // of each node: it is wide, and joined to the widest through such
   NodeIndex centre = no_node;
 };
 
@@ -63,9 +63,10 @@ Chamber chamber_of(const MedialGraph& graph) {
   return {std::move(inside), best};
 }
 
-/// Does the way stay in the chamber but for its tip, and lead aside from where the longest one does? It is a lobe of a chamber much wider than thick. Opposite the
-/// longest way lie horns, and the other arm of a taper.
-bool is_lobe(const MedialGraph& graph, const Chamber& chamber, const std::vector<NodeIndex>& path, const std::vector<NodeIndex>& longest) {
+/// Does the way stay in the chamber but for its tip, and lead aside from where the longest one does? It is a lobe of a
+/// chamber much wider than thick. Opposite the longest way lie horns, and the other arm of a taper.
+bool is_lobe(const MedialGraph& graph, const Chamber& chamber, const std::vector<NodeIndex>& path,
+             const std::vector<NodeIndex>& longest) {
   const double radius = graph.nodes[chamber.centre].radius;
   double outside = 0;
   for (std::size_t i = 1; i < path.size(); ++i)
@@ -76,7 +77,8 @@ bool is_lobe(const MedialGraph& graph, const Chamber& chamber, const std::vector
   return dot(aside, along) > -limits::lobe_aside * length(aside) * length(along);
 }
 
-/// Without the last nodes whose balls reach hardly farther ahead than one a little before them: ways into a corner of the end.
+/// Without the last nodes whose balls reach hardly farther ahead than one a little before them: ways into a corner of
+/// the end.
 void trim(const MedialGraph& graph, std::vector<NodeIndex>& path) {
   const auto node = [&](std::size_t i) -> const MedialGraph::Node& { return graph.nodes[path[i]]; };
   std::size_t keep = path.size() - 1;
@@ -89,13 +91,15 @@ void trim(const MedialGraph& graph, std::vector<NodeIndex>& path) {
     while (behind > 0 && length(node(behind).at - node(k).at) < ball) --behind;
     const Direction way = node(k).at - node(behind).at;
     double reach = ball;
-    for (std::size_t i = k + 1; i < path.size(); ++i) reach = std::max(reach, dot(way, node(i).at - node(k).at) / length(way) + node(i).radius);
+    for (std::size_t i = k + 1; i < path.size(); ++i)
+      reach = std::max(reach, dot(way, node(i).at - node(k).at) / length(way) + node(i).radius);
     if (reach <= (1 + limits::tip_reach) * ball) keep = k;
   }
   path.resize(keep + 1);
 }
 
-/// Finds ends one after the other and remembers what their branches cover. Where the two sides of a handle meet is no end.
+/// Finds ends one after the other and remembers what their branches cover. Where the two sides of a handle meet is no
+/// end.
 class Explorer {
  public:
   Explorer(const MedialGraph& graph, const PathTree& tree, NodeIndex root, const std::vector<Handle>& handles)
@@ -129,7 +133,8 @@ class Explorer {
       }
       const double mean = way > 0 ? weight / way : 0;
       if (found.empty()) first_mean = mean;
-      const bool slender = way > 0 && mean >= limits::branch_width * first_mean && beyond >= limits::branch_slenderness * mean &&
+      const bool slender = way > 0 && mean >= limits::branch_width * first_mean &&
+                           beyond >= limits::branch_slenderness * mean &&
                            beyond >= limits::branch_over_root * graph_.nodes[n].radius;
       const double through = slender ? through_handles(n) : 0;
       longest = std::max(longest, slender ? beyond + through : 0);
@@ -154,16 +159,20 @@ class Explorer {
  private:
   double reach(NodeIndex n) const { return tree_.distance[n] + graph_.nodes[n].radius; }
 
-  /// How far the way to here leads along handles that no branch has led along yet: the first one that goes on below gets their length.
+  /// How far the way to here leads along handles that no branch has led along yet: the first one that goes on below
+  /// gets their length.
   double through_handles(NodeIndex n) const {
     double way = 0;
-    for (; owner_[n] == handle_side && tree_.parent[n] != no_node; n = tree_.parent[n]) way += tree_.distance[n] - tree_.distance[tree_.parent[n]];
+    for (; owner_[n] == handle_side && tree_.parent[n] != no_node; n = tree_.parent[n])
+      way += tree_.distance[n] - tree_.distance[tree_.parent[n]];
     return way;
   }
 
   void take_handles(const std::vector<NodeIndex>& path, int number) {
     for (const std::vector<NodeIndex>& loop : loops_)
-      if (std::any_of(path.begin(), path.end(), [&](NodeIndex p) { return owner_[p] == handle_side && std::find(loop.begin(), loop.end(), p) != loop.end(); }))
+      if (std::any_of(path.begin(), path.end(), [&](NodeIndex p) {
+            return owner_[p] == handle_side && std::find(loop.begin(), loop.end(), p) != loop.end();
+          }))
         for (const NodeIndex p : loop) owner_[p] = owner_[p] == handle_side ? number : owner_[p];
   }
 
@@ -178,7 +187,8 @@ class Explorer {
       ++stamp_;
       seen_[p] = stamp_;
       flood(graph_, p, [&](NodeIndex n) {
-        if (seen_[n] == stamp_ || length(graph_.nodes[n].at - ball.at) > limits::branch_cover * ball.radius) return false;
+        if (seen_[n] == stamp_ || length(graph_.nodes[n].at - ball.at) > limits::branch_cover * ball.radius)
+          return false;
         seen_[n] = stamp_;
         if (owner_[n] == nobody) owner_[n] = number;
         return true;
@@ -198,11 +208,14 @@ class Explorer {
 double height(const Point3& p, const std::optional<Direction>& axis) { return axis ? dot(*axis, {p.x, p.y, p.z}) : 0; }
 
 /// The upper one first.
-std::pair<NodeIndex, NodeIndex> ends_of_tube(const MedialGraph& graph, std::vector<NodeIndex> a, std::vector<NodeIndex> b, const std::optional<Direction>& axis) {
+std::pair<NodeIndex, NodeIndex> ends_of_tube(const MedialGraph& graph, std::vector<NodeIndex> a,
+                                             std::vector<NodeIndex> b, const std::optional<Direction>& axis) {
   trim(graph, a);
   trim(graph, b);
   NodeIndex upper = a.back(), lower = b.back();
-  const auto key = [&](NodeIndex n) { return std::tuple_cat(std::tuple{-height(graph.nodes[n].at, axis)}, coordinates(graph.nodes[n].at)); };
+  const auto key = [&](NodeIndex n) {
+    return std::tuple_cat(std::tuple{-height(graph.nodes[n].at, axis)}, coordinates(graph.nodes[n].at));
+  };
   if (key(lower) < key(upper)) std::swap(upper, lower);
   return {upper, lower};
 }
@@ -221,7 +234,8 @@ double least_handle(const MedialGraph& graph, const PathTree& tree) {
 
 }  // namespace
 
-Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long handles, const std::optional<Direction>& axis) {
+Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long handles,
+                       const std::optional<Direction>& axis) {
   Branches result;
   Chamber chamber = chamber_of(graph);
   result.root = chamber.centre;
@@ -242,8 +256,10 @@ Branches find_branches(const MedialGraph& graph, const SurfaceMesh& wall, long h
   for (const Handle& handle : found_handles) widths = std::max(widths, median_radius(graph, handle.loop()));
   if (found.size() <= 2) {
     // An incisor's chamber has no floor, and is wider than what leads from it both ways.
-    const bool both_ways = found.size() == 2 && std::min(found[0].beyond, found[1].beyond) > limits::chamber_arms * result.root_radius;
-    result.has_chamber = widths > 0 && result.root_radius > (both_ways ? limits::chamber_over_arms : limits::chamber_over_tube) * widths;
+    const bool both_ways =
+        found.size() == 2 && std::min(found[0].beyond, found[1].beyond) > limits::chamber_arms * result.root_radius;
+    result.has_chamber =
+        widths > 0 && result.root_radius > (both_ways ? limits::chamber_over_arms : limits::chamber_over_tube) * widths;
   }
   if (!result.has_chamber) std::fill(chamber.inside.begin(), chamber.inside.end(), 0);
   if (!result.has_chamber && found.size() == 2) {

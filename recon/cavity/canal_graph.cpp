@@ -32,7 +32,9 @@ class Weaver {
  private:
   const CentrePoint& point(std::size_t canal, std::size_t i) const { return lines_.canals[canal].points[i]; }
   const CentrePoint& point(const Place& place) const { return point(place.canal, place.point); }
-  bool close(const CentrePoint& a, const CentrePoint& b) const { return length(a.at - b.at) < limits::together * std::min(a.radius, b.radius); }
+  bool close(const CentrePoint& a, const CentrePoint& b) const {
+    return length(a.at - b.at) < limits::together * std::min(a.radius, b.radius);
+  }
 
   /// The nearest of all parts' points.
   std::optional<Place> beside(const CentrePoint& p) const {
@@ -146,11 +148,13 @@ class Weaver {
 }  // namespace
 
 std::size_t CanalGraph::leading_to(std::size_t node) const {
-  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [&](const CanalPart& part) { return part.to == node; }));
+  return static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(), [&](const CanalPart& part) { return part.to == node; }));
 }
 
 std::size_t CanalGraph::leading_from(std::size_t node) const {
-  return static_cast<std::size_t>(std::count_if(parts.begin(), parts.end(), [&](const CanalPart& part) { return part.from == node; }));
+  return static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(), [&](const CanalPart& part) { return part.from == node; }));
 }
 
 const char* CanalGraph::kind(std::size_t node) const {

@@ -10,9 +10,9 @@ namespace odontoscope {
 
 /// A piece between two nodes that has no other in between, below the orifices.
 struct CanalPart {
-  std::size_t from = 0, to = 0;       // nodes, in the order in which its canals pass them
-  std::vector<std::size_t> canals;    // of CentreLines::canals: all that lead through it, at least one
-  std::size_t first = 0, last = 0;    // its points, those of the first of them
+  std::size_t from = 0, to = 0;     // nodes, in the order in which its canals pass them
+  std::vector<std::size_t> canals;  // of CentreLines::canals: all that lead through it, at least one
+  std::size_t first = 0, last = 0;  // its points, those of the first of them
 };
 
 struct CanalGraph {
@@ -26,8 +26,8 @@ struct CanalGraph {
   const char* kind(std::size_t node) const;
 };
 
-/// Canals run together where their lines are less than half a radius apart, and that for more than a width: so a fork is told a little below
-/// where it begins. Canals that end together share their end.
+/// Canals run together where their lines are less than half a radius apart, and that for more than a width: so a fork
+/// is told a little below where it begins. Canals that end together share their end.
 CanalGraph canal_graph(const CentreLines& lines);
 
 }  // namespace odontoscope

@@ -22,7 +22,8 @@ double usual_width(const CentreLine& line) {
   return 2 * balls[balls.size() / 2];
 }
 
-/// How far a ball may move to that side or the other and still be as wide, but for a hundredth: 0.01 of the radius in a round canal.
+/// How far a ball may move to that side or the other and still be as wide, but for a hundredth: 0.01 of the radius in a
+/// round canal.
 double room_aside(const Point3& at, const Direction& side, const WallTree& wall) {
   constexpr double as_wide = 0.99;
   const double radius = wall.clearance(at);
@@ -39,12 +40,14 @@ double room_aside(const Point3& at, const Direction& side, const WallTree& wall)
   return most;
 }
 
-void measure_widths(const CentreLine& line, const std::vector<double>& widths, std::size_t first, std::size_t last, MeasuredCanal& canal) {
+void measure_widths(const CentreLine& line, const std::vector<double>& widths, std::size_t first, std::size_t last,
+                    MeasuredCanal& canal) {
   double sum = 0, ball = 0;
   for (std::size_t i = first; i < last; ++i) {
     sum += widths[i];
     // All of a window is equally wide: the place is where its ball is smallest.
-    const bool narrower = !canal.narrowest || widths[i] < canal.narrowest->width || (widths[i] == canal.narrowest->width && line.points[i].ball < ball);
+    const bool narrower = !canal.narrowest || widths[i] < canal.narrowest->width ||
+                          (widths[i] == canal.narrowest->width && line.points[i].ball < ball);
     if (!narrower) continue;
     canal.narrowest = MeasuredPlace{widths[i], line.points[i].at};
     ball = line.points[i].ball;
@@ -58,15 +61,23 @@ void measure_widths(const CentreLine& line, const std::vector<double>& widths, s
   canal.mean_width = sum / static_cast<double>(line.points.size() - line.orifice);
 }
 
-/// Of the points that are no nearer to either end than their section is wide: there the line still turns out of the chamber, or into the corner of a flat end.
-std::vector<SectionMiddle> middles_between(const CentreLine& line, const SurfaceMesh& wall, std::size_t first, std::size_t last) {
+/// Of the points that are no nearer to either end than their section is wide: there the line still turns out of the
+/// chamber, or into the corner of a flat end.
+std::vector<SectionMiddle> middles_between(const CentreLine& line, const SurfaceMesh& wall, std::size_t first,
+                                           std::size_t last) {
   const std::vector<SectionMiddle> all = section_middles(wall, line, first, last);
-  const auto near_orifice = [&](std::size_t i) { return line.orifice > 0 && line.points[i].along - line.points[line.orifice].along < 2 * all[i - first].reach; };
-  const auto near_start = [&](std::size_t i) { return line.orifice == 0 && line.starts_blind() && length(line.start - line.points[i].at) < 2 * all[i - first].reach; };
+  const auto near_orifice = [&](std::size_t i) {
+    return line.orifice > 0 && line.points[i].along - line.points[line.orifice].along < 2 * all[i - first].reach;
+  };
+  const auto near_start = [&](std::size_t i) {
+    return line.orifice == 0 && line.starts_blind() &&
+           length(line.start - line.points[i].at) < 2 * all[i - first].reach;
+  };
   std::size_t below = first;
   while (below < last && (near_orifice(below) || near_start(below))) ++below;
   while (last > below && length(line.end - line.points[last - 1].at) < 2 * all[last - 1 - first].reach) --last;
-  return {all.begin() + static_cast<std::ptrdiff_t>(below - first), all.begin() + static_cast<std::ptrdiff_t>(last - first)};
+  return {all.begin() + static_cast<std::ptrdiff_t>(below - first),
+          all.begin() + static_cast<std::ptrdiff_t>(last - first)};
 }
 
 /// A part of the line whose sections are all compact, or none is.
@@ -106,7 +117,8 @@ std::vector<Stretch> stretches_of(const std::vector<SectionMiddle>& middles, dou
 
 double schneider_of(const CentreLine& line, std::size_t orifice_point, double slack) {
   const CentrePoint& orifice = line.points[orifice_point];
-  const double whole = line.points.back().along + length(line.end - line.points.back().at) - orifice.along + (orifice_point == 0 ? length(orifice.at - line.start) : 0);
+  const double whole = line.points.back().along + length(line.end - line.points.back().at) - orifice.along +
+                       (orifice_point == 0 ? length(orifice.at - line.start) : 0);
   const auto third = std::find_if(line.points.begin() + static_cast<std::ptrdiff_t>(orifice_point), line.points.end(),
                                   [&](const CentrePoint& p) { return p.along >= orifice.along + whole / 3; });
   if (third == line.points.end()) return 0;
@@ -125,12 +137,14 @@ std::vector<double> known_widths(const CentreLine& line, double spacing) {
   const std::vector<CentrePoint>& points = line.points;
   // To where a window of one spacing, and of the distance of points, reaches from each point on.
   const double reach = spacing + (points.size() > 1 ? points[1].along - points[0].along : 0);
-  std::vector<double> widest;   // of the window that begins there
+  std::vector<double> widest;  // of the window that begins there
   std::vector<std::size_t> ends;
   for (std::size_t i = 0, end = 0; i < points.size(); ++i) {
     while (end + 1 < points.size() && points[end].along - points[i].along < reach) ++end;
     const auto wider = [](const CentrePoint& a, const CentrePoint& b) { return a.ball < b.ball; };
-    widest.push_back(2 * std::max_element(points.begin() + static_cast<std::ptrdiff_t>(i), points.begin() + static_cast<std::ptrdiff_t>(end) + 1, wider)->ball);
+    widest.push_back(2 * std::max_element(points.begin() + static_cast<std::ptrdiff_t>(i),
+                                          points.begin() + static_cast<std::ptrdiff_t>(end) + 1, wider)
+                             ->ball);
     ends.push_back(end);
   }
   std::vector<double> widths(points.size(), std::numeric_limits<double>::infinity());
@@ -169,7 +183,8 @@ MeasuredCanal measured_canal(const CentreLine& line, const SurfaceMesh& wall, co
   canal.smallest_bend = std::numeric_limits<double>::infinity();
   for (const Stretch& stretch : stretches_of(middles_between(line, wall, first, last), canal.mean_width)) {
     const auto loose = [&](const Point3& at, const Direction& side) { return room_aside(at, side, tree); };
-    const Bend bend = stretch.compact ? smallest_bend(stretch.places, canal.mean_width) : smallest_bend(stretch.places, canal.mean_width, loose);
+    const Bend bend = stretch.compact ? smallest_bend(stretch.places, canal.mean_width)
+                                      : smallest_bend(stretch.places, canal.mean_width, loose);
     if (bend.radius >= canal.smallest_bend) continue;
     canal.smallest_bend = bend.radius;
     canal.bend_fit = bend.uncertainty;

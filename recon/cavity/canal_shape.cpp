@@ -32,8 +32,8 @@ class Owners {
   }
 
   struct Owner {
-    std::size_t canal = 0, third = 0;   // `canal`: as many as there are canals if it is no canal
-    Direction out{};                    // of a place just below an orifice: along the canal, unit
+    std::size_t canal = 0, third = 0;  // `canal`: as many as there are canals if it is no canal
+    Direction out{};                   // of a place just below an orifice: along the canal, unit
   };
   Owner of(const Point3& p) const {
     const Entry* best = &entries_.front();
@@ -73,7 +73,8 @@ class Owners {
 };
 
 /// A triangle's area, piece by piece, to whom it is nearest.
-void share_triangle(const std::array<Point3, 3>& p, double finest, const Owners& owners, std::vector<CanalShape>& shapes) {
+void share_triangle(const std::array<Point3, 3>& p, double finest, const Owners& owners,
+                    std::vector<CanalShape>& shapes) {
   std::size_t k = 0;
   std::array<double, 3> edges{};
   for (std::size_t e = 0; e < 3; ++e) {
@@ -99,16 +100,19 @@ void share_triangle(const std::array<Point3, 3>& p, double finest, const Owners&
 std::vector<double> surface_growth(const SurfaceMesh& wall, const Owners& owners, std::size_t canals) {
   std::vector<double> growth(canals, 0);
   const EdgeMates edges = edge_mates(wall);
-  std::vector<Direction> normals;   // into the void
-  for (const Triangle& t : wall.triangles) normals.push_back(cross(wall.points[t[1]] - wall.points[t[0]], wall.points[t[2]] - wall.points[t[0]]));
+  std::vector<Direction> normals;  // into the void
+  for (const Triangle& t : wall.triangles)
+    normals.push_back(cross(wall.points[t[1]] - wall.points[t[0]], wall.points[t[2]] - wall.points[t[0]]));
   for (HalfEdge h = 0; h < 3 * wall.triangles.size(); ++h) {
     const HalfEdge mate = edges.mate[h];
     if (mate >= EdgeMates::no_edge || mate < h) continue;
     const Point3 &a = wall.points[start(wall, h)], &b = wall.points[end(wall, h)];
     const Direction &n = normals[h / 3], &m = normals[mate / 3];
     const Direction along = b - a;
-    // Seen along the edge, from one normal to the other: the void's body bulges out where its walls turn towards each other.
-    const double angle = portable::atan2(dot(cross(n, m), along) / std::max(length(along), std::numeric_limits<double>::min()), dot(n, m));
+    // Seen along the edge, from one normal to the other: the void's body bulges out where its walls turn towards each
+    // other.
+    const double angle = portable::atan2(
+        dot(cross(n, m), along) / std::max(length(along), std::numeric_limits<double>::min()), dot(n, m));
     const Owners::Owner owner = owners.of({(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2});
     if (owner.canal < canals) growth[owner.canal] += length(along) * -angle;
   }
@@ -116,22 +120,27 @@ std::vector<double> surface_growth(const SurfaceMesh& wall, const Owners& owners
 }
 
 void measure_sections(const Cavity& cavity, const CentreLine& line, CanalShape& shape, const Progress& progress) {
-  constexpr std::size_t sections = 10;   // of a third
+  constexpr std::size_t sections = 10;  // of a third
   const double before = line.orifice == 0 ? length(line.points.front().at - line.start) : 0;
-  const double whole = line.length_to_wall(), begin = line.points[line.orifice].along - before, step = whole / (3 * sections);
+  const double whole = line.length_to_wall(), begin = line.points[line.orifice].along - before,
+               step = whole / (3 * sections);
   for (std::size_t third = 0; third < 3; ++third) {
     for (std::size_t i = 0; i < sections; ++i) {
       progress.check();
       const double along = begin + (static_cast<double>(third * sections + i) + 0.5) * step;
-      shape.thirds[third].volume += step * cavity::section_area(cavity.wall, cavity::place_along(line, along), cavity::direction_at(line, along));
+      shape.thirds[third].volume +=
+          step * cavity::section_area(cavity.wall, cavity::place_along(line, along), cavity::direction_at(line, along));
     }
   }
   for (const double far : {1.0, 2.0, 3.0, 4.0}) {
     if (far >= whole) break;
     const double along = begin + whole - far;
-    const auto next = std::find_if(line.points.begin(), line.points.end(), [&](const CentrePoint& p) { return p.along >= along; });
+    const auto next =
+        std::find_if(line.points.begin(), line.points.end(), [&](const CentrePoint& p) { return p.along >= along; });
     const CentrePoint& beside = next == line.points.end() ? line.points.back() : *next;
-    shape.apical.push_back({far, 2 * beside.ball, cavity::section_area(cavity.wall, cavity::place_along(line, along), cavity::direction_at(line, along))});
+    shape.apical.push_back(
+        {far, 2 * beside.ball,
+         cavity::section_area(cavity.wall, cavity::place_along(line, along), cavity::direction_at(line, along))});
   }
 }
 
@@ -159,7 +168,8 @@ double section_area(const SurfaceMesh& wall, const Point3& at, const Direction& 
 }
 
 Point3 place_along(const CentreLine& line, double along) {
-  const auto next = std::find_if(line.points.begin(), line.points.end(), [&](const CentrePoint& p) { return p.along >= along; });
+  const auto next =
+      std::find_if(line.points.begin(), line.points.end(), [&](const CentrePoint& p) { return p.along >= along; });
   // Before its first point and behind its last, straight on to the wall.
   const auto on = [](const Point3& from, const Point3& to, double far) {
     const Direction way = to - from;
@@ -172,7 +182,8 @@ Point3 place_along(const CentreLine& line, double along) {
 }
 
 Direction direction_at(const CentreLine& line, double along) {
-  const auto next = std::find_if(line.points.begin() + 1, line.points.end() - 1, [&](const CentrePoint& p) { return p.along >= along; });
+  const auto next = std::find_if(line.points.begin() + 1, line.points.end() - 1,
+                                 [&](const CentrePoint& p) { return p.along >= along; });
   const auto i = static_cast<std::size_t>(next - line.points.begin());
   const std::size_t first = i > 2 ? i - 2 : 0, last = std::min(i + 2, line.points.size() - 1);
   return line.points[last].at - line.points[first].at;
@@ -191,7 +202,8 @@ std::vector<CanalShape> canal_shapes(const Cavity& cavity, const CentreLines& li
   for (std::size_t i = 0; i + cavity.cap_triangles < cavity.wall.triangles.size(); ++i) {
     const Triangle& t = cavity.wall.triangles[i];
     progress.check();
-    share_triangle({cavity.wall.points[t[0]], cavity.wall.points[t[1]], cavity.wall.points[t[2]]}, finest, owners, shapes);
+    share_triangle({cavity.wall.points[t[0]], cavity.wall.points[t[1]], cavity.wall.points[t[2]]}, finest, owners,
+                   shapes);
   }
   const std::vector<double> growth = surface_growth(cavity.wall, owners, shapes.size());
   for (std::size_t c = 0; c < shapes.size(); ++c) {

@@ -13,22 +13,26 @@ namespace odontoscope {
 
 /// Across a canal's line, so far from its apical end along it.
 struct ApicalSection {
-  double from_apex = 0;   // mm
-  double width = 0;       // of the widest ball
-  double area = 0;        // mm^2, of what is joined to the line's place in the plane across; shared where canals run together
+  double from_apex = 0;  // mm
+  double width = 0;      // of the widest ball
+  double area = 0;  // mm^2, of what is joined to the line's place in the plane across; shared where canals run together
 };
 
 /// A third of a canal's length: 0 coronal, 1 middle, 2 apical.
 struct CanalThird {
-  double volume = 0;   // mm^3: section areas over the line; shared where canals run together
-  double area = 0;     // mm^2, of the wall that is nearest to it, without caps, and without the chamber's floor round an orifice (limits::floor_cosine)
+  double volume = 0;  // mm^3: section areas over the line; shared where canals run together
+  double area = 0;    // mm^2, of the wall that is nearest to it, without caps, and without the chamber's floor round an
+                      // orifice (limits::floor_cosine)
 };
 
 struct CanalShape {
-  std::vector<ApicalSection> apical;   // at 1, 2, 3 and 4 mm, as far as the canal is long: M. K. Wu et al., "Prevalence and extent of long oval canals in the apical third", 2000
+  std::vector<ApicalSection> apical;  // at 1, 2, 3 and 4 mm, as far as the canal is long: M. K. Wu et al., "Prevalence
+                                      // and extent of long oval canals in the apical third", 2000
   std::array<CanalThird, 3> thirds;
-  /// T. Hildebrand, P. Ruegsegger, "Quantification of bone microarchitecture with the structure model index", 1997: 6 S' V / S^2, 0 for plates, 3 for rods, 4 for balls. S', the
-  /// growth of the surface where it is moved outwards, is taken exactly: the sum over the wall's edges of length times outer angle (J. Steiner, 1840). Nothing without a wall.
+  /// T. Hildebrand, P. Ruegsegger, "Quantification of bone microarchitecture with the structure model index", 1997: 6
+  /// S' V / S^2, 0 for plates, 3 for rods, 4 for balls. S', the growth of the surface where it is moved outwards, is
+  /// taken exactly: the sum over the wall's edges of length times outer angle (J. Steiner, 1840). Nothing without a
+  /// wall.
   std::optional<double> structure_model_index;
 };
 

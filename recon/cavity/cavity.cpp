@@ -13,7 +13,8 @@
 namespace odontoscope {
 namespace {
 
-std::vector<Cavity> closed_shells(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report) {
+std::vector<Cavity> closed_shells(const std::string& structure, const SurfaceMesh& surface,
+                                  const SurfaceReport& report) {
   constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
   std::vector<std::size_t> number(report.shells.size(), none);
   std::vector<Cavity> found;

@@ -1,11 +1,12 @@
 #pragma once
 // Voids inside a solid: the pulp chamber with its canals is one, a bubble another.
 //
-// A void is known by its wall, a closed shell of negative volume: its triangles are counter-clockwise seen from within the void,
-// so that an eye inside sees their fronts. Units: millimetres.
+// A void is known by its wall, a closed shell of negative volume: its triangles are counter-clockwise seen from within
+// the void, so that an eye inside sees their fronts. Units: millimetres.
 //
-// What is open to the outside (a canal whose root is cut off, a chamber with an access cavity) is no void but a dent. Where it is deep and narrow, and opens
-// along z, it is closed by flat caps (see dents.h): they are no material, but walls for everything here.
+// What is open to the outside (a canal whose root is cut off, a chamber with an access cavity) is no void but a dent.
+// Where it is deep and narrow, and opens along z, it is closed by flat caps (see dents.h): they are no material, but
+// walls for everything here.
 
 #include <cstddef>
 #include <cstdint>
@@ -26,17 +27,17 @@ struct Cavity {
 
   /// Of a dent; empty for a void.
   struct Mouth {
-    Point3 at;            // middle of the cap
-    double area = 0;      // mm^2
+    Point3 at;        // middle of the cap
+    double area = 0;  // mm^2
   };
   std::vector<Mouth> mouths;
-  std::size_t cap_triangles = 0;         // the wall's last ones
-  std::vector<std::uint32_t> cut_from;   // the structure's triangles that line the dent, in part at least, ascending
+  std::size_t cap_triangles = 0;        // the wall's last ones
+  std::vector<std::uint32_t> cut_from;  // the structure's triangles that line the dent, in part at least, ascending
 };
 
-/// The shells of negative volume, largest first; ties by the wall's lowest point (x, then y, then z). Those smaller than limits::cavity_speck of
-/// the largest are left out. A surface of cavities alone (a GLB's "S cavity") is as good as the whole solid's. Open shells are no
-/// walls. `report` is that of `surface`.
+/// The shells of negative volume, largest first; ties by the wall's lowest point (x, then y, then z). Those smaller
+/// than limits::cavity_speck of the largest are left out. A surface of cavities alone (a GLB's "S cavity") is as good
+/// as the whole solid's. Open shells are no walls. `report` is that of `surface`.
 std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh& surface, const SurfaceReport& report);
 std::vector<Cavity> cavities_of(const std::string& structure, const SurfaceMesh& surface);
 
@@ -49,8 +50,9 @@ struct StructureSurface {
   const SurfaceMesh* surface = nullptr;
 };
 
-/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the largest of them. If it has none, or only
-/// specks beside it, the void that a body with "pulp" in its name fills (in any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
+/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the
+/// largest of them. If it has none, or only specks beside it, the void that a body with "pulp" in its name fills (in
+/// any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
 std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);
 
 }  // namespace odontoscope

@@ -23,9 +23,11 @@ namespace {
 constexpr std::string_view centre_line_stage = "centre lines";
 
 /// Which way the crown is: against the longest branch.
-std::optional<Direction> towards_crown(const std::optional<Direction>& axis, const Point3& chamber, const std::vector<cavity::Branch>& branches) {
+std::optional<Direction> towards_crown(const std::optional<Direction>& axis, const Point3& chamber,
+                                       const std::vector<cavity::Branch>& branches) {
   if (!axis || branches.empty() || !(length(*axis) > 0)) return std::nullopt;
-  const auto longest = std::max_element(branches.begin(), branches.end(), [](const auto& a, const auto& b) { return a.beyond < b.beyond; });
+  const auto longest = std::max_element(branches.begin(), branches.end(),
+                                        [](const auto& a, const auto& b) { return a.beyond < b.beyond; });
   const Direction unit = (1 / length(*axis)) * *axis;
   return dot(unit, longest->path.back() - chamber) > 0 ? -1.0 * unit : unit;
 }
@@ -41,7 +43,9 @@ bool shorter_than_wide(const CentreLine& line) {
 /// Short branches that are canals, the longest first: the next may leave one of them.
 void take_forks(CentreLines& lines, const WallTree& tree, const Direction& crown) {
   std::vector<CentreLine> left = std::move(lines.others);
-  std::stable_sort(left.begin(), left.end(), [](const CentreLine& a, const CentreLine& b) { return a.points.back().along > b.points.back().along; });
+  std::stable_sort(left.begin(), left.end(), [](const CentreLine& a, const CentreLine& b) {
+    return a.points.back().along > b.points.back().along;
+  });
   lines.others.clear();
   for (CentreLine& branch : left) {
     if (!cavity::is_fork(branch, lines.canals, tree, crown)) {
@@ -50,10 +54,15 @@ void take_forks(CentreLines& lines, const WallTree& tree, const Direction& crown
     }
     const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree);
     const CentreLine& parent = lines.canals[shape.parent];
-    const Point3& orifice = parent.points[parent.orifice].at;   // they share their way to the chamber
+    const Point3& orifice = parent.points[parent.orifice].at;  // they share their way to the chamber
     if (lines.has_chamber) {
-      const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) { return length(a.at - orifice) < length(b.at - orifice); };
-      branch.orifice = static_cast<std::size_t>(std::min_element(branch.points.begin(), branch.points.begin() + static_cast<std::ptrdiff_t>(shape.leaves) + 1, nearer) - branch.points.begin());
+      const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) {
+        return length(a.at - orifice) < length(b.at - orifice);
+      };
+      branch.orifice = static_cast<std::size_t>(
+          std::min_element(branch.points.begin(), branch.points.begin() + static_cast<std::ptrdiff_t>(shape.leaves) + 1,
+                           nearer) -
+          branch.points.begin());
     }
     lines.canals.push_back(std::move(branch));
   }
@@ -61,7 +70,9 @@ void take_forks(CentreLines& lines, const WallTree& tree, const Direction& crown
 
 void order(std::vector<CentreLine>& lines, const char* kind) {
   std::sort(lines.begin(), lines.end(), [](const CentreLine& a, const CentreLine& b) {
-    const auto key = [](const CentreLine& line) { return std::tuple{-line.points.back().along, line.end.x, line.end.y, line.end.z}; };
+    const auto key = [](const CentreLine& line) {
+      return std::tuple{-line.points.back().along, line.end.x, line.end.y, line.end.z};
+    };
     return key(a) < key(b);
   });
   for (std::size_t i = 0; i < lines.size(); ++i) lines[i].name = fmt::format("{} {}", kind, i + 1);
@@ -78,7 +89,8 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   progress.tell(centre_line_stage, 0);
   const SurfaceReport report = inspect(cavity.wall);
   if (!report.closed_oriented_manifold() || report.shells.size() != 1)
-    throw UsageError(fmt::format("the wall of the void in \"{}\" is not one closed, oriented manifold", cavity.structure));
+    throw UsageError(
+        fmt::format("the wall of the void in \"{}\" is not one closed, oriented manifold", cavity.structure));
   const WallTree tree(cavity.wall);
   const cavity::MedialGraph graph = cavity::medial_graph(cavity.wall, tree, progress);
   CentreLines lines;
@@ -96,7 +108,8 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   std::atomic<std::size_t> done{0};
   tbb::parallel_for(std::size_t{0}, centred.size(), [&](std::size_t i) {
     progress.check();
-    centred[i] = cavity::centred(found.branches[i].path, tree, found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
+    centred[i] = cavity::centred(found.branches[i].path, tree,
+                                 found.through ? cavity::LineEnd::both_blind : cavity::LineEnd::blind);
     progress.tell(centre_line_stage, 0.5 + 0.5 * static_cast<double>(++done) / static_cast<double>(centred.size()));
   });
   for (std::size_t i = 0; i < centred.size(); ++i) {
@@ -118,8 +131,10 @@ CentreLines centre_lines(const Cavity& cavity, const CentreLineOptions& options,
   }
   if (crown) take_forks(lines, tree, *crown);
   std::vector<CentreLine> isthmuses;
-  for (const std::vector<Point3>& way : found.isthmuses) isthmuses.push_back(cavity::centred(way, tree, cavity::LineEnd::joined));
-  for (const std::vector<Point3>& loop : found.loops) lines.loops.push_back(cavity::centred(loop, tree, cavity::LineEnd::closed));
+  for (const std::vector<Point3>& way : found.isthmuses)
+    isthmuses.push_back(cavity::centred(way, tree, cavity::LineEnd::joined));
+  for (const std::vector<Point3>& loop : found.loops)
+    lines.loops.push_back(cavity::centred(loop, tree, cavity::LineEnd::closed));
   order(lines.canals, "canal");
   order(lines.horns, "horn");
   order(lines.others, "branch");

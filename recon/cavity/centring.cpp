@@ -28,7 +28,8 @@ std::vector<Point3> spread_by(const std::vector<Point3>& line, const std::vector
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double piece = weights[i - 1];
     while (even.size() < steps && static_cast<double>(even.size()) * step <= passed + piece)
-      even.push_back(between(line[i - 1], line[i], piece > 0 ? (static_cast<double>(even.size()) * step - passed) / piece : 0));
+      even.push_back(
+          between(line[i - 1], line[i], piece > 0 ? (static_cast<double>(even.size()) * step - passed) / piece : 0));
     passed += piece;
   }
   even.resize(steps, line.back());
@@ -39,11 +40,13 @@ std::vector<Point3> spread_by(const std::vector<Point3>& line, const std::vector
 /// A line that is being centred. Closed lines hold their first point twice.
 class Centring {
  public:
-  Centring(std::vector<Point3> line, const WallTree& tree, LineEnd end) : line_(std::move(line)), tree_(tree), closed_(end == LineEnd::closed) {
+  Centring(std::vector<Point3> line, const WallTree& tree, LineEnd end)
+      : line_(std::move(line)), tree_(tree), closed_(end == LineEnd::closed) {
     std::vector<double> radii;
     for (const Point3& p : line_) radii.push_back(std::max(tree_.clearance(p), 0.0));
     std::nth_element(radii.begin(), radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2), radii.end());
-    median_ = std::max(radii[radii.size() / 2], length_of(line_) / (limits::line_step * static_cast<double>(limits::line_points)));
+    median_ = std::max(radii[radii.size() / 2],
+                       length_of(line_) / (limits::line_step * static_cast<double>(limits::line_points)));
   }
 
   /// So many local radii apart, so that smoothing reaches as far as the void is wide.
@@ -86,7 +89,8 @@ class Centring {
     if (closed_) line_.back() = line_.front();
   }
 
-  /// Low-pass filtering that does not shrink bends (G. Taubin, "A signal processing approach to fair surface design", 1995).
+  /// Low-pass filtering that does not shrink bends (G. Taubin, "A signal processing approach to fair surface design",
+  /// 1995).
   void smooth(int times) {
     for (; times > 0; --times) {
       average(0.5);
@@ -96,8 +100,8 @@ class Centring {
 
   void turn() { std::reverse(line_.begin(), line_.end()); }
 
-  /// Without its last points where the way only leads into the corner between the wall and an end cut off flat: there clearance falls about as
-  /// fast as the way is long.
+  /// Without its last points where the way only leads into the corner between the wall and an end cut off flat: there
+  /// clearance falls about as fast as the way is long.
   void cut_corner() {
     std::size_t widest = line_.size() - 1;
     double gone = 0, radius = tree_.clearance(line_.back());
@@ -147,7 +151,8 @@ class Centring {
       far += length(line_[first] - line_[first - 1]);
       widest = std::max(widest, tree_.clearance(line_[first]));
     }
-    while (line_.size() > 2 && line_.size() > first + 1 && tree_.clearance(line_.back()) < limits::tip_gap * widest) line_.pop_back();
+    while (line_.size() > 2 && line_.size() > first + 1 && tree_.clearance(line_.back()) < limits::tip_gap * widest)
+      line_.pop_back();
   }
 
   std::vector<CentrePoint> points() {
@@ -156,23 +161,28 @@ class Centring {
     for (std::size_t i = 0; i < line_.size(); ++i) {
       along += i > 0 ? length(line_[i] - line_[i - 1]) : 0;
       const double radius = std::max(tree_.clearance(line_[i]), 0.0);
-      // First as for the line, which keeps to its canal; then freely: in a flat canal the pull would stop short of the widest place.
+      // First as for the line, which keeps to its canal; then freely: in a flat canal the pull would stop short of the
+      // widest place.
       const Point3 near = widest_near(line_[i], tangent(i), 0.16, 0.04);
-      const double widest = tree_.clearance(widest_near(near, tangent(i), 0.04, limits::ball_fineness, limits::ball_pull));
+      const double widest =
+          tree_.clearance(widest_near(near, tangent(i), 0.04, limits::ball_fineness, limits::ball_pull));
       made.push_back({line_[i], radius, along, std::max(radius, widest)});
     }
     return made;
   }
 
  private:
-  static std::size_t steps_for(double wanted) { return static_cast<std::size_t>(std::clamp(wanted, 8.0, static_cast<double>(limits::line_points))); }
+  static std::size_t steps_for(double wanted) {
+    return static_cast<std::size_t>(std::clamp(wanted, 8.0, static_cast<double>(limits::line_points)));
+  }
 
   /// Clearance, but not so little that points would crowd.
   double width(const Point3& p) const { return std::max(tree_.clearance(p), 0.4 * median_); }
 
   Direction tangent(std::size_t i) const {
     const std::size_t last = line_.size() - 1;
-    const Direction way = closed_ && (i == 0 || i == last) ? line_[1] - line_[last - 1] : line_[std::min(i + 1, last)] - line_[i > 0 ? i - 1 : 0];
+    const Direction way = closed_ && (i == 0 || i == last) ? line_[1] - line_[last - 1]
+                                                           : line_[std::min(i + 1, last)] - line_[i > 0 ? i - 1 : 0];
     const double size = length(way);
     return size > 0 ? (1 / size) * way : Direction{0, 0, 1};
   }
@@ -181,12 +191,14 @@ class Centring {
   void average(double share) {
     std::vector<Point3> there = line_;
     const std::size_t last = line_.size() - 1;
-    for (std::size_t i = 1; i < last; ++i) there[i] = between(line_[i], between(line_[i - 1], line_[i + 1], 0.5), share);
+    for (std::size_t i = 1; i < last; ++i)
+      there[i] = between(line_[i], between(line_[i - 1], line_[i + 1], 0.5), share);
     if (closed_) there.front() = there.back() = between(line_[0], between(line_[last - 1], line_[1], 0.5), share);
     line_ = std::move(there);
   }
 
-  /// Places of the wall that were nearest to places looked at before: none of what is about can be clearer than the nearest of them tells.
+  /// Places of the wall that were nearest to places looked at before: none of what is about can be clearer than the
+  /// nearest of them tells.
   class Witnesses {
    public:
     void add(const Point3& at) {
@@ -213,16 +225,18 @@ class Centring {
   /// `pull`: back, so that in a flat section points stay about where they are; in a round one it is next to nothing.
   Point3 widest_near(const Point3& start, const Direction& along, double first, double finest, double pull = 0.3) {
     // Two directions across.
-    const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z) ? Direction{1, 0, 0}
-                            : std::abs(along.y) <= std::abs(along.z)                                        ? Direction{0, 1, 0}
-                                                                                                            : Direction{0, 0, 1};
+    const Direction other = std::abs(along.x) <= std::abs(along.y) && std::abs(along.x) <= std::abs(along.z)
+                                ? Direction{1, 0, 0}
+                            : std::abs(along.y) <= std::abs(along.z) ? Direction{0, 1, 0}
+                                                                     : Direction{0, 0, 1};
     const Direction side = cross(along, other);
     const Direction u = (1 / length(side)) * side, v = cross(along, u);
     const WallTree::Nearest here = tree_.nearest(start);
     witnesses_.add(here.at);
     double best = here.front ? here.distance : -here.distance, x = 0, y = 0;
     const double radius = std::max(best, 0.06 * median_);
-    constexpr double directions[6][2] = {{1, 0}, {-0.5, 0.866025}, {-0.5, -0.866025}, {0.5, 0.866025}, {-1, 0}, {0.5, -0.866025}};
+    constexpr double directions[6][2] = {{1, 0},          {-0.5, 0.866025}, {-0.5, -0.866025},
+                                         {0.5, 0.866025}, {-1, 0},          {0.5, -0.866025}};
     constexpr int most_moves = 40;
     int moves = 0;
     for (double size = first * radius; size >= finest * radius && moves < most_moves;) {

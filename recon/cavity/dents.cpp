@@ -26,7 +26,8 @@ std::vector<double> wanted_levels(const SurfaceMesh& surface) {
     high = std::max(high, p.z);
   }
   std::vector<double> levels{low + limits::cap_inset * (high - low)};
-  for (std::size_t i = 1; i < limits::dent_levels; ++i) levels.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(limits::dent_levels));
+  for (std::size_t i = 1; i < limits::dent_levels; ++i)
+    levels.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(limits::dent_levels));
   levels.push_back(high - limits::cap_inset * (high - low));
   return levels;
 }
@@ -35,14 +36,18 @@ std::vector<double> wanted_levels(const SurfaceMesh& surface) {
 std::vector<std::size_t> dent_of_piece(const HeightPieces& pieces) {
   std::vector<char> inner(pieces.pieces, 0), outer(pieces.pieces, 0);
   for (const Section& section : pieces.sections)
-    for (const std::size_t piece : {section.below, section.above}) (section.hole || section.island ? inner : outer)[piece] = 1;
+    for (const std::size_t piece : {section.below, section.above})
+      (section.hole || section.island ? inner : outer)[piece] = 1;
   std::vector<std::size_t> dent(pieces.pieces, outside);
   for (std::size_t piece = 0; piece < dent.size(); ++piece)
     if (inner[piece] && !outer[piece]) dent[piece] = piece;
-  for (bool changed = true; changed;) {   // sections come from below upwards: twice or thrice at most, but for labyrinths
+  for (bool changed = true;
+       changed;) {  // sections come from below upwards: twice or thrice at most, but for labyrinths
     changed = false;
     const auto meet = [&](const Section& section) {
-      if (dent[section.below] == outside || dent[section.above] == outside || dent[section.below] == dent[section.above]) return;
+      if (dent[section.below] == outside || dent[section.above] == outside ||
+          dent[section.below] == dent[section.above])
+        return;
       dent[section.below] = dent[section.above] = std::min(dent[section.below], dent[section.above]);
       changed = true;
     };
@@ -82,7 +87,9 @@ Point3 middle_of(const Loop& loop, double level) {
 /// A dent's lining, cut off at its mouths, and caps.
 class Lining {
  public:
-  Lining(const SurfaceMesh& surface, const HeightPieces& pieces, const std::vector<std::size_t>& dent_of, std::size_t dent) : surface_(surface), pieces_(pieces) {
+  Lining(const SurfaceMesh& surface, const HeightPieces& pieces, const std::vector<std::size_t>& dent_of,
+         std::size_t dent)
+      : surface_(surface), pieces_(pieces) {
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
       const std::size_t lowest = pieces.lowest_slab[t], count = pieces.first_piece[t + 1] - pieces.first_piece[t];
       const auto inside = [&](std::size_t i) { return dent_of[pieces.piece_of[pieces.first_piece[t] + i]] == dent; };
@@ -134,14 +141,17 @@ class Lining {
     std::vector<PointIndex> polygon;
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
       const PointIndex a = start(surface_, h), b = end(surface_, h);
-      if ((to_bottom || above(a, low - 1)) && (to_top || !above(a, high))) polygon.push_back(place({a, a, 0}, surface_.points[a]));
-      const bool through_bottom = !to_bottom && above(a, low - 1) != above(b, low - 1), through_top = !to_top && above(a, high) != above(b, high);
+      if ((to_bottom || above(a, low - 1)) && (to_top || !above(a, high)))
+        polygon.push_back(place({a, a, 0}, surface_.points[a]));
+      const bool through_bottom = !to_bottom && above(a, low - 1) != above(b, low - 1),
+                 through_top = !to_top && above(a, high) != above(b, high);
       const bool rises = surface_.points[b].z > surface_.points[a].z;
       if (through_bottom && rises) polygon.push_back(cut_point(h, low - 1));
       if (through_top) polygon.push_back(cut_point(h, high));
       if (through_bottom && !rises) polygon.push_back(cut_point(h, low - 1));
     }
-    for (std::size_t i = 2; i < polygon.size(); ++i) wall_.triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      wall_.triangles.push_back({polygon[0], polygon[i - 1], polygon[i]});
   }
 
   const SurfaceMesh& surface_;
@@ -170,15 +180,17 @@ bool anything_in(const Loop& mouth, double level, const std::vector<const Surfac
 
 }  // namespace
 
-std::vector<Cavity> dents_of(const StructureSurface& part, const SurfaceReport& report, const std::vector<const SurfaceMesh*>& others) {
+std::vector<Cavity> dents_of(const StructureSurface& part, const SurfaceReport& report,
+                             const std::vector<const SurfaceMesh*>& others) {
   std::vector<Cavity> found;
   if (!report.closed_oriented_manifold()) return found;
   const SurfaceMesh& surface = *part.surface;
   const HeightPieces pieces = height_pieces(surface, edge_mates(surface), wanted_levels(surface));
   const std::vector<std::size_t> dent_of = dent_of_piece(pieces);
-  std::map<std::size_t, std::vector<const Section*>> mouths;   // of each dent
+  std::map<std::size_t, std::vector<const Section*>> mouths;  // of each dent
   for (const Section& section : pieces.sections)
-    if (dent_of[section.below] != dent_of[section.above]) mouths[std::min(dent_of[section.below], dent_of[section.above])].push_back(&section);
+    if (dent_of[section.below] != dent_of[section.above])
+      mouths[std::min(dent_of[section.below], dent_of[section.above])].push_back(&section);
   for (const auto& [dent, sections] : mouths) {
     Lining lining(surface, pieces, dent_of, dent);
     Cavity cavity;
@@ -191,15 +203,19 @@ std::vector<Cavity> dents_of(const StructureSurface& part, const SurfaceReport& 
       widest = std::max(widest, std::sqrt(4 * area / std::numbers::pi));
       cavity.mouths.push_back({middle_of(loop, level), area});
       const bool crowded = std::any_of(pieces.sections.begin(), pieces.sections.end(), [&](const Section& other) {
-        return &other != section && other.level == section->level && is_inside(loop, places(surface, other, level).front());
+        return &other != section && other.level == section->level &&
+               is_inside(loop, places(surface, other, level).front());
       });
-      return section->hole && !crowded && !anything_in(loop, level, others) && lining.cap(*section, dent_of[section->below] != outside);
+      return section->hole && !crowded && !anything_in(loop, level, others) &&
+             lining.cap(*section, dent_of[section->below] != outside);
     });
     if (!closed) continue;
     lining.take(cavity);
     if (depth_of(cavity.wall) < limits::dent_depth * widest) continue;
     const SurfaceReport walls = inspect(cavity.wall);
-    if (!walls.closed_oriented_manifold() || walls.shells.size() != 1 || walls.shells.front().kind != Shell::Kind::cavity) continue;
+    if (!walls.closed_oriented_manifold() || walls.shells.size() != 1 ||
+        walls.shells.front().kind != Shell::Kind::cavity)
+      continue;
     cavity.volume = std::abs(walls.shells.front().volume);
     found.push_back(std::move(cavity));
   }

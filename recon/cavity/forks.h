@@ -10,16 +10,20 @@ namespace odontoscope::cavity {
 
 /// What a branch is beyond the canal that it leaves.
 struct BranchShape {
-  std::size_t parent = 0;    // of the canals: the one whose line is nearest to where it leaves
-  std::size_t leaves = 0;    // of its points: the first one from which on it is apart from every canal; their number: nowhere
-  double length = 0;         // from there to the wall at its end
-  double mean_width = 0;     // of that part
+  std::size_t parent = 0;  // of the canals: the one whose line is nearest to where it leaves
+  std::size_t leaves =
+      0;              // of its points: the first one from which on it is apart from every canal; their number: nowhere
+  double length = 0;  // from there to the wall at its end
+  double mean_width = 0;  // of that part
 };
 
-/// Apart: with material on the straight way to a canal's line; with `sideways` also beyond its ball with material on both sides along it, for a branch straight across has none between.
-BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree, bool sideways = false);
+/// Apart: with material on the straight way to a canal's line; with `sideways` also beyond its ball with material on
+/// both sides along it, for a branch straight across has none between.
+BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree,
+                         bool sideways = false);
 
 /// See limits::fork_length. `crown`: unit.
-bool is_fork(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree, const Direction& crown);
+bool is_fork(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree,
+             const Direction& crown);
 
 }  // namespace odontoscope::cavity

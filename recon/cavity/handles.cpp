@@ -10,11 +10,12 @@ namespace {
 
 /// Where two paths of the tree meet that are not the same.
 struct Seam {
-  double cost = 0;   // of both paths and the way between
+  double cost = 0;  // of both paths and the way between
   NodeIndex a = no_node, b = no_node;
 };
 
-/// What the path from the root to each node adds. Parents first: by cost they do not always come first, for a way between two nodes in one place costs nothing.
+/// What the path from the root to each node adds. Parents first: by cost they do not always come first, for a way
+/// between two nodes in one place costs nothing.
 std::vector<std::uint64_t> shares_from_root(const MedialGraph& graph, const PathTree& tree, const Linking& linking) {
   std::vector<std::uint64_t> from_root(graph.nodes.size(), 0);
   std::vector<char> known(graph.nodes.size(), 0);
@@ -35,7 +36,8 @@ std::vector<Seam> seams_of(const MedialGraph& graph, const PathTree& tree, const
   std::vector<NodeIndex> order;
   for (NodeIndex n = 0; n < graph.nodes.size(); ++n)
     if (std::isfinite(tree.cost[n])) order.push_back(n);
-  std::sort(order.begin(), order.end(), [&](NodeIndex a, NodeIndex b) { return std::tie(tree.cost[a], a) < std::tie(tree.cost[b], b); });
+  std::sort(order.begin(), order.end(),
+            [&](NodeIndex a, NodeIndex b) { return std::tie(tree.cost[a], a) < std::tie(tree.cost[b], b); });
   const std::vector<std::uint64_t> from_root = shares_from_root(graph, tree, linking);
   std::map<std::uint64_t, Seam> best;
   for (const NodeIndex a : order) {
@@ -45,13 +47,14 @@ std::vector<Seam> seams_of(const MedialGraph& graph, const PathTree& tree, const
       const std::uint64_t round = from_root[a] + linking.share(graph.nodes[a].at, graph.nodes[b].at) - from_root[b];
       if (round == 0) continue;
       const double cost = tree.cost[a] + tree.cost[b] + cost_of(graph, a, graph.ways[w]);
-      Seam& seam = best[std::min(round, 0 - round)];   // either way round
+      Seam& seam = best[std::min(round, 0 - round)];  // either way round
       if (seam.a == no_node || std::tie(cost, a, b) < std::tie(seam.cost, seam.a, seam.b)) seam = {cost, a, b};
     }
   }
   std::vector<Seam> seams;
   for (const auto& [round, seam] : best) seams.push_back(seam);
-  std::sort(seams.begin(), seams.end(), [](const Seam& u, const Seam& v) { return std::tie(u.cost, u.a, u.b) < std::tie(v.cost, v.a, v.b); });
+  std::sort(seams.begin(), seams.end(),
+            [](const Seam& u, const Seam& v) { return std::tie(u.cost, u.a, u.b) < std::tie(v.cost, v.a, v.b); });
   return seams;
 }
 
@@ -87,7 +90,7 @@ class Independent {
 
  private:
   static constexpr std::int64_t prime = 2147483647;
-  static std::int64_t inverse(std::int64_t n) {   // Fermat
+  static std::int64_t inverse(std::int64_t n) {  // Fermat
     std::int64_t result = 1;
     for (std::int64_t e = prime - 2; e > 0; e /= 2) {
       if (e % 2 == 1) result = result * n % prime;
@@ -114,14 +117,15 @@ std::vector<Handle> handles_of(const MedialGraph& graph, const PathTree& tree, c
   Independent known;
   std::size_t found = 0;
   for (const Seam& seam : seams_of(graph, tree, linking)) {
-    if (2 * found == linking.loops()) break;   // as many as the genus
+    if (2 * found == linking.loops()) break;  // as many as the genus
     Handle handle = handle_at(tree, seam);
     const std::vector<NodeIndex> loop = handle.loop();
     std::vector<Point3> way = places(graph, loop);
     way.pop_back();
     if (!known.add(linking.linked(way))) continue;
     ++found;
-    if (std::all_of(loop.begin(), loop.end(), [&](NodeIndex n) { return graph.nodes[n].radius >= radius; })) handles.push_back(std::move(handle));
+    if (std::all_of(loop.begin(), loop.end(), [&](NodeIndex n) { return graph.nodes[n].radius >= radius; }))
+      handles.push_back(std::move(handle));
   }
   return handles;
 }

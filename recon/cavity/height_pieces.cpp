@@ -17,10 +17,12 @@ std::vector<double> off_vertices(const SurfaceMesh& surface, const std::vector<d
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
   std::vector<double> levels;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const double low = i > 0 ? (wanted[i - 1] + wanted[i]) / 2 : wanted[i], high = i + 1 < wanted.size() ? (wanted[i] + wanted[i + 1]) / 2 : wanted[i];
+    const double low = i > 0 ? (wanted[i - 1] + wanted[i]) / 2 : wanted[i],
+                 high = i + 1 < wanted.size() ? (wanted[i] + wanted[i + 1]) / 2 : wanted[i];
     const auto is_free = [&](double z) { return !std::binary_search(heights.begin(), heights.end(), z); };
     double best = wanted[i], widest = 0;
-    for (auto above = std::lower_bound(heights.begin(), heights.end(), low); !is_free(wanted[i]) && above != heights.end(); ++above) {
+    for (auto above = std::lower_bound(heights.begin(), heights.end(), low);
+         !is_free(wanted[i]) && above != heights.end(); ++above) {
       const double from = std::max(above == heights.begin() ? low : *(above - 1), low), to = std::min(*above, high);
       if (to - from > widest) {
         widest = to - from;
@@ -28,16 +30,19 @@ std::vector<double> off_vertices(const SurfaceMesh& surface, const std::vector<d
       }
       if (*above >= high) break;
     }
-    if (is_free(best) && best > heights.front() && best < heights.back() && (levels.empty() || best > levels.back())) levels.push_back(best);
+    if (is_free(best) && best > heights.front() && best < heights.back() && (levels.empty() || best > levels.back()))
+      levels.push_back(best);
   }
   return levels;
 }
 
 class Slicing {
  public:
-  Slicing(const SurfaceMesh& surface, const EdgeMates& edges, HeightPieces& made) : surface_(surface), edges_(edges), made_(made) {
+  Slicing(const SurfaceMesh& surface, const EdgeMates& edges, HeightPieces& made)
+      : surface_(surface), edges_(edges), made_(made) {
     for (const Point3& p : surface.points)
-      slab_.push_back(static_cast<std::size_t>(std::upper_bound(made.levels.begin(), made.levels.end(), p.z) - made.levels.begin()));
+      slab_.push_back(static_cast<std::size_t>(std::upper_bound(made.levels.begin(), made.levels.end(), p.z) -
+                                               made.levels.begin()));
     made_.first_piece.push_back(0);
     for (const Triangle& t : surface.triangles) {
       const auto [low, high] = std::minmax({slab_[t[0]], slab_[t[1]], slab_[t[2]]});
@@ -57,7 +62,7 @@ class Slicing {
     std::vector<std::size_t> number(made_.first_piece.back(), 0);
     made_.piece_of.resize(number.size());
     for (std::uint32_t i = 0; i < number.size(); ++i) {
-      if (pieces.find(i) == i) number[i] = made_.pieces++;   // the lowest is the first
+      if (pieces.find(i) == i) number[i] = made_.pieces++;  // the lowest is the first
       made_.piece_of[i] = number[pieces.find(i)];
     }
   }
@@ -65,7 +70,8 @@ class Slicing {
   void find_sections() {
     std::vector<std::vector<HalfEdge>> rising(made_.levels.size());
     for (HalfEdge h = 0; h < 3 * surface_.triangles.size(); ++h)
-      for (std::size_t level = slab_[start(surface_, h)]; level < slab_[end(surface_, h)]; ++level) rising[level].push_back(h);
+      for (std::size_t level = slab_[start(surface_, h)]; level < slab_[end(surface_, h)]; ++level)
+        rising[level].push_back(h);
     std::vector<std::size_t> seen(surface_.triangles.size(), made_.levels.size());
     for (std::size_t level = 0; level < rising.size(); ++level) {
       const std::size_t first = made_.sections.size();
@@ -76,10 +82,15 @@ class Slicing {
   }
 
  private:
-  std::size_t part(std::size_t triangle, std::size_t slab) const { return made_.first_piece[triangle] + slab - made_.lowest_slab[triangle]; }
-  bool rises_through(HalfEdge h, std::size_t level) const { return slab_[start(surface_, h)] <= level && slab_[end(surface_, h)] > level; }
+  std::size_t part(std::size_t triangle, std::size_t slab) const {
+    return made_.first_piece[triangle] + slab - made_.lowest_slab[triangle];
+  }
+  bool rises_through(HalfEdge h, std::size_t level) const {
+    return slab_[start(surface_, h)] <= level && slab_[end(surface_, h)] > level;
+  }
 
-  /// Of a triangle that is cut one edge rises through the level and one falls: on through the falling one, whose mate rises.
+  /// Of a triangle that is cut one edge rises through the level and one falls: on through the falling one, whose mate
+  /// rises.
   void add_section(std::size_t level, HalfEdge rising, std::vector<std::size_t>& seen) {
     Section section{level, {}, made_.piece_of[part(rising / 3, level)], made_.piece_of[part(rising / 3, level + 1)]};
     Loop loop;
@@ -111,7 +122,7 @@ class Slicing {
   const SurfaceMesh& surface_;
   const EdgeMates& edges_;
   HeightPieces& made_;
-  std::vector<std::size_t> slab_;   // of each vertex: how many levels lie below it
+  std::vector<std::size_t> slab_;  // of each vertex: how many levels lie below it
   std::vector<Loop> loops_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// A closed surface sliced by planes of constant z: its pieces between two planes, and the closed sections that they meet in.
+// A closed surface sliced by planes of constant z: its pieces between two planes, and the closed sections that they
+// meet in.
 
 #include <cstddef>
 #include <cstdint>
@@ -20,16 +21,17 @@ struct Section {
 };
 
 struct HeightPieces {
-  std::vector<double> levels;              // ascending; no vertex lies in one
-  std::vector<std::size_t> first_piece;    // of each triangle, and one more: triangle t has a part of `piece_of[first_piece[t] + i]` between levels
-  std::vector<std::size_t> piece_of;       // lowest_slab[t] + i - 1 and lowest_slab[t] + i
-  std::vector<std::size_t> lowest_slab;    // of each triangle: how many levels lie below all of it
+  std::vector<double> levels;            // ascending; no vertex lies in one
+  std::vector<std::size_t> first_piece;  // of each triangle, and one more: triangle t has a part of
+                                         // `piece_of[first_piece[t] + i]` between levels
+  std::vector<std::size_t> piece_of;     // lowest_slab[t] + i - 1 and lowest_slab[t] + i
+  std::vector<std::size_t> lowest_slab;  // of each triangle: how many levels lie below all of it
   std::size_t pieces = 0;
   std::vector<Section> sections;
 };
 
-/// Near `wanted` (ascending) levels, but off all vertices; those that cannot be had, or lie beyond the surface, are left out. Precondition: a closed oriented
-/// manifold without self-intersections.
+/// Near `wanted` (ascending) levels, but off all vertices; those that cannot be had, or lie beyond the surface, are
+/// left out. Precondition: a closed oriented manifold without self-intersections.
 HeightPieces height_pieces(const SurfaceMesh& surface, const EdgeMates& edges, const std::vector<double>& wanted);
 
 /// Where the section's plane crosses this edge: the same from either of its two triangles.

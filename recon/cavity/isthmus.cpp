@@ -27,7 +27,8 @@ double depth_in(const Loop& loop, const Point2& p) {
   return is_inside(loop, p) ? nearest : -nearest;
 }
 
-/// Of the corridor between two places in a loop: twice the least of the depths that are had by stepping aside, up to half the way between the places.
+/// Of the corridor between two places in a loop: twice the least of the depths that are had by stepping aside, up to
+/// half the way between the places.
 double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
   constexpr int along = 15, aside = 12;
   const double x = b.x - a.x, y = b.y - a.y;
@@ -59,7 +60,8 @@ double reach_towards(const Loop& loop, const Point2& from, const Point2& to) {
   const double x = to.x - from.x, y = to.y - from.y, far = portable::hypot(x, y);
   double most = 0;
   for (const Point2& p : loop) {
-    const double ahead = ((p.x - from.x) * x + (p.y - from.y) * y) / far, aside = std::abs((p.x - from.x) * y - (p.y - from.y) * x) / far;
+    const double ahead = ((p.x - from.x) * x + (p.y - from.y) * y) / far,
+                 aside = std::abs((p.x - from.x) * y - (p.y - from.y) * x) / far;
     if (aside < ahead) most = std::max(most, ahead);
   }
   return most;
@@ -67,7 +69,7 @@ double reach_towards(const Loop& loop, const Point2& from, const Point2& to) {
 
 /// What a section shows between two canals.
 struct Seen {
-  std::string type;   // empty: nothing
+  std::string type;  // empty: nothing
   double width = 0;
 };
 
@@ -91,7 +93,7 @@ std::optional<Passing> passing(const CentreLine& line, double z) {
 }
 
 Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b, std::size_t canals_in_loop) {
-  if (portable::hypot(a.at.x - b.at.x, a.at.y - b.at.y) < a.ball + b.ball) return {};   // one canal, or as good as one
+  if (portable::hypot(a.at.x - b.at.x, a.at.y - b.at.y) < a.ball + b.ball) return {};  // one canal, or as good as one
   const std::size_t one = loop_round(loops, a.at), other = loop_round(loops, b.at);
   if (one == loops.size() || other == loops.size()) return {};
   if (one == other) {
@@ -99,7 +101,8 @@ Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b,
     if (width > limits::isthmus_thin * 2 * std::min(a.ball, b.ball)) return {"V", width};
     return {canals_in_loop > 2 ? "III" : "II", width};
   }
-  const bool extended = reach_towards(loops[one], a.at, b.at) > limits::isthmus_reach * a.ball || reach_towards(loops[other], b.at, a.at) > limits::isthmus_reach * b.ball;
+  const bool extended = reach_towards(loops[one], a.at, b.at) > limits::isthmus_reach * a.ball ||
+                        reach_towards(loops[other], b.at, a.at) > limits::isthmus_reach * b.ball;
   return {extended ? "IV" : "", 0};
 }
 
@@ -114,7 +117,8 @@ bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const C
   return corridor_width(loops[loop], one->at, other->at) >= limits::isthmus_wide * 2 * std::min(one->ball, other->ball);
 }
 
-std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines, const std::vector<std::size_t>& canals, double fall) {
+std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines,
+                                  const std::vector<std::size_t>& canals, double fall) {
   std::vector<Isthmus> found;
   if (canals.size() < 2) return found;
   double top = -std::numeric_limits<double>::infinity(), bottom = -top, width = 0;
@@ -125,12 +129,13 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
     width = std::max(width, 2 * line.points[(line.orifice + line.points.size()) / 2].ball);
   }
   const double step = (top - bottom) / heights;
-  std::vector<Isthmus> open;   // those that the section before showed, too
-  std::vector<std::vector<double>> widths;   // of these, section by section
+  std::vector<Isthmus> open;                // those that the section before showed, too
+  std::vector<std::vector<double>> widths;  // of these, section by section
   const auto close = [&](std::size_t i) {
     // Its lowest and highest section may cut its rim only.
     const std::size_t rim = widths[i].size() > 2 ? 1 : 0;
-    open[i].narrowest = *std::min_element(widths[i].begin() + static_cast<std::ptrdiff_t>(rim), widths[i].end() - static_cast<std::ptrdiff_t>(rim));
+    open[i].narrowest = *std::min_element(widths[i].begin() + static_cast<std::ptrdiff_t>(rim),
+                                          widths[i].end() - static_cast<std::ptrdiff_t>(rim));
     if (open[i].to_apex - open[i].from_apex + step >= width) found.push_back(open[i]);
     open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
     widths.erase(widths.begin() + static_cast<std::ptrdiff_t>(i));
@@ -145,16 +150,20 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
       for (std::size_t b = a + 1; b < canals.size(); ++b) {
         if (!at[a] || !at[b]) continue;
         const std::size_t own = loop_round(loops, at[a]->at);
-        const auto in_loop = std::count_if(at.begin(), at.end(), [&](const auto& p) { return p && loop_round(loops, p->at) == own; });
+        const auto in_loop =
+            std::count_if(at.begin(), at.end(), [&](const auto& p) { return p && loop_round(loops, p->at) == own; });
         const Seen one = between(loops, *at[a], *at[b], static_cast<std::size_t>(in_loop));
         if (!one.type.empty()) seen.push_back({one.type, canals[a], canals[b], above, above, one.width});
       }
     }
-    const auto same = [](const Isthmus& a, const Isthmus& b) { return a.type == b.type && a.one == b.one && a.other == b.other; };
+    const auto same = [](const Isthmus& a, const Isthmus& b) {
+      return a.type == b.type && a.one == b.one && a.other == b.other;
+    };
     for (std::size_t i = open.size(); i-- > 0;)
       if (std::none_of(seen.begin(), seen.end(), [&](const Isthmus& one) { return same(one, open[i]); })) close(i);
     for (const Isthmus& one : seen) {
-      const auto known = std::find_if(open.begin(), open.end(), [&](const Isthmus& before) { return same(one, before); });
+      const auto known =
+          std::find_if(open.begin(), open.end(), [&](const Isthmus& before) { return same(one, before); });
       if (known == open.end()) {
         open.push_back(one);
         widths.push_back({one.narrowest});
@@ -165,7 +174,8 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
     }
   }
   while (!open.empty()) close(0);
-  std::stable_sort(found.begin(), found.end(), [](const Isthmus& a, const Isthmus& b) { return a.from_apex < b.from_apex; });
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Isthmus& a, const Isthmus& b) { return a.from_apex < b.from_apex; });
   return found;
 }
 

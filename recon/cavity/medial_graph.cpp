@@ -21,13 +21,15 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<std::uint32_t, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
 constexpr std::uint32_t unnumbered = std::numeric_limits<std::uint32_t>::max();
 /// Times that a way is halved to see whether it stays in the void.
 constexpr int way_halvings = 3;
-/// A centre that is nearer to the wall than this share of its sphere's radius belongs to a flat tetrahedron beside the wall.
+/// A centre that is nearer to the wall than this share of its sphere's radius belongs to a flat tetrahedron beside the
+/// wall.
 constexpr double least_clear = 0.25;
 
 struct Sphere {
@@ -47,7 +49,8 @@ std::optional<Sphere> circumsphere(const std::array<Point3, 4>& p) {
 }
 
 /// The union of two balls that touch holds the line between their centres.
-bool stays_inside(const WallTree& tree, const Point3& a, double a_radius, const Point3& b, double b_radius, int halvings) {
+bool stays_inside(const WallTree& tree, const Point3& a, double a_radius, const Point3& b, double b_radius,
+                  int halvings) {
   const Direction way = b - a;
   if (length(way) <= a_radius + b_radius) return true;
   if (halvings == 0) return false;
@@ -65,7 +68,8 @@ struct Sample {
 };
 
 /// Halves the longest edge until it is short enough.
-void divide(const std::array<Point3, 3>& corners, const Direction& normal, double longest, std::vector<Sample>& samples) {
+void divide(const std::array<Point3, 3>& corners, const Direction& normal, double longest,
+            std::vector<Sample>& samples) {
   std::size_t k = 0;
   std::array<double, 3> edges{};
   for (std::size_t e = 0; e < 3; ++e) {
@@ -80,10 +84,11 @@ void divide(const std::array<Point3, 3>& corners, const Direction& normal, doubl
   divide({middle, b, c}, normal, longest, samples);
 }
 
-/// As a GLB holds it: metres, in single precision. Contours lie on lattices, so that many points lie on one sphere exactly, and how those are triangulated
-/// decides between ways of nearly one length: a tooth and its file are to have the same.
+/// As a GLB holds it: metres, in single precision. Contours lie on lattices, so that many points lie on one sphere
+/// exactly, and how those are triangulated decides between ways of nearly one length: a tooth and its file are to have
+/// the same.
 Point3 as_in_a_file(const Point3& p) {
-  constexpr double mm = 1000;   // in a metre
+  constexpr double mm = 1000;  // in a metre
   const auto rounded = [](double x) { return mm * static_cast<double>(static_cast<float>(x / mm)); };
   return {rounded(p.x), rounded(p.y), rounded(p.z)};
 }
@@ -125,22 +130,25 @@ int in_front_of_corners(const std::array<const Sample*, 4>& corners, const Point
   return front;
 }
 
-/// Distance of a tetrahedron's circumcentre to the wall; nothing if it lies outside the void or in a corner of it. No sample lies in the
-/// circumsphere, so that triangles with edges of length e reach into it no farther than to sqrt(R^2 - e^2 / 3): where that says enough, the wall is
-/// not asked.
-std::optional<double> radius_of(const std::array<const Sample*, 4>& corners, const Sphere& sphere, const WallTree& tree) {
+/// Distance of a tetrahedron's circumcentre to the wall; nothing if it lies outside the void or in a corner of it. No
+/// sample lies in the circumsphere, so that triangles with edges of length e reach into it no farther than to sqrt(R^2
+/// - e^2 / 3): where that says enough, the wall is not asked.
+std::optional<double> radius_of(const std::array<const Sample*, 4>& corners, const Sphere& sphere,
+                                const WallTree& tree) {
   constexpr double fine_enough = 0.5;  // of the radius: the rest is right to 4 %
   double edge = 0;
   for (const Sample* corner : corners) edge = std::max(edge, corner->spacing);
   const int front = in_front_of_corners(corners, sphere.centre);
   if (front < 2) return std::nullopt;
-  if (front == 4 && edge <= fine_enough * sphere.radius) return std::sqrt(sphere.radius * sphere.radius - edge * edge / 3);
+  if (front == 4 && edge <= fine_enough * sphere.radius)
+    return std::sqrt(sphere.radius * sphere.radius - edge * edge / 3);
   const double least = least_clear * sphere.radius, radius = tree.clearance_above(sphere.centre, least, sphere.radius);
   if (!(radius > least)) return std::nullopt;
   return radius;
 }
 
-/// Inserted in an order of our own: that of the cells, and so which of a cell's corners its centre is reckoned from, would otherwise be the library's.
+/// Inserted in an order of our own: that of the cells, and so which of a cell's corners its centre is reckoned from,
+/// would otherwise be the library's.
 Delaunay triangulated(const std::vector<Point3>& points) {
   Delaunay delaunay;
   Delaunay::Cell_handle near;
@@ -191,7 +199,8 @@ MedialGraph medial_graph(const SurfaceMesh& wall, const WallTree& tree, const Pr
       if (delaunay.is_infinite(neighbour)) continue;
       const std::uint32_t m = neighbour->info();
       if (m == unnumbered || m < n) continue;
-      if (stays_inside(tree, graph.nodes[n].at, graph.nodes[n].radius, graph.nodes[m].at, graph.nodes[m].radius, way_halvings)) {
+      if (stays_inside(tree, graph.nodes[n].at, graph.nodes[n].radius, graph.nodes[m].at, graph.nodes[m].radius,
+                       way_halvings)) {
         pairs.emplace_back(n, m);
         pairs.emplace_back(m, n);
       }

@@ -14,7 +14,8 @@ double cost_of(const MedialGraph& graph, NodeIndex from, const MedialGraph::Way&
 PathTree shortest_paths(const MedialGraph& graph, NodeIndex root, NodeIndex until) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const std::size_t count = graph.nodes.size();
-  PathTree tree{std::vector<NodeIndex>(count, no_node), std::vector<double>(count, infinity), std::vector<double>(count, infinity)};
+  PathTree tree{std::vector<NodeIndex>(count, no_node), std::vector<double>(count, infinity),
+                std::vector<double>(count, infinity)};
   using Waiting = std::pair<double, NodeIndex>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
   tree.cost[root] = tree.distance[root] = 0;

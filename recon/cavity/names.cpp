@@ -35,14 +35,18 @@ std::vector<Point3> ends_of(const SampleFacts& facts) {
   return ends;
 }
 
-std::string with_kind(const std::string& name, const char* kind) { return name.ends_with(kind) ? name : name + " " + kind; }
+std::string with_kind(const std::string& name, const char* kind) {
+  return name.ends_with(kind) ? name : name + " " + kind;
+}
 
 }  // namespace
 
 std::optional<ToothKind> sample_of(const CentreLines& lines) {
   for (const ToothKind kind : {ToothKind::molar, ToothKind::premolar, ToothKind::incisor}) {
     const SampleFacts facts = sample_facts(kind);
-    if (facts.canals.size() == lines.canals.size() && lines_to(lines.canals, ends_of(facts)).size() == facts.canals.size()) return kind;
+    if (facts.canals.size() == lines.canals.size() &&
+        lines_to(lines.canals, ends_of(facts)).size() == facts.canals.size())
+      return kind;
   }
   return std::nullopt;
 }

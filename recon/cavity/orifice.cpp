@@ -33,7 +33,8 @@ double section_area(const CentreLine& line, std::size_t i, double most, const Wa
   double squares = 0;
   for (int k = 0; k < rays; ++k) {
     const double angle = 2 * std::numbers::pi * k / rays;
-    const double far = free_way(p.at, portable::cos(angle) * u + portable::sin(angle) * v, close * p.radius, most, tree);
+    const double far =
+        free_way(p.at, portable::cos(angle) * u + portable::sin(angle) * v, close * p.radius, most, tree);
     squares += far * far;
   }
   return std::numbers::pi * squares / rays;
@@ -44,7 +45,8 @@ double section_area(const CentreLine& line, std::size_t i, double most, const Wa
 std::size_t orifice_of(const CentreLine& line, double chamber_radius, const WallTree& tree) {
   const double most = limits::section_reach * chamber_radius, end = limits::orifice_part * line.points.back().along;
   std::vector<double> areas;
-  for (std::size_t i = 0; i < line.points.size() && line.points[i].along <= end; ++i) areas.push_back(section_area(line, i, most, tree));
+  for (std::size_t i = 0; i < line.points.size() && line.points[i].along <= end; ++i)
+    areas.push_back(section_area(line, i, most, tree));
   // Within one radius from each point on: how much smaller does the section get, and where.
   std::vector<double> drops;
   std::vector<std::size_t> below;
@@ -53,7 +55,8 @@ std::size_t orifice_of(const CentreLine& line, double chamber_radius, const Wall
     drops.push_back(portable::log(areas[i] / areas[j]));
     below.push_back(j);
   }
-  // Where the line bends within the chamber, sections change, too: the last great drop counts, and there the greatest step.
+  // Where the line bends within the chamber, sections change, too: the last great drop counts, and there the greatest
+  // step.
   const double best = drops.empty() ? 0 : *std::max_element(drops.begin(), drops.end());
   const double least_drop = std::max(portable::log(limits::orifice_drop), limits::orifice_great * best);
   std::size_t upper = 0, lower = 0;

@@ -6,7 +6,7 @@
 namespace odontoscope::cavity {
 
 std::vector<Loop> loops_at(const SurfaceMesh& surface, double z) {
-  using Edge = std::pair<PointIndex, PointIndex>;   // from below to above
+  using Edge = std::pair<PointIndex, PointIndex>;  // from below to above
   // Through each triangle that is cut, from the edge where one enters its section to the edge where one leaves it.
   std::map<Edge, Edge> onward;
   const auto above = [&](PointIndex p) { return surface.points[p].z >= z; };

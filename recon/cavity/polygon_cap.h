@@ -9,7 +9,8 @@
 
 namespace odontoscope::cavity {
 
-/// Triangles between the polygon's corners (counter-clockwise), themselves counter-clockwise; nothing if its sides cross or touch.
+/// Triangles between the polygon's corners (counter-clockwise), themselves counter-clockwise; nothing if its sides
+/// cross or touch.
 std::optional<std::vector<Triangle>> triangulated(const std::vector<Point2>& polygon);
 
 }  // namespace odontoscope::cavity

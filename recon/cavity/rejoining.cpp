@@ -13,7 +13,8 @@ using Path = std::vector<NodeIndex>;
 
 class Rejoiner {
  public:
-  Rejoiner(const MedialGraph& graph, const PathTree& tree, std::vector<MedialCanal> canals, const std::vector<char>& chamber)
+  Rejoiner(const MedialGraph& graph, const PathTree& tree, std::vector<MedialCanal> canals,
+           const std::vector<char>& chamber)
       : graph_(graph), tree_(tree), chamber_(chamber), made_{std::move(canals), {}} {
     for (const MedialCanal& canal : made_.canals) count(canal.path, 1);
   }
@@ -34,11 +35,13 @@ class Rejoiner {
 
   /// Both sides are ways, and no canal comes near.
   bool hangs_free(const Handle& handle) const {
-    if (slender(handle.one, 0, handle.one.size()) == 0 || slender(handle.other, 0, handle.other.size()) == 0) return false;
+    if (slender(handle.one, 0, handle.one.size()) == 0 || slender(handle.other, 0, handle.other.size()) == 0)
+      return false;
     Path loop = handle.loop();
     std::sort(loop.begin(), loop.end());
     return std::none_of(made_.canals.begin(), made_.canals.end(), [&](const MedialCanal& canal) {
-      return std::any_of(canal.path.begin(), canal.path.end(), [&](NodeIndex n) { return !chamber_[n] && std::binary_search(loop.begin(), loop.end(), n); });
+      return std::any_of(canal.path.begin(), canal.path.end(),
+                         [&](NodeIndex n) { return !chamber_[n] && std::binary_search(loop.begin(), loop.end(), n); });
     });
   }
 
@@ -56,10 +59,10 @@ class Rejoiner {
   /// Canals that go from the fork down this side, and how far: the last of its nodes that any of them passes.
   struct Side {
     struct User {
-      std::size_t canal, fork, leaves;   // places in its path
+      std::size_t canal, fork, leaves;  // places in its path
     };
-    std::vector<User> users;   // those that go as far as the last does
-    std::size_t last = 0;      // of the side's nodes
+    std::vector<User> users;  // those that go as far as the last does
+    std::size_t last = 0;     // of the side's nodes
   };
 
   Side side_of(NodeIndex fork, const Path& side) const {
@@ -69,7 +72,8 @@ class Rejoiner {
       const auto at = std::find(path.begin(), path.end(), fork);
       std::size_t gone = 0;
       const auto on = static_cast<std::size_t>(at - path.begin());
-      while (at != path.end() && on + 1 + gone < path.size() && gone < side.size() && path[on + 1 + gone] == side[gone]) ++gone;
+      while (at != path.end() && on + 1 + gone < path.size() && gone < side.size() && path[on + 1 + gone] == side[gone])
+        ++gone;
       if (gone == 0 || slender(side, 0, gone) == 0) continue;
       if (found.users.empty() || gone - 1 > found.last) found = {{}, gone - 1};
       if (gone - 1 == found.last) found.users.push_back({c, on, on + gone});
@@ -91,12 +95,13 @@ class Rejoiner {
 
   /// Canals use `side` and leave it at its node `used.last`: one of them goes the other way.
   void go_round(const Path& side, const Path& round, const Side& used) {
-    Path detour = round;   // from the fork to where the canals leave the side
+    Path detour = round;  // from the fork to where the canals leave the side
     detour.insert(detour.end(), side.rbegin(), side.rend() - static_cast<std::ptrdiff_t>(used.last));
     if (chamber_[detour.back()] || slender(detour, 0, detour.size()) == 0) return;
     const Point3 middle = graph_.nodes[detour[detour.size() / 2]].at;
     std::vector<Side::User> nearest = used.users;
-    std::stable_sort(nearest.begin(), nearest.end(), [&](const Side::User& a, const Side::User& b) { return far(a, middle) < far(b, middle); });
+    std::stable_sort(nearest.begin(), nearest.end(),
+                     [&](const Side::User& a, const Side::User& b) { return far(a, middle) < far(b, middle); });
     for (const Side::User& user : nearest) {
       if (!spared(user)) continue;
       count(made_.canals[user.canal].path, -1);
@@ -110,7 +115,9 @@ class Rejoiner {
     made_.canals.push_back(std::move(more));
   }
 
-  double far(const Side::User& user, const Point3& from) const { return length(graph_.nodes[made_.canals[user.canal].path.back()].at - from); }
+  double far(const Side::User& user, const Point3& from) const {
+    return length(graph_.nodes[made_.canals[user.canal].path.back()].at - from);
+  }
 
   Path led(const Side::User& user, const Path& detour) const {
     const Path& path = made_.canals[user.canal].path;
@@ -121,8 +128,8 @@ class Rejoiner {
     return straightened(made, join, user.fork + detour.size() / 2);
   }
 
-  /// The tree's paths turn sharply where they meet, from one side up into the other: the shortest way from a little before there, but not before
-  /// `first`, to a little after.
+  /// The tree's paths turn sharply where they meet, from one side up into the other: the shortest way from a little
+  /// before there, but not before `first`, to a little after.
   Path straightened(const Path& path, std::size_t join, std::size_t first) const {
     const double reach = limits::join_reach * graph_.nodes[path[join]].radius;
     const auto step = [&](std::size_t i) { return length(graph_.nodes[path[i]].at - graph_.nodes[path[i + 1]].at); };
@@ -164,13 +171,13 @@ class Rejoiner {
   const PathTree& tree_;
   const std::vector<char>& chamber_;
   Rejoined made_;
-  std::map<std::pair<NodeIndex, NodeIndex>, int> uses_;   // of each way, by how many canals
+  std::map<std::pair<NodeIndex, NodeIndex>, int> uses_;  // of each way, by how many canals
 };
 
 }  // namespace
 
-Rejoined rejoined(const MedialGraph& graph, const PathTree& tree, std::vector<MedialCanal> canals, const std::vector<Handle>& handles,
-                  const std::vector<char>& chamber) {
+Rejoined rejoined(const MedialGraph& graph, const PathTree& tree, std::vector<MedialCanal> canals,
+                  const std::vector<Handle>& handles, const std::vector<char>& chamber) {
   Rejoiner rejoiner(graph, tree, std::move(canals), chamber);
   std::vector<const Handle*> left;
   for (const Handle& handle : handles) left.push_back(&handle);

@@ -35,7 +35,8 @@ constexpr std::size_t root_sections = 120;
 
 std::string vertucci_type(const std::vector<std::size_t>& sections) {
   constexpr std::array<const char*, 8> names = {"I", "II", "III", "IV", "V", "VI", "VII", "VIII"};
-  const std::array<std::vector<std::size_t>, 8> types = {{{1}, {2, 1}, {1, 2, 1}, {2}, {1, 2}, {2, 1, 2}, {1, 2, 1, 2}, {3}}};
+  const std::array<std::vector<std::size_t>, 8> types = {
+      {{1}, {2, 1}, {1, 2, 1}, {2}, {1, 2}, {2, 1, 2}, {1, 2, 1, 2}, {3}}};
   const auto found = std::find(types.begin(), types.end(), sections);
   return found == types.end() ? "other" : names[static_cast<std::size_t>(found - types.begin())];
 }
@@ -55,14 +56,16 @@ std::size_t sections_at(const std::vector<Loop>& loops, const CentreLines& lines
   std::iota(section.begin(), section.end(), std::size_t{0});
   for (std::size_t a = 0; a < section.size(); ++a)
     for (std::size_t b = a + 1; b < section.size(); ++b)
-      if (section[a] != section[b] && is_one_section(loops, lines.canals[root.canals[a]], lines.canals[root.canals[b]], z))
+      if (section[a] != section[b] &&
+          is_one_section(loops, lines.canals[root.canals[a]], lines.canals[root.canals[b]], z))
         std::replace(section.begin(), section.end(), section[b], section[a]);
   std::sort(section.begin(), section.end());
   return static_cast<std::size_t>(std::unique(section.begin(), section.end()) - section.begin());
 }
 
 /// Counts from the lower orifice to the first blind end, in runs.
-std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLines& lines, const MeasuredRoot& root, const std::vector<MeasuredCanal>& canals) {
+std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLines& lines, const MeasuredRoot& root,
+                                          const std::vector<MeasuredCanal>& canals) {
   const double sign = fall_of(root, canals);
   double top = std::numeric_limits<double>::infinity(), bottom = -top, width = 0;
   for (const std::size_t c : root.canals) {
@@ -73,7 +76,7 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
   }
   top -= 0.5 * width;
   bottom += 0.5 * width;
-  std::vector<std::pair<std::size_t, std::size_t>> runs;   // count, heights
+  std::vector<std::pair<std::size_t, std::size_t>> runs;  // count, heights
   for (std::size_t i = 0; i < root_sections && top > bottom; ++i) {
     const double z = sign * (top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom));
     const std::vector<Loop> loops = loops_at(cavity.wall, z);
@@ -94,28 +97,34 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
 std::size_t branches_beside(const CentreLines& lines, const SurfaceMesh& outside, const MeasuredRoot& root) {
   const auto beside = [&](const CentreLine& branch) {
     // A width before its end, for the canal beside it may end at about the same height.
-    const auto before = std::find_if(branch.points.rbegin(), branch.points.rend(), [&](const CentrePoint& p) { return length(branch.end - p.at) > 2 * p.radius; });
+    const auto before = std::find_if(branch.points.rbegin(), branch.points.rend(),
+                                     [&](const CentrePoint& p) { return length(branch.end - p.at) > 2 * p.radius; });
     const Point3& at = before == branch.points.rend() ? branch.end : before->at;
     const std::vector<Loop> loops = loops_at(outside, at.z);
     const std::size_t own = loop_round(loops, Point2{at.x, at.y});
-    return own < loops.size() && std::any_of(root.canals.begin(), root.canals.end(), [&](std::size_t c) { return loop_round(loops, passes(lines.canals[c], at.z)) == own; });
+    return own < loops.size() && std::any_of(root.canals.begin(), root.canals.end(), [&](std::size_t c) {
+             return loop_round(loops, passes(lines.canals[c], at.z)) == own;
+           });
   };
   return static_cast<std::size_t>(std::count_if(lines.others.begin(), lines.others.end(), beside));
 }
 
 }  // namespace
 
-std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals) {
+std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside,
+                                   const std::vector<MeasuredCanal>& canals) {
   std::vector<std::size_t> root_of(canals.size());
   std::iota(root_of.begin(), root_of.end(), std::size_t{0});
   for (std::size_t a = 0; a < canals.size(); ++a) {
     for (std::size_t b = a + 1; b < canals.size(); ++b) {
       // Canals of one root end at about the same height; the middle of the apical half that both have.
       const double sign = falling(canals[a].end.z - canals[a].orifice.z + canals[b].end.z - canals[b].orifice.z);
-      const double end = std::max(sign * canals[a].end.z, sign * canals[b].end.z), orifice = std::min(sign * canals[a].orifice.z, sign * canals[b].orifice.z);
+      const double end = std::max(sign * canals[a].end.z, sign * canals[b].end.z),
+                   orifice = std::min(sign * canals[a].orifice.z, sign * canals[b].orifice.z);
       const double z = sign * (end + 0.25 * (orifice - end));
       const std::vector<Loop> loops = loops_at(outside, z);
-      const std::size_t one = loop_round(loops, passes(lines.canals[a], z)), other = loop_round(loops, passes(lines.canals[b], z));
+      const std::size_t one = loop_round(loops, passes(lines.canals[a], z)),
+                        other = loop_round(loops, passes(lines.canals[b], z));
       if (one == other && one < loops.size()) std::replace(root_of.begin(), root_of.end(), root_of[b], root_of[a]);
     }
   }
@@ -148,14 +157,17 @@ std::string digits(std::size_t number, const char* const (&glyphs)[10]) {
 }  // namespace
 
 std::string ahmed_code(const std::vector<MeasuredRoot>& roots) {
-  static constexpr const char* above[10] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-  static constexpr const char* below[10] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084", "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
+  static constexpr const char* above[10] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                            "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  static constexpr const char* below[10] = {"\u2080", "\u2081", "\u2082", "\u2083", "\u2084",
+                                            "\u2085", "\u2086", "\u2087", "\u2088", "\u2089"};
   if (roots.empty()) return "";
   std::string code = digits(roots.size(), above) + "TN";
   for (std::size_t r = 0; r < roots.size(); ++r) {
-    if (roots[r].sections.empty()) return "";   // too short to count
+    if (roots[r].sections.empty()) return "";  // too short to count
     if (roots.size() > 1) code += " R" + digits(r + 1, below);
-    for (std::size_t i = 0; i < roots[r].sections.size(); ++i) code += (i > 0 ? "\u207b" : "") + digits(roots[r].sections[i], above);
+    for (std::size_t i = 0; i < roots[r].sections.size(); ++i)
+      code += (i > 0 ? "\u207b" : "") + digits(roots[r].sections[i], above);
   }
   return code;
 }

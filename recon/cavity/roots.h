@@ -15,6 +15,7 @@ std::optional<Point2> passes(const CentreLine& line, double z);
 std::size_t loop_round(const std::vector<Loop>& loops, const std::optional<Point2>& place);
 
 /// See MeasuredRoot. `outside`: of the solid that the canals run in. z runs along the tooth.
-std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside, const std::vector<MeasuredCanal>& canals);
+std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& lines, const SurfaceMesh& outside,
+                                   const std::vector<MeasuredCanal>& canals);
 
 }  // namespace odontoscope::cavity

@@ -12,11 +12,14 @@
 namespace odontoscope::cavity {
 namespace {
 
-double turn(const Point2& a, const Point2& b, const Point2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double turn(const Point2& a, const Point2& b, const Point2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979.
 Loop hull_of(Loop points) {
-  std::sort(points.begin(), points.end(), [](const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+  std::sort(points.begin(), points.end(),
+            [](const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
   Loop hull;
   for (int side = 0; side < 2; ++side) {
     const std::size_t begin = hull.size();
@@ -24,7 +27,7 @@ Loop hull_of(Loop points) {
       while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0) hull.pop_back();
       hull.push_back(p);
     }
-    if (!hull.empty()) hull.pop_back();   // the other side begins with it
+    if (!hull.empty()) hull.pop_back();  // the other side begins with it
     std::reverse(points.begin(), points.end());
   }
   return hull;
@@ -65,7 +68,8 @@ SectionMiddle middle_at(const SurfaceMesh& wall, const Point3& at, const Directi
     own = &loop;
   }
   if (own == nullptr) return {at, false, ball};
-  const bool islands = std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) { return &loop != own && is_inside(*own, loop.front()); });
+  const bool islands = std::any_of(loops.begin(), loops.end(),
+                                   [&](const Loop& loop) { return &loop != own && is_inside(*own, loop.front()); });
   const Extent extent = extent_of(*own), hull = extent_of(hull_of(*own));
   const double round = limits::section_flatness * ball * ball;
   if (islands || extent.area < limits::section_solidity * hull.area || extent.area > round) return {at, false, ball};
@@ -74,7 +78,8 @@ SectionMiddle middle_at(const SurfaceMesh& wall, const Point3& at, const Directi
 
 }  // namespace
 
-std::vector<SectionMiddle> section_middles(const SurfaceMesh& wall, const CentreLine& line, std::size_t first, std::size_t last) {
+std::vector<SectionMiddle> section_middles(const SurfaceMesh& wall, const CentreLine& line, std::size_t first,
+                                           std::size_t last) {
   // Over the way of a radius to both sides: the line's own waves would turn the plane.
   const auto direction = [&](std::size_t i) {
     const double reach = line.points[i].ball;
@@ -84,7 +89,8 @@ std::vector<SectionMiddle> section_middles(const SurfaceMesh& wall, const Centre
     return line.points[to].at - line.points[from].at;
   };
   std::vector<SectionMiddle> made;
-  for (std::size_t i = first; i < last; ++i) made.push_back(middle_at(wall, line.points[i].at, direction(i), line.points[i].ball));
+  for (std::size_t i = first; i < last; ++i)
+    made.push_back(middle_at(wall, line.points[i].at, direction(i), line.points[i].ball));
   return made;
 }
 

@@ -15,11 +15,14 @@
 namespace odontoscope::cavity {
 namespace {
 
-void add_outside(Outside& outside, const StructureSurface& part, const SurfaceReport& report, const std::vector<Cavity>& dents) {
+void add_outside(Outside& outside, const StructureSurface& part, const SurfaceReport& report,
+                 const std::vector<Cavity>& dents) {
   const auto base = static_cast<PointIndex>(outside.surface.points.size());
   outside.surface.points.insert(outside.surface.points.end(), part.surface->points.begin(), part.surface->points.end());
   const auto lines_a_dent = [&](std::uint32_t t) {
-    return std::any_of(dents.begin(), dents.end(), [&](const Cavity& dent) { return std::binary_search(dent.cut_from.begin(), dent.cut_from.end(), t); });
+    return std::any_of(dents.begin(), dents.end(), [&](const Cavity& dent) {
+      return std::binary_search(dent.cut_from.begin(), dent.cut_from.end(), t);
+    });
   };
   for (std::uint32_t t = 0; t < part.surface->triangles.size(); ++t) {
     if (report.shells[report.shell_of[t]].kind != Shell::Kind::external || lines_a_dent(t)) continue;
@@ -31,18 +34,23 @@ void add_outside(Outside& outside, const StructureSurface& part, const SurfaceRe
 
 }  // namespace
 
-Outside outside_of(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports, const Cavity& cavity) {
+Outside outside_of(const std::vector<StructureSurface>& model, const std::vector<SurfaceReport>& reports,
+                   const Cavity& cavity) {
   constexpr std::string_view cavity_suffix = " cavity";
   std::string solid = cavity.structure;
   if (solid.ends_with(cavity_suffix)) solid.resize(solid.size() - cavity_suffix.size());
-  const auto has_word = [](const std::string& name, std::string_view word) { return lower_case(name).find(word) != std::string::npos; };
+  const auto has_word = [](const std::string& name, std::string_view word) {
+    return lower_case(name).find(word) != std::string::npos;
+  };
   const bool pulp = has_word(solid, "pulp");
   Outside outside;
   for (std::size_t s = 0; s < model.size(); ++s) {
     const std::string& name = model[s].structure;
-    if (pulp && (has_word(name, "dentin") || has_word(name, "tooth"))) add_outside(outside, model[s], reports[s], dents_of(model[s], reports[s], {}));
+    if (pulp && (has_word(name, "dentin") || has_word(name, "tooth")))
+      add_outside(outside, model[s], reports[s], dents_of(model[s], reports[s], {}));
     if (pulp || (name != solid && name != solid + " external")) continue;
-    add_outside(outside, model[s], reports[s], cavity.mouths.empty() ? std::vector<Cavity>{} : std::vector<Cavity>{cavity});
+    add_outside(outside, model[s], reports[s],
+                cavity.mouths.empty() ? std::vector<Cavity>{} : std::vector<Cavity>{cavity});
   }
   return outside;
 }
@@ -53,7 +61,9 @@ namespace {
 std::size_t below_rim(const CentreLine& line) {
   std::size_t below = line.orifice;
   const CentrePoint& orifice = line.points[line.orifice];
-  while (line.orifice > 0 && below + 1 < line.points.size() && line.points[below].along - orifice.along < limits::orifice_rim * orifice.ball) ++below;
+  while (line.orifice > 0 && below + 1 < line.points.size() &&
+         line.points[below].along - orifice.along < limits::orifice_rim * orifice.ball)
+    ++below;
   return below;
 }
 
@@ -98,7 +108,9 @@ struct WallPoint {
 std::vector<Opening> openings_at(const std::vector<WallPoint>& touching, const std::vector<MeasuredCanal>& canals) {
   std::vector<Opening> found;
   for (const WallPoint& p : touching) {
-    const auto own = std::find_if(found.begin(), found.end(), [&](const Opening& one) { return one.canal == p.canal && length(p.at - one.at) <= canals[p.canal].mean_width; });
+    const auto own = std::find_if(found.begin(), found.end(), [&](const Opening& one) {
+      return one.canal == p.canal && length(p.at - one.at) <= canals[p.canal].mean_width;
+    });
     if (own == found.end())
       found.push_back({p.canal, p.at, 0});
     else
@@ -109,7 +121,8 @@ std::vector<Opening> openings_at(const std::vector<WallPoint>& touching, const s
 
 }  // namespace
 
-std::vector<Opening> measure_walls(const Cavity& cavity, const CentreLines& lines, const Outside& outer, std::vector<MeasuredCanal>& canals, const Progress& progress) {
+std::vector<Opening> measure_walls(const Cavity& cavity, const CentreLines& lines, const Outside& outer,
+                                   std::vector<MeasuredCanal>& canals, const Progress& progress) {
   const WallTree outside(outer.surface);
   const double touches = limits::opening * size_of(outer.surface);
   std::vector<WallPoint> points, touching;
@@ -117,7 +130,9 @@ std::vector<Opening> measure_walls(const Cavity& cavity, const CentreLines& line
     progress.check();
     const std::size_t canal = canal_beside(p, lines);
     if (canal == canals.size()) continue;
-    const auto beside = [&](const Cavity::Mouth& mouth) { return length(p - mouth.at) < std::sqrt(mouth.area / std::numbers::pi) + canals[canal].mean_width; };
+    const auto beside = [&](const Cavity::Mouth& mouth) {
+      return length(p - mouth.at) < std::sqrt(mouth.area / std::numbers::pi) + canals[canal].mean_width;
+    };
     if (std::any_of(outer.mouths.begin(), outer.mouths.end(), beside)) continue;
     const WallPoint point{p, canal, outside.nearest(p).distance};
     (point.thick <= touches ? touching : points).push_back(point);
@@ -125,7 +140,9 @@ std::vector<Opening> measure_walls(const Cavity& cavity, const CentreLines& line
   std::vector<Opening> openings = openings_at(touching, canals);
   for (const WallPoint& p : points) {
     const double width = canals[p.canal].mean_width;
-    if (std::any_of(openings.begin(), openings.end(), [&](const Opening& one) { return length(p.at - one.at) < one.reach + width; })) continue;
+    if (std::any_of(openings.begin(), openings.end(),
+                    [&](const Opening& one) { return length(p.at - one.at) < one.reach + width; }))
+      continue;
     std::optional<MeasuredPlace>& thinnest = canals[p.canal].thinnest_wall;
     if (!thinnest || p.thick < thinnest->width) thinnest = MeasuredPlace{p.thick, p.at};
   }

@@ -55,10 +55,13 @@ ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
   if (!(std::abs(moments.volume) > 0)) return {};
   Matrix3 spread{};
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) spread[i][j] = moments.second[i][j] / moments.volume - moments.first[i] * moments.first[j] / (moments.volume * moments.volume);
+    for (std::size_t j = 0; j < 3; ++j)
+      spread[i][j] = moments.second[i][j] / moments.volume -
+                     moments.first[i] * moments.first[j] / (moments.volume * moments.volume);
   const Matrix3 vectors = eigenvectors(spread);
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return spread[a][a] > spread[b][b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return spread[a][a] > spread[b][b]; });
   const std::size_t most = order[0];
   Direction along{vectors[0][most], vectors[1][most], vectors[2][most]};
   if (along.z < 0) along = -1.0 * along;
@@ -69,7 +72,8 @@ ToothAxis tooth_axis(const std::vector<StructureSurface>& model) {
 }
 
 Upright::Upright(const Direction& axis) : w_((1 / length(axis)) * axis) {
-  const Direction side = cross(std::abs(w_.y) < 0.9 ? Direction{0, 1, 0} : Direction{0, 0, 1}, w_);   // of z itself no turn
+  const Direction side =
+      cross(std::abs(w_.y) < 0.9 ? Direction{0, 1, 0} : Direction{0, 0, 1}, w_);  // of z itself no turn
   u_ = (1 / length(side)) * side;
   v_ = cross(w_, u_);
 }

@@ -49,7 +49,7 @@ constexpr double long_ones = 0.95;
 
 /// Of the contours about a canal. The chamber's are longer.
 double side_beside(const SurfaceMesh& wall, const CentreLine& line) {
-  constexpr double reach = 2;   // balls: as far as an oval canal's wall
+  constexpr double reach = 2;  // balls: as far as an oval canal's wall
   return side_length(wall, long_ones, [&](const Point3& p) {
     const CentrePoint* nearest = nullptr;
     double least = std::numeric_limits<double>::infinity();
@@ -61,13 +61,14 @@ double side_beside(const SurfaceMesh& wall, const CentreLine& line) {
       nearest = &one;
     }
     const CentrePoint& orifice = line.points[line.orifice];
-    return nearest != nullptr && nearest->along >= orifice.along + (line.orifice > 0 ? orifice.ball : 0) && least < reach * reach * nearest->ball * nearest->ball;
+    return nearest != nullptr && nearest->along >= orifice.along + (line.orifice > 0 ? orifice.ball : 0) &&
+           least < reach * reach * nearest->ball * nearest->ball;
   });
 }
 
 struct Slope {
-  double width = 0;   // change of the width over the way
-  double lean = 0;    // sine square of the angle between the line and z
+  double width = 0;  // change of the width over the way
+  double lean = 0;   // sine square of the angle between the line and z
 };
 
 Slope slope_at(const CentreLine& line, std::size_t i, double reach) {
@@ -84,10 +85,12 @@ Slope slope_at(const CentreLine& line, std::size_t i, double reach) {
 
 std::size_t point_at(const CentreLine& line, const Point3& at) {
   const auto nearer = [&](const CentrePoint& a, const CentrePoint& b) { return length(a.at - at) < length(b.at - at); };
-  return static_cast<std::size_t>(std::min_element(line.points.begin(), line.points.end(), nearer) - line.points.begin());
+  return static_cast<std::size_t>(std::min_element(line.points.begin(), line.points.end(), nearer) -
+                                  line.points.begin());
 }
 
-/// Of many widths that are each a little off the narrowest is so downwards: by as much as it is less than the usual one within a width of it.
+/// Of many widths that are each a little off the narrowest is so downwards: by as much as it is less than the usual one
+/// within a width of it.
 double stands_out(const CentreLine& line, const MeasuredPlace& narrowest) {
   std::vector<double> widths;
   for (std::size_t i = line.orifice; i < line.points.size(); ++i)
@@ -103,7 +106,8 @@ double off_schneider(const MeasuredCanal& canal, const CentreLine& line, double 
   while (up > 1 && at - line.points[up].along < along) --up;
   while (line.orifice > 0 && down + 5 < line.points.size() && line.points[down].along - at < along) ++down;
   for (const std::size_t orifice : {up, line.orifice, down})
-    for (const double slack : {-aside, 0.0, aside}) most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
+    for (const double slack : {-aside, 0.0, aside})
+      most = std::max(most, std::abs(schneider_of(line, orifice, slack) - canal.schneider_deg));
   return most + degrees_per_radian * portable::atan2(2 * aside, canal.length / 3);
 }
 
@@ -122,16 +126,19 @@ double slice_spacing_of(const SurfaceMesh& wall) {
   return median(gaps);
 }
 
-SliceKnowledge slice_knowledge(const SurfaceMesh& outside, double spacing, double chamber_radius, const std::vector<Cavity::Mouth>& mouths) {
+SliceKnowledge slice_knowledge(const SurfaceMesh& outside, double spacing, double chamber_radius,
+                               const std::vector<Cavity::Mouth>& mouths) {
   return {spacing, side_length(outside, long_ones, [](const Point3&) { return true; }), chamber_radius, mouths};
 }
 
-CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line, const SurfaceMesh& wall, const SliceKnowledge& known) {
+CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& shape, const CentreLine& line,
+                                const SurfaceMesh& wall, const SliceKnowledge& known) {
   const double spacing = known.spacing, side = side_beside(wall, line);
   const auto of_width = [&](std::size_t i) {
     const double ball = line.points[i].ball;
     const Slope slope = slope_at(line, i, std::max(spacing, ball));
-    return spacing / 2 * (slope.width + slope.lean) + side * side / std::max(4 * ball, side) + 2 * limits::ball_fineness * ball;
+    return spacing / 2 * (slope.width + slope.lean) + side * side / std::max(4 * ball, side) +
+           2 * limits::ball_fineness * ball;
   };
   CanalUncertainty made;
   const double step = line.points.size() > 1 ? line.points[1].along : 0;
@@ -143,7 +150,8 @@ CanalUncertainty uncertainty_of(const MeasuredCanal& canal, const CanalShape& sh
   const auto [first, last] = between_ends(line);
   for (std::size_t i = first; i < last; ++i) made.mean_width += of_width(i) / static_cast<double>(last - first);
   if (first == last) made.mean_width = of_width(line.orifice);
-  if (canal.narrowest) made.narrowest = of_width(point_at(line, canal.narrowest->at)) + stands_out(line, *canal.narrowest);
+  if (canal.narrowest)
+    made.narrowest = of_width(point_at(line, canal.narrowest->at)) + stands_out(line, *canal.narrowest);
   made.schneider_deg = off_schneider(canal, line, made.length, made.mean_width);
   if (std::isfinite(canal.smallest_bend)) made.smallest_bend = canal.bend_fit;
   if (canal.thinnest_wall) {

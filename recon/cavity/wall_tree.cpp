@@ -24,7 +24,8 @@ WallTree::WallTree(const SurfaceMesh& wall) : triangles_(wall.triangles) {
   vertex_normals_.resize(wall.points.size());
   std::vector<BoxTree<std::array<double, 3>>::Bounds> bounds(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const Corners corners = {wall.points[wall.triangles[t][0]], wall.points[wall.triangles[t][1]], wall.points[wall.triangles[t][2]]};
+    const Corners corners = {wall.points[wall.triangles[t][0]], wall.points[wall.triangles[t][1]],
+                             wall.points[wall.triangles[t][2]]};
     normals[t] = unit(cross(corners[1] - corners[0], corners[2] - corners[0]));
     for (std::size_t k = 0; k < 3; ++k) {
       const Direction u = unit(corners[(k + 1) % 3] - corners[k]), v = unit(corners[(k + 2) % 3] - corners[k]);
@@ -53,21 +54,22 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough, double mo
   double best = most * most;
   const Face* face = nullptr;
   OnTriangle place;
-  tree_.nearest_first(std::array{from.x, from.y, from.z}, best, enough * enough, [&](std::uint32_t first, std::uint32_t end) {
-    for (std::uint32_t i = first; i < end; ++i) {
-      const Face& here = faces_[i];
-      const Direction ap = from - here.a;
-      const OnTriangle on = nearest_on_triangle(here.ab, here.ac, ap);
-      const double x = ap.x - on.s * here.ab.x - on.t * here.ac.x, y = ap.y - on.s * here.ab.y - on.t * here.ac.y,
-                   z = ap.z - on.s * here.ab.z - on.t * here.ac.z;
-      const double square = x * x + y * y + z * z;
-      if (square < best) {
-        best = square;
-        face = &here;
-        place = on;
-      }
-    }
-  });
+  tree_.nearest_first(
+      std::array{from.x, from.y, from.z}, best, enough * enough, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+          const Face& here = faces_[i];
+          const Direction ap = from - here.a;
+          const OnTriangle on = nearest_on_triangle(here.ab, here.ac, ap);
+          const double x = ap.x - on.s * here.ab.x - on.t * here.ac.x, y = ap.y - on.s * here.ab.y - on.t * here.ac.y,
+                       z = ap.z - on.s * here.ab.z - on.t * here.ac.z;
+          const double square = x * x + y * y + z * z;
+          if (square < best) {
+            best = square;
+            face = &here;
+            place = on;
+          }
+        }
+      });
   Nearest found;
   if (face == nullptr) return found;
   found.distance = std::sqrt(best);
@@ -82,7 +84,9 @@ WallTree::Nearest WallTree::nearest(const Point3& from, double enough, double mo
   return found;
 }
 
-WallTree::Nearest WallTree::nearest(const Point3& from) const { return nearest(from, 0, std::numeric_limits<double>::infinity()); }
+WallTree::Nearest WallTree::nearest(const Point3& from) const {
+  return nearest(from, 0, std::numeric_limits<double>::infinity());
+}
 
 double WallTree::clearance_above(const Point3& from, double least, double most) const {
   Point3 shown_by;

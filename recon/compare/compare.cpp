@@ -63,7 +63,8 @@ struct ShellCounts {
 /// By structure; those alone that DT has as its links imply.
 using ImpliedShells = std::map<std::string, ShellCounts>;
 
-ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, ImpliedShells& implied, const Progress& progress) {
+ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, ImpliedShells& implied,
+                      const Progress& progress) {
   ComparedMethod method;
   method.name = std::string("DT");
   method.made_by = fmt::format("Delaunay, correspondence {}, between slices {}", name(options.dt.correspondence),
@@ -81,8 +82,8 @@ ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, 
   return method;
 }
 
-ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it, const ImpliedShells& implied,
-                      const Progress& progress) {
+ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it,
+                      const ImpliedShells& implied, const Progress& progress) {
   ComparedMethod method;
   method.name = std::move(name_of_it);
   method.made_by = fmt::format("grid {} x {}, field {}, table {}", options.grid.columns, options.grid.rows,
@@ -93,7 +94,8 @@ ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::
   for (DbSurface& one : made.surfaces) {
     const SurfaceReport report = inspect(one.surface);
     const auto known = implied.find(one.structure);
-    method.topology.as_implied += known != implied.end() && report.closed_oriented_manifold() && known->second == ShellCounts(report);
+    method.topology.as_implied +=
+        known != implied.end() && report.closed_oriented_manifold() && known->second == ShellCounts(report);
     method.surfaces.push_back({one.structure, std::move(one.surface)});
   }
   return method;

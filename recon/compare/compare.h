@@ -30,8 +30,9 @@ struct ComparedSurface {
   SurfaceMesh surface;
 };
 
-/// How many structures have the pieces, handles and bubbles that the contours and DT's links between them imply, of those of which that is known
-/// (DT found every slab of them as implied). A DB surface that is not a closed oriented manifold has none of the three.
+/// How many structures have the pieces, handles and bubbles that the contours and DT's links between them imply, of
+/// those of which that is known (DT found every slab of them as implied). A DB surface that is not a closed oriented
+/// manifold has none of the three.
 struct ImpliedTopology {
   std::size_t as_implied = 0, known = 0;
 };
@@ -42,21 +43,21 @@ struct MethodPicture {
   std::string caption;
 };
 
-/// How much of the model one sees through, of all pixels well within the outline of the closed one, from cameras all around. Measured by
-/// whoever can draw.
+/// How much of the model one sees through, of all pixels well within the outline of the closed one, from cameras all
+/// around. Measured by whoever can draw.
 struct SeenThrough {
   std::size_t cameras = 0;
-  double culled = 0, two_sided = 0;   // shares: back faces left out, both sides drawn
+  double culled = 0, two_sided = 0;  // shares: back faces left out, both sides drawn
 };
 
 /// One column.
 struct ComparedMethod {
-  std::string name;                    // "DT", "DB", "DB decimated"
-  std::string made_by;                 // how, in a few words
+  std::string name;                       // "DT", "DB", "DB decimated"
+  std::string made_by;                    // how, in a few words
   std::vector<ComparedSurface> surfaces;  // in order of first appearance of the structure
-  SurfaceReport report;                // of all structures' surfaces as one mesh
+  SurfaceReport report;                   // of all structures' surfaces as one mesh
   bool certified = false;
-  std::string verdict;                     // of DT: what its certificate says in a line; DB has none
+  std::string verdict;  // of DT: what its certificate says in a line; DB has none
   ImpliedTopology topology;
   ContourFit fit;                          // of all structures, means weighted by length of contours
   double seconds = 0;                      // contours in memory to inspected surface; the least of the runs

@@ -78,7 +78,8 @@ void for_each_segment(const PlaneSection& section, Visit visit) {
 }
 
 /// From the ends of the segments and places along them to the slice's contours.
-SliceMeasure measure_section(const PlaneSection& section, const Slice& slice, const std::string& structure, double step) {
+SliceMeasure measure_section(const PlaneSection& section, const Slice& slice, const std::string& structure,
+                             double step) {
   SliceMeasure measure;
   Segments edges;
   for_each_edge(slice, structure, [&](const Point2& a, const Point2& b) {

@@ -47,7 +47,9 @@ double area(const SurfaceReport& report) {
   return sum;
 }
 
-std::string lost(const PassageCounts& counts) { return fmt::format("{} of {}", grouped(counts.lost), grouped(counts.all)); }
+std::string lost(const PassageCounts& counts) {
+  return fmt::format("{} of {}", grouped(counts.lost), grouped(counts.all));
+}
 std::string width(double mm) { return mm > 0 ? measured(mm) : "none"; }
 
 }  // namespace
@@ -71,7 +73,8 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
   add("cavities", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::cavity)); });
   add("open surfaces", [](Method m) { return grouped(shells_of(m.report, Shell::Kind::open)); });
   add("genus, all together", [](Method m) { return genus(m.report); });
-  add("structures whose topology is implied", [](Method m) { return fmt::format("{} of {}", m.topology.as_implied, m.topology.known); });
+  add("structures whose topology is implied",
+      [](Method m) { return fmt::format("{} of {}", m.topology.as_implied, m.topology.known); });
   add("area, mm^2", [](Method m) { return measured(area(m.report)); });
   add("smallest angle, degrees: median", [](Method m) { return measured(m.report.smallest_angle_deg.median); });
   add("smallest angle, degrees: least", [](Method m) { return measured(m.report.smallest_angle_deg.min); });
@@ -86,8 +89,10 @@ std::vector<ComparisonRow> comparison_rows(const Comparison& comparison) {
   add("thinnest solid that survives, mm", [](Method m) { return width(m.fit.solids.thinnest_kept); });
   const auto& methods = comparison.methods;
   if (std::any_of(methods.begin(), methods.end(), [](Method m) { return m.seen_through.has_value(); })) {
-    add("seen through, back faces culled, %", [](Method m) { return m.seen_through ? measured(100 * m.seen_through->culled) : std::string("not known"); });
-    add("seen through, two-sided, %", [](Method m) { return m.seen_through ? measured(100 * m.seen_through->two_sided) : std::string("not known"); });
+    add("seen through, back faces culled, %",
+        [](Method m) { return m.seen_through ? measured(100 * m.seen_through->culled) : std::string("not known"); });
+    add("seen through, two-sided, %",
+        [](Method m) { return m.seen_through ? measured(100 * m.seen_through->two_sided) : std::string("not known"); });
   }
   add("seconds", [](Method m) { return measured(m.seconds); });
   add("peak memory, MiB", [](Method m) {

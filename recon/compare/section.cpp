@@ -75,7 +75,9 @@ std::vector<SectionSegment> outside(const std::vector<SectionSegment>& side, con
 
 }  // namespace
 
-PlaneSection outline(const PlaneSection& section) { return {outside(section.below, section.above), outside(section.above, section.below)}; }
+PlaneSection outline(const PlaneSection& section) {
+  return {outside(section.below, section.above), outside(section.above, section.below)};
+}
 
 std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights) {
   std::vector<std::size_t> order(heights.size());

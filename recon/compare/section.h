@@ -21,8 +21,8 @@ struct PlaneSection {
 };
 std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights);
 
-/// Without what one side alone has inside the other's material: where a model that goes on above ends flat below, the plane cuts
-/// no boundary of it.
+/// Without what one side alone has inside the other's material: where a model that goes on above ends flat below, the
+/// plane cuts no boundary of it.
 PlaneSection outline(const PlaneSection& section);
 
 /// Is there material at this place of the plane, below it or above it? By the number of segments between the place and

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "recon/core/error.h"
 #include "recon/contours/point_tree.h"
+#include "recon/core/error.h"
 
 namespace odontoscope {
 namespace {

@@ -7,7 +7,7 @@
 namespace odontoscope {
 
 struct EmbeddedFile {
-  std::string_view name;    // without folders
+  std::string_view name;  // without folders
   std::string_view bytes;
 };
 

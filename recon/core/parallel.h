@@ -19,9 +19,9 @@ struct Share {
   double from = 0, to = 1;
 };
 
-/// Calls work(i) for i in [0, count) in the caller's TBB arena, tells how much of the share is done, and throws Cancelled once asked to
-/// stop. If calls throw, the exception of the lowest i is thrown again, so that the same input gives the same error on any number of
-/// threads.
+/// Calls work(i) for i in [0, count) in the caller's TBB arena, tells how much of the share is done, and throws
+/// Cancelled once asked to stop. If calls throw, the exception of the lowest i is thrown again, so that the same input
+/// gives the same error on any number of threads.
 template <class Work>
 void for_each(std::size_t count, std::string_view stage, Share share, const Progress& progress, Work work) {
   std::vector<std::exception_ptr> failed(count);

@@ -1,10 +1,12 @@
 #pragma once
 // Elementary functions with the same bits on every machine.
 //
-// IEEE 754 fixes + - * / and sqrt to the last bit, and leaves exp and its like to each C library: glibc rounds them differently on processors with and
-// without fused multiply-add, other libraries differ from both. What a model's coordinates or a report's figures are made of uses these instead, so that
-// the same input gives the same bytes natively, on another processor, and in a browser. They are made of operations that IEEE 754 fixes alone (and this
-// project is compiled without contraction), and are off by a few units in the last place at most (pow by as many as |y ln x|, if that is more).
+// IEEE 754 fixes + - * / and sqrt to the last bit, and leaves exp and its like to each C library: glibc rounds them
+// differently on processors with and without fused multiply-add, other libraries differ from both. What a model's
+// coordinates or a report's figures are made of uses these instead, so that the same input gives the same bytes
+// natively, on another processor, and in a browser. They are made of operations that IEEE 754 fixes alone (and this
+// project is compiled without contraction), and are off by a few units in the last place at most (pow by as many as |y
+// ln x|, if that is more).
 
 #include <cmath>
 
@@ -51,7 +53,8 @@ inline double hypot(double a, double b) {
   b = std::fabs(b);
   const double larger = a < b ? b : a, smaller = a < b ? a : b;
   // Squares of these neither overflow nor vanish, nor is the smaller lost beside the larger: where most calls end.
-  if (larger < 0x1p+511 && smaller > 0x1p-459 && smaller > larger * 0x1p-54) return detail::corrected_hypot(larger, smaller);
+  if (larger < 0x1p+511 && smaller > 0x1p-459 && smaller > larger * 0x1p-54)
+    return detail::corrected_hypot(larger, smaller);
   return detail::hypot_of_any(a, b);
 }
 
@@ -61,7 +64,8 @@ inline double hypot(double a, double b, double c) {
   c = std::fabs(c);
   const double largest = a < b ? (b < c ? c : b) : (a < c ? c : a);
   if (!(largest != 0)) return 0;
-  return largest * std::sqrt((a / largest) * (a / largest) + (b / largest) * (b / largest) + (c / largest) * (c / largest));
+  return largest *
+         std::sqrt((a / largest) * (a / largest) + (b / largest) * (b / largest) + (c / largest) * (c / largest));
 }
 
 inline double square(double x) { return x * x; }

@@ -46,8 +46,7 @@ sigset_t heeded_requests() {
   return signals;
 }
 
-// --- in a child between fork and exec: system calls alone
-// -------------------------------------------------------------
+// --- in a child between fork and exec: system calls alone ------------------------------------------------------------
 
 /// Whatever this program catches or ignores is none of the child's business.
 void reset_signals() {

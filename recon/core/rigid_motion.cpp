@@ -12,7 +12,8 @@ namespace odontoscope {
 
 Point3 RigidMotion::operator()(const Point3& p) const {
   const auto& r = rotation;
-  return {r[0][0] * p.x + r[0][1] * p.y + r[0][2] * p.z + shift.x, r[1][0] * p.x + r[1][1] * p.y + r[1][2] * p.z + shift.y,
+  return {r[0][0] * p.x + r[0][1] * p.y + r[0][2] * p.z + shift.x,
+          r[1][0] * p.x + r[1][1] * p.y + r[1][2] * p.z + shift.y,
           r[2][0] * p.x + r[2][1] * p.y + r[2][2] * p.z + shift.z};
 }
 
@@ -32,7 +33,10 @@ double RigidMotion::degrees() const {
 
 std::array<std::array<double, 4>, 4> RigidMotion::matrix() const {
   const auto& r = rotation;
-  return {{{r[0][0], r[0][1], r[0][2], shift.x}, {r[1][0], r[1][1], r[1][2], shift.y}, {r[2][0], r[2][1], r[2][2], shift.z}, {0, 0, 0, 1}}};
+  return {{{r[0][0], r[0][1], r[0][2], shift.x},
+           {r[1][0], r[1][1], r[1][2], shift.y},
+           {r[2][0], r[2][1], r[2][2], shift.z},
+           {0, 0, 0, 1}}};
 }
 
 void Moments::add(const Point3& at) {
@@ -56,7 +60,8 @@ Moments::Axes Moments::axes() const {
     for (std::size_t j = 0; j < 3; ++j) a[i][j] = products_[i][j] / n - sum_[i] / n * (sum_[j] / n);
   const Matrix3 v = eigenvectors(a);
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::sort(order.begin(), order.end(), [&a](std::size_t i, std::size_t j) { return std::pair(-a[i][i], i) < std::pair(-a[j][j], j); });
+  std::sort(order.begin(), order.end(),
+            [&a](std::size_t i, std::size_t j) { return std::pair(-a[i][i], i) < std::pair(-a[j][j], j); });
   Axes axes;
   for (std::size_t i = 0; i < 3; ++i) {
     axes.variance[i] = a[order[i]][order[i]];
@@ -70,7 +75,8 @@ RigidMotion turn_to_z(const std::array<double, 3>& axis, const Point3& centre) {
   const double x = up * axis[0], y = up * axis[1], z = up * axis[2];
   // Rodrigues' formula about (y, -x, 0), with cosine z.
   RigidMotion turn;
-  turn.rotation = {{{1 - x * x / (1 + z), -x * y / (1 + z), -x}, {-x * y / (1 + z), 1 - y * y / (1 + z), -y}, {x, y, z}}};
+  turn.rotation = {
+      {{1 - x * x / (1 + z), -x * y / (1 + z), -x}, {-x * y / (1 + z), 1 - y * y / (1 + z), -y}, {x, y, z}}};
   const Point3 moved = turn(centre);
   turn.shift = {centre.x - moved.x, centre.y - moved.y, centre.z - moved.z};
   return turn;

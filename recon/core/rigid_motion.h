@@ -39,12 +39,13 @@ class Moments {
 
  private:
   std::size_t count_ = 0;
-  Point3 first_;   // sums are about it, so that a distant origin costs no digits
+  Point3 first_;  // sums are about it, so that a distant origin costs no digits
   std::array<double, 3> sum_{};
   std::array<std::array<double, 3>, 3> products_{};
 };
 
-/// The least turn about `centre` that takes the line along unit vector `axis` to the z axis: by 90 degrees at most, so that what was above stays above.
+/// The least turn about `centre` that takes the line along unit vector `axis` to the z axis: by 90 degrees at most, so
+/// that what was above stays above.
 RigidMotion turn_to_z(const std::array<double, 3>& axis, const Point3& centre);
 
 }  // namespace odontoscope

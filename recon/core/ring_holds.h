@@ -7,7 +7,8 @@
 
 namespace odontoscope {
 
-/// By the parity of the edges that a ray along x crosses, either way round. In doubles: within rounding of an edge it may say either.
+/// By the parity of the edges that a ray along x crosses, either way round. In doubles: within rounding of an edge it
+/// may say either.
 inline bool ring_holds(const std::vector<Point2>& ring, Point2 p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -32,7 +32,7 @@ void rotate(Matrix3& matrix, Matrix3& vectors, std::size_t p, std::size_t q) {
 
 Matrix3 eigenvectors(Matrix3& matrix) {
   Matrix3 vectors{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  constexpr int sweeps = 50;   // it converges quadratically: five are enough for three rows
+  constexpr int sweeps = 50;  // it converges quadratically: five are enough for three rows
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     rotate(matrix, vectors, 0, 1);
     rotate(matrix, vectors, 0, 2);

@@ -33,7 +33,7 @@ std::vector<Tetrahedron> assembled_tetrahedra(const SolvedStack& stack, const Nu
   for (const SlabSolid& piece : stack.slabs[slab]) count += piece.tetrahedra.size();
   tetrahedra.reserve(count);
   for (const SlabSolid& piece : stack.slabs[slab]) {
-    const std::uint32_t on_slices = end - lower;   // lower and upper points follow each other in both numberings
+    const std::uint32_t on_slices = end - lower;  // lower and upper points follow each other in both numberings
     for (const auto& tet : piece.tetrahedra) {
       Tetrahedron numbered{};
       for (int i = 0; i < 4; ++i) numbered[i] = tet[i] < on_slices ? lower + tet[i] : added + (tet[i] - on_slices);
@@ -61,23 +61,26 @@ AssembledSlab assemble_slab(const SolvedStack& stack, const Numbering& numbering
 namespace {
 
 /// The faces of two sides of a slice that have no partner on the other.
-void add_unmatched(const std::vector<Triangle>& below, const std::vector<Triangle>& above, std::vector<Triangle>& surface) {
+void add_unmatched(const std::vector<Triangle>& below, const std::vector<Triangle>& above,
+                   std::vector<Triangle>& surface) {
   FaceTable table(below.size() + above.size());
   constexpr std::uint32_t matched = FaceTable::vacant - 1;
   for (std::uint32_t t = 0; t < below.size(); ++t) table(below[t][0], below[t][1], below[t][2]) = t;
   std::vector<Triangle> only_above;
   for (const Triangle& t : above) {
     std::uint32_t& seen = table(t[0], t[1], t[2]);
-    if (seen == FaceTable::vacant) only_above.push_back(t);
-    else seen = matched;
+    if (seen == FaceTable::vacant)
+      only_above.push_back(t);
+    else
+      seen = matched;
   }
   for (const Triangle& t : below)
     if (table(t[0], t[1], t[2]) != matched) surface.push_back(t);
   surface.insert(surface.end(), only_above.begin(), only_above.end());
 }
 
-TetraMesh joined_tetrahedra(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
-                            Label label) {
+TetraMesh joined_tetrahedra(const SolvedStack& stack, const Numbering& numbering,
+                            const std::vector<AssembledSlab>& slabs, Label label) {
   TetraMesh mesh;
   mesh.points.reserve(numbering.points());
   for (const ConformedSlice& slice : stack.slices)
@@ -126,7 +129,8 @@ SurfaceMesh compacted(std::vector<Triangle> triangles, const std::vector<Point3>
 
 }  // namespace
 
-Assembly assemble(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs, Label label) {
+Assembly assemble(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
+                  Label label) {
   Assembly result;
   std::vector<Triangle> triangles;
   tbb::parallel_invoke([&] { result.tetrahedra = joined_tetrahedra(stack, numbering, slabs, label); },

@@ -228,10 +228,12 @@ bool is_canal(const TrackedShape& hole, const TrackedShape& outside_here, const 
 }  // namespace
 
 bool lies_over_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next) {
-  return is_canal(canal, outside_here, outside_next) && overlap_area(canal, {}, outside_next) >= lobe_share * canal.area;
+  return is_canal(canal, outside_here, outside_next) &&
+         overlap_area(canal, {}, outside_next) >= lobe_share * canal.area;
 }
 
-bool all_but_reaches_notch(const TrackedShape& canal, const TrackedShape& outside_here, const TrackedShape& outside_next) {
+bool all_but_reaches_notch(const TrackedShape& canal, const TrackedShape& outside_here,
+                           const TrackedShape& outside_next) {
   if (!is_canal(canal, outside_here, outside_next)) return false;
   const double left = gap(canal, outside_next);
   return left <= lobe_gap * width(canal) && left <= outlet_wall * gap(canal, outside_here);

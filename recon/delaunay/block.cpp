@@ -18,14 +18,16 @@ struct Levels {
 
 /// Where the block begins, has its inner point, and ends; empty if there are no such doubles.
 std::optional<Levels> levels_between(SlabHeights heights) {
-  const auto valid = [&heights](Levels l) { return heights.lower < l.low && l.low < l.middle && l.middle < l.high && l.high < heights.upper; };
+  const auto valid = [&heights](Levels l) {
+    return heights.lower < l.low && l.low < l.middle && l.middle < l.high && l.high < heights.upper;
+  };
   const auto from = [](double low, double high) { return Levels{low, low + (high - low) / 2, high}; };
   const double step = (heights.upper - heights.lower) * limits::block_height;
   if (const Levels l = from(heights.lower + step, heights.upper - step); valid(l)) return l;
   constexpr double far = std::numeric_limits<double>::infinity();
   double low = std::nextafter(heights.lower, far), high = std::nextafter(heights.upper, -far);
   const Levels nearest = from(low, high);
-  low = std::nextafter(low, far);   // leaves a double for plates
+  low = std::nextafter(low, far);  // leaves a double for plates
   high = std::nextafter(high, -far);
   if (const Levels l = from(low, high); valid(l)) return l;
   if (valid(nearest)) return nearest;
@@ -56,8 +58,8 @@ bool turns_earlier(Point2 a, Point2 b, Point2 c, Point2 d) {
   return first != second ? second : turn(a, b, c, d) >= 0;
 }
 
-/// The faces of the hull of two convex polygons in parallel planes that lie in neither, counter-clockwise from outside; points of the upper one are
-/// counted on from those of the lower.
+/// The faces of the hull of two convex polygons in parallel planes that lie in neither, counter-clockwise from outside;
+/// points of the upper one are counted on from those of the lower.
 std::vector<std::array<std::uint32_t, 3>> faces_around(const Planar& lower, const Planar& upper) {
   const std::vector<std::uint32_t> below = hull_of(lower), above = hull_of(upper);
   const auto offset = static_cast<std::uint32_t>(lower.points.size());
@@ -66,7 +68,8 @@ std::vector<std::array<std::uint32_t, 3>> faces_around(const Planar& lower, cons
   while (i < below.size() || j < above.size()) {
     const std::uint32_t a = below[i % below.size()], b = below[(i + 1) % below.size()];
     const std::uint32_t c = above[j % above.size()], d = above[(j + 1) % above.size()];
-    const bool along_lower = j == above.size() || (i < below.size() && turns_earlier(lower.points[a], lower.points[b], upper.points[c], upper.points[d]));
+    const bool along_lower = j == above.size() || (i < below.size() && turns_earlier(lower.points[a], lower.points[b],
+                                                                                     upper.points[c], upper.points[d]));
     if (along_lower) {
       faces.push_back({a, b, offset + c});
       ++i;
@@ -80,7 +83,8 @@ std::vector<std::array<std::uint32_t, 3>> faces_around(const Planar& lower, cons
 
 class Block {
  public:
-  Block(const Planar& lower, const Planar& upper, const Levels& levels) : faces_(faces_around(lower, upper)), middle_(levels.middle) {
+  Block(const Planar& lower, const Planar& upper, const Levels& levels)
+      : faces_(faces_around(lower, upper)), middle_(levels.middle) {
     for (const Point2 p : lower.points) points_.push_back({p.x, p.y, levels.low});
     for (const Point2 p : upper.points) points_.push_back({p.x, p.y, levels.high});
   }
@@ -117,7 +121,8 @@ class Block {
 
 }  // namespace
 
-Blocked block(const Planar& lower, const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
+Blocked block(const Planar& lower, const Planar& upper, SlabHeights heights, std::uint32_t whole_lower,
+              std::uint32_t whole_upper, SlabSolid& solid) {
   const std::optional<Levels> levels = levels_between(heights);
   if (!levels) return Blocked::no_height;
   const Block hull(lower, upper, *levels);
@@ -129,18 +134,23 @@ Blocked block(const Planar& lower, const Planar& upper, SlabHeights heights, std
   const auto apex = static_cast<std::uint32_t>(first + hull.points().size());
   solid.added.insert(solid.added.end(), hull.points().begin(), hull.points().end());
   solid.added.push_back(*inner);
-  const auto fan = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { solid.tetrahedra.push_back({first + a, first + b, first + c, apex}); };
+  const auto fan = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    solid.tetrahedra.push_back({first + a, first + b, first + c, apex});
+  };
   for (const auto& face : hull.faces()) fan(face[0], face[2], face[1]);
   for (const PlanarTriangle& t : lower.triangles) {
     fan(t.v[0], t.v[1], t.v[2]);
     if (t.region == none) continue;
-    add_prism(t, [&](std::uint32_t p) { return lower.slice_point[p]; }, [&](std::uint32_t p) { return first + p; }, Thickened::upwards, solid.tetrahedra);
+    add_prism(
+        t, [&](std::uint32_t p) { return lower.slice_point[p]; }, [&](std::uint32_t p) { return first + p; },
+        Thickened::upwards, solid.tetrahedra);
   }
   for (const PlanarTriangle& t : upper.triangles) {
     fan(in_lower + t.v[0], in_lower + t.v[2], in_lower + t.v[1]);
     if (t.region == none) continue;
-    add_prism(t, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; }, [&](std::uint32_t p) { return first + in_lower + p; },
-              Thickened::downwards, solid.tetrahedra);
+    add_prism(
+        t, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; },
+        [&](std::uint32_t p) { return first + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
   }
   solid.raised = true;
   return Blocked::yes;

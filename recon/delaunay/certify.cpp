@@ -45,8 +45,8 @@ bool belongs(const Planar& planar, const std::vector<std::uint32_t>& in_plane) {
 
 }  // namespace
 
-void certify_slab(const SolvedStack& stack, const Numbering& numbering, const AssembledSlab& slab, const TetraMesh& mesh,
-                  std::size_t k) {
+void certify_slab(const SolvedStack& stack, const Numbering& numbering, const AssembledSlab& slab,
+                  const TetraMesh& mesh, std::size_t k) {
   const ConformedSlice& lower = stack.slices[k];
   const ConformedSlice& upper = stack.slices[k + 1];
   const std::uint32_t low = numbering.slice_begin[k], high = numbering.slice_begin[k + 1];
@@ -77,8 +77,8 @@ void certify_slab(const SolvedStack& stack, const Numbering& numbering, const As
   }
 }
 
-void certify_slice(const SolvedStack& stack, const Numbering& numbering, const AssembledSlab* below, const AssembledSlab* above,
-                   std::size_t k) {
+void certify_slice(const SolvedStack& stack, const Numbering& numbering, const AssembledSlab* below,
+                   const AssembledSlab* above, std::size_t k) {
   const Planar& planar = stack.slices[k].planar;
   const std::uint32_t first = numbering.slice_begin[k];
   std::vector<bool> covered(planar.triangles.size(), false);
@@ -135,10 +135,11 @@ void certify_contours(const ConformedSlice& conformed, const Slice& given) {
 
 void certify_surface(const SurfaceReport& report, const std::string& structure) {
   if (!report.closed_oriented_manifold())
-    broken(fmt::format("the surface of {} is no closed oriented manifold ({} boundary, {} non-manifold, {} misoriented edges, {} "
-                       "non-manifold vertices, {} degenerate triangles)",
-                       structure, report.boundary_edges, report.nonmanifold_edges, report.misoriented_edges,
-                       report.nonmanifold_vertices, report.degenerate_triangles));
+    broken(fmt::format(
+        "the surface of {} is no closed oriented manifold ({} boundary, {} non-manifold, {} misoriented edges, {} "
+        "non-manifold vertices, {} degenerate triangles)",
+        structure, report.boundary_edges, report.nonmanifold_edges, report.misoriented_edges,
+        report.nonmanifold_vertices, report.degenerate_triangles));
   for (const Shell& shell : report.shells)
     if (shell.kind == Shell::Kind::open) broken("the surface of " + structure + " has a shell without inside");
 }

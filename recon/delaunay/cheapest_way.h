@@ -15,8 +15,8 @@ namespace odontoscope::delaunay {
 
 using TetList = std::vector<std::uint32_t>;
 
-/// Cost of putting tetrahedra back: how many flat ones (which could hardly be split and lifted), how many at all, how large. Geometric, so
-/// that the choice does not hang on the order of the input.
+/// Cost of putting tetrahedra back: how many flat ones (which could hardly be split and lifted), how many at all, how
+/// large. Geometric, so that the choice does not hang on the order of the input.
 struct Cost {
   std::size_t flat = 0;
   std::size_t count = 0;
@@ -24,29 +24,37 @@ struct Cost {
   friend auto operator<=>(const Cost&, const Cost&) = default;
 };
 
-/// Of one tetrahedron. Its volume is taken six times, for a slab of height 1; it is flat where its in-plane triangle or the angle between
-/// its two in-plane edges is thinner than limits::flat_share.
+/// Of one tetrahedron. Its volume is taken six times, for a slab of height 1; it is flat where its in-plane triangle or
+/// the angle between its two in-plane edges is thinner than limits::flat_share.
 std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const Planar& lower, const Planar& upper);
 
-inline Cost operator+(const Cost& a, const Cost& b) { return {a.flat + b.flat, a.count + b.count, a.volume + b.volume}; }
+inline Cost operator+(const Cost& a, const Cost& b) {
+  return {a.flat + b.flat, a.count + b.count, a.volume + b.volume};
+}
 
-/// The cheapest way through faces from a tetrahedron of `from` to one that `is_target`, over those that `may_pass`; neither end
-/// included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none, or none cheaper than `*bound`,
-/// where one is given. `cost` receives its cost.
+/// The cheapest way through faces from a tetrahedron of `from` to one that `is_target`, over those that `may_pass`;
+/// neither end included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none,
+/// or none cheaper than `*bound`, where one is given. `cost` receives its cost.
 template <class Leave, class MayPass, class IsTarget>
-TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs, const TetList& from,
-                     Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost, const Cost* bound = nullptr) {
+TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs,
+                     const TetList& from, Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost,
+                     const Cost* bound = nullptr) {
   struct Step {
     Cost cost;
     std::uint32_t tet;
-    bool operator<(const Step& other) const { return std::tie(other.cost, other.tet) < std::tie(cost, tet); }   // cheapest on top
+    bool operator<(const Step& other) const {
+      return std::tie(other.cost, other.tet) < std::tie(cost, tet);
+    }  // cheapest on top
   };
   std::priority_queue<Step> open;
-  std::unordered_map<std::uint32_t, std::pair<Cost, std::uint32_t>> best;   // and the tetrahedron behind; looked up, never walked
+  std::unordered_map<std::uint32_t, std::pair<Cost, std::uint32_t>>
+      best;  // and the tetrahedron behind; looked up, never walked
   for (const std::uint32_t t : from) best[t] = {Cost{}, none};
-  for (const std::uint32_t t : from) {   // from within nothing begins
+  for (const std::uint32_t t : from) {  // from within nothing begins
     const auto& nb = tetrahedra[t].nb;
-    if (std::any_of(nb.begin(), nb.end(), [&best](std::uint32_t other) { return other != none && best.count(other) == 0; })) open.push({Cost{}, t});
+    if (std::any_of(nb.begin(), nb.end(),
+                    [&best](std::uint32_t other) { return other != none && best.count(other) == 0; }))
+      open.push({Cost{}, t});
   }
   while (!open.empty()) {
     const Step step = open.top();

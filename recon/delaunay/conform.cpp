@@ -50,7 +50,8 @@ Planar start_planar(Rings rings) {
 
 /// Sorted by `group_of`: of group g, list[first[g]] to list[first[g + 1]], ascending. What has group none is left out.
 template <class GroupOf>
-void sort_by_group(std::size_t groups, std::size_t count, GroupOf group_of, std::vector<std::uint32_t>& first, std::vector<std::uint32_t>& list) {
+void sort_by_group(std::size_t groups, std::size_t count, GroupOf group_of, std::vector<std::uint32_t>& first,
+                   std::vector<std::uint32_t>& list) {
   first.assign(groups + 1, 0);
   for (std::uint32_t i = 0; i < count; ++i)
     if (group_of(i) != none) ++first[group_of(i) + 1];
@@ -63,9 +64,12 @@ void sort_by_group(std::size_t groups, std::size_t count, GroupOf group_of, std:
 
 RegionLists lists_of(const Planar& planar, std::size_t regions) {
   RegionLists lists;
-  sort_by_group(regions, planar.points.size(), [&](std::uint32_t p) { return planar.region_of[p]; }, lists.first_point, lists.points);
-  sort_by_group(regions, planar.triangles.size(), [&](std::uint32_t t) { return planar.triangles[t].region; }, lists.first_triangle,
-                lists.triangles);
+  sort_by_group(
+      regions, planar.points.size(), [&](std::uint32_t p) { return planar.region_of[p]; }, lists.first_point,
+      lists.points);
+  sort_by_group(
+      regions, planar.triangles.size(), [&](std::uint32_t t) { return planar.triangles[t].region; },
+      lists.first_triangle, lists.triangles);
   lists.rank.resize(planar.points.size());
   for (std::uint32_t i = 0; i < planar.insertion_order.size(); ++i) lists.rank[planar.insertion_order[i]] = i;
   return lists;
@@ -83,7 +87,8 @@ std::vector<std::uint32_t> gathered(const std::vector<std::uint32_t>& chosen, co
 bool counter_clockwise(const Contour& contour) {
   const auto& p = contour.points;
   const auto lowest = static_cast<std::size_t>(
-      std::min_element(p.begin(), p.end(), [](Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }) - p.begin());
+      std::min_element(p.begin(), p.end(), [](Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }) -
+      p.begin());
   const std::size_t before = (lowest + p.size() - 1) % p.size(), after = (lowest + 1) % p.size();
   return turn(p[before], p[lowest], p[lowest], p[after]) > 0;
 }
@@ -177,7 +182,8 @@ ConformedSlice conform(const Slice& slice, const std::string& structure, std::si
   return result;
 }
 
-ConformedSlice constrained(const Slice& slice, const std::string& structure, std::size_t number, const std::string& source, const Progress& progress) {
+ConformedSlice constrained(const Slice& slice, const std::string& structure, std::size_t number,
+                           const std::string& source, const Progress& progress) {
   ConformedSlice result = as_given(slice, structure);
   Triangulated made{rings_of(slice, result), {}, {}};
   refine(Fineness::constrained, slice, number, source, progress, {made.rings, made.cdt, made.order});
@@ -206,7 +212,8 @@ Planar part_of(const ConformedSlice& slice, const std::vector<std::uint32_t>& ch
             [&lists](std::uint32_t a, std::uint32_t b) { return lists.rank[a] < lists.rank[b]; });
   for (std::uint32_t& p : part.insertion_order) p = number(p);
 
-  // Every edge of the regions' triangles is constrained, so that cocircular points are cut the same way as in the whole.
+  // Every edge of the regions' triangles is constrained, so that cocircular points are cut the same way as in the
+  // whole.
   Cdt cdt;
   const std::vector<Vertex> vertices = insert_points(cdt, part.points, part.insertion_order);
   for (const std::uint32_t t : gathered(chosen, lists.first_triangle, lists.triangles)) {

@@ -9,7 +9,8 @@
 namespace odontoscope::delaunay {
 namespace {
 
-/// Numbers the face-connected pieces of kept tetrahedra; none for the others. The number of a piece is its first tetrahedron.
+/// Numbers the face-connected pieces of kept tetrahedra; none for the others. The number of a piece is its first
+/// tetrahedron.
 std::vector<std::uint32_t> pieces_of(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate) {
   std::vector<std::uint32_t> piece(tets.size(), none), stack;
   for (std::uint32_t seed = 0; seed < tets.size(); ++seed) {
@@ -32,7 +33,8 @@ std::vector<std::uint32_t> pieces_of(const std::vector<SlabTetrahedron>& tets, c
 /// The pieces as they grow together. A piece goes by its first tetrahedron.
 class Pieces {
  public:
-  Pieces(const std::vector<SlabTetrahedron>& tets, const std::vector<std::uint32_t>& owner, const std::vector<Fate>& fate)
+  Pieces(const std::vector<SlabTetrahedron>& tets, const std::vector<std::uint32_t>& owner,
+         const std::vector<Fate>& fate)
       : tets_(tets), owner_(owner), piece_(pieces_of(tets, fate)), now_(tets.size()) {
     for (std::uint32_t t = 0; t < piece_.size(); ++t) {
       if (piece_[t] == none) continue;
@@ -68,17 +70,18 @@ class Pieces {
     const std::uint32_t stays = now_.find(a), goes = stays == a ? b : a;
     --pieces_[owner_[goes]];
     TetList both;
-    std::merge(members_[a].begin(), members_[a].end(), members_[b].begin(), members_[b].end(), std::back_inserter(both));
+    std::merge(members_[a].begin(), members_[a].end(), members_[b].begin(), members_[b].end(),
+               std::back_inserter(both));
     members_.erase(goes);
     members_[stays] = std::move(both);
   }
 
   const std::vector<SlabTetrahedron>& tets_;
   const std::vector<std::uint32_t>& owner_;
-  std::vector<std::uint32_t> piece_;   // of each tetrahedron, as it was at first
-  UnionFind now_;                      // of these; the least stands for all
+  std::vector<std::uint32_t> piece_;  // of each tetrahedron, as it was at first
+  UnionFind now_;                     // of these; the least stands for all
   std::map<std::uint32_t, TetList> members_;
-  std::map<std::uint32_t, std::size_t> pieces_;   // of each owner
+  std::map<std::uint32_t, std::size_t> pieces_;  // of each owner
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// The constrained Delaunay triangulation of a slice's contours in the plane, as CGAL makes it; for conform.cpp, refine.cpp and the planar partitions
-// alone, since its headers take long to compile.
+// The constrained Delaunay triangulation of a slice's contours in the plane, as CGAL makes it; for conform.cpp,
+// refine.cpp and the planar partitions alone, since its headers take long to compile.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,7 +19,8 @@ struct Number {
   std::uint32_t value = none;
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 using Vertex = Cdt::Vertex_handle;
@@ -28,8 +29,8 @@ using Face = Cdt::Face_handle;
 /// Points in this order, numbered as in `points`.
 std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order);
 
-/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a null handle if none
-/// does: then no other point does, since the triangulation is constrained Delaunay.
+/// A point of the two triangles beside the edge that lies within its diametral circle, the one nearest to the edge; a
+/// null handle if none does: then no other point does, since the triangulation is constrained Delaunay.
 Vertex encroacher(const Cdt& cdt, Face face, int i);
 
 /// Has neither triangle beside the edge the other's corner in its circumcircle?

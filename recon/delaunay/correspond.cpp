@@ -24,22 +24,24 @@ std::vector<RegionLink> witnessed_links(const std::vector<SlabTetrahedron>& tetr
   return witnesses.links();
 }
 
-Correspondences correspond(const std::vector<RegionLink>& witnessed, const Choices& choices, std::uint32_t lower_regions,
-                           std::uint32_t upper_regions, const Place& place) {
-  UnionFind families(lower_regions + upper_regions);   // upper regions after the lower
+Correspondences correspond(const std::vector<RegionLink>& witnessed, const Choices& choices,
+                           std::uint32_t lower_regions, std::uint32_t upper_regions, const Place& place) {
+  UnionFind families(lower_regions + upper_regions);  // upper regions after the lower
   for (const auto& [a, b] : choices.joined) families.join(a, lower_regions + b);
   const auto broken = [&](UnionFind& now) {
-    return std::any_of(choices.apart.begin(), choices.apart.end(), [&](const auto& pair) {
-      return now.find(pair.first) == now.find(lower_regions + pair.second);
-    });
+    return std::any_of(choices.apart.begin(), choices.apart.end(),
+                       [&](const auto& pair) { return now.find(pair.first) == now.find(lower_regions + pair.second); });
   };
   if (broken(families))
-    throw InputError("link-contradiction", place, "the links join two regions, directly or through others, that they also keep apart",
+    throw InputError("link-contradiction", place,
+                     "the links join two regions, directly or through others, that they also keep apart",
                      "Drop one of these links");
   Correspondences result;
   for (const auto& [a, b] : choices.joined) result.links.push_back({a, b, LinkCriterion::user});
   for (const RegionLink& link : witnessed) {
-    if (std::find(choices.joined.begin(), choices.joined.end(), std::pair{link.lower, link.upper}) != choices.joined.end()) continue;
+    if (std::find(choices.joined.begin(), choices.joined.end(), std::pair{link.lower, link.upper}) !=
+        choices.joined.end())
+      continue;
     if (choices.apart.empty()) {
       families.join(link.lower, lower_regions + link.upper);
     } else {

@@ -62,10 +62,10 @@ bool crosses_any(const std::vector<Boundary>& boundaries, const Boundary& one) {
   for (const auto& t : one) its.push_back({1, triangle(t)});
   std::vector<TriangleBox> a = boxes_of(theirs), b = boxes_of(its);
   bool found = false;
-  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(), [&found](const TriangleBox& x,
-                           const TriangleBox& y) {
-    found = found || CGAL::do_intersect(x.handle()->triangle, y.handle()->triangle);
-  });
+  CGAL::box_intersection_d(a.begin(), a.end(), b.begin(), b.end(),
+                           [&found](const TriangleBox& x, const TriangleBox& y) {
+                             found = found || CGAL::do_intersect(x.handle()->triangle, y.handle()->triangle);
+                           });
   return found;
 }
 

@@ -1,8 +1,9 @@
-#include "recon/core/portable_math.h"
 #include "recon/delaunay/drift.h"
 
 #include <algorithm>
 #include <limits>
+
+#include "recon/core/portable_math.h"
 
 namespace odontoscope::delaunay {
 namespace {

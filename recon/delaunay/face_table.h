@@ -1,5 +1,6 @@
 #pragma once
-// Matches the faces of tetrahedra by their three point numbers: an open-addressing table, since this runs for every slab.
+// Matches the faces of tetrahedra by their three point numbers: an open-addressing table, since this runs for every
+// slab.
 
 #include <array>
 #include <cstdint>
@@ -52,7 +53,8 @@ inline bool even_permutation(const Triangle& face) {
   return (face[0] < face[1]) != ((face[1] < face[2]) != (face[0] < face[2]));
 }
 
-/// Calls visit(face) for each face that only one of the tetrahedra has, in their order, counter-clockwise seen from outside.
+/// Calls visit(face) for each face that only one of the tetrahedra has, in their order, counter-clockwise seen from
+/// outside.
 template <class Visit>
 void each_outer_face(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, Visit visit) {
   FaceTable table(tetrahedra.size() * 4);
@@ -61,8 +63,10 @@ void each_outer_face(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra
     for (std::uint32_t i = 0; i < 4; ++i) {
       const auto& f = outward_face[i];
       std::uint32_t& seen = table(tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]);
-      if (seen == FaceTable::vacant) seen = 4 * t + i;
-      else shared[seen] = shared[4 * t + i] = true;
+      if (seen == FaceTable::vacant)
+        seen = 4 * t + i;
+      else
+        shared[seen] = shared[4 * t + i] = true;
     }
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
     for (std::uint32_t i = 0; i < 4; ++i) {

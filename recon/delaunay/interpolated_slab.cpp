@@ -21,7 +21,8 @@ ConformedSlice conformed(const Interpolated& between, const Place& place, const 
 
 class ThroughSlices {
  public:
-  ThroughSlices(const SlabTask& task, const std::vector<Component>& components) : task_(task), components_(components) {}
+  ThroughSlices(const SlabTask& task, const std::vector<Component>& components)
+      : task_(task), components_(components) {}
 
   std::optional<SolvedSlab> run(const std::vector<Interpolated>& between, const Progress& progress) {
     made_.reserve(between.size());
@@ -43,7 +44,8 @@ class ThroughSlices {
   SlabTask thin_slab(const ConformedSlice& lower, const ConformedSlice& upper) const {
     SlabTask thin{lower, upper, {}, {}, task_.walls, task_.place};
     if (lower.regions() == 0 || upper.regions() == 0) return thin;
-    const auto witnessed = witnessed_links(walked_slab(lower.planar, upper.planar), lower.planar, upper.planar, Correspondence::overlap);
+    const auto witnessed =
+        witnessed_links(walked_slab(lower.planar, upper.planar), lower.planar, upper.planar, Correspondence::overlap);
     thin.correspondences = correspond(witnessed, {}, static_cast<std::uint32_t>(lower.regions()),
                                       static_cast<std::uint32_t>(upper.regions()), task_.place);
     return thin;
@@ -52,7 +54,8 @@ class ThroughSlices {
   /// Number of the first region of slice i among all slices' regions.
   std::vector<std::uint32_t> first_regions() const {
     std::vector<std::uint32_t> first{0};
-    for (const ConformedSlice* slice : slices_) first.push_back(first.back() + static_cast<std::uint32_t>(slice->regions()));
+    for (const ConformedSlice* slice : slices_)
+      first.push_back(first.back() + static_cast<std::uint32_t>(slice->regions()));
     return first;
   }
 
@@ -87,7 +90,7 @@ class ThroughSlices {
     const auto below = static_cast<std::uint32_t>(task_.lower.planar.points.size());
     const auto above = static_cast<std::uint32_t>(task_.upper.planar.points.size());
     SlabSolid all;
-    std::vector<std::uint32_t> first_point{0};   // of each slice's points in the merged numbering
+    std::vector<std::uint32_t> first_point{0};  // of each slice's points in the merged numbering
     for (const ConformedSlice& slice : made_) {
       first_point.push_back(below + above + static_cast<std::uint32_t>(all.added.size()));
       for (const Point2 p : slice.planar.points) all.added.push_back({p.x, p.y, slice.z});
@@ -103,11 +106,13 @@ class ThroughSlices {
         all.added.insert(all.added.end(), piece.added.begin(), piece.added.end());
         for (std::array<std::uint32_t, 4> tet : piece.tetrahedra) {
           for (std::uint32_t& v : tet)
-            v = v < in_lower ? first_point[i] + v : v < in_lower + in_upper ? first_point[i + 1] + (v - in_lower) : first_added + (v - in_lower - in_upper);
+            v = v < in_lower              ? first_point[i] + v
+                : v < in_lower + in_upper ? first_point[i + 1] + (v - in_lower)
+                                          : first_added + (v - in_lower - in_upper);
           all.tetrahedra.push_back(tet);
         }
         all.reach.insert(all.reach.end(), piece.reach.begin(), piece.reach.end());
-        all.reach.resize(all.tetrahedra.size());   // plates reach nowhere
+        all.reach.resize(all.tetrahedra.size());  // plates reach nowhere
         all.restored += piece.restored;
         all.largest_sideways = std::max(all.largest_sideways, piece.largest_sideways);
       }
@@ -138,7 +143,7 @@ std::optional<SolvedSlab> solve_through(const SlabTask& task, const std::vector<
   if (!(task.upper.z > z)) return std::nullopt;
   try {
     return ThroughSlices(task, components).run(between, progress);
-  } catch (const InputError&) {   // too close for the interpolated slices; the given ones alone may still do
+  } catch (const InputError&) {  // too close for the interpolated slices; the given ones alone may still do
     return std::nullopt;
   }
 }
@@ -150,7 +155,9 @@ Topology topology_of(const ConformedSlice& lower, const ConformedSlice& upper, c
     std::vector<Triangle> boundary;
     each_outer_face(piece.tetrahedra, [&](const Triangle& face) { boundary.push_back(face); });
     const auto on_slices = static_cast<std::uint32_t>(lower.planar.points.size() + upper.planar.points.size());
-    const Topology one = counted_topology(piece.tetrahedra, boundary, {0, on_slices, on_slices, on_slices + static_cast<std::uint32_t>(piece.added.size())});
+    const Topology one =
+        counted_topology(piece.tetrahedra, boundary,
+                         {0, on_slices, on_slices, on_slices + static_cast<std::uint32_t>(piece.added.size())});
     all.pieces += one.pieces;
     all.handles += one.handles;
     all.bubbles += one.bubbles;

@@ -14,7 +14,7 @@ namespace {
 
 struct Piece {
   std::array<std::uint32_t, 4> v;
-  bool in;   // part of the solid
+  bool in;  // part of the solid
   float reach;
 };
 
@@ -22,8 +22,8 @@ using Edge = std::array<std::uint32_t, 2>;
 
 class Lift {
  public:
-  Lift(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate, const Planar& lower, const Planar& upper,
-       SlabHeights heights)
+  Lift(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate, const Planar& lower,
+       const Planar& upper, SlabHeights heights)
       : lower_(lower), upper_(upper), heights_(heights), offset_(static_cast<std::uint32_t>(lower.points.size())) {
     points_.reserve(lower.points.size() + upper.points.size());
     for (const Point2 p : lower.points) points_.push_back({p.x, p.y, heights.lower});
@@ -71,12 +71,13 @@ class Lift {
       any = true;
     }
     // A hole of three points has no external edge at all: its triangle gets a point of its own.
-    if (!any) faces_.push_back(below ? std::array{tet.v[0], tet.v[1], tet.v[2]} : std::array{tet.v[1], tet.v[2], tet.v[3]});
+    if (!any)
+      faces_.push_back(below ? std::array{tet.v[0], tet.v[1], tet.v[2]} : std::array{tet.v[1], tet.v[2], tet.v[3]});
   }
 
   static Edge sorted(std::uint32_t a, std::uint32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
 
-  // ---- stars ----------------------------------------------------------------------------------------------------------
+  // ---- stars --------------------------------------------------------------------------------------------------------
 
   void collect_stars() {
     for (const Edge& edge : edges_)
@@ -106,7 +107,7 @@ class Lift {
     return star;
   }
 
-  // ---- where a point may go -------------------------------------------------------------------------------------------
+  // ---- where a point may go -----------------------------------------------------------------------------------------
 
   static std::array<std::uint32_t, 4> with(std::array<std::uint32_t, 4> v, std::uint32_t out, std::uint32_t in) {
     std::replace(v.begin(), v.end(), out, in);
@@ -156,7 +157,8 @@ class Lift {
     for (int halving = 0; halving < limits::lift_halvings; ++halving, step /= 2) {
       Point3& p = points_.back();
       const auto fits_at = [&](double share) {
-        p = {base.x + share * (target.x - base.x), base.y + share * (target.y - base.y), base.z + share * (target.z - base.z)};
+        p = {base.x + share * (target.x - base.x), base.y + share * (target.y - base.y),
+             base.z + share * (target.z - base.z)};
         return p.z > heights_.lower && p.z < heights_.upper && fit();
       };
       // The last step that fits may all but touch a face; a good deal nearer there is room around the point.
@@ -173,8 +175,8 @@ class Lift {
     return c;
   }
 
-  /// Straight along z; else towards the middle of a piece of the star, the one that leads least far sideways first: from the edge into a
-  /// convex piece there is always a way.
+  /// Straight along z; else towards the middle of a piece of the star, the one that leads least far sideways first:
+  /// from the edge into a convex piece there is always a way.
   template <class Fit>
   bool place(const Point3& base, double scale, const std::vector<std::uint32_t>& star, Fit fit) {
     points_.push_back(base);
@@ -190,7 +192,7 @@ class Lift {
                        [&](const auto& target) { return try_towards(base, target.second, scale, fit); });
   }
 
-  // ---- splitting --------------------------------------------------------------------------------------------------------
+  // ---- splitting ----------------------------------------------------------------------------------------------------
 
   template <std::size_t N>
   void split(const std::array<std::uint32_t, N>& simplex, const std::vector<std::uint32_t>& star) {
@@ -241,7 +243,8 @@ class Lift {
   std::vector<Piece> pieces_;
   std::vector<Edge> edges_;
   std::vector<std::array<std::uint32_t, 3>> faces_;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> stars_;   // of the corners that lifting touches; looked up, never walked
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>>
+      stars_;  // of the corners that lifting touches; looked up, never walked
   double largest_sideways_ = 0;
 };
 
@@ -265,7 +268,8 @@ void drop_unused(SlabSolid& solid, std::uint32_t on_slices) {
 }
 
 bool lift(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
-          const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
+          const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
+          SlabSolid& solid) {
   Lift work(tetrahedra, fate, lower, upper, heights);
   if (!work.run()) return false;
   const auto given = static_cast<std::uint32_t>(lower.points.size() + upper.points.size());

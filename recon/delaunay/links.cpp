@@ -13,16 +13,18 @@ int index_of(const SlabTetrahedron& tet, std::uint32_t v) {
   return tet.v[0] == v ? 0 : tet.v[1] == v ? 1 : tet.v[2] == v ? 2 : 3;
 }
 
-/// From tetrahedron `t` turns around edge (a, b), leaving first through the face opposite `away`; true if it comes back to t.
-bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std::uint32_t b, std::uint32_t t, std::uint32_t away,
-                 TetList& ring) {
+/// From tetrahedron `t` turns around edge (a, b), leaving first through the face opposite `away`; true if it comes back
+/// to t.
+bool turn_around(const std::vector<SlabTetrahedron>& tets, std::uint32_t a, std::uint32_t b, std::uint32_t t,
+                 std::uint32_t away, TetList& ring) {
   const std::uint32_t start = t;
   for (;;) {
     const std::uint32_t next = tets[t].nb[index_of(tets[t], away)];
     if (next == none) return false;
     if (next == start) return true;
     // The vertex shared with the tetrahedron behind is the one to turn away from next.
-    away = *std::find_if(tets[t].v.begin(), tets[t].v.end(), [&](std::uint32_t w) { return w != a && w != b && w != away; });
+    away = *std::find_if(tets[t].v.begin(), tets[t].v.end(),
+                         [&](std::uint32_t w) { return w != a && w != b && w != away; });
     t = next;
     ring.push_back(t);
   }
@@ -36,19 +38,26 @@ std::vector<Cost> costs_of(const std::vector<SlabTetrahedron>& tetrahedra, const
   const auto offset = static_cast<std::uint32_t>(lower.points.size());
   for (const SlabTetrahedron& tet : tetrahedra) {
     const auto vector = [&](int i, int j) {
-      const auto point = [&](int k) { return tet.v[k] < offset ? lower.points[tet.v[k]] : upper.points[tet.v[k] - offset]; };
+      const auto point = [&](int k) {
+        return tet.v[k] < offset ? lower.points[tet.v[k]] : upper.points[tet.v[k] - offset];
+      };
       return Point2{point(j).x - point(i).x, point(j).y - point(i).y};
     };
-    const int first = tet.lower_count == 1 ? 1 : 0;   // the in-plane triangle's first corner
+    const int first = tet.lower_count == 1 ? 1 : 0;  // the in-plane triangle's first corner
     const Point2 e = vector(first, first + 1), f = tet.lower_count == 2 ? vector(2, 3) : vector(first, first + 2);
     const double area = std::abs(e.x * f.y - e.y * f.x);
-    costs.push_back({area < limits::flat_share * portable::hypot(e.x, e.y) * portable::hypot(f.x, f.y) ? 1u : 0u, 1, area});
+    costs.push_back(
+        {area < limits::flat_share * portable::hypot(e.x, e.y) * portable::hypot(f.x, f.y) ? 1u : 0u, 1, area});
   }
   return costs;
 }
 
 Links::Links(const std::vector<SlabTetrahedron>& tetrahedra, std::size_t points, const std::vector<Fate>& fate)
-    : tets_(tetrahedra), fate_(fate), first_(points + 1, 0), star_(4 * tetrahedra.size()), seen_vertex_(points, 0),
+    : tets_(tetrahedra),
+      fate_(fate),
+      first_(points + 1, 0),
+      star_(4 * tetrahedra.size()),
+      seen_vertex_(points, 0),
       seen_tet_(tetrahedra.size(), 0) {
   for (const SlabTetrahedron& tet : tets_)
     for (const std::uint32_t v : tet.v) ++first_[v + 1];
@@ -105,7 +114,8 @@ Links::Gaps Links::gaps(std::uint32_t a, std::uint32_t b, std::uint32_t t) const
   return found;
 }
 
-/// Adds to `seeds` what can be reached from them within v's star through faces at v, staying on the side `kept`, and marks all of it.
+/// Adds to `seeds` what can be reached from them within v's star through faces at v, staying on the side `kept`, and
+/// marks all of it.
 void Links::flood(std::uint32_t v, TetList& seeds, bool kept) {
   for (const std::uint32_t t : seeds) seen_tet_[t] = tet_epoch_;
   for (std::size_t at = 0; at < seeds.size(); ++at) {

@@ -188,7 +188,8 @@ class Look {
       const Section& low = sections[piece.first];
       const Section& high = sections[piece.last];
       Attention one = item(AttentionKind::void_gap, structure, low.slice, high.slice);
-      one.place = {(low.centre.x + high.centre.x) / 2, (low.centre.y + high.centre.y) / 2, (one.z_lower + one.z_upper) / 2};
+      one.place = {(low.centre.x + high.centre.x) / 2, (low.centre.y + high.centre.y) / 2,
+                   (one.z_lower + one.z_upper) / 2};
       one.seen = "a void is shut in: it reaches neither the outside nor the largest void of the structure.";
       one.remedy = "If it is a canal, a slice that shows where it goes on would tell.";
       found_.push_back(std::move(one));

@@ -36,13 +36,15 @@ class SlabFaces {
   static constexpr std::uint32_t nothing = FaceTable::vacant;
   struct Tet {
     Tetrahedron v{};
-    std::array<std::uint32_t, 4> across{nothing, nothing, nothing, nothing};   // opposite v[i], in the same slab
+    std::array<std::uint32_t, 4> across{nothing, nothing, nothing, nothing};  // opposite v[i], in the same slab
     bool gone = false;
   };
 
   SlabFaces(const SolvedStack& stack, const Numbering& numbering, std::size_t slab)
-      : slices_{numbering.slice_begin[slab], numbering.slice_begin[slab + 1], numbering.slice_begin[slab + 2]}, table_(4 * count(stack.slabs[slab])) {
-    for (const Tetrahedron& v : assembled_tetrahedra(stack, numbering, slab)) tets.push_back({v, {nothing, nothing, nothing, nothing}, false});
+      : slices_{numbering.slice_begin[slab], numbering.slice_begin[slab + 1], numbering.slice_begin[slab + 2]},
+        table_(4 * count(stack.slabs[slab])) {
+    for (const Tetrahedron& v : assembled_tetrahedra(stack, numbering, slab))
+      tets.push_back({v, {nothing, nothing, nothing, nothing}, false});
     for (std::uint32_t t = 0; t < tets.size(); ++t)
       for (std::uint32_t i = 0; i < 4; ++i) {
         std::uint32_t& seen = at(t, i);
@@ -58,7 +60,8 @@ class SlabFaces {
   /// -1: the face opposite v[i] lies in the lower slice; 1: in the upper; 0: in neither.
   int slice_of(std::uint32_t t, std::uint32_t i) const {
     const auto all = [&](std::uint32_t from, std::uint32_t to) {
-      return std::all_of(outward_face[i], outward_face[i] + 3, [&](int c) { return tets[t].v[c] >= from && tets[t].v[c] < to; });
+      return std::all_of(outward_face[i], outward_face[i] + 3,
+                         [&](int c) { return tets[t].v[c] >= from && tets[t].v[c] < to; });
     };
     return all(slices_[0], slices_[1]) ? -1 : all(slices_[1], slices_[2]) ? 1 : 0;
   }
@@ -102,7 +105,7 @@ class Trimmer {
       waiting.pop_front();
       if (tet(place).gone || !removable(place)) continue;
       tet(place).gone = true;
-      for (std::uint32_t i = 0; i < 4; ++i)   // what was covered by it may be free now
+      for (std::uint32_t i = 0; i < 4; ++i)  // what was covered by it may be free now
         if (const auto next = across(place, i); next && reaches(*next)) waiting.push_back(*next);
     }
     std::vector<TrimmedSlab> trimmed;
@@ -142,7 +145,8 @@ class Trimmer {
       std::uint32_t number = 0;
       for (const SlabSolid& piece : stack_.slabs[k]) {
         for (std::size_t t = 0; t < piece.reach.size(); ++t)
-          if (piece.reach[t] > limits::overhang) found.emplace_back(-piece.reach[t], k, number + static_cast<std::uint32_t>(t));
+          if (piece.reach[t] > limits::overhang)
+            found.emplace_back(-piece.reach[t], k, number + static_cast<std::uint32_t>(t));
         number += static_cast<std::uint32_t>(piece.tetrahedra.size());
       }
     }
@@ -155,9 +159,11 @@ class Trimmer {
   /// What is left beyond the face opposite v[i], in the next slab if the face lies in a slice.
   std::optional<Place> across(const Place& place, std::uint32_t i) {
     const std::uint32_t same = tet(place).across[i];
-    if (same != SlabFaces::nothing) return tet({place.slab, same}).gone ? std::nullopt : std::optional(Place{place.slab, same});
+    if (same != SlabFaces::nothing)
+      return tet({place.slab, same}).gone ? std::nullopt : std::optional(Place{place.slab, same});
     const int side = faces(place.slab).slice_of(place.tetrahedron, i);
-    if (side == 0 || (side < 0 && place.slab == 0) || (side > 0 && place.slab + 1 == slabs_.size())) return std::nullopt;
+    if (side == 0 || (side < 0 && place.slab == 0) || (side > 0 && place.slab + 1 == slabs_.size()))
+      return std::nullopt;
     const std::size_t other = side < 0 ? place.slab - 1 : place.slab + 1;
     const std::uint32_t there = faces(other).with_face(faces(place.slab).face(place.tetrahedron, i));
     if (there == SlabFaces::nothing || tet({other, there}).gone) return std::nullopt;
@@ -167,10 +173,11 @@ class Trimmer {
   /// Does the solid go all round the edge?
   bool inside_solid(const Place& start, const Edge& edge) {
     Place at = start;
-    std::uint32_t from = other_than(at, edge, SlabFaces::nothing);   // the fan is entered through the face opposite to it
+    std::uint32_t from =
+        other_than(at, edge, SlabFaces::nothing);  // the fan is entered through the face opposite to it
     do {
       const std::uint32_t towards = other_than(at, edge, from);
-      const std::uint32_t leave = corner(at, from);                  // the face that holds the edge and `towards`
+      const std::uint32_t leave = corner(at, from);  // the face that holds the edge and `towards`
       const auto next = across(at, leave);
       if (!next) return false;
       at = *next;
@@ -189,13 +196,14 @@ class Trimmer {
     return static_cast<std::uint32_t>(std::find(all.begin(), all.end(), v) - all.begin());
   }
 
-  /// Is what the tetrahedron shares with the rest's outside one disc? All points lie on the surface, so that takes two bare faces and
-  /// solid all round the edge that they do not touch; or three round a point that lifting added.
+  /// Is what the tetrahedron shares with the rest's outside one disc? All points lie on the surface, so that takes two
+  /// bare faces and solid all round the edge that they do not touch; or three round a point that lifting added.
   bool removable(const Place& place) {
     std::vector<std::uint32_t> bare;
     for (std::uint32_t i = 0; i < 4; ++i) {
       if (across(place, i)) continue;
-      if (faces(place.slab).slice_of(place.tetrahedron, i) != 0) return false;   // a region's triangle with material on this side only
+      if (faces(place.slab).slice_of(place.tetrahedron, i) != 0)
+        return false;  // a region's triangle with material on this side only
       bare.push_back(i);
     }
     const Tetrahedron& v = tet(place).v;
@@ -282,29 +290,35 @@ double half_width(const Planar& slice, std::uint32_t a, std::uint32_t b) {
   return least;
 }
 
-/// Of a tetrahedron whose dual point lies in no region: how far its two edges are apart, over half the width of the narrower region there.
+/// Of a tetrahedron whose dual point lies in no region: how far its two edges are apart, over half the width of the
+/// narrower region there.
 double lean(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
   const auto below = static_cast<std::uint32_t>(lower.points.size());
   const auto& v = tetrahedron.v;
   double apart = std::numeric_limits<double>::infinity();
   for (const std::uint32_t a : {v[0], v[1]})
-    for (const std::uint32_t b : {v[2], v[3]}) apart = std::min(apart, distance(lower.points[a], upper.points[b - below]));
+    for (const std::uint32_t b : {v[2], v[3]})
+      apart = std::min(apart, distance(lower.points[a], upper.points[b - below]));
   return apart / std::min(half_width(lower, v[0], v[1]), half_width(upper, v[2] - below, v[3] - below));
 }
 
 }  // namespace
 
 double reach(const SlabTetrahedron& tetrahedron, const Planar& lower, const Planar& upper) {
-  const auto point = [&](std::uint32_t v) { return v < lower.points.size() ? lower.points[v] : upper.points[v - lower.points.size()]; };
+  const auto point = [&](std::uint32_t v) {
+    return v < lower.points.size() ? lower.points[v] : upper.points[v - lower.points.size()];
+  };
   const auto& v = tetrahedron.v;
-  const Point2 dual = tetrahedron.lower_count == 3   ? lower.centres[tetrahedron.triangle].at
-                      : tetrahedron.lower_count == 1 ? upper.centres[tetrahedron.triangle].at
-                                                     : bisectors_meet(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
+  const Point2 dual = tetrahedron.lower_count == 3 ? lower.centres[tetrahedron.triangle].at
+                      : tetrahedron.lower_count == 1
+                          ? upper.centres[tetrahedron.triangle].at
+                          : bisectors_meet(point(v[0]), point(v[1]), point(v[2]), point(v[3]));
   const double below = distance(dual, point(v[0])), above = distance(dual, point(v[3]));
   const bool over_material = below > above ? tetrahedron.dual_in_lower : tetrahedron.dual_in_upper;
   if (over_material) return 0;
   double ratio = std::max(below, above) / std::min(below, above);
-  if (tetrahedron.lower_count == 2 && !tetrahedron.dual_in_lower && !tetrahedron.dual_in_upper) ratio = std::max(ratio, lean(tetrahedron, lower, upper));
+  if (tetrahedron.lower_count == 2 && !tetrahedron.dual_in_lower && !tetrahedron.dual_in_upper)
+    ratio = std::max(ratio, lean(tetrahedron, lower, upper));
   return std::isfinite(ratio) ? ratio : 0;
 }
 

@@ -43,11 +43,12 @@ std::vector<std::uint32_t> located(const Planar& of, const Planar& in) {
     places.emplace_back(std::array{p.x, p.y}.data(), std::array{p.x, p.y}.data(), &t);
   }
   std::vector<std::uint32_t> found(of.triangles.size(), none);
-  CGAL::box_intersection_d(places.begin(), places.end(), fields.begin(), fields.end(), [&](const Box& place, const Box& field) {
-    const auto t = static_cast<std::size_t>(place.handle() - of.triangles.data());
-    const auto u = static_cast<std::uint32_t>(field.handle() - in.triangles.data());
-    if (u < found[t] && covers(in, *field.handle(), middle(of, *place.handle()))) found[t] = u;
-  });
+  CGAL::box_intersection_d(places.begin(), places.end(), fields.begin(), fields.end(),
+                           [&](const Box& place, const Box& field) {
+                             const auto t = static_cast<std::size_t>(place.handle() - of.triangles.data());
+                             const auto u = static_cast<std::uint32_t>(field.handle() - in.triangles.data());
+                             if (u < found[t] && covers(in, *field.handle(), middle(of, *place.handle()))) found[t] = u;
+                           });
   return found;
 }
 
@@ -61,14 +62,18 @@ struct Labelled {
 
 }  // namespace
 
-SlabSurvey overlaid_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids, const SliceVoids& upper_voids) {
-  const PlanarVoids below = voids_in(lower.planar, lower, lower_voids), above = voids_in(upper.planar, upper, upper_voids);
+SlabSurvey overlaid_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids,
+                         const SliceVoids& upper_voids) {
+  const PlanarVoids below = voids_in(lower.planar, lower, lower_voids),
+                    above = voids_in(upper.planar, upper, upper_voids);
   const Labelled lows{lower.planar, below.of_triangle}, highs{upper.planar, above.of_triangle};
   Witnesses regions, voids;
   voids.add(outside, outside, LinkCriterion::reverse);
   const auto see = [&](std::uint32_t t, std::uint32_t u) {
-    if (lows.region(t) != none && highs.region(u) != none) regions.add(lows.region(t), highs.region(u), LinkCriterion::medial);
-    if (lows.region(t) == none && highs.region(u) == none) voids.add(lows.hollow(t), highs.hollow(u), LinkCriterion::medial);
+    if (lows.region(t) != none && highs.region(u) != none)
+      regions.add(lows.region(t), highs.region(u), LinkCriterion::medial);
+    if (lows.region(t) == none && highs.region(u) == none)
+      voids.add(lows.hollow(t), highs.hollow(u), LinkCriterion::medial);
   };
   const std::vector<std::uint32_t> up = located(lower.planar, upper.planar), down = located(upper.planar, lower.planar);
   for (std::uint32_t t = 0; t < up.size(); ++t) see(t, up[t]);

@@ -14,7 +14,7 @@ std::vector<std::uint32_t> left_triangles(const Planar& planar) {
 
 void collect_spokes(Planar& planar) {
   const auto count = static_cast<std::uint32_t>(planar.points.size());
-  std::vector<std::uint32_t> any(count, none), first(count, none);   // a triangle at v; the one after the hull's gap
+  std::vector<std::uint32_t> any(count, none), first(count, none);  // a triangle at v; the one after the hull's gap
   std::vector<std::uint32_t> degree(count + 1, 0);
   for (std::uint32_t t = 0; t < planar.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -22,7 +22,7 @@ void collect_spokes(Planar& planar) {
       const std::uint32_t v = triangle.v[k];
       any[v] = t;
       ++degree[v];
-      if (triangle.nb[(k + 2) % 3] == none) {   // its edge from v to the next vertex lies on the hull
+      if (triangle.nb[(k + 2) % 3] == none) {  // its edge from v to the next vertex lies on the hull
         first[v] = t;
         ++degree[v];
       }
@@ -41,7 +41,7 @@ void collect_spokes(Planar& planar) {
       const int k = triangle.v[0] == v ? 0 : triangle.v[1] == v ? 1 : 2;
       const std::uint32_t w = triangle.v[(k + 1) % 3];
       planar.spokes[s] = {w, t, kind(v, w, t)};
-      if (triangle.nb[(k + 1) % 3] == none && s + 2 == planar.first_spoke[v + 1]) {   // the hull's gap follows
+      if (triangle.nb[(k + 1) % 3] == none && s + 2 == planar.first_spoke[v + 1]) {  // the hull's gap follows
         const std::uint32_t last = triangle.v[(k + 2) % 3];
         planar.spokes[++s] = {last, none, kind(v, last, t)};
       } else {

@@ -19,9 +19,9 @@ inline constexpr std::uint32_t none = 0xffffffffu;
 enum class EdgeKind : std::uint8_t { external, contour, internal };
 
 struct PlanarTriangle {
-  std::array<std::uint32_t, 3> v{none, none, none};    // counter-clockwise
-  std::array<std::uint32_t, 3> nb{none, none, none};   // across the edge opposite v[k]; none beyond the hull
-  std::uint32_t region = none;                         // none: external
+  std::array<std::uint32_t, 3> v{none, none, none};   // counter-clockwise
+  std::array<std::uint32_t, 3> nb{none, none, none};  // across the edge opposite v[k]; none beyond the hull
+  std::uint32_t region = none;                        // none: external
 };
 
 /// Circumcentre in rounded arithmetic; the true one lies within `error` of it in each coordinate (infinity: unknown).
@@ -33,15 +33,15 @@ struct Circumcentre {
 /// An edge as seen from one end.
 struct Spoke {
   std::uint32_t vertex = none;
-  std::uint32_t triangle = none;   // between this spoke and the next counter-clockwise; none: the hull's gap
+  std::uint32_t triangle = none;  // between this spoke and the next counter-clockwise; none: the hull's gap
   EdgeKind kind = EdgeKind::external;
 };
 
 struct Planar {
   std::vector<Point2> points;
-  std::vector<std::uint32_t> slice_point;   // number of each point in its slice (a component has only some of them)
-  std::vector<std::uint32_t> next, previous;   // along the contour, the region on the left
-  std::vector<std::uint32_t> region_of;        // of each point: the region that its contour bounds
+  std::vector<std::uint32_t> slice_point;     // number of each point in its slice (a component has only some of them)
+  std::vector<std::uint32_t> next, previous;  // along the contour, the region on the left
+  std::vector<std::uint32_t> region_of;       // of each point: the region that its contour bounds
   std::vector<PlanarTriangle> triangles;
   std::vector<Circumcentre> centres;           // of each triangle
   std::vector<std::uint32_t> first_spoke;      // spokes of v: [first_spoke[v], first_spoke[v+1])

@@ -23,15 +23,18 @@ SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, bool h
     }
   for (const PlanarTriangle& triangle : home.triangles) {
     if (triangle.region != region) continue;
-    add_prism(triangle, [&](std::uint32_t p) { return first_home + p; }, [&](std::uint32_t p) { return copy[p]; },
-              height > 0 ? Thickened::upwards : Thickened::downwards, solid.tetrahedra);
+    add_prism(
+        triangle, [&](std::uint32_t p) { return first_home + p; }, [&](std::uint32_t p) { return copy[p]; },
+        height > 0 ? Thickened::upwards : Thickened::downwards, solid.tetrahedra);
   }
   return solid;
 }
 
-std::optional<std::vector<SlabSolid>> plates(const ConformedSlice& lower, const ConformedSlice& upper, const std::vector<bool>& lower_isolated,
-                                             const std::vector<bool>& upper_isolated, const std::vector<SlabSolid>& pieces) {
-  std::vector<std::pair<bool, std::uint32_t>> homes;   // is it the lower slice, and which region
+std::optional<std::vector<SlabSolid>> plates(const ConformedSlice& lower, const ConformedSlice& upper,
+                                             const std::vector<bool>& lower_isolated,
+                                             const std::vector<bool>& upper_isolated,
+                                             const std::vector<SlabSolid>& pieces) {
+  std::vector<std::pair<bool, std::uint32_t>> homes;  // is it the lower slice, and which region
   for (std::uint32_t r = 0; r < lower_isolated.size(); ++r)
     if (lower_isolated[r]) homes.emplace_back(true, r);
   for (std::uint32_t r = 0; r < upper_isolated.size(); ++r)

@@ -13,10 +13,11 @@ namespace {
 using Exact = CGAL::Mpzf;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-// A rounded operation is off by at most half of this, relatively. The factors in front of it below count the roundings on
-// the longest path to a result, generously; each is a bound, not a fit.
+// A rounded operation is off by at most half of this, relatively. The factors in front of it below count the roundings
+// on the longest path to a result, generously; each is a bound, not a fit.
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// Products of tiny numbers can underflow without any relative error bound; sums below this are left to exact arithmetic.
+// Products of tiny numbers can underflow without any relative error bound; sums below this are left to exact
+// arithmetic.
 constexpr double underflow_guard = 1e-280;
 
 int sign_of(double x) { return (x > 0) - (x < 0); }
@@ -28,7 +29,7 @@ int tie(Point2 p, Point2 q, Side sites) {
   return sites == Side::upper ? larger : -larger;
 }
 
-struct ExactCentre {   // the circumcentre is (nx, ny) / d, d > 0
+struct ExactCentre {  // the circumcentre is (nx, ny) / d, d > 0
   Exact nx, ny, d;
 };
 

@@ -12,15 +12,16 @@ namespace odontoscope::delaunay {
 
 enum class Thickened { upwards, downwards };
 
-/// Three positive tetrahedra over the triangle (counter-clockwise seen from +z). `base` and `top` number a point of the triangulation in its
-/// own plane and in the plane that it is moved to. Neighbours cut the side that they share along the same diagonal.
+/// Three positive tetrahedra over the triangle (counter-clockwise seen from +z). `base` and `top` number a point of the
+/// triangulation in its own plane and in the plane that it is moved to. Neighbours cut the side that they share along
+/// the same diagonal.
 template <class Base, class Top>
 void add_prism(const PlanarTriangle& triangle, Base base, Top top, Thickened direction,
                std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
   std::array<std::uint32_t, 3> v = triangle.v;
-  std::sort(v.begin(), v.end());   // sorted corners: the diagonal does not depend on the triangle
+  std::sort(v.begin(), v.end());  // sorted corners: the diagonal does not depend on the triangle
   const int fixed = (v[0] == triangle.v[0]) + (v[1] == triangle.v[1]) + (v[2] == triangle.v[2]);
-  const bool even = fixed != 1;   // one corner in place: the other two were swapped
+  const bool even = fixed != 1;  // one corner in place: the other two were swapped
   for (std::array<std::uint32_t, 4> tet : {std::array{base(v[0]), base(v[1]), base(v[2]), top(v[2])},
                                            std::array{base(v[0]), base(v[1]), top(v[2]), top(v[1])},
                                            std::array{base(v[0]), top(v[1]), top(v[2]), top(v[0])}}) {

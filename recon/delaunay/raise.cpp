@@ -14,8 +14,9 @@ void add_copies(const Planar& slice, double z, SlabSolid& solid) {
 
 }  // namespace
 
-bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower, const Planar& upper,
-           SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper, SlabSolid& solid) {
+bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fate>& fate, const Planar& lower,
+           const Planar& upper, SlabHeights heights, std::uint32_t whole_lower, std::uint32_t whole_upper,
+           SlabSolid& solid) {
   const double step = (heights.upper - heights.lower) * limits::raise_height;
   const double low = heights.lower + step, high = heights.upper - step;
   if (!(heights.lower < low && low < high && high < heights.upper)) return false;
@@ -31,12 +32,14 @@ bool raise(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Fat
   }
   for (const PlanarTriangle& triangle : lower.triangles)
     if (triangle.region != none)
-      add_prism(triangle, [&](std::uint32_t p) { return lower.slice_point[p]; }, [&](std::uint32_t p) { return first_added + p; },
-                Thickened::upwards, solid.tetrahedra);
+      add_prism(
+          triangle, [&](std::uint32_t p) { return lower.slice_point[p]; },
+          [&](std::uint32_t p) { return first_added + p; }, Thickened::upwards, solid.tetrahedra);
   for (const PlanarTriangle& triangle : upper.triangles)
     if (triangle.region != none)
-      add_prism(triangle, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; },
-                [&](std::uint32_t p) { return first_added + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
+      add_prism(
+          triangle, [&](std::uint32_t p) { return whole_lower + upper.slice_point[p]; },
+          [&](std::uint32_t p) { return first_added + in_lower + p; }, Thickened::downwards, solid.tetrahedra);
   solid.restored += static_cast<std::size_t>(std::count(fate.begin(), fate.end(), Fate::restored));
   solid.raised = true;
   return true;

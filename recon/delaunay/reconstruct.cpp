@@ -32,9 +32,12 @@ class Stopwatch {
     const auto now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - start_).count();
     start_ = now;
-    const auto known = std::find_if(times_.begin(), times_.end(), [stage](const StageTime& t) { return t.stage == stage; });
-    if (known != times_.end()) known->seconds += seconds;
-    else times_.push_back({stage, seconds});
+    const auto known =
+        std::find_if(times_.begin(), times_.end(), [stage](const StageTime& t) { return t.stage == stage; });
+    if (known != times_.end())
+      known->seconds += seconds;
+    else
+      times_.push_back({stage, seconds});
   }
 
  private:
@@ -88,11 +91,12 @@ class Reconstructor {
     all.largest_sideways = std::max(all.largest_sideways, counts.largest_sideways);
   }
 
-  // ---- result ---------------------------------------------------------------------------------------------------------
+  // ---- result -------------------------------------------------------------------------------------------------------
 
   void certify_sections(const SolvedStack& stack, const Numbering& numbering, const std::vector<AssembledSlab>& slabs,
                         const TetraMesh& mesh) {
-    for_each(slabs.size(), arena_, "certify", progress_, [&](std::size_t k) { certify_slab(stack, numbering, slabs[k], mesh, k); });
+    for_each(slabs.size(), arena_, "certify", progress_,
+             [&](std::size_t k) { certify_slab(stack, numbering, slabs[k], mesh, k); });
     for_each(stack.slices.size(), arena_, "certify", progress_, [&](std::size_t k) {
       certify_contours(stack.slices[k], input_.stack.slices[k]);
       certify_slice(stack, numbering, k > 0 ? &slabs[k - 1] : nullptr, k < slabs.size() ? &slabs[k] : nullptr, k);
@@ -106,13 +110,14 @@ class Reconstructor {
       std::vector<Triangle> boundary = slabs[k].sides;
       boundary.insert(boundary.end(), slabs[k].floor.begin(), slabs[k].floor.end());
       boundary.insert(boundary.end(), slabs[k].ceiling.begin(), slabs[k].ceiling.end());
-      const PointRanges ranges{numbering.slice_begin[k], numbering.slice_begin[k + 2], numbering.added_begin[k], numbering.added_begin[k + 1]};
+      const PointRanges ranges{numbering.slice_begin[k], numbering.slice_begin[k + 2], numbering.added_begin[k],
+                               numbering.added_begin[k + 1]};
       topology[k].found = topology[k].untrimmed ? counted_topology_of_pinched(slabs[k].tetrahedra, boundary)
                                                 : counted_topology(slabs[k].tetrahedra, boundary, ranges);
       if (topology[k].as_implied()) return;
-      topology[k].place =
-          place_of_difference({points, slabs[k].tetrahedra, boundary, holes_beside(input_.stack, k, topology[k].structure)},
-                              topology[k].implied, topology[k].found);
+      topology[k].place = place_of_difference(
+          {points, slabs[k].tetrahedra, boundary, holes_beside(input_.stack, k, topology[k].structure)},
+          topology[k].implied, topology[k].found);
     });
     result_.topology.insert(result_.topology.end(), topology.begin(), topology.end());
   }
@@ -150,7 +155,7 @@ class Reconstructor {
 
     Solid solid;
     solid.structure = structure;
-    arena_.execute([&] {   // the two proofs are about equally long
+    arena_.execute([&] {  // the two proofs are about equally long
       tbb::parallel_invoke([&] { solid.report = inspect(assembly.surface); },
                            [&] { certify_sections(stack, numbering, slabs, assembly.tetrahedra); });
     });
@@ -176,8 +181,10 @@ class Reconstructor {
 }  // namespace
 
 Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options, const Progress& progress) {
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  // Holds for validation too, and lets a caller ask for more threads than the machine has (the bytes do not depend on it).
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  // Holds for validation too, and lets a caller ask for more threads than the machine has (the bytes do not depend on
+  // it).
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   std::vector<StageTime> preparation;
   Stopwatch watch(preparation);
@@ -192,32 +199,46 @@ Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& 
 
 const char* name(Correspondence criterion) {
   switch (criterion) {
-    case Correspondence::reverse: return "reverse";
-    case Correspondence::medial: return "medial";
-    case Correspondence::overlap: return "overlap";
-    case Correspondence::tracked: return "tracked";
+    case Correspondence::reverse:
+      return "reverse";
+    case Correspondence::medial:
+      return "medial";
+    case Correspondence::overlap:
+      return "overlap";
+    case Correspondence::tracked:
+      return "tracked";
   }
   return "unknown";
 }
 
 const char* name(LinkCriterion criterion) {
   switch (criterion) {
-    case LinkCriterion::reverse: return "reverse";
-    case LinkCriterion::medial: return "medial";
-    case LinkCriterion::overlap: return "overlap";
-    case LinkCriterion::user: return "user";
-    case LinkCriterion::crossing: return "crossing";
-    case LinkCriterion::tracked: return "tracked";
+    case LinkCriterion::reverse:
+      return "reverse";
+    case LinkCriterion::medial:
+      return "medial";
+    case LinkCriterion::overlap:
+      return "overlap";
+    case LinkCriterion::user:
+      return "user";
+    case LinkCriterion::crossing:
+      return "crossing";
+    case LinkCriterion::tracked:
+      return "tracked";
   }
   return "unknown";
 }
 
 const char* name(DoubtKind kind) {
   switch (kind) {
-    case DoubtKind::may_connect: return "may-connect";
-    case DoubtKind::may_part: return "may-part";
-    case DoubtKind::void_may_connect: return "void-may-connect";
-    case DoubtKind::void_may_part: return "void-may-part";
+    case DoubtKind::may_connect:
+      return "may-connect";
+    case DoubtKind::may_part:
+      return "may-part";
+    case DoubtKind::void_may_connect:
+      return "void-may-connect";
+    case DoubtKind::void_may_part:
+      return "void-may-part";
   }
   return "unknown";
 }

@@ -11,19 +11,21 @@
 namespace odontoscope::delaunay {
 namespace {
 
-/// Splits contour edges until all are Gabriel, or Delaunay. Rounds of triangulating anew from the points alone: every triangulation is sound by exact
-/// predicates although split points are rounded, and the result depends on the input only. Edges at a sharp corner are split on
-/// circles around it whose radii are powers of two (Ruppert 1995), so that the two never split each other for ever. Edges along a narrow
-/// gap are split opposite each other's points, which takes a few points; halving them would take one for each gap's width.
+/// Splits contour edges until all are Gabriel, or Delaunay. Rounds of triangulating anew from the points alone: every
+/// triangulation is sound by exact predicates although split points are rounded, and the result depends on the input
+/// only. Edges at a sharp corner are split on circles around it whose radii are powers of two (Ruppert 1995), so that
+/// the two never split each other for ever. Edges along a narrow gap are split opposite each other's points, which
+/// takes a few points; halving them would take one for each gap's width.
 class Conformer {
  public:
-  Conformer(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress)
+  Conformer(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source,
+            const Progress& progress)
       : fineness_(fineness), slice_(slice), number_(number), source_(source), progress_(progress) {}
 
   /// Refines `rings` and leaves its triangulation in `cdt`, points numbered as in `rings`.
   void run(Rings& rings, Cdt& cdt, std::vector<std::uint32_t>& order) {
     const Rings given = rings;
-    std::vector<Spot> spots;   // of each point of `rings`: where on the given contours it lies
+    std::vector<Spot> spots;  // of each point of `rings`: where on the given contours it lies
     for (std::uint32_t p = 0; p < given.points.size(); ++p) spots.push_back({p, 0, 1});
     const std::size_t most = limits::steiner_factor * given.points.size() + limits::steiner_free;
     for (int round = 0; round < limits::conform_rounds; ++round) {
@@ -33,7 +35,8 @@ class Conformer {
       triangulate(rings, cdt, order);
       if (fineness_ == Fineness::constrained) return;
       const std::vector<std::uint32_t> within = encroached(cdt, rings);
-      const std::size_t splits = within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
+      const std::size_t splits =
+          within.size() - static_cast<std::size_t>(std::count(within.begin(), within.end(), none));
       if (splits == 0) return;
       if (rings.points.size() + splits > most) {
         const auto first = std::find_if(within.begin(), within.end(), [](std::uint32_t v) { return v != none; });
@@ -45,8 +48,8 @@ class Conformer {
   }
 
  private:
-  /// On the given contour edge that starts at point `from`: a share `t` of the way from its start, `u` from its end. Both are kept, so
-  /// that a contour and its mirror image, which runs the other way, are split alike to the last bit.
+  /// On the given contour edge that starts at point `from`: a share `t` of the way from its start, `u` from its end.
+  /// Both are kept, so that a contour and its mirror image, which runs the other way, are split alike to the last bit.
   struct Spot {
     std::uint32_t from;
     double t, u;
@@ -56,7 +59,7 @@ class Conformer {
     const std::vector<Vertex> vertices = insert_points(cdt, rings.points, order);
     const std::vector<std::uint32_t> next = rings.next();
     for (const std::uint32_t p : order) {
-      if (vertices[p]->info().value != p) too_close(rings.points[p]);   // rounded onto another point
+      if (vertices[p]->info().value != p) too_close(rings.points[p]);  // rounded onto another point
       try {
         cdt.insert_constraint(vertices[p], vertices[next[p]]);
       } catch (const Cdt::Intersection_of_constraints_exception&) {
@@ -65,7 +68,8 @@ class Conformer {
     }
   }
 
-  /// For each point: a point within the diametral circle of the contour edge that starts there, if because of it the edge must be split.
+  /// For each point: a point within the diametral circle of the contour edge that starts there, if because of it the
+  /// edge must be split.
   std::vector<std::uint32_t> encroached(const Cdt& cdt, const Rings& rings) const {
     const std::vector<std::uint32_t> next = rings.next();
     std::vector<std::uint32_t> within(rings.points.size(), none);
@@ -81,7 +85,8 @@ class Conformer {
     return within;
   }
 
-  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given, const std::vector<std::uint32_t>& within) const {
+  void refine(Rings& rings, std::vector<Spot>& spots, const Rings& given,
+              const std::vector<std::uint32_t>& within) const {
     const std::vector<std::uint32_t> next = rings.next(), given_next = given.next();
     std::vector<std::uint32_t> previous(next.size());
     for (std::uint32_t p = 0; p < next.size(); ++p) previous[next[p]] = p;
@@ -100,8 +105,8 @@ class Conformer {
         const std::uint32_t v = within[p];
         Spot split_at = opposite(start.from, a, b, rings.points[v]);
         if (!(start.t < split_at.t && split_at.t < end.t && end.u < split_at.u && split_at.u < start.u) ||
-            !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v], rings.points[previous[v]],
-                     rings.points[next[v]]))
+            !settles(rings.points[p], rings.points[next[p]], between(a, b, split_at), rings.points[v],
+                     rings.points[previous[v]], rings.points[next[v]]))
           split_at = split_spot(start, end, portable::hypot(b.x - a.x, b.y - a.y), sharp(given, given_next, start.from),
                                 sharp(given, given_next, given_next[start.from]));
         add(between(a, b, split_at), split_at);
@@ -122,14 +127,16 @@ class Conformer {
   static Spot opposite(std::uint32_t from, Point2 a, Point2 b, Point2 v) {
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
     double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square, u = ((b.x - v.x) * x + (b.y - v.y) * y) / square;
-    if (t < u) u = 1 - t;
-    else t = 1 - u;
+    if (t < u)
+      u = 1 - t;
+    else
+      t = 1 - u;
     return {from, t, u};
   }
 
-  /// Is `foot` on the edge from a to b, opposite a point v with neighbours w and x, the place to split? Only where the gap is narrow for the
-  /// edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone and the foot leaves both edges at v alone
-  /// (for Delaunay edges a rounding beside that place does no harm).
+  /// Is `foot` on the edge from a to b, opposite a point v with neighbours w and x, the place to split? Only where the
+  /// gap is narrow for the edge's length, neither part is shorter than the gap, and, exactly, v leaves both parts alone
+  /// and the foot leaves both edges at v alone (for Delaunay edges a rounding beside that place does no harm).
   bool settles(Point2 a, Point2 b, Point2 foot, Point2 v, Point2 w, Point2 x) const {
     const auto distance = [](Point2 p, Point2 q) { return portable::hypot(p.x - q.x, p.y - q.y); };
     const double gap = distance(foot, v);
@@ -155,7 +162,8 @@ class Conformer {
     // The point before p on its contour: contours are contiguous.
     const auto c = std::upper_bound(given.first_point.begin(), given.first_point.end(), p);
     const std::uint32_t first = *(c - 1), end = *c;
-    const Point2 before = given.points[p == first ? end - 1 : p - 1], at = given.points[p], after = given.points[next[p]];
+    const Point2 before = given.points[p == first ? end - 1 : p - 1], at = given.points[p],
+                 after = given.points[next[p]];
     return (before.x - at.x) * (after.x - at.x) + (before.y - at.y) * (after.y - at.y) > 0;
   }
 
@@ -188,7 +196,8 @@ Vertex encroacher(const Cdt& cdt, Face face, int i) {
   for (const auto& [f, k] : {std::pair{face, i}, std::pair{face->neighbor(i), cdt.mirror_index(face, i)}}) {
     if (cdt.is_infinite(f) || CGAL::angle(a, f->vertex(k)->point(), b) != CGAL::OBTUSE) continue;
     const Vertex v = f->vertex(k);
-    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point())) nearest = v;
+    if (nearest == Vertex() || std::pair(height(v), v->point()) < std::pair(height(nearest), nearest->point()))
+      nearest = v;
   }
   return nearest;
 }
@@ -200,7 +209,8 @@ bool is_delaunay(const Cdt& cdt, Face face, int i) {
                                        other->vertex(cdt.mirror_index(face, i))->point()) != CGAL::ON_POSITIVE_SIDE;
 }
 
-std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, const std::vector<std::uint32_t>& order) {
+std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points,
+                                  const std::vector<std::uint32_t>& order) {
   std::vector<Vertex> vertices(points.size());
   Face hint;
   for (const std::uint32_t p : order) {
@@ -211,7 +221,8 @@ std::vector<Vertex> insert_points(Cdt& cdt, const std::vector<Point2>& points, c
   return vertices;
 }
 
-void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress, const Refinement& refinement) {
+void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source,
+            const Progress& progress, const Refinement& refinement) {
   Conformer(fineness, slice, number, source, progress).run(refinement.rings, refinement.cdt, refinement.order);
 }
 

@@ -26,9 +26,10 @@ struct Rings {
   }
 };
 
-/// What is asked of each contour edge. Delaunay is less: of the two triangles beside the edge neither has the other's corner in its circumcircle.
-/// It can be had wherever two numbers lie in a gap, while Gabriel edges along a gap must end opposite each other to within its width squared over
-/// their length, which for needles is below the last place. Constrained asks for nothing: no edge is split.
+/// What is asked of each contour edge. Delaunay is less: of the two triangles beside the edge neither has the other's
+/// corner in its circumcircle. It can be had wherever two numbers lie in a gap, while Gabriel edges along a gap must
+/// end opposite each other to within its width squared over their length, which for needles is below the last place.
+/// Constrained asks for nothing: no edge is split.
 enum class Fineness { gabriel, delaunay, constrained };
 
 struct Refinement {
@@ -37,8 +38,10 @@ struct Refinement {
   std::vector<std::uint32_t>& order;
 };
 
-/// Refines `rings`, the contours of `slice` of one structure, and leaves their triangulation in `cdt`, points numbered as in `rings`, and the order in
-/// which they were inserted. Throws InputError too-close (conform.h). `number` and `source` name the slice in messages.
-void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source, const Progress& progress, const Refinement& refinement);
+/// Refines `rings`, the contours of `slice` of one structure, and leaves their triangulation in `cdt`, points numbered
+/// as in `rings`, and the order in which they were inserted. Throws InputError too-close (conform.h). `number` and
+/// `source` name the slice in messages.
+void refine(Fineness fineness, const Slice& slice, std::size_t number, const std::string& source,
+            const Progress& progress, const Refinement& refinement);
 
 }  // namespace odontoscope::delaunay

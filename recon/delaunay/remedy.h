@@ -15,8 +15,8 @@ struct RegionOfSlab {
   std::uint32_t number = 0;
 };
 
-/// The link of `region` with the nearest region of the other slice that can be built as the user's own word; none if no near one can.
-/// `witnessed` are the links that `task` was made from.
+/// The link of `region` with the nearest region of the other slice that can be built as the user's own word; none if no
+/// near one can. `witnessed` are the links that `task` was made from.
 std::optional<RegionLink> remedy(const SlabTask& task, const std::vector<RegionLink>& witnessed, RegionOfSlab region,
                                  const Progress& progress);
 

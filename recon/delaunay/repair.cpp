@@ -8,23 +8,27 @@
 namespace odontoscope::delaunay {
 namespace {
 
-/// Works in rounds. A round looks at all singularities as they stand and mends each in its cheapest way, edges first, so that the
-/// result does not depend on the order in which they are met.
+/// Works in rounds. A round looks at all singularities as they stand and mends each in its cheapest way, edges first,
+/// so that the result does not depend on the order in which they are met.
 class Repair {
  public:
   /// `suspects`: the vertices to look at first.
   Repair(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
          const std::vector<std::uint32_t>& owner, const std::vector<std::uint32_t>& suspects, std::vector<Fate>& fate)
-      : tets_(tets), owner_(owner), fate_(fate), costs_(costs_of(tets, lower, upper)),
+      : tets_(tets),
+        owner_(owner),
+        fate_(fate),
+        costs_(costs_of(tets, lower, upper)),
         links_(tets, lower.points.size() + upper.points.size(), fate),
-        edges_waiting_(suspects.begin(), suspects.end()), links_waiting_(edges_waiting_) {}
+        edges_waiting_(suspects.begin(), suspects.end()),
+        links_waiting_(edges_waiting_) {}
 
   bool run() {
     for (;;) {
       TetList put_back;
       for (const std::uint32_t v : edges_waiting_)
         if (!mend_edges(v, put_back)) return false;
-      edges_waiting_.clear();   // what is not put back at v leaves v as it is
+      edges_waiting_.clear();  // what is not put back at v leaves v as it is
       if (put_back.empty()) {
         for (const std::uint32_t v : links_waiting_)
           if (!mend_link(v, put_back)) return false;
@@ -37,15 +41,18 @@ class Repair {
 
   /// What was put back early may have become needless by what was put back later. The costliest go first.
   void prune() {
-    std::stable_sort(restored_.begin(), restored_.end(), [this](std::uint32_t a, std::uint32_t b) { return costs_[a] > costs_[b]; });
+    std::stable_sort(restored_.begin(), restored_.end(),
+                     [this](std::uint32_t a, std::uint32_t b) { return costs_[a] > costs_[b]; });
     for (bool changed = true; changed;) {
       changed = false;
       for (const std::uint32_t t : restored_) {
         if (fate_[t] != Fate::restored || !may_go(t)) continue;
         fate_[t] = Fate::removed;
         const auto& v = tets_[t].v;
-        if (std::all_of(v.begin(), v.end(), [this](std::uint32_t w) { return links_.regular(w); })) changed = true;
-        else fate_[t] = Fate::restored;
+        if (std::all_of(v.begin(), v.end(), [this](std::uint32_t w) { return links_.regular(w); }))
+          changed = true;
+        else
+          fate_[t] = Fate::restored;
       }
     }
   }
@@ -59,8 +66,9 @@ class Repair {
     links_waiting_.insert(tets_[t].v.begin(), tets_[t].v.end());
   }
 
-  /// Quickly, what speaks against taking t out again: with at most one open face it would leave a dent shut in at a vertex; with two, the
-  /// edge between the other two faces must have nothing else open around it. A cheap filter: links are then tested in full.
+  /// Quickly, what speaks against taking t out again: with at most one open face it would leave a dent shut in at a
+  /// vertex; with two, the edge between the other two faces must have nothing else open around it. A cheap filter:
+  /// links are then tested in full.
   bool may_go(std::uint32_t t) const {
     const SlabTetrahedron& tet = tets_[t];
     std::array<std::uint32_t, 4> open{};
@@ -81,13 +89,14 @@ class Repair {
     return std::all_of(tets.begin(), tets.end(), [this](std::uint32_t t) { return owner_[t] != none; });
   }
 
-  /// Closes all gaps around each edge at v but the costliest; where the ring is open at the hull or a slice, that one too.
+  /// Closes all gaps around each edge at v but the costliest; where the ring is open at the hull or a slice, that one
+  /// too.
   bool mend_edges(std::uint32_t v, TetList& put_back) {
     for (const auto& [w, t] : links_.mixed_edges(v)) {
       Links::Gaps gaps = links_.gaps(v, w, t);
       if (!gaps.singular()) continue;
       auto& runs = gaps.runs;
-      if (gaps.closed) {   // a gap that must not be filled is the one to leave
+      if (gaps.closed) {  // a gap that must not be filled is the one to leave
         const auto left = std::max_element(runs.begin(), runs.end(), [this](const TetList& a, const TetList& b) {
           return std::pair(!allowed(a), cost_of(a)) < std::pair(!allowed(b), cost_of(b));
         });
@@ -133,12 +142,14 @@ class Repair {
   std::vector<Fate>& fate_;
   std::vector<Cost> costs_;
   Links links_;
-  std::set<std::uint32_t> edges_waiting_, links_waiting_;   // vertices at which something changed since they were looked at
+  std::set<std::uint32_t> edges_waiting_,
+      links_waiting_;  // vertices at which something changed since they were looked at
   TetList restored_;
 };
 
 /// The faces between the kept tetrahedra and anything else, except those that lie in a region.
-std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTetrahedron>& tets, const std::vector<Fate>& fate) {
+std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTetrahedron>& tets,
+                                                       const std::vector<Fate>& fate) {
   std::vector<std::array<std::uint32_t, 3>> faces;
   for (std::size_t t = 0; t < tets.size(); ++t) {
     if (fate[t] == Fate::removed) continue;
@@ -153,10 +164,11 @@ std::vector<std::array<std::uint32_t, 3>> interface_of(const std::vector<SlabTet
   return faces;
 }
 
-/// Vertices around which the kept tetrahedra may be singular. Around a regular one the interface is a single strip of faces, from the
-/// contour edge on one side of the vertex to that on the other: then the kept part of its link is a disc. So the graph that the faces leave
-/// on the vertex's neighbours is one simple path between its two contour neighbours, through points of the other slice only (a point of
-/// its own slice would be the far end of an internal edge with a gap above it). Precondition: nothing is restored yet.
+/// Vertices around which the kept tetrahedra may be singular. Around a regular one the interface is a single strip of
+/// faces, from the contour edge on one side of the vertex to that on the other: then the kept part of its link is a
+/// disc. So the graph that the faces leave on the vertex's neighbours is one simple path between its two contour
+/// neighbours, through points of the other slice only (a point of its own slice would be the far end of an internal
+/// edge with a gap above it). Precondition: nothing is restored yet.
 std::vector<std::uint32_t> suspects(const std::vector<SlabTetrahedron>& tets, const Planar& lower, const Planar& upper,
                                     const std::vector<Fate>& fate) {
   const auto faces = interface_of(tets, fate);
@@ -177,7 +189,7 @@ std::vector<std::uint32_t> suspects(const std::vector<SlabTetrahedron>& tets, co
     const std::uint32_t end = v < offset ? lower.next[v] : offset + upper.next[v - offset];
     std::uint32_t at = start, left = first[v + 1] - first[v];
     const std::uint32_t from = first[v];
-    while (left > 0 && at != end) {   // eat the strip from its start; each step takes one face out
+    while (left > 0 && at != end) {  // eat the strip from its start; each step takes one face out
       std::uint32_t s = from;
       while (s < from + left && strip[s][0] != at && strip[s][1] != at) ++s;
       if (s == from + left) break;

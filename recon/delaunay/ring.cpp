@@ -13,7 +13,8 @@ namespace {
 double twice_triangle(Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
-  return (twice_triangle(a, b, c) > 0) != (twice_triangle(a, b, d) > 0) && (twice_triangle(c, d, a) > 0) != (twice_triangle(c, d, b) > 0);
+  return (twice_triangle(a, b, c) > 0) != (twice_triangle(a, b, d) > 0) &&
+         (twice_triangle(c, d, a) > 0) != (twice_triangle(c, d, b) > 0);
 }
 
 double distance_to_segment(Point2 p, Point2 a, Point2 b) {

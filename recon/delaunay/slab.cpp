@@ -45,7 +45,8 @@ std::vector<std::uint32_t> apexes(const Planar& of, const Planar& sites, Side si
   return apex;
 }
 
-/// Is the circumcentre of `triangle` inside the region at contour point `p` of `wedge`? Precondition: p is its nearest point.
+/// Is the circumcentre of `triangle` inside the region at contour point `p` of `wedge`? Precondition: p is its nearest
+/// point.
 bool inside_wedge(const Planar& of, std::uint32_t triangle, const Planar& wedge, std::uint32_t p, Side side) {
   const Point2 before = wedge.points[wedge.previous[p]], at = wedge.points[p], after = wedge.points[wedge.next[p]];
   const bool left_in = centre_left_of(of, triangle, before, at, side) > 0;
@@ -57,7 +58,7 @@ bool inside_wedge(const Planar& of, std::uint32_t triangle, const Planar& wedge,
 struct LowerEdge {
   std::uint32_t a, b;
   EdgeKind kind;
-  bool left_inside;   // of a contour edge: is the region on the left of a->b?
+  bool left_inside;  // of a contour edge: is the region on the left of a->b?
 };
 
 /// `regions`: the slices have contours, of which it tells which side a dual point lies on.
@@ -108,7 +109,8 @@ class SlabWalk {
     result_.push_back(tet);
   }
 
-  /// Follows the Voronoi edge between triangle `from` and its neighbour across edge k through the cells of the upper slice.
+  /// Follows the Voronoi edge between triangle `from` and its neighbour across edge k through the cells of the upper
+  /// slice.
   void walk(std::uint32_t from, int k, std::uint32_t start_cell, std::uint32_t end_cell) {
     const PlanarTriangle& triangle = lower_.triangles[from];
     LowerEdge edge{triangle.v[(k + 1) % 3], triangle.v[(k + 2) % 3], EdgeKind::external, false};
@@ -138,14 +140,16 @@ class SlabWalk {
     return nearer_to_centre(upper_, upper_triangle, lower_.points[edge.a], lower_.points[edge.b], Side::lower) > 0;
   }
 
-  /// The spoke across whose Voronoi edge the bisector of a and b, coming from the left of a->b, leaves the cell: going round the cell
-  /// counter-clockwise, where "nearer to a" turns into "nearer to b". none: it leaves through the hull's gap.
+  /// The spoke across whose Voronoi edge the bisector of a and b, coming from the left of a->b, leaves the cell: going
+  /// round the cell counter-clockwise, where "nearer to a" turns into "nearer to b". none: it leaves through the hull's
+  /// gap.
   std::uint32_t exit_of(std::uint32_t cell, const LowerEdge& edge) const {
     const std::uint32_t first = upper_.first_spoke[cell], last = upper_.first_spoke[cell + 1] - 1;
     const bool on_hull = upper_.spokes[last].triangle == none;
     bool near_b = on_hull ? end_near_b(cell, first, edge) : centre_near_b(upper_.spokes[last].triangle, edge);
     for (std::uint32_t s = first; s <= last; ++s) {
-      const bool then = on_hull && s == last ? end_near_b(cell, last, edge) : centre_near_b(upper_.spokes[s].triangle, edge);
+      const bool then =
+          on_hull && s == last ? end_near_b(cell, last, edge) : centre_near_b(upper_.spokes[s].triangle, edge);
       if (!near_b && then) return s;
       near_b = then;
     }
@@ -157,8 +161,8 @@ class SlabWalk {
     const bool is_last = upper_.spokes[spoke].triangle == none;
     const Point2 p = upper_.points[cell], q = upper_.points[upper_.spokes[spoke].vertex];
     const Point2 a = lower_.points[edge.a], b = lower_.points[edge.b];
-    // The ray runs along q-p turned by a quarter, to its left for the last spoke and to its right for the first; its scalar product
-    // with b-a is (q-p) x (b-a), or minus that.
+    // The ray runs along q-p turned by a quarter, to its left for the last spoke and to its right for the first; its
+    // scalar product with b-a is (q-p) x (b-a), or minus that.
     const int along = turn(p, q, a, b);
     if (along != 0) return (along > 0) == is_last;
     return centre_near_b(upper_.spokes[is_last ? spoke - 1 : spoke].triangle, edge);
@@ -172,22 +176,24 @@ class SlabWalk {
     if constexpr (regions) {
       tet.lower_edge = edge.kind;
       tet.upper_edge = upper_.spokes[spoke].kind;
-      tet.dual_in_lower = edge.kind == EdgeKind::internal || (edge.kind == EdgeKind::contour && dual_inside(edge, cell, other));
+      tet.dual_in_lower =
+          edge.kind == EdgeKind::internal || (edge.kind == EdgeKind::contour && dual_inside(edge, cell, other));
       tet.dual_in_upper = tet.upper_edge == EdgeKind::internal ||
                           (tet.upper_edge == EdgeKind::contour && dual_inside_upper(edge, cell, other, spoke));
     }
     result_.push_back(tet);
   }
 
-  /// A contour edge is Gabriel, so its Voronoi edge passes from outside to inside at its midpoint m. The walk has crossed from
-  /// `cell` to `other` before m exactly if m is nearer to `other`.
+  /// A contour edge is Gabriel, so its Voronoi edge passes from outside to inside at its midpoint m. The walk has
+  /// crossed from `cell` to `other` before m exactly if m is nearer to `other`.
   bool dual_inside(const LowerEdge& edge, std::uint32_t cell, std::uint32_t other) const {
     const bool before_m = nearer_to_midpoint(lower_.points[edge.a], lower_.points[edge.b], upper_.points[cell],
                                              upper_.points[other], Side::upper) > 0;
     return before_m == edge.left_inside;
   }
 
-  /// The crossing lies between the inner circumcentre and the midpoint exactly if the bisector of a and b separates them.
+  /// The crossing lies between the inner circumcentre and the midpoint exactly if the bisector of a and b separates
+  /// them.
   bool dual_inside_upper(const LowerEdge& edge, std::uint32_t cell, std::uint32_t other, std::uint32_t spoke) const {
     const std::uint32_t before = spoke == upper_.first_spoke[cell] ? upper_.first_spoke[cell + 1] - 1 : spoke - 1;
     // The triangle left of cell->other follows its spoke, the one on the right precedes it.
@@ -205,7 +211,9 @@ class SlabWalk {
 
 }  // namespace
 
-std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper) { return SlabWalk<true>(lower, upper).run(); }
+std::vector<SlabTetrahedron> walked_slab(const Planar& lower, const Planar& upper) {
+  return SlabWalk<true>(lower, upper).run();
+}
 
 std::vector<SlabTetrahedron> bare_slab(const Planar& lower, const Planar& upper) {
   std::vector<SlabTetrahedron> tetrahedra = SlabWalk<false>(lower, upper).run();

@@ -15,8 +15,8 @@ namespace {
 /// Components that share one Delaunay triangulation. More than one: they are carved from it and stay disjoint.
 struct Group {
   std::vector<Component> components;
-  std::optional<SlabSolid> solid;   // empty: cut
-  std::vector<RegionLink> merged;   // links by which its components became one
+  std::optional<SlabSolid> solid;  // empty: cut
+  std::vector<RegionLink> merged;  // links by which its components became one
 };
 
 void merge_sorted(std::vector<std::uint32_t>& into, const std::vector<std::uint32_t>& from) {
@@ -58,7 +58,7 @@ class SlabSolver {
     return c.lower.size() == task_.lower.regions() && c.upper.size() == task_.upper.regions();
   }
 
-  // ---- one group ------------------------------------------------------------------------------------------------------
+  // ---- one group ----------------------------------------------------------------------------------------------------
 
   void solve(Group& group) {
     const Component all = united(group.components);
@@ -82,7 +82,8 @@ class SlabSolver {
     }
     const Planar lower = part_of(task_.lower, all.lower), upper = part_of(task_.upper, all.upper);
     SlabSolid solid;
-    const Blocked made = block(lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid);
+    const Blocked made =
+        block(lower, upper, {task_.lower.z, task_.upper.z}, points(task_.lower), points(task_.upper), solid);
     if (made == Blocked::no_height) refuse_too_close(task_);
     if (made == Blocked::yes) group.solid = std::move(solid);
   }
@@ -98,7 +99,8 @@ class SlabSolver {
     }
     std::vector<Fate> fate = eliminate(tets, lower, upper);
     if (finish(group, tets, fate, std::vector<std::uint32_t>(tets.size(), 0), lower, upper)) return;
-    throw InternalError(fmt::format("the slab between z = {} and {} could not be repaired", task_.lower.z, task_.upper.z));
+    throw InternalError(
+        fmt::format("the slab between z = {} and {} could not be repaired", task_.lower.z, task_.upper.z));
   }
 
   /// The components of a group from one triangulation: tetrahedra with points of two components belong to none.
@@ -112,13 +114,14 @@ class SlabSolver {
     std::vector<std::uint32_t> owner(tets.size(), none);
     for (std::size_t t = 0; t < tets.size(); ++t) {
       const auto component = [&](std::uint32_t v) {
-        return v < lower.points.size() ? of_lower[lower.region_of[v]] : of_upper[upper.region_of[v - lower.points.size()]];
+        return v < lower.points.size() ? of_lower[lower.region_of[v]]
+                                       : of_upper[upper.region_of[v - lower.points.size()]];
       };
       const auto& v = tets[t].v;
       if (std::all_of(v.begin() + 1, v.end(), [&](std::uint32_t w) { return component(w) == component(v[0]); }))
         owner[t] = component(v[0]);
       if (owner[t] != none || fate[t] == Fate::removed) continue;
-      if (tets[t].lower_count != 2) return false;   // part of a region would go uncovered
+      if (tets[t].lower_count != 2) return false;  // part of a region would go uncovered
       fate[t] = Fate::removed;
     }
     return finish(group, tets, fate, owner, lower, upper);
@@ -134,21 +137,26 @@ class SlabSolver {
       if (*joined == 0) break;
     }
     const SlabHeights heights{task_.lower.z, task_.upper.z};
-    const bool lifted = task_.walls == Walls::lifted && lift(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid);
-    if (!lifted && !raise(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid)) refuse_too_close(task_);
+    const bool lifted = task_.walls == Walls::lifted &&
+                        lift(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid);
+    if (!lifted && !raise(tets, fate, lower, upper, heights, points(task_.lower), points(task_.upper), solid))
+      refuse_too_close(task_);
     group.solid = std::move(solid);
     return true;
   }
 
-  static std::uint32_t points(const ConformedSlice& slice) { return static_cast<std::uint32_t>(slice.planar.points.size()); }
+  static std::uint32_t points(const ConformedSlice& slice) {
+    return static_cast<std::uint32_t>(slice.planar.points.size());
+  }
 
   /// Written so that the same links, given by the user, make the same component.
   static void remember_merger(Group& group) {
     for (std::size_t c = 1; c < group.components.size(); ++c)
-      group.merged.push_back({group.components[0].lower.front(), group.components[c].upper.front(), LinkCriterion::crossing});
+      group.merged.push_back(
+          {group.components[0].lower.front(), group.components[c].upper.front(), LinkCriterion::crossing});
   }
 
-  // ---- groups among each other ----------------------------------------------------------------------------------------
+  // ---- groups among each other --------------------------------------------------------------------------------------
 
   /// Puts groups that cross or touch into one; false when none do.
   bool separate() {
@@ -224,10 +232,12 @@ class SlabSolver {
 }  // namespace
 
 void refuse_too_close(const SlabTask& task) {
-  throw InputError("slices-too-close", task.place,
-                   fmt::format("a wall must run between this slice and the next, at z = {}, and no number lies between the two heights",
-                               task.upper.z),
-                   "Drop one of the two slices, or give heights that differ by more than a rounding");
+  throw InputError(
+      "slices-too-close", task.place,
+      fmt::format(
+          "a wall must run between this slice and the next, at z = {}, and no number lies between the two heights",
+          task.upper.z),
+      "Drop one of the two slices, or give heights that differ by more than a rounding");
 }
 
 namespace {
@@ -240,11 +250,13 @@ Correspondences without_witnessed(const SlabTask& task, Give give) {
   std::vector<RegionLink> kept;
   for (const RegionLink& link : task.correspondences.links) {
     const auto holds_it_and_a_users = [&](const Component& c) {
-      const auto begins_here = [&c](std::uint32_t region) { return std::binary_search(c.lower.begin(), c.lower.end(), region); };
+      const auto begins_here = [&c](std::uint32_t region) {
+        return std::binary_search(c.lower.begin(), c.lower.end(), region);
+      };
       return begins_here(link.lower) && std::any_of(task.choices.joined.begin(), task.choices.joined.end(),
                                                     [&](const auto& pair) { return begins_here(pair.first); });
     };
-    if (link.criterion == LinkCriterion::user || give == Give::all) continue;   // `correspond` adds the user's
+    if (link.criterion == LinkCriterion::user || give == Give::all) continue;  // `correspond` adds the user's
     if (std::none_of(components.begin(), components.end(), holds_it_and_a_users)) kept.push_back(link);
   }
   return correspond(kept, task.choices, static_cast<std::uint32_t>(task.lower.regions()),
@@ -278,9 +290,11 @@ SolvedSlab solve_slab(const SlabTask& task, const Progress& progress) {
     flat.upper_linked.assign(task.upper.regions(), false);
     return flat;
   }
-  // A link that the user asked for goes before those that contours alone witness: these are cut where it cannot be built beside them.
+  // A link that the user asked for goes before those that contours alone witness: these are cut where it cannot be
+  // built beside them.
   if (auto solved = unless_impossible([&] { return SlabSolver(task, progress).run(); })) return std::move(*solved);
-  if (auto solved = unless_impossible([&] { return solved_without(task, Give::those_beside, progress); })) return std::move(*solved);
+  if (auto solved = unless_impossible([&] { return solved_without(task, Give::those_beside, progress); }))
+    return std::move(*solved);
   return solved_without(task, Give::all, progress);
 }
 
@@ -294,7 +308,9 @@ Boundary boundary_of(const ConformedSlice& lower, const ConformedSlice& upper, c
     return solid.added[v - above.size()];
   };
   Boundary boundary;
-  each_outer_face(solid.tetrahedra, [&](const Triangle& f) { boundary.push_back({place(f[0]), place(f[1]), place(f[2])}); });
+  each_outer_face(solid.tetrahedra, [&](const Triangle& f) {
+    boundary.push_back({place(f[0]), place(f[1]), place(f[2])});
+  });
   return boundary;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// One slab from its two slices to disjoint, embedded solid pieces. A value that depends on nothing but its arguments, so that slabs can be
-// solved in any order, on any thread, and again alone when a link changes.
+// One slab from its two slices to disjoint, embedded solid pieces. A value that depends on nothing but its arguments,
+// so that slabs can be solved in any order, on any thread, and again alone when a link changes.
 
 #include <vector>
 
@@ -14,31 +14,35 @@ namespace odontoscope::delaunay {
 struct SolvedSlab {
   /// Pieces that have no point in common, one for each component, in the order of their lowest region.
   std::vector<SlabSolid> pieces;
-  std::vector<RegionLink> links;        // those that hold in the result
-  std::size_t cut_links = 0;            // witnessed, but given up by case 3 below
-  bool raised = false;                  // some piece is (raise.h)
-  std::vector<bool> lower_linked, upper_linked;   // of each region: does it carry a piece in this slab?
+  std::vector<RegionLink> links;                 // those that hold in the result
+  std::size_t cut_links = 0;                     // witnessed, but given up by case 3 below
+  bool raised = false;                           // some piece is (raise.h)
+  std::vector<bool> lower_linked, upper_linked;  // of each region: does it carry a piece in this slab?
 };
 
-/// How what repair put back leaves the slices: lifted where that works, else raised; or raised in any case, which leaves room for plates.
+/// How what repair put back leaves the slices: lifted where that works, else raised; or raised in any case, which
+/// leaves room for plates.
 enum class Walls { lifted, raised };
 
 struct SlabTask {
   const ConformedSlice& lower;
   const ConformedSlice& upper;
-  Correspondences correspondences;   // by correspond, from ...
-  Choices choices;                   // ... these
+  Correspondences correspondences;  // by correspond, from ...
+  Choices choices;                  // ... these
   Walls walls = Walls::lifted;
-  Place place;   // for messages
+  Place place;  // for messages
 };
 
 /// Steps 2 to 6. Components are triangulated apart from each other. Where two would then cross or touch, they are
-///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their regions; else
+///   1. carved from their one common Delaunay triangulation, which keeps them disjoint, if that covers all their
+///   regions; else
 ///   2. made one component (links with criterion `crossing`), unless the user keeps a pair of their regions apart; else
-///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: where it cannot be built, witnessed links of its component,
+///   3. cut: their regions end flat on their slices. A link that the user asked for is never cut: where it cannot be
+///   built, witnessed links of its component,
 ///      then all of the slab, are cut instead; InputError link-impossible if that does not help either.
-/// Where a slice is not conforming (conform.h), every component is a block (block.h), case 1 is left out, and a component without room for a block is cut.
-/// Throws InputError slices-too-close if a piece must leave a slice and no double lies between the two.
+/// Where a slice is not conforming (conform.h), every component is a block (block.h), case 1 is left out, and a
+/// component without room for a block is cut. Throws InputError slices-too-close if a piece must leave a slice and no
+/// double lies between the two.
 SolvedSlab solve_slab(const SlabTask& task, const Progress& progress);
 
 /// Throws InputError slices-too-close.

@@ -21,7 +21,8 @@ namespace {
 Nesting nesting_of(const ConformedSlice& slice, const SliceVoids& voids) {
   Nesting nesting;
   nesting.owner.push_back(none);
-  for (const std::uint32_t hole : voids.hole_contour) nesting.owner.push_back(slice.planar.region_of[slice.first_point[hole]]);
+  for (const std::uint32_t hole : voids.hole_contour)
+    nesting.owner.push_back(slice.planar.region_of[slice.first_point[hole]]);
   for (const std::uint32_t outer : slice.outer_contour) nesting.around.push_back(voids.of_contour[outer]);
   return nesting;
 }
@@ -100,7 +101,8 @@ class StackSolver {
   /// A structure ends in the slab, and the slice before tells how it narrows.
   bool is_end(std::size_t k) const {
     const bool upwards = slice(k + 1).regions() == 0 && slice(k).regions() > 0 && k > 0 && slice(k - 1).regions() > 0;
-    return upwards || (slice(k).regions() == 0 && slice(k + 1).regions() > 0 && k + 2 <= slabs_ && slice(k + 2).regions() > 0);
+    return upwards ||
+           (slice(k).regions() == 0 && slice(k + 1).regions() > 0 && k + 2 <= slabs_ && slice(k + 2).regions() > 0);
   }
 
   // ---- links --------------------------------------------------------------------------------------------------------
@@ -154,8 +156,9 @@ class StackSolver {
 
   SlabTask slab_task(std::size_t k, Walls walls) const {
     SlabTask task{slice(k), slice(k + 1), {}, choices(k), walls, place(k)};
-    task.correspondences = correspond(surveys_[k].material, task.choices, static_cast<std::uint32_t>(slice(k).regions()),
-                                      static_cast<std::uint32_t>(slice(k + 1).regions()), task.place);
+    task.correspondences =
+        correspond(surveys_[k].material, task.choices, static_cast<std::uint32_t>(slice(k).regions()),
+                   static_cast<std::uint32_t>(slice(k + 1).regions()), task.place);
     return task;
   }
 
@@ -188,8 +191,9 @@ class StackSolver {
     }
   }
 
-  /// Late attempts cost several times all others, and were found to mend what anatomy has: a few outlines of many points. Crowds, toys, and contours so
-  /// near each other that making them Delaunay took more points than they had stay as they are.
+  /// Late attempts cost several times all others, and were found to mend what anatomy has: a few outlines of many
+  /// points. Crowds, toys, and contours so near each other that making them Delaunay took more points than they had
+  /// stay as they are.
   bool deserves_more(std::size_t k) const {
     std::size_t contours = 0, points = 0, added = 0;
     for (const ConformedSlice* one : {&slice(k), &slice(k + 1)}) {
@@ -201,11 +205,11 @@ class StackSolver {
   }
 
   struct Attempt {
-    std::size_t slices = 0;   // to be interpolated
-    bool strips = false;      // this and the next: between::BlendOptions
+    std::size_t slices = 0;  // to be interpolated
+    bool strips = false;     // this and the next: between::BlendOptions
     std::size_t finer = 1;
-    bool late = false;        // for what is nearly as it should be
-    bool kept = false;        // between::BlendOptions::keep_links and draw_back
+    bool late = false;  // for what is nearly as it should be
+    bool kept = false;  // between::BlendOptions::keep_links and draw_back
   };
 
   /// In the order in which they are tried. A structure that ends would end flat without any slices.
@@ -217,7 +221,8 @@ class StackSolver {
     const bool gentle = chosen || need.travel < limits::steep * (slice(k + 1).z - slice(k).z);
     list.insert(gentle ? list.begin() : list.end(), Attempt{});
     list.push_back({7});
-    // Few slabs come so far: thin walls, and wedges that drift. Each of these is the first that gives some of them what they should have.
+    // Few slabs come so far: thin walls, and wedges that drift. Each of these is the first that gives some of them what
+    // they should have.
     for (const Attempt& one : {Attempt{5, true}, Attempt{5}, Attempt{1, true, 3}, Attempt{3, false, 3}, Attempt{15}})
       list.push_back({one.slices, one.strips, one.finer, true});
     for (const std::size_t slices : {3, 7})
@@ -228,10 +233,13 @@ class StackSolver {
   static std::vector<RegionLink> links_kept(const SlabTask& task) { return task.correspondences.links; }
 
   /// `slices`: how many were interpolated.
-  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, const Attempt& attempt, std::size_t& slices) const {
-    const between::BlendOptions options{.strips = attempt.strips, .finer = attempt.finer, .keep_links = attempt.kept, .draw_back = attempt.kept};
+  std::optional<SolvedSlab> through(std::size_t k, const SlabTask& task, const Attempt& attempt,
+                                    std::size_t& slices) const {
+    const between::BlendOptions options{
+        .strips = attempt.strips, .finer = attempt.finer, .keep_links = attempt.kept, .draw_back = attempt.kept};
     std::vector<Interpolated> made;
-    for (between::StagedOutline& one : blend_slab(result_.stack.slices, voids_, k, task.correspondences.links, surveys_[k].voids, even_shares(attempt.slices), options))
+    for (between::StagedOutline& one : blend_slab(result_.stack.slices, voids_, k, task.correspondences.links,
+                                                  surveys_[k].voids, even_shares(attempt.slices), options))
       made.push_back({slice(k).z + one.share * (slice(k + 1).z - slice(k).z), std::move(one.outline)});
     slices = made.size();
     return solve_through(task, task.correspondences.components, made, progress_);
@@ -255,8 +263,8 @@ class StackSolver {
 
   /// Of a slab in which what is linked to nothing stands on its slice as a plate.
   Topology implied_with_plates(std::size_t k, const SlabTask& task) const {
-    SlabLinks links{pairs(task.correspondences.links), pairs(surveys_[k].voids), std::vector<bool>(slice(k).regions(), false),
-                    std::vector<bool>(slice(k + 1).regions(), false)};
+    SlabLinks links{pairs(task.correspondences.links), pairs(surveys_[k].voids),
+                    std::vector<bool>(slice(k).regions(), false), std::vector<bool>(slice(k + 1).regions(), false)};
     for (const auto& [lower, upper] : links.material) links.lower_in[lower] = links.upper_in[upper] = true;
     const auto plates = [&](std::size_t number, const std::vector<bool>& in, std::size_t& count) {
       for (std::uint32_t r = 0; r < in.size(); ++r) {
@@ -277,7 +285,8 @@ class StackSolver {
     std::vector<std::vector<bool>> isolated(slabs_ + 1);
     for (std::size_t k = 0; k <= slabs_; ++k)
       for (std::size_t r = 0; r < slice(k).regions(); ++r)
-        isolated[k].push_back(!(k > 0 && solved_[k - 1].upper_linked[r]) && !(k < slabs_ && solved_[k].lower_linked[r]));
+        isolated[k].push_back(!(k > 0 && solved_[k - 1].upper_linked[r]) &&
+                              !(k < slabs_ && solved_[k].lower_linked[r]));
     return isolated;
   }
 
@@ -312,7 +321,7 @@ class StackSolver {
         ++result_.counts.isolated_regions;
         const auto& owner = nesting_[k].owner;
         const long holes = std::count(owner.begin() + 1, owner.end(), r);
-        for (const std::size_t slab : {k - 1, k}) {   // k - 1 wraps round at the first slice, and is no slab
+        for (const std::size_t slab : {k - 1, k}) {  // k - 1 wraps round at the first slice, and is no slab
           if (slab >= slabs_) continue;
           implied_[slab].pieces += 1;
           implied_[slab].handles += holes;
@@ -336,20 +345,24 @@ class StackSolver {
     for (std::size_t k = 0; k <= slabs_; ++k)
       for (std::uint32_t r = 0; r < isolated[k].size(); ++r) {
         if (!isolated[k][r] || advised++ >= limits::regions_advised) continue;
-        for (const std::size_t slab : {k, k - 1})   // k - 1 wraps round at the first slice, and is no slab
+        for (const std::size_t slab : {k, k - 1})  // k - 1 wraps round at the first slice, and is no slab
           if (slab < slabs_ && has_material(slab) && add_remedy(slab, {slab == k, r})) break;
       }
   }
 
   bool add_remedy(std::size_t slab, RegionOfSlab region) {
-    const std::optional<RegionLink> link = remedy(slab_task(slab, Walls::lifted), surveys_[slab].material, region, progress_);
+    const std::optional<RegionLink> link =
+        remedy(slab_task(slab, Walls::lifted), surveys_[slab].material, region, progress_);
     if (!link) return false;
     const Link words{task_.structure, slab, outer_number(slab, link->lower), outer_number(slab + 1, link->upper), true};
-    if (std::find(result_.remedies.begin(), result_.remedies.end(), words) == result_.remedies.end()) result_.remedies.push_back(words);
+    if (std::find(result_.remedies.begin(), result_.remedies.end(), words) == result_.remedies.end())
+      result_.remedies.push_back(words);
     return true;
   }
 
-  std::size_t outer_number(std::size_t k, std::uint32_t region) const { return slice(k).contour_number[slice(k).outer_contour[region]]; }
+  std::size_t outer_number(std::size_t k, std::uint32_t region) const {
+    return slice(k).contour_number[slice(k).outer_contour[region]];
+  }
 
   // ---- report -------------------------------------------------------------------------------------------------------
 
@@ -361,9 +374,11 @@ class StackSolver {
   void report(std::size_t k) {
     const SolvedSlab& solved = solved_[k];
     for (const RegionLink& link : solved.links)
-      result_.links.push_back({{task_.structure, k, outer_number(k, link.lower), outer_number(k + 1, link.upper), true}, link.criterion});
+      result_.links.push_back(
+          {{task_.structure, k, outer_number(k, link.lower), outer_number(k + 1, link.upper), true}, link.criterion});
     for (const RegionLink& link : surveys_[k].voids)
-      result_.void_links.push_back({task_.structure, k, hole_number(k, link.lower), hole_number(k + 1, link.upper), link.criterion});
+      result_.void_links.push_back(
+          {task_.structure, k, hole_number(k, link.lower), hole_number(k + 1, link.upper), link.criterion});
     result_.topology.push_back({task_.structure, k, implied_[k], {}, interpolated_[k], solved_[k].raised, {}, {}});
     ReconstructCounts& counts = result_.counts;
     counts.cut_links += solved.cut_links;
@@ -379,7 +394,7 @@ class StackSolver {
   void report_doubts() {
     for (const DoubtfulLink& link : doubts_.material) {
       const bool may_connect = link.choice == Choice::may_connect;
-      if (may_connect == one_piece(link)) continue;   // others joined it, or it could not be built
+      if (may_connect == one_piece(link)) continue;  // others joined it, or it could not be built
       add_doubt(link, may_connect ? DoubtKind::may_connect : DoubtKind::may_part);
     }
     for (const DoubtfulLink& link : doubts_.voids)
@@ -390,8 +405,11 @@ class StackSolver {
   }
 
   void add_doubt(const DoubtfulLink& link, DoubtKind kind) {
-    const auto number = [](std::size_t contour) { return contour == no_contour ? std::nullopt : std::optional(contour); };
-    result_.doubts.push_back({task_.structure, link.slab, link.at, kind, number(link.lower_contour), number(link.upper_contour)});
+    const auto number = [](std::size_t contour) {
+      return contour == no_contour ? std::nullopt : std::optional(contour);
+    };
+    result_.doubts.push_back(
+        {task_.structure, link.slab, link.at, kind, number(link.lower_contour), number(link.upper_contour)});
   }
 
   bool one_piece(const DoubtfulLink& link) const {

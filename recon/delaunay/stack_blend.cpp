@@ -12,13 +12,16 @@ std::size_t contour_of_void(const SliceVoids& voids, std::uint32_t number) {
 between::Outline outline_of(const ConformedSlice& slice) {
   between::Outline all;
   for (std::size_t c = 0; c < slice.contour_number.size(); ++c)
-    all.emplace_back(slice.planar.points.begin() + slice.first_point[c], slice.planar.points.begin() + slice.first_point[c + 1]);
+    all.emplace_back(slice.planar.points.begin() + slice.first_point[c],
+                     slice.planar.points.begin() + slice.first_point[c + 1]);
   return all;
 }
 
-std::vector<between::StagedOutline> blend_slab(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, std::size_t k,
-                                         const std::vector<RegionLink>& material, const std::vector<RegionLink>& voids_linked,
-                                         std::span<const double> shares, const between::BlendOptions& options) {
+std::vector<between::StagedOutline> blend_slab(const std::vector<ConformedSlice>& slices,
+                                               const std::vector<SliceVoids>& voids, std::size_t k,
+                                               const std::vector<RegionLink>& material,
+                                               const std::vector<RegionLink>& voids_linked,
+                                               std::span<const double> shares, const between::BlendOptions& options) {
   const between::Outline lower = outline_of(slices[k]), upper = outline_of(slices[k + 1]);
   between::Outline before, after;
   between::Surroundings around;

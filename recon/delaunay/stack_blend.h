@@ -15,9 +15,11 @@ namespace odontoscope::delaunay {
 between::Outline outline_of(const ConformedSlice& slice);
 
 /// Of the slab between slices k and k + 1, at these shares of its height. `material` and `voids_linked` are its links.
-std::vector<between::StagedOutline> blend_slab(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, std::size_t k,
-                                         const std::vector<RegionLink>& material, const std::vector<RegionLink>& voids_linked,
-                                         std::span<const double> shares, const between::BlendOptions& options);
+std::vector<between::StagedOutline> blend_slab(const std::vector<ConformedSlice>& slices,
+                                               const std::vector<SliceVoids>& voids, std::size_t k,
+                                               const std::vector<RegionLink>& material,
+                                               const std::vector<RegionLink>& voids_linked,
+                                               std::span<const double> shares, const between::BlendOptions& options);
 
 /// 1/(n+1), ..., n/(n+1).
 std::vector<double> even_shares(std::size_t n);

@@ -99,7 +99,8 @@ void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, st
       const Section& above = sections_[b];
       if ((below.linked_above && above.linked_below) || piece(a) == piece(b)) continue;
       const bool both_end = !below.linked_above && !above.linked_below;
-      if (what_ == Of::voids && !both_end && (below.linked_above ? runs_out(above, false) : runs_out(below, true))) continue;
+      if (what_ == Of::voids && !both_end && (below.linked_above ? runs_out(above, false) : runs_out(below, true)))
+        continue;
       const double reach = both_end ? limits::facing_gap * std::sqrt(std::min(below.area, above.area)) : 0;
       if (!within(box, other_box, reach)) continue;
       const bool forbidden = std::any_of(apart.begin(), apart.end(), [&](const Link& link) {

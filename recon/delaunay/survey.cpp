@@ -9,11 +9,13 @@ namespace {
 
 std::uint32_t regions(const ConformedSlice& slice) { return static_cast<std::uint32_t>(slice.regions()); }
 
-bool has_material(const ConformedSlice& lower, const ConformedSlice& upper) { return lower.regions() > 0 && upper.regions() > 0; }
+bool has_material(const ConformedSlice& lower, const ConformedSlice& upper) {
+  return lower.regions() > 0 && upper.regions() > 0;
+}
 
 /// The links that hold before tracking, the user's among them.
-KnownLinks known_regions(const SlabSurvey& survey, const Choices& choices, const ConformedSlice& lower, const ConformedSlice& upper,
-                         const Place& place) {
+KnownLinks known_regions(const SlabSurvey& survey, const Choices& choices, const ConformedSlice& lower,
+                         const ConformedSlice& upper, const Place& place) {
   KnownLinks known = links_by(survey.material, Correspondence::medial);
   known.made = correspond(known.made, choices, regions(lower), regions(upper), place).links;
   known.apart = choices.apart;
@@ -21,7 +23,8 @@ KnownLinks known_regions(const SlabSurvey& survey, const Choices& choices, const
 }
 
 /// Holes that face an empty slice open into the outside there.
-KnownLinks known_voids(const SlabSurvey& survey, const SliceVoids& lower, const SliceVoids& upper, bool both_have_material) {
+KnownLinks known_voids(const SlabSurvey& survey, const SliceVoids& lower, const SliceVoids& upper,
+                       bool both_have_material) {
   if (both_have_material) return links_by(survey.voids, Correspondence::medial);
   KnownLinks known;
   for (std::uint32_t v = 0; v < lower.count(); ++v) known.made.push_back({v, outside, LinkCriterion::medial});
@@ -32,7 +35,8 @@ KnownLinks known_voids(const SlabSurvey& survey, const SliceVoids& lower, const 
 /// Drops what is wider than `medial` and what was closed, and adds what was tracked.
 void settle(std::vector<RegionLink>& links, const std::vector<TrackedLink>& tracked, const ShapePairs& closed) {
   std::erase_if(links, [&](const RegionLink& link) {
-    return link.criterion > LinkCriterion::medial || std::find(closed.begin(), closed.end(), std::pair{link.lower, link.upper}) != closed.end();
+    return link.criterion > LinkCriterion::medial ||
+           std::find(closed.begin(), closed.end(), std::pair{link.lower, link.upper}) != closed.end();
   });
   for (const TrackedLink& link : tracked) links.push_back({link.lower, link.upper, LinkCriterion::tracked});
 }
@@ -50,8 +54,9 @@ SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper,
                                voids_in(upper.planar, upper, upper_voids), widest)};
 }
 
-StackDoubts track_stack(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, const std::vector<Choices>& choices,
-                        const std::vector<Place>& places, std::vector<SlabSurvey>& surveys) {
+StackDoubts track_stack(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids,
+                        const std::vector<Choices>& choices, const std::vector<Place>& places,
+                        std::vector<SlabSurvey>& surveys) {
   std::vector<ShapeSlice> region, hollow;
   for (std::size_t k = 0; k < slices.size(); ++k) {
     region.push_back(region_shapes(slices[k]));

@@ -1,6 +1,6 @@
 #pragma once
-// Which regions and which voids of a whole stack belong together: each slab's witnesses, then, for Correspondence::tracked, what hangs free
-// is followed over several slices (track.h).
+// Which regions and which voids of a whole stack belong together: each slab's witnesses, then, for
+// Correspondence::tracked, what hangs free is followed over several slices (track.h).
 
 #include <cstdint>
 #include <vector>
@@ -13,10 +13,11 @@ namespace odontoscope::delaunay {
 
 /// Links of a slab. A pair that must stay apart may be among those of material; correspond() leaves it out.
 struct SlabSurvey {
-  std::vector<RegionLink> material, voids;   // by criterion, then by pair; tracked ones last
+  std::vector<RegionLink> material, voids;  // by criterion, then by pair; tracked ones last
 };
 
-/// Of one slab. Nothing where one of its slices is empty. Where one is not conforming, all links are `medial` (overlay.h).
+/// Of one slab. Nothing where one of its slices is empty. Where one is not conforming, all links are `medial`
+/// (overlay.h).
 SlabSurvey survey_slab(const ConformedSlice& lower, const ConformedSlice& upper, const SliceVoids& lower_voids,
                        const SliceVoids& upper_voids, Correspondence criterion);
 
@@ -25,9 +26,11 @@ struct StackDoubts {
   std::vector<DoubtfulLink> material, voids;
 };
 
-/// `surveys`, one for each slab, hold links up to `overlap`, as survey_slab gives them for `tracked`; on return those up to `medial` and the
-/// tracked ones. Throws InputError link-contradiction as correspond() does; `places` name the slabs.
-StackDoubts track_stack(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids, const std::vector<Choices>& choices,
-                        const std::vector<Place>& places, std::vector<SlabSurvey>& surveys);
+/// `surveys`, one for each slab, hold links up to `overlap`, as survey_slab gives them for `tracked`; on return those
+/// up to `medial` and the tracked ones. Throws InputError link-contradiction as correspond() does; `places` name the
+/// slabs.
+StackDoubts track_stack(const std::vector<ConformedSlice>& slices, const std::vector<SliceVoids>& voids,
+                        const std::vector<Choices>& choices, const std::vector<Place>& places,
+                        std::vector<SlabSurvey>& surveys);
 
 }  // namespace odontoscope::delaunay

@@ -17,7 +17,8 @@ struct GraphCount {
 };
 
 GraphCount count(const SlabLinks& links) {
-  const auto lower = static_cast<std::uint32_t>(links.lower_in.size()), upper = static_cast<std::uint32_t>(links.upper_in.size());
+  const auto lower = static_cast<std::uint32_t>(links.lower_in.size()),
+             upper = static_cast<std::uint32_t>(links.upper_in.size());
   UnionFind pieces(lower + upper);
   GraphCount found;
   for (const auto& [a, b] : links.material) {
@@ -89,8 +90,10 @@ class PiecesByFaces {
     for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
       for (const auto& f : outward_face) {
         std::uint32_t& first = first_with_(tetrahedra[t][f[0]], tetrahedra[t][f[1]], tetrahedra[t][f[2]]);
-        if (first == FaceTable::vacant) first = t;
-        else joined_.join(first, t);
+        if (first == FaceTable::vacant)
+          first = t;
+        else
+          joined_.join(first, t);
       }
   }
 
@@ -135,7 +138,8 @@ class PiecesByFaces {
 long boundary_parts(PiecesByFaces& pieces, const std::vector<Triangle>& boundary) {
   std::vector<std::pair<std::array<std::uint32_t, 3>, std::uint32_t>> sides;
   for (std::uint32_t f = 0; f < boundary.size(); ++f)
-    for (int i = 0; i < 3; ++i) sides.emplace_back(PiecesByFaces::edge(pieces.of(boundary[f]), boundary[f][i], boundary[f][(i + 1) % 3]), f);
+    for (int i = 0; i < 3; ++i)
+      sides.emplace_back(PiecesByFaces::edge(pieces.of(boundary[f]), boundary[f][i], boundary[f][(i + 1) % 3]), f);
   std::sort(sides.begin(), sides.end());
   UnionFind joined(boundary.size());
   for (std::size_t s = 1; s < sides.size(); ++s)
@@ -156,10 +160,12 @@ Topology implied_topology(const Nesting& lower, const Nesting& upper, const Slab
   return implied;
 }
 
-Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary, const PointRanges& points) {
+Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary,
+                          const PointRanges& points) {
   Topology found;
   if (tetrahedra.empty()) return found;
-  const std::uint32_t on_slices = points.end - points.first, count = on_slices + (points.end_added - points.first_added);
+  const std::uint32_t on_slices = points.end - points.first,
+                      count = on_slices + (points.end_added - points.first_added);
   const auto number = [&](std::uint32_t v) {
     return v >= points.first_added && v < points.end_added ? on_slices + (v - points.first_added) : v - points.first;
   };
@@ -172,7 +178,8 @@ Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std:
   return found;
 }
 
-Topology counted_topology_of_pinched(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary) {
+Topology counted_topology_of_pinched(const std::vector<Tetrahedron>& tetrahedra,
+                                     const std::vector<Triangle>& boundary) {
   PiecesByFaces pieces(tetrahedra);
   const long faces = (4 * static_cast<long>(tetrahedra.size()) + static_cast<long>(boundary.size())) / 2;
   const long euler = pieces.vertices_less_edges() + faces - static_cast<long>(tetrahedra.size());

@@ -1,10 +1,13 @@
 #pragma once
 // What the solid between two slices must be like as far as contours and links say, and what it is like.
 //
-// Regions of material and of void of both slices, joined by links, are two graphs. The simplest solid that joins what is linked, once, and
-// nothing else, has as many pieces as the graph of material has components, no bubbles, and as many handles as
-//     holes of its regions + independent cycles of the graph of material - components of the graph of void that do not reach the outside.
-// (Alexander duality; a ring over a ring, holes linked: 2 + 0 - 1 = 1, a solid torus. A hole that ends blind: 1 + 0 - 1 = 0.)
+// Regions of material and of void of both slices, joined by links, are two graphs. The simplest solid that joins what
+// is linked, once, and nothing else, has as many pieces as the graph of material has components, no bubbles, and as
+// many handles as
+//     holes of its regions + independent cycles of the graph of material - components of the graph of void that do not
+//     reach the outside.
+// (Alexander duality; a ring over a ring, holes linked: 2 + 0 - 1 = 1, a solid torus. A hole that ends blind: 1 + 0 - 1
+// = 0.)
 
 #include <cstdint>
 #include <utility>
@@ -17,17 +20,17 @@ namespace odontoscope::delaunay {
 
 /// How the regions and the voids of a slice lie in each other. Void 0 is the outside.
 struct Nesting {
-  std::vector<std::uint32_t> around;   // of each region: the void that it lies in
-  std::vector<std::uint32_t> owner;    // of each void: the region whose hole it is; none for the outside
+  std::vector<std::uint32_t> around;  // of each region: the void that it lies in
+  std::vector<std::uint32_t> owner;   // of each void: the region whose hole it is; none for the outside
 };
 
-using RegionPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;   // (lower, upper)
+using RegionPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;  // (lower, upper)
 
 struct SlabLinks {
-  RegionPairs material, voids;              // each linked pair once
-  std::vector<bool> lower_in, upper_in;     // of each region: does it carry a piece that its links make?
-  std::size_t lower_plates = 0, upper_plates = 0;   // regions that are linked to nothing and carry a plate here ...
-  std::size_t plate_holes = 0;                      // ... and the holes of these
+  RegionPairs material, voids;                     // each linked pair once
+  std::vector<bool> lower_in, upper_in;            // of each region: does it carry a piece that its links make?
+  std::size_t lower_plates = 0, upper_plates = 0;  // regions that are linked to nothing and carry a plate here ...
+  std::size_t plate_holes = 0;                     // ... and the holes of these
 };
 
 /// By the formula above. Regions that carry nothing do not part the void; a plate never closes over its holes.
@@ -39,10 +42,12 @@ struct PointRanges {
 };
 
 /// Of a solid by its tetrahedra and its boundary, counted. Precondition: a manifold with boundary.
-Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary, const PointRanges& points);
+Topology counted_topology(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary,
+                          const PointRanges& points);
 
-/// The same of any set of tetrahedra, slower: what is left of a slab that was trimmed may meet itself in a point or an edge. Pieces are joined
-/// by faces, each counted for itself (V - E + F - T); a piece's boundary by its edges. `boundary`: the faces with one tetrahedron.
+/// The same of any set of tetrahedra, slower: what is left of a slab that was trimmed may meet itself in a point or an
+/// edge. Pieces are joined by faces, each counted for itself (V - E + F - T); a piece's boundary by its edges.
+/// `boundary`: the faces with one tetrahedron.
 Topology counted_topology_of_pinched(const std::vector<Tetrahedron>& tetrahedra, const std::vector<Triangle>& boundary);
 
 }  // namespace odontoscope::delaunay

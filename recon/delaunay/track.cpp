@@ -12,7 +12,8 @@
 namespace odontoscope::delaunay {
 namespace {
 
-const double believed = portable::log(limits::track_chance), clear_of_chance = portable::log(limits::track_chance_clear),
+const double believed = portable::log(limits::track_chance),
+             clear_of_chance = portable::log(limits::track_chance_clear),
              worth_asking = portable::log(limits::track_chance_doubtful);
 
 /// A free end with a shape beyond it: `share` of area speaks for the link.
@@ -63,8 +64,7 @@ class Tracker {
     return count;
   }
 
-  // ---- links and doubts
-  // -----------------------------------------------------------------------------------------------
+  // --- links and doubts ----------------------------------------------------------------------------------------------
 
   /// False, and a doubt, where the link would close a loop of tracked links.
   bool make(std::size_t slab, std::uint32_t lower, std::uint32_t upper, TrackedBy by, bool clear) {
@@ -100,8 +100,7 @@ class Tracker {
     return std::find(apart_[slab].begin(), apart_[slab].end(), std::pair{lower, upper}) != apart_[slab].end();
   }
 
-  // ---- drift
-  // ----------------------------------------------------------------------------------------------------------
+  // --- drift ---------------------------------------------------------------------------------------------------------
 
   void follow_drift() {
     for (int round = 0; round < limits::track_rounds; ++round) {
@@ -139,8 +138,7 @@ class Tracker {
     return any;
   }
 
-  // ---- entry
-  // ----------------------------------------------------------------------------------------------------------
+  // --- entry ---------------------------------------------------------------------------------------------------------
 
   /// The same thing in the slice before the end, seen from the end: below it if the end looks up.
   std::optional<std::uint32_t> before(std::size_t k, std::uint32_t i, bool up) const {
@@ -204,8 +202,7 @@ class Tracker {
     decide(proposals, limits::track_entry_doubtful, limits::track_entry_clear, TrackedBy::entry);
   }
 
-  // ---- overlap
-  // --------------------------------------------------------------------------------------------------------
+  // --- overlap -------------------------------------------------------------------------------------------------------
 
   void link_overlaps() {
     std::vector<Proposal> proposals;
@@ -244,9 +241,8 @@ class Tracker {
     for (std::uint32_t j = 0; j < graph_.slices()[beyond].shapes.size(); ++j) {
       const std::uint32_t lower = up ? i : j, upper = up ? j : i;
       const auto& known = slabs_[slab].overlapping;
-      const bool seen = std::any_of(known.begin(), known.end(), [&](const RegionLink& link) {
-        return link.lower == lower && link.upper == upper;
-      });
+      const bool seen = std::any_of(known.begin(), known.end(),
+                                    [&](const RegionLink& link) { return link.lower == lower && link.upper == upper; });
       if (seen || is_apart(slab, lower, upper) || graph_.shape(beyond, j).unbounded) continue;
       const double share = overlap_share(graph_.shape(k, i), graph_.shape(beyond, j));
       if (share >= limits::track_overlap) proposals.push_back({slab, lower, upper, share, up, !up});
@@ -279,18 +275,21 @@ class Tracker {
   }
 
   /// A way out is not believed as easily as a fork: most ends close.
-  bool leaves(const Proposal& p) const { return graph_.shape(p.slab, p.lower).unbounded || graph_.shape(p.slab + 1, p.upper).unbounded; }
+  bool leaves(const Proposal& p) const {
+    return graph_.shape(p.slab, p.lower).unbounded || graph_.shape(p.slab + 1, p.upper).unbounded;
+  }
 
-  /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of enamel's margin, and no thing of
-  /// a single slice: no real choice.
+  /// Does what asks hang on nothing at all, and lie over nothing but this, which goes on? Then it is its end, as of
+  /// enamel's margin, and no thing of a single slice: no real choice.
   bool nothing_else(const Proposal& p, const std::vector<Proposal>& proposals) const {
-    const bool lower_asks = p.from_lower && alone(p.slab, p.lower), upper_asks = p.from_upper && alone(p.slab + 1, p.upper);
+    const bool lower_asks = p.from_lower && alone(p.slab, p.lower),
+               upper_asks = p.from_upper && alone(p.slab + 1, p.upper);
     if (lower_asks == upper_asks) return false;
     const std::size_t slice = lower_asks ? p.slab : p.slab + 1;
     const std::uint32_t shape = lower_asks ? p.lower : p.upper;
     return std::count_if(proposals.begin(), proposals.end(), [&](const Proposal& other) {
-      return (other.slab == slice && other.lower == shape) || (other.slab + 1 == slice && other.upper == shape);
-    }) == 1;
+             return (other.slab == slice && other.lower == shape) || (other.slab + 1 == slice && other.upper == shape);
+           }) == 1;
   }
 
   // ---- bits ---------------------------------------------------------------------------------------------------------
@@ -309,8 +308,9 @@ class Tracker {
     link_entries();
   }
 
-  /// A piece of the structure's first slice, or its last, that hangs on nothing else: all of that slice is an end, as enamel's margin, and the
-  /// structure must begin with something. Of material only: a row of holes may begin with a pit.
+  /// A piece of the structure's first slice, or its last, that hangs on nothing else: all of that slice is an end, as
+  /// enamel's margin, and the structure must begin with something. Of material only: a row of holes may begin with a
+  /// pit.
   bool outermost(std::size_t k, std::uint32_t i, bool lowest) const {
     if (has_outside(k) || !alone(k, i)) return false;
     for (std::size_t other = lowest ? 0 : k + 1; other < (lowest ? k : graph_.slices().size()); ++other)
@@ -318,7 +318,8 @@ class Tracker {
     return true;
   }
 
-  /// Voids that end beside a notch of the next slice. Only what hangs on a tracked link: a horn near the surface is no canal.
+  /// Voids that end beside a notch of the next slice. Only what hangs on a tracked link: a horn near the surface is no
+  /// canal.
   void link_outlets() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
@@ -331,8 +332,8 @@ class Tracker {
         }
   }
 
-  /// Canals that end or go on, and lie over a notch of the next slice: they leave there, or an accessory canal does, of which one slice shows the
-  /// beginning as a lobe of the canal and the other the end as a notch.
+  /// Canals that end or go on, and lie over a notch of the next slice: they leave there, or an accessory canal does, of
+  /// which one slice shows the beginning as a lobe of the canal and the other the end as a notch.
   void link_lobes() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
@@ -340,7 +341,8 @@ class Tracker {
           if (graph_.shape(k, i).unbounded || !(up ? k + 1 < graph_.slices().size() : k > 0)) continue;
           const std::size_t slab = up ? k : k - 1, beyond = up ? k + 1 : k - 1;
           const auto& links = up ? graph_.above(k, i) : graph_.below(k, i);
-          const bool opens = std::any_of(links.begin(), links.end(), [&](std::uint32_t j) { return graph_.shape(beyond, j).unbounded; });
+          const bool opens = std::any_of(links.begin(), links.end(),
+                                         [&](std::uint32_t j) { return graph_.shape(beyond, j).unbounded; });
           if (opens || links.size() > 1 || !has_outside(k) || !has_outside(beyond)) continue;
           if (lies_over_notch(graph_.shape(k, i), graph_.shape(k, outside), graph_.shape(beyond, outside)))
             make(slab, up ? i : outside, up ? outside : i, TrackedBy::overlap, false);
@@ -353,8 +355,8 @@ class Tracker {
     return !graph_.slices()[k].shapes.empty() && graph_.shape(k, outside).unbounded;
   }
 
-  /// Of voids that are running out: those that open into the outside in the next slice may close before, and do if their drift takes them away
-  /// from it; those that end may open, if it takes them there.
+  /// Of voids that are running out: those that open into the outside in the next slice may close before, and do if
+  /// their drift takes them away from it; those that end may open, if it takes them there.
   void ask_about_openings() {
     for (std::size_t k = 0; k < graph_.slices().size(); ++k)
       for (std::uint32_t i = 0; i < graph_.slices()[k].shapes.size(); ++i)
@@ -382,7 +384,8 @@ class Tracker {
 
   void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {
     const auto& tracked = result_.links[slab];
-    if (std::any_of(tracked.begin(), tracked.end(), [&](const TrackedLink& link) { return link.lower == lower && link.upper == upper; }))
+    if (std::any_of(tracked.begin(), tracked.end(),
+                    [&](const TrackedLink& link) { return link.lower == lower && link.upper == upper; }))
       return doubt(Choice::may_part, TrackedBy::overlap, slab, lower, upper);
     graph_.remove(slab, lower, upper);
     result_.closed[slab].emplace_back(lower, upper);
@@ -406,12 +409,12 @@ class Tracker {
     }
   }
 
-  // ---- what stays free
-  // ------------------------------------------------------------------------------------------------
+  // --- what stays free -----------------------------------------------------------------------------------------------
 
   void ask_about_free_ends() {
     for (const DriftCandidate& c : drift_candidates(graph_, apart_))
-      if (std::max(c.line, c.own) < worth_asking) doubt(Choice::may_connect, TrackedBy::drift, c.slab, c.lower, c.upper);
+      if (std::max(c.line, c.own) < worth_asking)
+        doubt(Choice::may_connect, TrackedBy::drift, c.slab, c.lower, c.upper);
   }
 
   const std::vector<KnownLinks>& slabs_;

@@ -8,14 +8,16 @@
 // slice is linked with. Nothing that was made is taken back but some openings (below). In this order:
 //   drift:   two free ends that continue each other's steady drift (drift.h), each the other's best;
 //   entry:   a free end that its drift takes into a shape, be that linked or not: a canal that joins the chamber, a
-//     fork; a quarter of it is enough, half of it where that is the outside. Not where the end is running out: a cusp's tip that leans towards another cusp is not joined with it;
-//   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made, and for what is linked with
+//     fork; a quarter of it is enough, half of it where that is the outside. Not where the end is running out: a cusp's
+//     tip that leans towards another cusp is not joined with it;
+//   overlap: a free end and what it overlaps most (candidates are the witnesses that were too weak to be made, and for
+//   what is linked with
 //     nothing at all whatever it lies over);
 //   beside:  loose bits beside a body (bits.h), always doubtful.
-// A void that only lies over the outside of the next slice, as a canal does beside a root's tip, opens there; not if it is running out and its
-// drift takes it under the tip: then it closes before. Either is doubtful, and so is one that is running out beside the surface it drifts through.
-// Tracked links alone close no loop. Not supported: a line whose sections are linked wrongly already (two parallel
-// canals, so near that each lies over the other one slice on).
+// A void that only lies over the outside of the next slice, as a canal does beside a root's tip, opens there; not if it
+// is running out and its drift takes it under the tip: then it closes before. Either is doubtful, and so is one that is
+// running out beside the surface it drifts through. Tracked links alone close no loop. Not supported: a line whose
+// sections are linked wrongly already (two parallel canals, so near that each lies over the other one slice on).
 
 #include <cstdint>
 #include <optional>

@@ -89,7 +89,8 @@ std::vector<ShapeEdge> edges_of(const TrackedShape& shape, Point2 by, const Shap
       if (b.x < a.x) edges.push_back({b, a, 1});
     }
   }
-  std::stable_sort(edges.begin(), edges.end(), [](const ShapeEdge& a, const ShapeEdge& b) { return a.left.x < b.left.x; });
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const ShapeEdge& a, const ShapeEdge& b) { return a.left.x < b.left.x; });
   return edges;
 }
 

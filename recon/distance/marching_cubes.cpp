@@ -51,10 +51,9 @@ class Marcher {
   MarchedSurface run() {
     constexpr double count_share = 0.3;
     for_each(grid_.layers.size(), marching_stage, Share{0, count_share}, progress_,
-                             [this](std::size_t k) { count(k); });
+             [this](std::size_t k) { count(k); });
     number();
-    for_each(grid_.layers.size(), marching_stage, Share{count_share, 1}, progress_,
-                             [this](std::size_t k) { fill(k); });
+    for_each(grid_.layers.size(), marching_stage, Share{count_share, 1}, progress_, [this](std::size_t k) { fill(k); });
     return std::move(surface_);
   }
 

@@ -38,7 +38,7 @@ LabelledComplex remeshed(const LabelledComplex& bounds, double size, const Progr
   return made;
 }
 
-using KindOfShell = std::pair<Shell::Kind, long>;   // and genus
+using KindOfShell = std::pair<Shell::Kind, long>;  // and genus
 
 std::vector<KindOfShell> kinds_of(const SurfaceReport& report) {
   std::vector<KindOfShell> kinds;
@@ -70,10 +70,12 @@ std::vector<Face> sorted_faces(const std::vector<InterfaceTriangle>& interfaces)
   return faces;
 }
 
-/// From the arrays alone. With positive tetrahedra that share faces side by side, and closed surfaces that do not cut each other, nothing overlaps.
+/// From the arrays alone. With positive tetrahedra that share faces side by side, and closed surfaces that do not cut
+/// each other, nothing overlaps.
 void certify(const LabelledComplex& made, const LabelledComplex& bounds) {
   if (inspect(made.mesh).non_positive > 0) throw InternalError("an element is flat or turned inside out");
-  if (sorted_faces(partition::interfaces_of(made.mesh)) != sorted_faces(bounds.interfaces)) throw InternalError("elements do not end at the interfaces");
+  if (sorted_faces(partition::interfaces_of(made.mesh)) != sorted_faces(bounds.interfaces))
+    throw InternalError("elements do not end at the interfaces");
 }
 
 double volume_of(const LabelledComplex& complex, Label label) {
@@ -87,13 +89,16 @@ double volume_of(const LabelledComplex& complex, Label label) {
   return sum;
 }
 
-std::vector<MaterialElements> measured(const LabelledComplex& made, const LabelledComplex& exact, const Progress& progress) {
+std::vector<MaterialElements> measured(const LabelledComplex& made, const LabelledComplex& exact,
+                                       const Progress& progress) {
   std::vector<MaterialElements> materials;
   for (Label l = 1; l <= made.structures.size(); ++l) {
     const TetraMesh tetrahedra = tetrahedra_of(made, l);
     if (tetrahedra.tetrahedra.empty()) continue;
-    const auto distance = surface_distance(surface_of(made, l), surface_of(exact, l), {limits::distance_samples}, progress);
-    materials.push_back({made.structures[l - 1], inspect(tetrahedra), volume_of(exact, l), distance.value_or(SurfaceDistance{})});
+    const auto distance =
+        surface_distance(surface_of(made, l), surface_of(exact, l), {limits::distance_samples}, progress);
+    materials.push_back(
+        {made.structures[l - 1], inspect(tetrahedra), volume_of(exact, l), distance.value_or(SurfaceDistance{})});
   }
   return materials;
 }
@@ -104,7 +109,9 @@ double largest_volume(double size) { return limits::volume_margin * size * size 
 }  // namespace
 
 Elements make_elements(const LabelledComplex& exact, double size, const Progress& progress) {
-  if (!can_fill()) throw UsageError("--elements needs TetGen, and this program was built without it", "Install libtet1.5-dev and build again");
+  if (!can_fill())
+    throw UsageError("--elements needs TetGen, and this program was built without it",
+                     "Install libtet1.5-dev and build again");
   const LabelledComplex bounds = bounds_of(exact);
   const InterfaceShape shape(InterfaceWeb(bounds.mesh.points, bounds.interfaces));
   const double asked = size;
@@ -120,7 +127,9 @@ Elements make_elements(const LabelledComplex& exact, double size, const Progress
     std::vector<MaterialElements> materials = measured(*filled, exact, progress);
     return {std::move(*filled), size, std::move(materials)};
   }
-  throw InputError("no-elements", {}, fmt::format("no elements of {:.3g} mm, nor of a half or a quarter of that, came to an end", asked), "Try --elements with another size, or leave it out: the exact tetrahedra are certified, if thin");
+  throw InputError("no-elements", {},
+                   fmt::format("no elements of {:.3g} mm, nor of a half or a quarter of that, came to an end", asked),
+                   "Try --elements with another size, or leave it out: the exact tetrahedra are certified, if thin");
 }
 
 double suggested_size(const LabelledComplex& exact) {

@@ -26,7 +26,8 @@ std::vector<double> end_heights(const InterfaceWeb& web) {
 bool is_level(const InterfaceWeb& web, std::uint32_t face, const std::vector<double>& heights) {
   const Triangle& t = web.faces()[face].triangle;
   const double z = web.points()[t[0]].z;
-  return web.points()[t[1]].z == z && web.points()[t[2]].z == z && std::find(heights.begin(), heights.end(), z) != heights.end();
+  return web.points()[t[1]].z == z && web.points()[t[2]].z == z &&
+         std::find(heights.begin(), heights.end(), z) != heights.end();
 }
 
 }  // namespace odontoscope::elements

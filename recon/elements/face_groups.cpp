@@ -68,7 +68,8 @@ bool FaceGroups::fit(const std::vector<NumberedTriangle>& triangles, const std::
     const MovingBox box = box_of(t);
     const bool cut = tree_.any(box, [&](std::uint32_t group) {
       return std::any_of(members_[group].begin(), members_[group].end(), [&](std::uint32_t f) {
-        return boxes_[f].meets(box) && std::find(without.begin(), without.end(), f) == without.end() && meet_elsewhere(t, faces_[f]);
+        return boxes_[f].meets(box) && std::find(without.begin(), without.end(), f) == without.end() &&
+               meet_elsewhere(t, faces_[f]);
       });
     });
     if (cut) return false;

@@ -27,7 +27,7 @@ namespace {
 struct Filling {
   std::vector<Point3> points;
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<std::array<int, 4>> neighbours;   // opposite each corner; -1: none
+  std::vector<std::array<int, 4>> neighbours;  // opposite each corner; -1: none
 };
 
 #ifdef ODONTOSCOPE_TETGEN
@@ -48,7 +48,7 @@ void hand_over(const LabelledComplex& bounds, tetgenio& in) {
     facet.polygonlist->numberofvertices = 3;
     facet.polygonlist->vertexlist = new int[3];
     for (int i = 0; i < 3; ++i) facet.polygonlist->vertexlist[i] = static_cast<int>(bounds.interfaces[f].triangle[i]);
-    in.facetmarkerlist[f] = static_cast<int>(f + 1);   // unlike each other, so that none are merged
+    in.facetmarkerlist[f] = static_cast<int>(f + 1);  // unlike each other, so that none are merged
   }
 }
 
@@ -84,10 +84,13 @@ bool take(const std::string& sent, std::size_t& at, std::vector<Item>& items, st
 
 std::optional<Filling> filling(const LabelledComplex& bounds, const std::string& switches, const Progress& progress) {
   const ApartLimits allowed{limits::fill_seconds, limits::fill_seconds_by_clock, limits::fill_bytes};
-  const DoneApart done = work_apart([&](const SendToParent& send) { be_tetgen(bounds, switches, send); }, allowed, progress);
+  const DoneApart done =
+      work_apart([&](const SendToParent& send) { be_tetgen(bounds, switches, send); }, allowed, progress);
   Filling filled;
   std::size_t at = 0;
-  if (!done.whole || !take(done.sent, at, filled.points, 3) || !take(done.sent, at, filled.tetrahedra, 4) || !take(done.sent, at, filled.neighbours, 4)) return std::nullopt;
+  if (!done.whole || !take(done.sent, at, filled.points, 3) || !take(done.sent, at, filled.tetrahedra, 4) ||
+      !take(done.sent, at, filled.neighbours, 4))
+    return std::nullopt;
   for (const Tetrahedron& tet : filled.tetrahedra)
     for (const PointIndex v : tet)
       if (v >= filled.points.size()) return std::nullopt;
@@ -99,8 +102,8 @@ std::optional<Filling> filling(const LabelledComplex& bounds, const std::string&
 
 #endif
 
-/// Labels spread from the faces of the interfaces, which know what lies on either side, to all that no interface parts from there. Nothing if two
-/// contradict each other or a face is missing: then this is no filling.
+/// Labels spread from the faces of the interfaces, which know what lies on either side, to all that no interface parts
+/// from there. Nothing if two contradict each other or a face is missing: then this is no filling.
 std::optional<std::vector<Label>> labels_of(const Filling& filled, const LabelledComplex& bounds) {
   constexpr Label unknown = static_cast<Label>(-1);
   delaunay::FaceTable walls(bounds.interfaces.size());
@@ -122,7 +125,8 @@ std::optional<std::vector<Label>> labels_of(const Filling& filled, const Labelle
       const std::uint32_t wall = walls(a, b, c);
       if (wall == delaunay::FaceTable::vacant) continue;
       walled[t][i] = 1;
-      // The face looks outwards from the tetrahedron: if it is turned as the interface is, the tetrahedron is on its inner side.
+      // The face looks outwards from the tetrahedron: if it is turned as the interface is, the tetrahedron is on its
+      // inner side.
       const InterfaceTriangle& face = bounds.interfaces[wall];
       const bool alike = delaunay::even_permutation({a, b, c}) == delaunay::even_permutation(face.triangle);
       if (!give(t, alike ? face.inner : face.outer)) return std::nullopt;
@@ -142,7 +146,9 @@ std::optional<std::vector<Label>> labels_of(const Filling& filled, const Labelle
 }
 
 std::optional<LabelledComplex> labelled(Filling filled, const LabelledComplex& bounds) {
-  if (filled.points.size() < bounds.mesh.points.size() || !std::equal(bounds.mesh.points.begin(), bounds.mesh.points.end(), filled.points.begin())) return std::nullopt;
+  if (filled.points.size() < bounds.mesh.points.size() ||
+      !std::equal(bounds.mesh.points.begin(), bounds.mesh.points.end(), filled.points.begin()))
+    return std::nullopt;
   for (std::size_t t = 0; t < filled.tetrahedra.size(); ++t) {
     Tetrahedron& tet = filled.tetrahedra[t];
     const auto& p = filled.points;
@@ -152,7 +158,9 @@ std::optional<LabelledComplex> labelled(Filling filled, const LabelledComplex& b
   }
   auto labels = labels_of(filled, bounds);
   if (!labels) return std::nullopt;
-  return LabelledComplex{bounds.structures, {std::move(filled.points), std::move(filled.tetrahedra), std::move(*labels)}, bounds.interfaces};
+  return LabelledComplex{bounds.structures,
+                         {std::move(filled.points), std::move(filled.tetrahedra), std::move(*labels)},
+                         bounds.interfaces};
 }
 
 }  // namespace
@@ -178,7 +186,8 @@ std::optional<LabelledComplex> fill(const LabelledComplex& bounds, double volume
   // The better, the sooner it may find no end; so it is asked for less and less. -Y: the interfaces stay as they are.
   for (const char* quality : {"q1.4/15O9/7", "q2/10O5/7", "q5/5O2", ""}) {
     progress.check();
-    auto filled = filling(bounds, fmt::format("pYnQ{}{}", quality, *quality ? fmt::format("a{:.9f}", volume) : ""), progress);
+    auto filled =
+        filling(bounds, fmt::format("pYnQ{}{}", quality, *quality ? fmt::format("a{:.9f}", volume) : ""), progress);
     if (!filled) continue;
     if (auto made = labelled(std::move(*filled), bounds)) return made;
   }

@@ -10,16 +10,18 @@
 #include "recon/delaunay/face_table.h"
 #include "recon/elements/end_heights.h"
 #include "recon/elements/limits.h"
-#include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/corners.h"
+#include "recon/mesh/exact_predicates.h"
 
 namespace odontoscope::elements {
 namespace {
 
-/// Of a tetrahedron: the least sine of its dihedral angles, negative if it is turned inside out. Small for angles near 0 and near 180 degrees.
+/// Of a tetrahedron: the least sine of its dihedral angles, negative if it is turned inside out. Small for angles near
+/// 0 and near 180 degrees.
 double least_sine(const std::array<Point3, 4>& p) {
-  std::array<Direction, 4> normals;   // outwards, twice the area long
-  for (std::size_t i = 0; i < 4; ++i) normals[i] = normal_of({p[outward_face[i][0]], p[outward_face[i][1]], p[outward_face[i][2]]});
+  std::array<Direction, 4> normals;  // outwards, twice the area long
+  for (std::size_t i = 0; i < 4; ++i)
+    normals[i] = normal_of({p[outward_face[i][0]], p[outward_face[i][1]], p[outward_face[i][2]]});
   double least = 1;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -35,7 +37,13 @@ double least_sine(const std::array<Point3, 4>& p) {
 class Improver {
  public:
   Improver(LabelledComplex& complex, const InterfaceShape& exact, const Progress& progress)
-      : mesh_(complex.mesh), interfaces_(complex.interfaces), exact_(exact), progress_(progress), around_(mesh_.points.size()), faces_(mesh_.points.size()), kind_(mesh_.points.size(), Kind::inside) {
+      : mesh_(complex.mesh),
+        interfaces_(complex.interfaces),
+        exact_(exact),
+        progress_(progress),
+        around_(mesh_.points.size()),
+        faces_(mesh_.points.size()),
+        kind_(mesh_.points.size(), Kind::inside) {
     for (std::uint32_t t = 0; t < mesh_.tetrahedra.size(); ++t)
       for (const PointIndex v : mesh_.tetrahedra[t]) around_[v].push_back(t);
     for (std::uint32_t f = 0; f < interfaces_.size(); ++f)
@@ -69,8 +77,10 @@ class Improver {
     const std::vector<double> heights = end_heights(web);
     for (PointIndex v = 0; v < mesh_.points.size(); ++v) {
       if (faces_[v].empty()) continue;
-      const bool flat = std::any_of(faces_[v].begin(), faces_[v].end(), [&](std::uint32_t f) { return is_level(web, f, heights); });
-      kind_[v] = flat || InterfaceWeb::stratum(web.ring(v)) != InterfaceWeb::Stratum::surface ? Kind::fixed : Kind::surface;
+      const bool flat =
+          std::any_of(faces_[v].begin(), faces_[v].end(), [&](std::uint32_t f) { return is_level(web, f, heights); });
+      kind_[v] =
+          flat || InterfaceWeb::stratum(web.ring(v)) != InterfaceWeb::Stratum::surface ? Kind::fixed : Kind::surface;
     }
     delaunay::each_outer_face(mesh_.tetrahedra, [&](const Triangle& face) {
       for (const PointIndex v : face) kind_[v] = Kind::fixed;
@@ -79,7 +89,8 @@ class Improver {
 
   std::array<Point3, 4> corners(std::uint32_t t, PointIndex moved, const Point3& at) const {
     std::array<Point3, 4> p;
-    for (std::size_t i = 0; i < 4; ++i) p[i] = mesh_.tetrahedra[t][i] == moved ? at : mesh_.points[mesh_.tetrahedra[t][i]];
+    for (std::size_t i = 0; i < 4; ++i)
+      p[i] = mesh_.tetrahedra[t][i] == moved ? at : mesh_.points[mesh_.tetrahedra[t][i]];
     return p;
   }
   double sine_of(std::uint32_t t) const {
@@ -120,8 +131,10 @@ class Improver {
   /// Tries places around, nearer and nearer, and takes each that makes the worst element of the vertex better.
   bool better(PointIndex v) {
     if (kind_[v] == Kind::fixed) return false;
-    static constexpr double d = 0.57735026918962576;   // 1 / sqrt(3)
-    static constexpr Direction ways[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {d, d, d}, {d, d, -d}, {d, -d, d}, {d, -d, -d}, {-d, d, d}, {-d, d, -d}, {-d, -d, d}, {-d, -d, -d}};
+    static constexpr double d = 0.57735026918962576;  // 1 / sqrt(3)
+    static constexpr Direction ways[] = {{1, 0, 0},  {-1, 0, 0},  {0, 1, 0},   {0, -1, 0},  {0, 0, 1},
+                                         {0, 0, -1}, {d, d, d},   {d, d, -d},  {d, -d, d},  {d, -d, -d},
+                                         {-d, d, d}, {-d, d, -d}, {-d, -d, d}, {-d, -d, -d}};
     const double edge = mean_edge(v);
     double best = worst(v, mesh_.points[v], -1);
     bool moved = false;
@@ -131,7 +144,8 @@ class Improver {
         const std::optional<Point3> at = placed(v, step * edge * way);
         if (!at) continue;
         const double sine = worst(v, *at, best);
-        if (sine <= best || !all_positive(v, *at) || (kind_[v] == Kind::surface && !keeps_surface(v, *at, edge))) continue;
+        if (sine <= best || !all_positive(v, *at) || (kind_[v] == Kind::surface && !keeps_surface(v, *at, edge)))
+          continue;
         best = sine;
         place = at;
       }
@@ -172,12 +186,14 @@ class Improver {
   const std::vector<InterfaceTriangle>& interfaces_;
   const InterfaceShape& exact_;
   const Progress& progress_;
-  std::vector<std::vector<std::uint32_t>> around_, faces_;   // tetrahedra and interface triangles of each vertex
+  std::vector<std::vector<std::uint32_t>> around_, faces_;  // tetrahedra and interface triangles of each vertex
   std::vector<Kind> kind_;
 };
 
 }  // namespace
 
-void improve(LabelledComplex& complex, const InterfaceShape& exact, const Progress& progress) { Improver(complex, exact, progress).run(); }
+void improve(LabelledComplex& complex, const InterfaceShape& exact, const Progress& progress) {
+  Improver(complex, exact, progress).run();
+}
 
 }  // namespace odontoscope::elements

@@ -22,24 +22,31 @@ InterfaceShape::InterfaceShape(const InterfaceWeb& web) {
   for (std::uint32_t f = 0; f < web.faces().size(); ++f) {
     if (!web.alive(f)) continue;
     const InterfaceTriangle& face = web.faces()[f];
-    faces[{face.inner, face.outer}].push_back({points[face.triangle[0]], points[face.triangle[1]], points[face.triangle[2]]});
+    faces[{face.inner, face.outer}].push_back(
+        {points[face.triangle[0]], points[face.triangle[1]], points[face.triangle[2]]});
   }
   for (PointIndex v = 0; v < points.size(); ++v) {
     for (const InterfaceWeb::Neighbour& n : web.ring(v))
-      if (n.vertex > v && !n.on_surface()) lines[junction_kind(web, v, n.vertex)].push_back({points[v], points[n.vertex], points[n.vertex]});
+      if (n.vertex > v && !n.on_surface())
+        lines[junction_kind(web, v, n.vertex)].push_back({points[v], points[n.vertex], points[n.vertex]});
   }
   for (const auto& [labels, corners] : faces) faces_.emplace(labels, Places(corners));
   for (const auto& [kind, corners] : lines) lines_.emplace(kind, Places(corners));
 }
 
-InterfaceShape::Nearest InterfaceShape::on_faces(const LabelPair& labels, const Point3& from) const { return faces_.at(labels).nearest(from); }
-InterfaceShape::Nearest InterfaceShape::on_lines(const JunctionKind& kind, const Point3& from) const { return lines_.at(kind).nearest(from); }
+InterfaceShape::Nearest InterfaceShape::on_faces(const LabelPair& labels, const Point3& from) const {
+  return faces_.at(labels).nearest(from);
+}
+InterfaceShape::Nearest InterfaceShape::on_lines(const JunctionKind& kind, const Point3& from) const {
+  return lines_.at(kind).nearest(from);
+}
 
 InterfaceShape::Places::Places(const std::vector<Corners>& corners) {
   std::vector<BoxTree<std::array<double, 3>>::Bounds> bounds;
   for (const Corners& t : corners) bounds.push_back(box_round(t));
   tree_ = BoxTree<std::array<double, 3>>(bounds);
-  for (const std::uint32_t t : tree_.order()) faces_.push_back({corners[t][0], corners[t][1] - corners[t][0], corners[t][2] - corners[t][0]});
+  for (const std::uint32_t t : tree_.order())
+    faces_.push_back({corners[t][0], corners[t][1] - corners[t][0], corners[t][2] - corners[t][0]});
 }
 
 InterfaceShape::Nearest InterfaceShape::Places::nearest(const Point3& from) const {

@@ -1,5 +1,6 @@
 #pragma once
-// Where the interfaces of a complex were before they were meshed anew: what new vertices are put back onto, and what new triangles must not leave.
+// Where the interfaces of a complex were before they were meshed anew: what new vertices are put back onto, and what
+// new triangles must not leave.
 
 #include <array>
 #include <map>
@@ -49,7 +50,7 @@ class InterfaceShape {
       Direction ab, ac;
     };
     BoxTree<std::array<double, 3>> tree_;
-    std::vector<Face> faces_;   // leaf by leaf
+    std::vector<Face> faces_;  // leaf by leaf
   };
   std::map<LabelPair, Places> faces_;
   std::map<JunctionKind, Places> lines_;

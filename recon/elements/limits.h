@@ -16,12 +16,14 @@ inline constexpr double size_gradient = 0.3;
 /// Cosine of the angle to the ray from which a wall counts as turned away from where the ray began.
 inline constexpr double facing_cosine = 0.5;
 
-/// Of the aimed size: longer edges are halved, shorter ones collapsed. They are a third of an octave apart, so that halves are not collapsed again.
+/// Of the aimed size: longer edges are halved, shorter ones collapsed. They are a third of an octave apart, so that
+/// halves are not collapsed again.
 inline constexpr double longest = 4.0 / 3, shortest = 4.0 / 5;
 /// Of the aimed size: how far a new triangle's centre, a new vertex, or a vertex that went may lie off the surface.
 inline constexpr double astray = 0.1;
-/// Times that the middles of a vertex' triangles are off the surface, by which it is put off it to the other side: its neighbours move as well, and a
-/// triangle is off by three quarters of its middle on average. On a ball, volume stays then.
+/// Times that the middles of a vertex' triangles are off the surface, by which it is put off it to the other side: its
+/// neighbours move as well, and a triangle is off by three quarters of its middle on average. On a ball, volume stays
+/// then.
 inline constexpr double volume_shift = 1.5;
 /// Cosine of the angle by which a triangle may turn in one step.
 inline constexpr double turned_cosine = 0.5;
@@ -32,7 +34,8 @@ inline constexpr double least_quality = 0.25;
 inline constexpr double least_gain = 0.02;
 inline constexpr int rounds = 8;
 
-/// Elements with a dihedral angle of a smaller sine (15 degrees, or 165) are bad: their corners are moved if that helps, so often, by so much of the mean edge.
+/// Elements with a dihedral angle of a smaller sine (15 degrees, or 165) are bad: their corners are moved if that
+/// helps, so often, by so much of the mean edge.
 inline constexpr double bad_sine = 0.2588;
 inline constexpr int improving_passes = 8;
 inline constexpr double first_step = 0.4, last_step = 0.02;

@@ -24,14 +24,19 @@ Point3 middle_of(const Point3& a, const Point3& b) { return {(a.x + b.x) / 2, (a
 
 /// A face as it would be.
 struct Planned {
-  std::uint32_t face;   // that it replaces
+  std::uint32_t face;  // that it replaces
   Triangle triangle;
 };
 
 class Remesher {
  public:
   Remesher(InterfaceWeb& web, double size, const Progress& progress)
-      : web_(web), shape_(web), size_(size_field(web, size)), ends_(end_heights(web)), groups_(web), progress_(progress) {}
+      : web_(web),
+        shape_(web),
+        size_(size_field(web, size)),
+        ends_(end_heights(web)),
+        groups_(web),
+        progress_(progress) {}
 
   void run() {
     for (int round = 0; round < limits::rounds; ++round) {
@@ -50,7 +55,8 @@ class Remesher {
   double distance(PointIndex a, PointIndex b) const { return length(web_.points()[a] - web_.points()[b]); }
   LabelPair labels(std::uint32_t face) const { return {web_.faces()[face].inner, web_.faces()[face].outer}; }
 
-  // Flat ends of a material keep their rim: whoever holds a tooth there in a simulation finds the nodes at the height of its first or last slice.
+  // Flat ends of a material keep their rim: whoever holds a tooth there in a simulation finds the nodes at the height
+  // of its first or last slice.
 
   /// Lies in a plane in which a material begins or ends.
   bool level(std::uint32_t face) const { return is_level(web_, face, ends_); }
@@ -61,15 +67,18 @@ class Remesher {
   }
   Stratum stratum(PointIndex v, const Ring& ring) const {
     const Stratum own = InterfaceWeb::stratum(ring);
-    const auto rims = std::count_if(ring.begin(), ring.end(), [&](const auto& n) { return n.on_surface() && is_rim(v, n.vertex); });
+    const auto rims =
+        std::count_if(ring.begin(), ring.end(), [&](const auto& n) { return n.on_surface() && is_rim(v, n.vertex); });
     if (rims == 0) return own;
     return rims == 2 && own == Stratum::surface ? Stratum::line : Stratum::point;
   }
 
   struct Edge {
-    double order;   // smallest first
+    double order;  // smallest first
     PointIndex a, b;
-    friend bool operator<(const Edge& s, const Edge& t) { return std::tie(s.order, s.a, s.b) < std::tie(t.order, t.a, t.b); }
+    friend bool operator<(const Edge& s, const Edge& t) {
+      return std::tie(s.order, s.a, s.b) < std::tie(t.order, t.a, t.b);
+    }
   };
   template <class Order>
   std::vector<Edge> edges(Order order) const {
@@ -93,12 +102,15 @@ class Remesher {
     return {web_.points()[t[0]], web_.points()[t[1]], web_.points()[t[2]]};
   }
 
-  /// Do the planned faces turn little, stay near the surface, and meet no other face? Those that they replace, and `gone`, are not looked at.
-  bool fits(const std::vector<Planned>& planned, const std::vector<std::uint32_t>& gone, PointIndex moved, const Point3& at, double allowed) const {
+  /// Do the planned faces turn little, stay near the surface, and meet no other face? Those that they replace, and
+  /// `gone`, are not looked at.
+  bool fits(const std::vector<Planned>& planned, const std::vector<std::uint32_t>& gone, PointIndex moved,
+            const Point3& at, double allowed) const {
     for (const Planned& plan : planned) {
       const Corners made = corners(plan.triangle, moved, at), was = corners(plan.face);
       const Direction is = normal_of(made), before = normal_of(was);
-      if (!(dot(is, before) > limits::turned_cosine * length(is) * length(before)) && dot(before, before) > 0) return false;
+      if (!(dot(is, before) > limits::turned_cosine * length(is) * length(before)) && dot(before, before) > 0)
+        return false;
       if (off_the_surface(made, labels(plan.face)) > allowed) return false;
     }
     std::vector<NumberedTriangle> triangles;
@@ -113,7 +125,8 @@ class Remesher {
   double off_the_surface(const Corners& face, const LabelPair& sides) const {
     const Point3 middle = middle_of(face);
     double most = shape_.on_faces(sides, middle).distance;
-    for (int i = 0; i < 3; ++i) most = std::max(most, shape_.on_faces(sides, middle_of(face[i], face[(i + 1) % 3])).distance);
+    for (int i = 0; i < 3; ++i)
+      most = std::max(most, shape_.on_faces(sides, middle_of(face[i], face[(i + 1) % 3])).distance);
     return most;
   }
 
@@ -152,11 +165,12 @@ class Remesher {
         halves.push_back(numbered(half, corners(half, made, at)));
       }
     }
-    if (!groups_.fit(halves, faces)) return;   // two sheets are so close that rounding would let them touch
+    if (!groups_.fit(halves, faces)) return;  // two sheets are so close that rounding would let them touch
     const auto first_new = static_cast<std::uint32_t>(web_.faces().size());
     web_.split(a, b, at);
     size_.push_back((size_[a] + size_[b]) / 2);
-    for (std::size_t n = 0; n < faces.size(); ++n) groups_.join(first_new + static_cast<std::uint32_t>(n), faces[n], web_);
+    for (std::size_t n = 0; n < faces.size(); ++n)
+      groups_.join(first_new + static_cast<std::uint32_t>(n), faces[n], web_);
     for (const std::uint32_t f : faces) groups_.update(f, web_);
   }
 
@@ -181,19 +195,22 @@ class Remesher {
     if (!web_.keeps_topology(ring_a, b, ring_b)) return false;
     const Stratum of_a = stratum(a, ring_a), of_b = stratum(b, ring_b);
     const bool rim = is_rim(a, b), along_line = rim || InterfaceWeb::triangles_between(ring_a, b) != 2;
-    if (!along_line && of_a != Stratum::surface && of_b != Stratum::surface) return false;   // two lines would meet
+    if (!along_line && of_a != Stratum::surface && of_b != Stratum::surface) return false;  // two lines would meet
     if (of_a == Stratum::point && of_b == Stratum::point) return false;
     if (rim && closes_a_rim(a, ring_a, b)) return false;
     if (of_b > of_a) return collapse_to(b, a, web_.points()[b]);
     if (of_a > of_b || of_a == Stratum::point) return collapse_to(a, b, web_.points()[a]);
     const Point3 middle = middle_of(web_.points()[a], web_.points()[b]);
-    const Point3 at = rim ? middle : of_a == Stratum::surface ? shape_.on_faces(labels(web_.faces_of(a)[0]), middle).at : shape_.on_lines(junction_kind(web_, a, b), middle).at;
+    const Point3 at = rim                        ? middle
+                      : of_a == Stratum::surface ? shape_.on_faces(labels(web_.faces_of(a)[0]), middle).at
+                                                 : shape_.on_lines(junction_kind(web_, a, b), middle).at;
     return collapse_to(a, b, at) || collapse_to(a, b, web_.points()[a]) || collapse_to(b, a, web_.points()[b]);
   }
 
   /// A rim of three edges has nothing to spare.
   bool closes_a_rim(PointIndex a, const Ring& ring_a, PointIndex b) const {
-    return std::any_of(ring_a.begin(), ring_a.end(), [&](const auto& n) { return n.vertex != b && is_rim(a, n.vertex) && is_rim(b, n.vertex); });
+    return std::any_of(ring_a.begin(), ring_a.end(),
+                       [&](const auto& n) { return n.vertex != b && is_rim(a, n.vertex) && is_rim(b, n.vertex); });
   }
 
   bool collapse_to(PointIndex kept, PointIndex gone, const Point3& at) {
@@ -212,10 +229,15 @@ class Remesher {
     }
     for (const PointIndex v : {kept, gone}) {
       for (const auto& n : web_.ring(v))
-        if (length(web_.points()[n.vertex] - at) > std::max(limits::longest * std::min(aim, size_[n.vertex]), distance(v, n.vertex)) && n.vertex != kept && n.vertex != gone) return false;
+        if (length(web_.points()[n.vertex] - at) >
+                std::max(limits::longest * std::min(aim, size_[n.vertex]), distance(v, n.vertex)) &&
+            n.vertex != kept && n.vertex != gone)
+          return false;
     }
     if (worst_quality(planned, kept, at) < std::min(limits::least_quality, worst_quality(old))) return false;
-    if (left_behind(planned, kept, at, web_.points()[gone]) > allowed || left_behind(planned, kept, at, web_.points()[kept]) > allowed) return false;
+    if (left_behind(planned, kept, at, web_.points()[gone]) > allowed ||
+        left_behind(planned, kept, at, web_.points()[kept]) > allowed)
+      return false;
     if (!fits(planned, vanish, kept, at, allowed)) return false;
     web_.collapse(kept, gone, at);
     size_[kept] = aim;
@@ -225,7 +247,8 @@ class Remesher {
   }
 
   /// From a vertex that was there to the faces that would be.
-  double left_behind(const std::vector<Planned>& planned, PointIndex moved, const Point3& at, const Point3& from) const {
+  double left_behind(const std::vector<Planned>& planned, PointIndex moved, const Point3& at,
+                     const Point3& from) const {
     double least = length(from - at);
     for (const Planned& plan : planned) least = std::min(least, distance_to(corners(plan.triangle, moved, at), from));
     return least;
@@ -247,14 +270,15 @@ class Remesher {
   void flip(PointIndex a, PointIndex b) {
     progress_.check();
     const std::vector<std::uint32_t> faces = web_.faces_between(a, b);
-    if (faces.size() != 2 || level(faces[0]) != level(faces[1])) return;   // another flip was here; or a rim
+    if (faces.size() != 2 || level(faces[0]) != level(faces[1])) return;  // another flip was here; or a rim
     const auto opposite = [&](std::uint32_t f) {
       const Triangle& t = web_.faces()[f].triangle;
       return *std::find_if(t.begin(), t.end(), [&](PointIndex v) { return v != a && v != b; });
     };
     const PointIndex c = opposite(faces[0]), d = opposite(faces[1]);
     if (!web_.faces_between(c, d).empty()) return;
-    std::vector<Planned> planned{{faces[0], web_.faces()[faces[0]].triangle}, {faces[1], web_.faces()[faces[1]].triangle}};
+    std::vector<Planned> planned{{faces[0], web_.faces()[faces[0]].triangle},
+                                 {faces[1], web_.faces()[faces[1]].triangle}};
     std::replace(planned[0].triangle.begin(), planned[0].triangle.end(), b, d);
     std::replace(planned[1].triangle.begin(), planned[1].triangle.end(), a, c);
     if (worst_quality(planned, a, web_.points()[a]) < worst_quality(faces) + limits::least_gain) return;
@@ -293,8 +317,8 @@ class Remesher {
     return {own.x + off.x, own.y + off.y, own.z + off.z};
   }
 
-  /// Vertices on a bent surface have their triangles inside of it, and a thin pulp would lose a tenth: they are put off it by as much as the
-  /// triangles would be, on average.
+  /// Vertices on a bent surface have their triangles inside of it, and a thin pulp would lose a tenth: they are put off
+  /// it by as much as the triangles would be, on average.
   Point3 keeping_volume(PointIndex v, const Point3& on_surface) const {
     double off = 0, whole = 0;
     Direction normals;
@@ -318,7 +342,9 @@ class Remesher {
     std::vector<PointIndex> along;
     for (const auto& n : ring)
       if (!n.on_surface()) along.push_back(n.vertex);
-    return shape_.on_lines(junction_kind(web_, v, along[0]), middle_of(web_.points()[along[0]], web_.points()[along[1]])).at;
+    return shape_
+        .on_lines(junction_kind(web_, v, along[0]), middle_of(web_.points()[along[0]], web_.points()[along[1]]))
+        .at;
   }
 
   void move(PointIndex v, const Point3& target) {
@@ -339,14 +365,16 @@ class Remesher {
 
   InterfaceWeb& web_;
   const InterfaceShape shape_;
-  std::vector<double> size_;   // of edges, at each vertex
-  const std::vector<double> ends_;   // heights at which a material begins or ends
+  std::vector<double> size_;        // of edges, at each vertex
+  const std::vector<double> ends_;  // heights at which a material begins or ends
   FaceGroups groups_;
   const Progress& progress_;
 };
 
 }  // namespace
 
-void remesh_interfaces(InterfaceWeb& web, double size, const Progress& progress) { Remesher(web, size, progress).run(); }
+void remesh_interfaces(InterfaceWeb& web, double size, const Progress& progress) {
+  Remesher(web, size, progress).run();
+}
 
 }  // namespace odontoscope::elements

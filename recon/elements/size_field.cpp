@@ -41,14 +41,16 @@ class Walls {
     const Point3 start = middle_of(corners(from));
     double nearest = most;
     const Vector origin{start.x, start.y, start.z}, way{along.x, along.y, along.z};
-    tree_.along(way, [&](const Vector& low, const Vector& high) { return crosses(low, high, origin, way, nearest); },
-                [&](std::uint32_t first, std::uint32_t end) {
-                  for (std::uint32_t i = first; i < end; ++i) {
-                    const std::uint32_t f = tree_.order()[i];
-                    if (f != from && std::abs(dot(normal(f), along)) > limits::facing_cosine) nearest = std::min(nearest, hit(f, start, along));
-                  }
-                  return true;
-                });
+    tree_.along(
+        way, [&](const Vector& low, const Vector& high) { return crosses(low, high, origin, way, nearest); },
+        [&](std::uint32_t first, std::uint32_t end) {
+          for (std::uint32_t i = first; i < end; ++i) {
+            const std::uint32_t f = tree_.order()[i];
+            if (f != from && std::abs(dot(normal(f), along)) > limits::facing_cosine)
+              nearest = std::min(nearest, hit(f, start, along));
+          }
+          return true;
+        });
     return nearest;
   }
 

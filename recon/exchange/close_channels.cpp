@@ -58,7 +58,9 @@ class Cells {
 
  private:
   using Cell = std::pair<std::int64_t, std::int64_t>;
-  Cell cell_of(const Point2& p) const { return {static_cast<std::int64_t>(std::floor(p.x / side_)), static_cast<std::int64_t>(std::floor(p.y / side_))}; }
+  Cell cell_of(const Point2& p) const {
+    return {static_cast<std::int64_t>(std::floor(p.x / side_)), static_cast<std::int64_t>(std::floor(p.y / side_))};
+  }
 
   double side_;
   std::vector<std::pair<Cell, std::uint32_t>> entries_;
@@ -72,7 +74,8 @@ struct Beside {
 
 class Channels {
  public:
-  Channels(const std::vector<Point2>& contour, double width) : contour_(contour), width_(width), groups_(contour.size()) {
+  Channels(const std::vector<Point2>& contour, double width)
+      : contour_(contour), width_(width), groups_(contour.size()) {
     along_.push_back(0);
     for (std::size_t i = 0; i < contour.size(); ++i) along_.push_back(along_.back() + distance(contour[i], at(i + 1)));
     inside_is_left_ = twice_area(contour) > 0;
@@ -120,8 +123,8 @@ class Channels {
     if (points.empty() || !(points.back() == p)) points.push_back(p);
   }
 
-  /// Corner and edge are one side and the other of a channel if they are near in the plane, but not along the contour, and the
-  /// contour's outside lies between them.
+  /// Corner and edge are one side and the other of a channel if they are near in the plane, but not along the contour,
+  /// and the contour's outside lies between them.
   void consider(std::uint32_t e, std::uint32_t corner) {
     constexpr double far = 8;
     const std::uint32_t after = static_cast<std::uint32_t>((e + 1) % contour_.size());
@@ -136,9 +139,12 @@ class Channels {
     const double apart = std::abs(along_[e] + t * std::sqrt(squared) - along_[corner]);
     if (std::min(apart, along_.back() - apart) <= far * width_) return;
     widest_ = std::max(widest_, gap);
-    if (distance(p, a) <= width_) groups_.join(corner, e);
-    else if (distance(p, b) <= width_) groups_.join(corner, after);
-    else beside_.push_back({e, corner, t});
+    if (distance(p, a) <= width_)
+      groups_.join(corner, e);
+    else if (distance(p, b) <= width_)
+      groups_.join(corner, after);
+    else
+      beside_.push_back({e, corner, t});
   }
 
   const std::vector<Point2>& contour_;

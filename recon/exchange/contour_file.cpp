@@ -26,10 +26,17 @@ FileContours read_contour_file(ContourFileKind kind, std::string_view bytes, con
                                const std::vector<std::string>& structures) {
   FileContours read;
   switch (kind) {
-    case ContourFileKind::series: read = read_series(bytes, file); break;
-    case ContourFileKind::jser: read = parse_jser(bytes, file); break;
-    case ContourFileKind::csl: read = parse_csl(bytes, file); break;
-    case ContourFileKind::rtstruct: return parse_rtstruct(bytes, file, structures);  // only planes of those wanted
+    case ContourFileKind::series:
+      read = read_series(bytes, file);
+      break;
+    case ContourFileKind::jser:
+      read = parse_jser(bytes, file);
+      break;
+    case ContourFileKind::csl:
+      read = parse_csl(bytes, file);
+      break;
+    case ContourFileKind::rtstruct:
+      return parse_rtstruct(bytes, file, structures);  // only planes of those wanted
   }
   keep_structures(read.stack, structures);
   return read;

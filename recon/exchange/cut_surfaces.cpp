@@ -75,13 +75,15 @@ void refuse_unless_closed(const Prepared& ready, const std::string& file) {
   if (mates.boundary_edges > 0) {
     const std::string where = first_place(mesh, mates, [&](HalfEdge h) { return mates.mate[h] == EdgeMates::none; });
     throw InputError("open-surface", place,
-                     fmt::format("the surface of {} is open: {} border edges, one at {}", ready.source.name, mates.boundary_edges, where),
+                     fmt::format("the surface of {} is open: {} border edges, one at {}", ready.source.name,
+                                 mates.boundary_edges, where),
                      remedy);
   }
   if (mates.nonmanifold_edges > 0) {
     const std::string where = first_place(mesh, mates, [&](HalfEdge h) { return mates.mate[h] == EdgeMates::many; });
     throw InputError("crowded-edge", place,
-                     fmt::format("{} edges of {} have more than two triangles, one at {}", mates.nonmanifold_edges, ready.source.name, where),
+                     fmt::format("{} edges of {} have more than two triangles, one at {}", mates.nonmanifold_edges,
+                                 ready.source.name, where),
                      remedy);
   }
   if (mates.misoriented_edges > 0) {
@@ -89,8 +91,8 @@ void refuse_unless_closed(const Prepared& ready, const std::string& file) {
       return mates.mate[h] < EdgeMates::no_edge && start(mesh, h) == start(mesh, mates.mate[h]);
     });
     throw InputError("misoriented-surface", place,
-                     fmt::format("at {} edges of {} neighbouring triangles are turned opposite ways, at one near {}", mates.misoriented_edges,
-                                 ready.source.name, where),
+                     fmt::format("at {} edges of {} neighbouring triangles are turned opposite ways, at one near {}",
+                                 mates.misoriented_edges, ready.source.name, where),
                      remedy);
   }
 }
@@ -98,8 +100,8 @@ void refuse_unless_closed(const Prepared& ready, const std::string& file) {
 /// Open lines joined end to nearest end by straight lines, until all are closed.
 class GapCloser {
  public:
-  GapCloser(std::vector<std::vector<Point2>> lines, const Place& place, const std::string& structure, const CutOptions& options,
-            std::vector<ContourChange>& changes)
+  GapCloser(std::vector<std::vector<Point2>> lines, const Place& place, const std::string& structure,
+            const CutOptions& options, std::vector<ContourChange>& changes)
       : lines_(std::move(lines)), place_(place), structure_(structure), options_(options), changes_(changes) {}
 
   std::vector<std::vector<Point2>> closed() {
@@ -126,7 +128,9 @@ class GapCloser {
     double length = std::numeric_limits<double>::max();
   };
 
-  const Point2& end_of(std::size_t line, bool at_end) const { return at_end ? lines_[line].back() : lines_[line].front(); }
+  const Point2& end_of(std::size_t line, bool at_end) const {
+    return at_end ? lines_[line].back() : lines_[line].front();
+  }
 
   Join shortest() const {
     Join best;
@@ -157,15 +161,17 @@ class GapCloser {
 
   void tell(const Join& join) {
     const Point2& at = end_of(join.first, !join.first_from_start);
-    changes_.push_back({place_, structure_, fmt::format("a gap of {:.3g} mm at ({:.6g}, {:.6g}) was closed", join.length, at.x, at.y)});
+    changes_.push_back({place_, structure_,
+                        fmt::format("a gap of {:.3g} mm at ({:.6g}, {:.6g}) was closed", join.length, at.x, at.y)});
   }
 
   [[noreturn]] void refuse(const Join& join) const {
     const Point2& at = end_of(join.first, !join.first_from_start);
-    throw InputError("gap-too-wide", place_,
-                     fmt::format("the surface of {} leaves a gap of {:.3g} mm at ({:.6g}, {:.6g}), and at most {:.3g} mm are closed",
-                                 structure_, join.length, at.x, at.y, options_.widest_gap),
-                     "Close the surface in the program that made it, or allow more with --widest-gap");
+    throw InputError(
+        "gap-too-wide", place_,
+        fmt::format("the surface of {} leaves a gap of {:.3g} mm at ({:.6g}, {:.6g}), and at most {:.3g} mm are closed",
+                    structure_, join.length, at.x, at.y, options_.widest_gap),
+        "Close the surface in the program that made it, or allow more with --widest-gap");
   }
 
   std::vector<std::vector<Point2>> lines_;
@@ -179,7 +185,11 @@ class GapCloser {
 class StructureCutter {
  public:
   StructureCutter(std::vector<Prepared> meshes, const CutOptions& options, std::vector<ContourChange>& changes)
-      : meshes_(std::move(meshes)), next_(meshes_.size(), 0), active_(meshes_.size()), options_(options), changes_(changes) {}
+      : meshes_(std::move(meshes)),
+        next_(meshes_.size(), 0),
+        active_(meshes_.size()),
+        options_(options),
+        changes_(changes) {}
 
   std::vector<Contour> cut(double height, const Place& place) {
     advance_to(height);
@@ -200,7 +210,8 @@ class StructureCutter {
   void advance_to(double height) {
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
       const auto& spans = meshes_[m].spans;
-      for (; next_[m] < spans.size() && spans[next_[m]].low <= height; ++next_[m]) active_[m].push_back(spans[next_[m]]);
+      for (; next_[m] < spans.size() && spans[next_[m]].low <= height; ++next_[m])
+        active_[m].push_back(spans[next_[m]]);
       std::erase_if(active_[m], [&](const Prepared::Span& span) { return span.high < height; });
     }
   }
@@ -245,7 +256,8 @@ class StructureCutter {
       for (std::vector<Point2>& polygon : polygons) std::reverse(polygon.begin(), polygon.end());
     }
     std::vector<Contour> both;
-    for (std::vector<Point2>& points : region_border(polygons, {.inside = Inside::positive})) both.push_back({structure(), std::move(points)});
+    for (std::vector<Point2>& points : region_border(polygons, {.inside = Inside::positive}))
+      both.push_back({structure(), std::move(points)});
     return both;
   }
 
@@ -256,7 +268,8 @@ class StructureCutter {
       std::vector<std::vector<Point2>> polygons;
       for (const Contour& contour : contours) {
         polygons.push_back(contour.points);
-        std::rotate(polygons.back().begin(), std::min_element(polygons.back().begin(), polygons.back().end(), before), polygons.back().end());
+        std::rotate(polygons.back().begin(), std::min_element(polygons.back().begin(), polygons.back().end(), before),
+                    polygons.back().end());
       }
       std::sort(polygons.begin(), polygons.end(), [&](const auto& p, const auto& q) {
         return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end(), before);
@@ -267,7 +280,8 @@ class StructureCutter {
   }
 
   /// Gaps that were closed go to `told` unless it is null.
-  std::vector<Contour> contours_on(Side side, double height, const Place& place, std::vector<ContourChange>* told) const {
+  std::vector<Contour> contours_on(Side side, double height, const Place& place,
+                                   std::vector<ContourChange>* told) const {
     std::vector<std::vector<Point2>> loops, lines;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
       const SurfaceMesh& mesh = meshes_[m].source.surface;
@@ -298,8 +312,9 @@ class StructureCutter {
 
   [[noreturn]] void refuse(const Breach& breach, Place place) const {
     place.at = breach.at;
-    throw InputError("section-meets-itself", place, fmt::format("the surface of {} cuts through or touches itself", structure()),
-                     "Mend it in the program that made it, move the planes a little with another --spacing-z, or give --repair");
+    throw InputError(
+        "section-meets-itself", place, fmt::format("the surface of {} cuts through or touches itself", structure()),
+        "Mend it in the program that made it, move the planes a little with another --spacing-z, or give --repair");
   }
 
   std::vector<Prepared> meshes_;
@@ -313,7 +328,8 @@ class StructureCutter {
 std::vector<std::vector<Prepared>> by_structure(const std::vector<NamedMesh>& surfaces) {
   std::vector<std::vector<Prepared>> groups;
   for (const NamedMesh& surface : surfaces) {
-    auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.front().source.name == surface.name; });
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const auto& g) { return g.front().source.name == surface.name; });
     if (group == groups.end()) group = groups.insert(groups.end(), std::vector<Prepared>{});
     group->push_back(prepared(surface));
   }
@@ -345,7 +361,8 @@ void turn_outwards(ContourStack& stack) {
 }  // namespace
 
 std::vector<double> heights_at(const std::vector<NamedMesh>& surfaces, double spacing) {
-  if (!(spacing > 0) || !std::isfinite(spacing)) throw UsageError(fmt::format("--spacing-z {}: slices lie a positive length apart", spacing));
+  if (!(spacing > 0) || !std::isfinite(spacing))
+    throw UsageError(fmt::format("--spacing-z {}: slices lie a positive length apart", spacing));
   double low = std::numeric_limits<double>::max(), high = -low;
   for (const NamedMesh& surface : surfaces) {
     for (const Triangle& t : surface.surface.triangles) {
@@ -357,20 +374,24 @@ std::vector<double> heights_at(const std::vector<NamedMesh>& surfaces, double sp
   }
   const double count = std::floor((high - low) / spacing + 0.5);
   if (!(count >= 2)) {
-    throw UsageError(fmt::format("--spacing-z {}: the model is only {:.4g} mm high, and two slices are needed", spacing, std::max(0.0, high - low)),
+    throw UsageError(fmt::format("--spacing-z {}: the model is only {:.4g} mm high, and two slices are needed", spacing,
+                                 std::max(0.0, high - low)),
                      "Give a smaller one");
   }
   if (count > static_cast<double>(limits::slices)) {
-    throw UsageError(fmt::format("--spacing-z {}: that makes {:.0f} slices of a model {:.4g} mm high, and {} are allowed", spacing, count, high - low, limits::slices),
-                     "Give a larger one");
+    throw UsageError(
+        fmt::format("--spacing-z {}: that makes {:.0f} slices of a model {:.4g} mm high, and {} are allowed", spacing,
+                    count, high - low, limits::slices),
+        "Give a larger one");
   }
   std::vector<double> heights;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) heights.push_back(low + (static_cast<double>(i) + 0.5) * spacing);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    heights.push_back(low + (static_cast<double>(i) + 0.5) * spacing);
   return heights;
 }
 
-CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vector<double>& heights, const std::string& file,
-                         const CutOptions& options, const Progress& progress) {
+CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vector<double>& heights,
+                         const std::string& file, const CutOptions& options, const Progress& progress) {
   CutContours result;
   result.stack.source = file;
   std::vector<StructureCutter> cutters;

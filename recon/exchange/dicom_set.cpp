@@ -15,7 +15,8 @@ using namespace parsing;
 
 constexpr std::size_t preamble_length = 128, mark_length = 4;
 constexpr std::uint32_t undefined_length = 0xffffffff;
-constexpr std::uint32_t item_tag = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd, transfer_syntax = 0x00020010;
+constexpr std::uint32_t item_tag = 0xfffee000, item_end = 0xfffee00d, sequence_end = 0xfffee0dd,
+                        transfer_syntax = 0x00020010;
 
 std::string_view trimmed(std::string_view text) {
   const auto is_padding = [](char c) { return c == '\0' || is_space(c); };
@@ -38,7 +39,8 @@ bool begins_as_data_set(std::string_view bytes) {
 }
 
 DicomSet::DicomSet(std::string_view bytes, std::string file) : bytes_(bytes), file_(std::move(file)) {
-  const bool marked = bytes_.size() >= preamble_length + mark_length && bytes_.substr(preamble_length, mark_length) == "DICM";
+  const bool marked =
+      bytes_.size() >= preamble_length + mark_length && bytes_.substr(preamble_length, mark_length) == "DICM";
   const bool without_preamble = !marked && bytes_.starts_with("DICM");
   if (!marked && !without_preamble && !begins_as_data_set(bytes_)) unreadable(0, "the file has no mark of DICOM");
   read_meta_information(marked ? preamble_length + mark_length : without_preamble ? mark_length : 0);
@@ -57,7 +59,8 @@ void DicomSet::read_meta_information(std::size_t at) {
   // Without it the coding shows in the first element: representations are two capital letters.
   if (syntax.empty() && bare) syntax = has_representation(bytes_, at) ? explicit_little : implicit_little;
   if (syntax != implicit_little && syntax != explicit_little) {
-    unreadable(at, syntax.empty() ? "it names no transfer syntax" : fmt::format("transfer syntax {} is not supported", tame(syntax)));
+    unreadable(at, syntax.empty() ? "it names no transfer syntax"
+                                  : fmt::format("transfer syntax {} is not supported", tame(syntax)));
   }
   top_ = {at, bytes_.size(), syntax == explicit_little};
   while (at < bytes_.size()) at = element(at, bytes_.size(), top_.explicit_vr, 0).next;  // whole to its end
@@ -105,7 +108,8 @@ DicomSet::Element DicomSet::header(std::size_t at, std::size_t end, bool explici
   } else {
     if (end - at < 6) truncated(at);
     found.vr = bytes_.substr(at + 4, 2);
-    constexpr std::array<std::string_view, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ", "UC", "UR", "UT", "UN", "SV", "UV"};
+    constexpr std::array<std::string_view, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                         "UC", "UR", "UT", "UN", "SV", "UV"};
     if (std::any_of(found.vr.begin(), found.vr.end(), [](char c) { return c < 'A' || c > 'Z'; })) {
       unreadable(at, "an element has no value representation of DICOM");
     }
@@ -132,7 +136,8 @@ DicomSet::Element DicomSet::element(std::size_t at, std::size_t end, bool explic
 
 /// The first byte behind the delimiter of a sequence without length.
 std::size_t DicomSet::skip_items(std::size_t at, std::size_t end, bool explicit_vr, int depth) const {
-  if (depth > limits::dicom_nesting) unreadable(at, fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
+  if (depth > limits::dicom_nesting)
+    unreadable(at, fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
   for (;;) {
     const Element item = header(at, end, explicit_vr);
     if (item.tag == sequence_end) return item.first;
@@ -160,7 +165,8 @@ std::uint32_t DicomSet::number(std::size_t at, std::size_t bytes, std::size_t en
 }
 
 void DicomSet::truncated(std::size_t at) const {
-  refuse("truncated", at_byte(file_, at), "an element reaches beyond the end of what holds it", "Get a whole copy of the file");
+  refuse("truncated", at_byte(file_, at), "an element reaches beyond the end of what holds it",
+         "Get a whole copy of the file");
 }
 
 void DicomSet::unreadable(std::size_t at, std::string_view wrong) const {

@@ -1,6 +1,6 @@
 #pragma once
-// The data sets of a DICOM file in memory, nested ones too: only as much of DICOM PS3.5 as structure sets need. GDCM is not used for them,
-// since some broken files trip its assertions, which end the program.
+// The data sets of a DICOM file in memory, nested ones too: only as much of DICOM PS3.5 as structure sets need. GDCM is
+// not used for them, since some broken files trip its assertions, which end the program.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,9 +13,10 @@ namespace odontoscope {
 /// A data set without preamble and mark, as old programs write it: its first element is of group 2 or 8.
 bool begins_as_data_set(std::string_view bytes);
 
-/// Borrowed bytes: they must outlive it. The preamble and the mark may be missing. Little-endian, explicit or implicit. Whatever is asked for, each element on the way is
-/// checked to lie within what holds it: InputError truncated where one does not, unreadable-structure-set for what is no data set, for
-/// other transfer syntaxes and for sequences nested deeper than limits::dicom_nesting.
+/// Borrowed bytes: they must outlive it. The preamble and the mark may be missing. Little-endian, explicit or implicit.
+/// Whatever is asked for, each element on the way is checked to lie within what holds it: InputError truncated where
+/// one does not, unreadable-structure-set for what is no data set, for other transfer syntaxes and for sequences nested
+/// deeper than limits::dicom_nesting.
 class DicomSet {
  public:
   DicomSet(std::string_view bytes, std::string file);
@@ -35,10 +36,10 @@ class DicomSet {
  private:
   struct Element {
     std::uint32_t tag = 0;
-    std::string_view vr;           // empty where it is implied
+    std::string_view vr;             // empty where it is implied
     std::size_t first = 0, end = 0;  // of the value; of a sequence without length, without its delimiter
-    std::size_t next = 0;          // first byte behind it
-    bool undefined = false;        // it has no length but a delimiter
+    std::size_t next = 0;            // first byte behind it
+    bool undefined = false;          // it has no length but a delimiter
     bool explicit_items = true;
   };
   Element element(std::size_t at, std::size_t end, bool explicit_vr, int depth) const;

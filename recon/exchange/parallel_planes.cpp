@@ -55,7 +55,8 @@ bool all_flat_along(const std::vector<Outline>& outlines, const Vector& directio
   });
 }
 
-/// Of all outlines together, the larger weighing more; its largest component is positive. Zero if none encloses anything.
+/// Of all outlines together, the larger weighing more; its largest component is positive. Zero if none encloses
+/// anything.
 Vector common_normal(const std::vector<Outline>& outlines) {
   Vector sum{};
   for (const Outline& outline : outlines) {
@@ -65,7 +66,8 @@ Vector common_normal(const std::vector<Outline>& outlines) {
   }
   const double size = length(sum);
   if (!std::isnormal(size)) return {};
-  const auto largest = std::max_element(sum.begin(), sum.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  const auto largest =
+      std::max_element(sum.begin(), sum.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   return scaled(sum, (*largest < 0 ? -1 : 1) / size);
 }
 
@@ -79,7 +81,8 @@ Vector common_normal(const std::vector<Outline>& outlines) {
     worst = &outline;
   }
   parsing::refuse("not-parallel", whole,
-                  fmt::format("contour {} of {} leaves the plane that is parallel to the others by {:.3g} mm", worst->number, worst->structure, farthest),
+                  fmt::format("contour {} of {} leaves the plane that is parallel to the others by {:.3g} mm",
+                              worst->number, worst->structure, farthest),
                   "Only contours in parallel planes can be reconstructed; choose regions with --structure");
 }
 
@@ -87,15 +90,19 @@ Frame common_frame(const std::vector<Outline>& outlines, const Place& whole, std
   constexpr Vector axes[] = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
   for (const Vector& axis : axes) {
     if (!all_flat_along(outlines, axis)) continue;
-    if (axis[2] == 0) remarks.push_back(fmt::format("the planes lie across {}; the model's z is that axis", axis[0] == 1 ? 'x' : 'y'));
+    if (axis[2] == 0)
+      remarks.push_back(fmt::format("the planes lie across {}; the model's z is that axis", axis[0] == 1 ? 'x' : 'y'));
     return frame_of(axis);
   }
   const Vector normal = common_normal(outlines);
-  if (length(normal) == 0 || !all_flat_along(outlines, normal)) refuse_tilted(outlines, length(normal) == 0 ? axes[0] : normal, whole);
+  if (length(normal) == 0 || !all_flat_along(outlines, normal))
+    refuse_tilted(outlines, length(normal) == 0 ? axes[0] : normal, whole);
   const Frame frame = frame_of(normal);
-  remarks.push_back(fmt::format("the planes are oblique and were read in their own frame: x along ({:.6g}, {:.6g}, {:.6g}), y along ({:.6g}, {:.6g}, {:.6g}), "
-                                "z along ({:.6g}, {:.6g}, {:.6g}) of the patient",
-                                frame.u[0], frame.u[1], frame.u[2], frame.v[0], frame.v[1], frame.v[2], frame.n[0], frame.n[1], frame.n[2]));
+  remarks.push_back(fmt::format(
+      "the planes are oblique and were read in their own frame: x along ({:.6g}, {:.6g}, {:.6g}), y along ({:.6g}, "
+      "{:.6g}, {:.6g}), "
+      "z along ({:.6g}, {:.6g}, {:.6g}) of the patient",
+      frame.u[0], frame.u[1], frame.u[2], frame.v[0], frame.v[1], frame.v[2], frame.n[0], frame.n[1], frame.n[2]));
   return frame;
 }
 
@@ -168,7 +175,8 @@ Levels levels_of(const std::vector<Outline>& outlines, const Vector& normal) {
 
 }  // namespace
 
-std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole, std::vector<std::string>& remarks, PatientFrame& patient) {
+std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& whole,
+                             std::vector<std::string>& remarks, PatientFrame& patient) {
   if (outlines.empty()) return {};
   const Frame frame = common_frame(outlines, whole, remarks);
   patient.axes = {frame.u, frame.v, frame.n};
@@ -181,20 +189,25 @@ std::vector<Slice> slices_of(const std::vector<Outline>& outlines, const Place& 
     const std::size_t end = p + 1 < firsts.size() ? firsts[p + 1] : levels.heights.size();
     check_contours_in_slice(end - firsts[p], whole);
     Slice slice{most_frequent(levels.heights, firsts[p], end), {}};
-    std::sort(levels.outlines.begin() + static_cast<std::ptrdiff_t>(firsts[p]), levels.outlines.begin() + static_cast<std::ptrdiff_t>(end));
+    std::sort(levels.outlines.begin() + static_cast<std::ptrdiff_t>(firsts[p]),
+              levels.outlines.begin() + static_cast<std::ptrdiff_t>(end));
     for (std::size_t i = firsts[p]; i < end; ++i) {
       const Outline& outline = outlines[levels.outlines[i]];
       Contour contour{outline.structure, {}};
-      for (const Point3& point : outline.points) contour.points.push_back({dot(vector_of(point), frame.u), dot(vector_of(point), frame.v)});
+      for (const Point3& point : outline.points)
+        contour.points.push_back({dot(vector_of(point), frame.u), dot(vector_of(point), frame.v)});
       slice.contours.push_back(std::move(contour));
     }
     slices.push_back(std::move(slice));
   }
   if (const double widest = widest_plane(levels.heights, firsts); widest > limits::plane_thickness) {
-    remarks.push_back(fmt::format("contours up to {:.3g} mm apart along z were taken as one plane (tolerance {:.3g} mm): {} planes", widest, jitter, slices.size()));
+    remarks.push_back(
+        fmt::format("contours up to {:.3g} mm apart along z were taken as one plane (tolerance {:.3g} mm): {} planes",
+                    widest, jitter, slices.size()));
   }
   if (levels.off_plane > limits::plane_thickness) {
-    remarks.push_back(fmt::format("points lie up to {:.3g} mm off their planes and were projected onto them", levels.off_plane));
+    remarks.push_back(
+        fmt::format("points lie up to {:.3g} mm off their planes and were projected onto them", levels.off_plane));
   }
   return slices;
 }

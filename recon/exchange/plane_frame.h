@@ -17,8 +17,8 @@ struct Frame {
   Vector u, v, n;
 };
 
-/// For planes along an axis the axes themselves, in cyclic order, so that numbers are kept to the bit. For others u is as near to x as
-/// the planes allow, or to y where their normal is near to x. Precondition: length 1.
+/// For planes along an axis the axes themselves, in cyclic order, so that numbers are kept to the bit. For others u is
+/// as near to x as the planes allow, or to y where their normal is near to x. Precondition: length 1.
 Frame frame_of(const Vector& unit_normal);
 
 }  // namespace odontoscope

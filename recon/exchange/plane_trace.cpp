@@ -9,7 +9,8 @@ namespace {
 
 class Tracer {
  public:
-  Tracer(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height, Side side)
+  Tracer(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height,
+         Side side)
       : mesh_(mesh), mates_(mates), height_(height), side_(side) {
     taken_.reserve(crossing.size());
     for (const std::uint32_t t : crossing) taken_.emplace(t, false);
@@ -35,7 +36,8 @@ class Tracer {
  private:
   bool above(PointIndex v) const { return lies_above(mesh_.points[v], height_, side_); }
   bool crosses(HalfEdge h) const { return above(start(mesh_, h)) != above(end(mesh_, h)); }
-  /// The half-edge of a crossed triangle that runs down through the plane, or up. From the one to the other the material is left.
+  /// The half-edge of a crossed triangle that runs down through the plane, or up. From the one to the other the
+  /// material is left.
   HalfEdge downward(std::uint32_t t) const {
     for (HalfEdge h = 3 * t;; ++h) {
       if (crosses(h) && above(start(mesh_, h))) return h;
@@ -74,8 +76,8 @@ class Tracer {
 
 }  // namespace
 
-std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height,
-                               Side side) {
+std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates,
+                               const std::vector<std::uint32_t>& crossing, double height, Side side) {
   Tracer tracer(mesh, mates, crossing, height, side);
   std::vector<Trace> traces;
   for (const std::uint32_t t : crossing) {

@@ -7,8 +7,9 @@
 
 namespace odontoscope {
 
-/// Crossed edges, each as one of its half-edges, one after the other. A closed trace does not repeat its first; an open one ends at borders of the
-/// surface or at edges with more than two triangles. Material is on the left seen from +z, if the surface is oriented.
+/// Crossed edges, each as one of its half-edges, one after the other. A closed trace does not repeat its first; an open
+/// one ends at borders of the surface or at edges with more than two triangles. Material is on the left seen from +z,
+/// if the surface is oriented.
 struct Trace {
   std::vector<HalfEdge> edges;
   bool closed = false;
@@ -22,8 +23,8 @@ inline bool lies_above(const Point3& point, double height, Side side) {
 }
 
 /// `crossing` holds the triangles with vertices on both sides.
-std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates, const std::vector<std::uint32_t>& crossing, double height,
-                               Side side);
+std::vector<Trace> trace_plane(const SurfaceMesh& mesh, const EdgeMates& mates,
+                               const std::vector<std::uint32_t>& crossing, double height, Side side);
 
 /// Where the plane crosses the edge: the vertex itself if one lies at that height.
 Point2 crossing_point(const SurfaceMesh& mesh, HalfEdge edge, double height);

@@ -25,8 +25,8 @@ struct Component {
 };
 
 struct Plane {
-  Vector normal{};   // of length 1
-  double offset = 0; // of its points along the normal
+  Vector normal{};    // of length 1
+  double offset = 0;  // of its points along the normal
   std::vector<Vector> vertices;
   std::vector<Component> components;
   std::size_t line = 0;
@@ -80,7 +80,8 @@ class CslReader {
     const std::size_t count = whole(word.substr(0, h));
     if (h != word.npos) {
       const std::size_t other = whole(word.substr(h + 1));
-      if (other >= components) fail("index-out-of-range", fmt::format("a hole of component {} of {}", other, components));
+      if (other >= components)
+        fail("index-out-of-range", fmt::format("a hole of component {} of {}", other, components));
       if (other == number) fail("index-out-of-range", fmt::format("component {} is a hole of itself", number));
       component.owner = other;  // which may come later
     }
@@ -88,7 +89,8 @@ class CslReader {
     require_bytes(count, 2);
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t vertex = whole_number();
-      if (vertex >= vertices) fail("index-out-of-range", fmt::format("a component names vertex {} of {}", vertex, vertices));
+      if (vertex >= vertices)
+        fail("index-out-of-range", fmt::format("a component names vertex {} of {}", vertex, vertices));
       component.vertices.push_back(vertex);
     }
     return component;
@@ -102,7 +104,8 @@ class CslReader {
       std::size_t at = i;
       for (way.clear(); !settled[at] && components[at].owner != at; at = components[at].owner) {
         way.push_back(at);
-        if (way.size() > components.size()) fail("index-out-of-range", fmt::format("component {} is a hole of its own hole", i));
+        if (way.size() > components.size())
+          fail("index-out-of-range", fmt::format("component {} is a hole of its own hole", i));
       }
       const std::size_t owner = components[at].owner;
       for (const std::size_t hole : way) components[hole].owner = owner;
@@ -138,9 +141,7 @@ class CslReader {
     if (count > (words_.left() + 1) / least) truncated();
   }
 
-  [[noreturn]] void truncated() {
-    fail("truncated", "the file ends before what it announces");
-  }
+  [[noreturn]] void truncated() { fail("truncated", "the file ends before what it announces"); }
   [[noreturn]] void not_a_number(std::string_view word) {
     fail("unparsable", fmt::format("\"{}\" stands where a number should", tame(word.substr(0, limits::quoted_length))));
   }
@@ -158,7 +159,8 @@ std::vector<double> heights_of(const std::vector<Plane>& planes, const Frame& fr
   std::vector<double> heights;
   for (const Plane& plane : planes) {
     if (length(cross(plane.normal, frame.n)) > limits::out_of_parallel) {
-      refuse("not-parallel", at_line(file, plane.line), fmt::format("plane {} is not parallel to the first", heights.size()),
+      refuse("not-parallel", at_line(file, plane.line),
+             fmt::format("plane {} is not parallel to the first", heights.size()),
              "Only parallel planes can be reconstructed");
     }
     heights.push_back((dot(plane.normal, frame.n) > 0 ? plane.offset : -plane.offset) + 0.0);  // never -0
@@ -173,19 +175,23 @@ double least_distance(std::vector<double> heights) {
   return least;
 }
 
-Slice slice_of(const Plane& plane, double height, const Frame& frame, double allowed, std::size_t labels, const std::string& file, double& farthest) {
+Slice slice_of(const Plane& plane, double height, const Frame& frame, double allowed, std::size_t labels,
+               const std::string& file, double& farthest) {
   for (const Vector& vertex : plane.vertices) {
     const double off = std::abs(dot(vertex, frame.n) - height);
     farthest = std::max(farthest, off);
     if (off > allowed) {
-      refuse("off-plane", at_line(file, plane.line), fmt::format("a point lies {:.3g} off the plane that it is said to be in", off), "Correct the plane or the point");
+      refuse("off-plane", at_line(file, plane.line),
+             fmt::format("a point lies {:.3g} off the plane that it is said to be in", off),
+             "Correct the plane or the point");
     }
   }
   Slice slice{height, {}};
   for (const Component& component : plane.components) {
     Contour contour;
     contour.structure = labels <= 2 ? "tooth" : fmt::format("label {}", plane.components[component.owner].label);
-    for (const std::size_t v : component.vertices) contour.points.push_back({dot(plane.vertices[v], frame.u), dot(plane.vertices[v], frame.v)});
+    for (const std::size_t v : component.vertices)
+      contour.points.push_back({dot(plane.vertices[v], frame.u), dot(plane.vertices[v], frame.v)});
     slice.contours.push_back(std::move(contour));
   }
   return slice;
@@ -211,12 +217,15 @@ FileContours parse_csl(std::string_view bytes, const std::string& file) {
   std::size_t contours = 0, points = 0;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     check_magnitude(heights[i], "z", at_line(file, planes[i].line));
-    result.stack.slices.push_back(slice_of(planes[i], heights[i], frame, limits::off_plane * least, reader.labels(), file, farthest));
+    result.stack.slices.push_back(
+        slice_of(planes[i], heights[i], frame, limits::off_plane * least, reader.labels(), file, farthest));
     check_contour_count(contours += planes[i].components.size(), at_line(file, planes[i].line));
-    for (const Component& component : planes[i].components) check_point_count(points += component.vertices.size(), at_line(file, planes[i].line));
+    for (const Component& component : planes[i].components)
+      check_point_count(points += component.vertices.size(), at_line(file, planes[i].line));
   }
   if (farthest > limits::plane_thickness * least) {
-    result.remarks.push_back(fmt::format("points lie up to {:.3g} off their planes and were projected onto them", farthest));
+    result.remarks.push_back(
+        fmt::format("points lie up to {:.3g} off their planes and were projected onto them", farthest));
   }
   return result;
 }

@@ -12,12 +12,12 @@
 #include <utility>
 
 #include "recon/core/limits.h"
-#include "recon/input/character_set.h"
 #include "recon/exchange/dicom_set.h"
 #include "recon/exchange/limits.h"
 #include "recon/exchange/parallel_planes.h"
 #include "recon/exchange/repeated_contours.h"
 #include "recon/exchange/unbridge.h"
+#include "recon/input/character_set.h"
 #include "recon/input/counts.h"
 #include "recon/mesh/parsing.h"
 
@@ -31,12 +31,13 @@ constexpr std::size_t preamble = 128;
 constexpr std::uint32_t character_set = 0x00080005;
 
 constexpr std::uint32_t roi_sequence = 0x30060020, roi_number = 0x30060022, roi_name = 0x30060026;
-constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042, point_count = 0x30060046,
-                        contour_data = 0x30060050, referenced_roi = 0x30060084;
+constexpr std::uint32_t contours_by_roi = 0x30060039, contour_sequence = 0x30060040, geometric_type = 0x30060042,
+                        point_count = 0x30060046, contour_data = 0x30060050, referenced_roi = 0x30060084;
 
 // Whose structures they are, and of which images.
-constexpr std::uint32_t frame_uid = 0x00200052, frame_indicator = 0x00201040, study_uid = 0x0020000d, series_uid = 0x0020000e, frames_referred = 0x30060010,
-                        studies_referred = 0x30060012, series_referred = 0x30060014, images_referred = 0x30060016, class_referred = 0x00081150,
+constexpr std::uint32_t frame_uid = 0x00200052, frame_indicator = 0x00201040, study_uid = 0x0020000d,
+                        series_uid = 0x0020000e, frames_referred = 0x30060010, studies_referred = 0x30060012,
+                        series_referred = 0x30060014, images_referred = 0x30060016, class_referred = 0x00081150,
                         instance_referred = 0x00081155, frame_referred = 0x00081160, roi_frame_uid = 0x30060024;
 constexpr std::array<std::uint32_t, 10> identity{0x00080020, 0x00080030, 0x00080050, 0x00080090, 0x00081030,
                                                  0x00100010, 0x00100020, 0x00100030, 0x00100040, 0x00200010};
@@ -49,7 +50,8 @@ struct Roi {
 
 class StructureSetReader {
  public:
-  StructureSetReader(std::string_view bytes, const std::string& file, const std::vector<std::string>& wanted) : set_(bytes, file), wanted_(wanted) {
+  StructureSetReader(std::string_view bytes, const std::string& file, const std::vector<std::string>& wanted)
+      : set_(bytes, file), wanted_(wanted) {
     whole_.file = file;
   }
 
@@ -74,9 +76,12 @@ class StructureSetReader {
       if (const std::size_t n = ++times[name]; n > 1) name = fmt::format("{} ({})", name, n);
       by_number_.emplace(number, rois_.size());
       rois_.push_back({name, {}, 0});
-      if (rois_.size() > limits::structures) refuse("too-many-structures", whole_, fmt::format("more than {} regions", limits::structures), {});
+      if (rois_.size() > limits::structures)
+        refuse("too-many-structures", whole_, fmt::format("more than {} regions", limits::structures), {});
     }
-    if (rois_.empty()) refuse("unreadable-structure-set", whole_, "it names no region of interest", "Check that it is the file you mean");
+    if (rois_.empty())
+      refuse("unreadable-structure-set", whole_, "it names no region of interest",
+             "Check that it is the file you mean");
   }
 
   void read_origin() {
@@ -105,19 +110,24 @@ class StructureSetReader {
   /// The images that a contour was drawn on; the first contour of each tells where it lies.
   void add_instances(const DicomSet::DataSet& item, const Point3& at) {
     for (const DicomSet::DataSet& image : set_.items(item, images_referred)) {
-      DicomInstance instance{std::string(set_.text(image, class_referred)), std::string(set_.text(image, instance_referred)), 0, std::array{at.x, at.y, at.z}};
+      DicomInstance instance{std::string(set_.text(image, class_referred)),
+                             std::string(set_.text(image, instance_referred)), 0, std::array{at.x, at.y, at.z}};
       double frame = 0;
       constexpr double most = 1e6;
-      if (parse_number(set_.text(image, frame_referred), frame) && frame >= 1 && frame <= most) instance.frame = static_cast<std::uint32_t>(frame);
-      if (!instance.uid.empty() && known_instances_.emplace(instance.uid, instance.frame).second) origin_->instances.push_back(std::move(instance));
+      if (parse_number(set_.text(image, frame_referred), frame) && frame >= 1 && frame <= most)
+        instance.frame = static_cast<std::uint32_t>(frame);
+      if (!instance.uid.empty() && known_instances_.emplace(instance.uid, instance.frame).second)
+        origin_->instances.push_back(std::move(instance));
     }
   }
 
   /// In UTF-8, cut at a whole character.
   std::string name_of(const DicomSet::DataSet& item) {
-    const DecodedText decoded = to_utf8(set_.text(item, roi_name).substr(0, 4 * limits::name_length), set_.text(set_.top(), character_set));
+    const DecodedText decoded =
+        to_utf8(set_.text(item, roi_name).substr(0, 4 * limits::name_length), set_.text(set_.top(), character_set));
     if (decoded.guessed && !guess_told_) {
-      result_.remarks.push_back("names are not in the character set that the file states; they were read as UTF-8, or else as Latin-1");
+      result_.remarks.push_back(
+          "names are not in the character set that the file states; they were read as UTF-8, or else as Latin-1");
       guess_told_ = true;
     }
     std::string name = decoded.utf8;
@@ -130,24 +140,30 @@ class StructureSetReader {
 
   static std::string plain(std::string_view name) {
     std::string result;
-    for (const char c : name.substr(0, limits::name_length)) result += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? '?' : c;
+    for (const char c : name.substr(0, limits::name_length))
+      result += static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~' ? '?' : c;
     return result;
   }
 
-  bool is_wanted(const std::string& name) const { return wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end(); }
+  bool is_wanted(const std::string& name) const {
+    return wanted_.empty() || std::find(wanted_.begin(), wanted_.end(), name) != wanted_.end();
+  }
 
   void read_outlines() {
     const std::vector<DicomSet::DataSet> of_all = set_.items(set_.top(), contours_by_roi);
-    if (of_all.empty()) refuse("unreadable-structure-set", whole_, "it holds no contours", "Check that it is the file you mean");
+    if (of_all.empty())
+      refuse("unreadable-structure-set", whole_, "it holds no contours", "Check that it is the file you mean");
     for (const DicomSet::DataSet& of_roi : of_all) {
       const auto roi = by_number_.find(std::string(set_.text(of_roi, referenced_roi)));
-      if (roi == by_number_.end()) refuse("unreadable-structure-set", whole_, "contours of a region that has no name", "Export it again");
+      if (roi == by_number_.end())
+        refuse("unreadable-structure-set", whole_, "contours of a region that has no name", "Export it again");
       if (!is_wanted(rois_[roi->second].name)) {
         rois_[roi->second].taken = set_.items(of_roi, contour_sequence).size();  // for the list of those there
         continue;
       }
       std::size_t number = 0;
-      for (const DicomSet::DataSet& item : set_.items(of_roi, contour_sequence)) add_outline(item, roi->second, number++);
+      for (const DicomSet::DataSet& item : set_.items(of_roi, contour_sequence))
+        add_outline(item, roi->second, number++);
     }
   }
 
@@ -164,7 +180,9 @@ class StructureSetReader {
     const std::vector<double> numbers = decimals(set_.text(item, contour_data), what);
     const std::string_view said = set_.text(item, point_count);
     if (numbers.size() % 3 != 0 || (!said.empty() && said != std::to_string(numbers.size() / 3))) {
-      refuse("wrong-count", whole_, fmt::format("{} says that it has {} points, and holds {} numbers", what, plain(said), numbers.size()), "Export it again");
+      refuse("wrong-count", whole_,
+             fmt::format("{} says that it has {} points, and holds {} numbers", what, plain(said), numbers.size()),
+             "Export it again");
     }
     for (std::size_t i = 0; i < numbers.size(); i += 3) {
       outline.points.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
@@ -188,7 +206,9 @@ class StructureSetReader {
       while (!word.empty() && is_space(word.back())) word.remove_suffix(1);
       double value = 0;
       if (!parse_number(word, value)) {
-        refuse("unparsable", whole_, fmt::format("{} has \"{}\" where a number should be", what, tame(word.substr(0, limits::quoted_length))), "Export it again");
+        refuse("unparsable", whole_,
+               fmt::format("{} has \"{}\" where a number should be", what, tame(word.substr(0, limits::quoted_length))),
+               "Export it again");
       }
       numbers.push_back(value);
     }
@@ -205,7 +225,8 @@ class StructureSetReader {
         if (known.taken > 0) there.push_back(known.name);
       }
       refuse("unknown-structure", whole_,
-             roi == rois_.end() ? fmt::format("there is no region {}", wanted) : fmt::format("{} has no closed contour", wanted),
+             roi == rois_.end() ? fmt::format("there is no region {}", wanted)
+                                : fmt::format("{} has no closed contour", wanted),
              fmt::format("Those there are {}", fmt::join(there, ", ")));
     }
   }
@@ -215,13 +236,19 @@ class StructureSetReader {
     origin_->normal = result_.patient.frame.axes[2];
     std::size_t keyholes = 0;
     for (Slice& slice : result_.stack.slices) keyholes += part_keyholes(slice);
-    if (keyholes > 0) result_.remarks.push_back(keyholes == 1 ? "1 contour that goes along a bridge and comes back on it (a keyhole) was parted into outline and holes"
-                                                              : fmt::format("{} contours that go along a bridge and come back on it (keyholes) were parted into outlines and holes", keyholes));
+    if (keyholes > 0)
+      result_.remarks.push_back(
+          keyholes == 1
+              ? "1 contour that goes along a bridge and comes back on it (a keyhole) was parted into outline and holes"
+              : fmt::format("{} contours that go along a bridge and come back on it (keyholes) were parted into "
+                            "outlines and holes",
+                            keyholes));
     std::map<std::string, Repeats> of_structure;
     for (Slice& slice : result_.stack.slices) drop_repeats(slice, of_structure);
     for (const auto& [structure, repeats] : of_structure) {
       const std::string count = repeats.count == 1 ? "a contour was" : fmt::format("{} contours were", repeats.count);
-      result_.remarks.push_back(fmt::format("{}: {} there again, the first at z = {:.6g}; each is kept once", structure, count, repeats.first_z));
+      result_.remarks.push_back(fmt::format("{}: {} there again, the first at z = {:.6g}; each is kept once", structure,
+                                            count, repeats.first_z));
     }
   }
 
@@ -270,15 +297,17 @@ class StructureSetReader {
     const std::vector<Slice>& slices = result_.stack.slices;
     for (std::size_t s = 0; s < slices.size(); ++s) {
       const auto& contours = slices[s].contours;
-      if (std::any_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == name; })) on.push_back(s);
+      if (std::any_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == name; }))
+        on.push_back(s);
     }
     if (on.size() < 2) return;
     const std::size_t skipped = on.back() - on.front() + 1 - on.size();
     if (skipped == 0) return;
     const auto gap = std::adjacent_find(on.begin(), on.end(), [](std::size_t a, std::size_t b) { return b > a + 1; });
-    result_.remarks.push_back(fmt::format("{}: nothing on {} planes between its first and last, the first at {:.6g}; the model has a gap there. If other "
-                                          "regions brought those planes in, choose this one alone with --structure",
-                                          name, skipped, slices[*gap + 1].z));
+    result_.remarks.push_back(fmt::format(
+        "{}: nothing on {} planes between its first and last, the first at {:.6g}; the model has a gap there. If other "
+        "regions brought those planes in, choose this one alone with --structure",
+        name, skipped, slices[*gap + 1].z));
   }
 
   DicomSet set_;
@@ -298,8 +327,8 @@ class StructureSetReader {
 
 namespace {
 
-/// Is there an element of this tag, explicit (with the given representation) or implicit, whose value is `value`? Looked for as bytes, since a damaged
-/// file may not be walked through; a longer UID is another value.
+/// Is there an element of this tag, explicit (with the given representation) or implicit, whose value is `value`?
+/// Looked for as bytes, since a damaged file may not be walked through; a longer UID is another value.
 bool states(std::string_view head, std::string_view tag, std::string_view representation, std::string_view value) {
   constexpr std::size_t header = 8;
   for (std::size_t at = head.find(tag); at != head.npos; at = head.find(tag, at + 1)) {
@@ -321,15 +350,17 @@ bool looks_like_rtstruct(std::string_view bytes) {
   if (!marked && !bytes.starts_with("DICM") && !begins_as_data_set(bytes)) return false;
   const std::string_view head = bytes.substr(0, looked_at);
   // Each of three may be damaged. Other objects name the class as well, but as that of what they refer to.
-  return states(head, "\x02\0\x02\0"sv, "UI", structure_set_class) || states(head, "\x08\0\x16\0"sv, "UI", structure_set_class) ||
-         states(head, "\x08\0\x60\0"sv, "CS", "RTSTRUCT");
+  return states(head, "\x02\0\x02\0"sv, "UI", structure_set_class) ||
+         states(head, "\x08\0\x16\0"sv, "UI", structure_set_class) || states(head, "\x08\0\x60\0"sv, "CS", "RTSTRUCT");
 }
 
-FileContours parse_rtstruct(std::string_view bytes, const std::string& file, const std::vector<std::string>& structures) {
+FileContours parse_rtstruct(std::string_view bytes, const std::string& file,
+                            const std::vector<std::string>& structures) {
   if (bytes.size() > limits::structure_set_bytes) {
     Place place;
     place.file = file;
-    refuse("file-too-large", place, fmt::format("the file has more than {} MiB", limits::structure_set_bytes >> 20), "Export fewer regions");
+    refuse("file-too-large", place, fmt::format("the file has more than {} MiB", limits::structure_set_bytes >> 20),
+           "Export fewer regions");
   }
   return StructureSetReader(bytes, file, structures).read();
 }

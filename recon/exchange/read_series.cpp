@@ -31,15 +31,17 @@ class Document {
  public:
   Document(std::string_view bytes, const std::string& file, const char* root) : bytes_(bytes), file_(file) {
     if (bytes.size() > limits::xml_bytes) {
-      parsing::refuse("file-too-large", whole(), fmt::format("the file has more than {} MiB", limits::xml_bytes >> 20), "Split it");
+      parsing::refuse("file-too-large", whole(), fmt::format("the file has more than {} MiB", limits::xml_bytes >> 20),
+                      "Split it");
     }
     const auto opens = [](char c) { return c == '<' || c == '='; };
     if (static_cast<std::size_t>(std::count_if(bytes.begin(), bytes.end(), opens)) > limits::xml_parts) {
-      parsing::refuse("file-too-large", whole(), fmt::format("the file has more than {} elements and attributes", limits::xml_parts), "Split it");
+      parsing::refuse("file-too-large", whole(),
+                      fmt::format("the file has more than {} elements and attributes", limits::xml_parts), "Split it");
     }
     // No document type is looked into, and no entity of its own expanded.
-    const pugi::xml_parse_result result =
-        document_.load_buffer(bytes.data(), bytes.size(), pugi::parse_minimal | pugi::parse_escapes, pugi::encoding_utf8);
+    const pugi::xml_parse_result result = document_.load_buffer(
+        bytes.data(), bytes.size(), pugi::parse_minimal | pugi::parse_escapes, pugi::encoding_utf8);
     if (!result) refuse("unparsable", result.offset, fmt::format("this is no XML: {}", result.description()));
     root_ = document_.document_element();
     if (std::string_view(root_.name()) != root) {
@@ -70,7 +72,8 @@ class Document {
       const std::string_view word = list.substr(0, list.find_first_of(separators));
       double value = 0;
       if (!parse_number(word, value)) {
-        refuse("unparsable", node, fmt::format("\"{}\" in \"{}\" is no number", tame(word.substr(0, limits::quoted_length)), name));
+        refuse("unparsable", node,
+               fmt::format("\"{}\" in \"{}\" is no number", tame(word.substr(0, limits::quoted_length)), name));
       }
       if (!std::isfinite(value)) refuse("not-finite", node, fmt::format("\"{}\" holds NaN or infinity", name));
       values.push_back(value);
@@ -103,7 +106,8 @@ class Document {
 
   std::string_view bytes_;
   const std::string& file_;
-  mutable std::size_t counted_ = 0, counted_ends_ = 0;  // bytes in which ends of line were counted: places come mostly in order
+  mutable std::size_t counted_ = 0,
+                      counted_ends_ = 0;  // bytes in which ends of line were counted: places come mostly in order
   pugi::xml_document document_;
   pugi::xml_node root_;
 };
@@ -148,7 +152,8 @@ class Transform {
   static void read(const Document& document, pugi::xml_node node, const char* name, std::size_t used, Terms& terms) {
     const std::vector<double> values = document.numbers(node, name);
     if (values.size() != coefficients) {
-      document.refuse("bad-transform", node, fmt::format("\"{}\" has {} numbers, not {}", name, values.size(), coefficients));
+      document.refuse("bad-transform", node,
+                      fmt::format("\"{}\" has {} numbers, not {}", name, values.size(), coefficients));
     }
     std::copy_n(values.begin(), used, terms.begin());
   }
@@ -168,7 +173,9 @@ Contour contour_in(const Document& document, pugi::xml_node node, const Transfor
   for (std::size_t i = 0; i < numbers.size(); i += 2) {
     Point2 point;
     if (!transform.invert(numbers[i], numbers[i + 1], point)) {
-      document.refuse("bad-transform", node, fmt::format("the transform leads nowhere to ({}, {}), a point of {}", numbers[i], numbers[i + 1], in_quotes(contour.structure)));
+      document.refuse("bad-transform", node,
+                      fmt::format("the transform leads nowhere to ({}, {}), a point of {}", numbers[i], numbers[i + 1],
+                                  in_quotes(contour.structure)));
     }
     contour.points.push_back(point);
   }
@@ -176,8 +183,8 @@ Contour contour_in(const Document& document, pugi::xml_node node, const Transfor
 }
 
 double millimetres(const Document& document, std::string_view unit) {
-  constexpr std::pair<std::string_view, double> units[] = {{"microns", 1e-3}, {"um", 1e-3}, {"nm", 1e-6}, {"mm", 1},
-                                                           {"cm", 10},        {"m", 1000}};
+  constexpr std::pair<std::string_view, double> units[] = {{"microns", 1e-3}, {"um", 1e-3}, {"nm", 1e-6},
+                                                           {"mm", 1},         {"cm", 10},   {"m", 1000}};
   for (const auto& [name, length] : units) {
     if (unit == name) return length;
   }
@@ -229,10 +236,12 @@ SeriesSection parse_series_section(std::string_view bytes, const std::string& fi
   const Document document(bytes, file, "Section");
   SeriesSection section;
   const double index = document.number(document.root(), "index");
-  if (index != std::floor(index) || std::abs(index) > 1e9) document.refuse("unparsable", document.root(), "\"index\" is no whole number");
+  if (index != std::floor(index) || std::abs(index) > 1e9)
+    document.refuse("unparsable", document.root(), "\"index\" is no whole number");
   section.index = static_cast<long>(index);
   section.thickness = document.number(document.root(), "thickness");
-  if (!(section.thickness > 0)) document.refuse("repeated-z", document.root(), "the section has no thickness, so that two lie at one height");
+  if (!(section.thickness > 0))
+    document.refuse("repeated-z", document.root(), "the section has no thickness, so that two lie at one height");
   std::size_t points = 0;
   for (const pugi::xml_node group : document.root().children("Transform")) {
     const Transform transform(document, group);
@@ -266,14 +275,17 @@ FileContours read_series(std::string_view bytes, const std::string& file) {
     if (section.index != number) {
       Place place;
       place.file = name;
-      refuse("wrong-section", place, fmt::format("the file says that it is section {}", section.index), "Give each file its section's number as ending");
+      refuse("wrong-section", place, fmt::format("the file says that it is section {}", section.index),
+             "Give each file its section's number as ending");
     }
     if (!result.stack.slices.empty() && number != next) {
-      result.remarks.push_back(fmt::format("sections {} to {} are missing; their thickness was taken as {} each", next, number - 1, header.default_thickness));
+      result.remarks.push_back(fmt::format("sections {} to {} are missing; their thickness was taken as {} each", next,
+                                           number - 1, header.default_thickness));
       height += static_cast<double>(number - next) * header.default_thickness;
     }
     next = number + 1;
-    Slice slice{(height + (header.middle ? section.thickness / 2 : 0)) * header.millimetres, std::move(section.contours)};
+    Slice slice{(height + (header.middle ? section.thickness / 2 : 0)) * header.millimetres,
+                std::move(section.contours)};
     height += section.thickness;
     open += section.open;
     check_contour_count(contours += slice.contours.size(), whole);

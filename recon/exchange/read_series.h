@@ -1,11 +1,13 @@
 #pragma once
-// Series of the program Reconstruct (J. C. Fiala, "Reconstruct: a free editor for serial section microscopy", Journal of
-// Microscopy 218(1), 2005): an XML file NAME.ser, and beside it one for each section, NAME.1, NAME.2, ...; other endings are no sections.
+// Series of the program Reconstruct (J. C. Fiala, "Reconstruct: a free editor for serial section microscopy", Journal
+// of Microscopy 218(1), 2005): an XML file NAME.ser, and beside it one for each section, NAME.1, NAME.2, ...; other
+// endings are no sections.
 //
-// Each contour stands within a transform, whose polynomials in x and y lead from the series' plane to the contour's own; they are
-// inverted here, so that contours come out aligned. A section's height is the sum of the thicknesses below it, and half its own if the
-// series says zMidSection. Contours of a transform with an image are the image's frame and are left out, as are contours that are not
-// closed. Names are as they stand there. Units: microns, nm, mm, cm, m.
+// Each contour stands within a transform, whose polynomials in x and y lead from the series' plane to the contour's
+// own; they are inverted here, so that contours come out aligned. A section's height is the sum of the thicknesses
+// below it, and half its own if the series says zMidSection. Contours of a transform with an image are the image's
+// frame and are left out, as are contours that are not closed. Names are as they stand there. Units: microns, nm, mm,
+// cm, m.
 
 #include <string>
 #include <string_view>
@@ -16,9 +18,9 @@
 namespace odontoscope {
 
 struct SeriesHeader {
-  double millimetres = 1;         // a unit of the series
-  double default_thickness = 0;   // in such units, for sections that are missing
-  bool middle = false;            // zMidSection
+  double millimetres = 1;        // a unit of the series
+  double default_thickness = 0;  // in such units, for sections that are missing
+  bool middle = false;           // zMidSection
 };
 
 struct SeriesSection {

@@ -37,8 +37,10 @@ using Turns = std::map<std::pair<Vertex, Vertex>, int>;
 
 /// Every pair once, in the order of their handles.
 void count_turn(Turns& turns, Vertex from, Vertex to, int times) {
-  if (to < from) turns[{to, from}] -= times;
-  else turns[{from, to}] += times;
+  if (to < from)
+    turns[{to, from}] -= times;
+  else
+    turns[{from, to}] += times;
 }
 
 int turn_of(const Turns& turns, Vertex from, Vertex to) {
@@ -59,7 +61,8 @@ GivenEdges edges_between(Triangulation& triangulation, const std::vector<std::ve
   for (const std::vector<Point2>& polygon : polygons) {
     std::vector<Vertex> corners;
     for (const Point2& p : polygon) {
-      corners.push_back(triangulation.insert(Kernel::Point_2(p.x, p.y), corners.empty() ? Face() : corners.back()->face()));
+      corners.push_back(
+          triangulation.insert(Kernel::Point_2(p.x, p.y), corners.empty() ? Face() : corners.back()->face()));
     }
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vertex from = corners[i], to = corners[(i + 1) % corners.size()];
@@ -179,7 +182,8 @@ std::vector<std::vector<Point2>> parted(const std::vector<Loop>& loops) {
   std::vector<std::vector<bool>> is_cut(loops.size());
   for (std::size_t l = 0; l < loops.size(); ++l) is_cut[l].resize(loops[l].size(), false);
   for (auto& [vertex, all] : visits) {
-    const auto widest = std::max_element(all.begin(), all.end(), [](const Visit& a, const Visit& b) { return a.angle < b.angle; });
+    const auto widest =
+        std::max_element(all.begin(), all.end(), [](const Visit& a, const Visit& b) { return a.angle < b.angle; });
     for (auto visit = all.begin(); visit != all.end(); ++visit) {
       if (visit != widest) is_cut[visit->loop][visit->at] = true;
     }
@@ -229,7 +233,8 @@ void put_in_order(std::vector<std::vector<Point2>>& polygons) {
 
 }  // namespace
 
-std::vector<std::vector<Point2>> region_border(const std::vector<std::vector<Point2>>& polygons, const RepairOptions& options) {
+std::vector<std::vector<Point2>> region_border(const std::vector<std::vector<Point2>>& polygons,
+                                               const RepairOptions& options) {
   Triangulation triangulation;
   const Turns turns = insert(triangulation, polygons);
   if (triangulation.dimension() < 2) return {};

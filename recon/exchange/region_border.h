@@ -10,6 +10,7 @@ namespace odontoscope {
 
 /// Outer borders counter-clockwise, holes clockwise. They keep apart but for rounding, which the caller checks.
 /// Preconditions: finite; three points or more in each, neighbours different.
-std::vector<std::vector<Point2>> region_border(const std::vector<std::vector<Point2>>& polygons, const RepairOptions& options);
+std::vector<std::vector<Point2>> region_border(const std::vector<std::vector<Point2>>& polygons,
+                                               const RepairOptions& options);
 
 }  // namespace odontoscope

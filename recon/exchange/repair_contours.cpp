@@ -18,8 +18,8 @@ namespace {
 
 constexpr int most_rounds = 7;
 
-/// Grain that coordinates are rounded to before a further round, as a share of the largest: rounded places of crossing lie a unit in
-/// the last place beside a corner, where no cut would part them. Coarser from round to round.
+/// Grain that coordinates are rounded to before a further round, as a share of the largest: rounded places of crossing
+/// lie a unit in the last place beside a corner, where no cut would part them. Coarser from round to round.
 constexpr double first_grain = 0x1p-44, coarser = 16;
 
 void round_to_grain(std::vector<std::vector<Point2>>& polygons, double share) {
@@ -49,10 +49,14 @@ std::vector<std::vector<std::size_t>> by_structure(const Slice& slice) {
 std::string breach_in_words(const Breach& breach, bool of_one) {
   const std::string where = fmt::format("({:.6g}, {:.6g})", breach.at.x, breach.at.y);
   switch (breach.kind) {
-    case Breach::Kind::repeated_point: return "passed twice through " + where;
-    case Breach::Kind::touch: return of_one ? "touched itself at " + where : "touched another at " + where;
-    case Breach::Kind::fold_back: return "ran back on itself at " + where;
-    case Breach::Kind::crossing: return of_one ? "crossed itself at " + where : "crossed another at " + where;
+    case Breach::Kind::repeated_point:
+      return "passed twice through " + where;
+    case Breach::Kind::touch:
+      return of_one ? "touched itself at " + where : "touched another at " + where;
+    case Breach::Kind::fold_back:
+      return "ran back on itself at " + where;
+    case Breach::Kind::crossing:
+      return of_one ? "crossed itself at " + where : "crossed another at " + where;
   }
   return "met itself";
 }
@@ -84,7 +88,7 @@ class SliceRepair {
  private:
   void repair(const std::vector<std::size_t>& members, std::vector<std::vector<Contour>>& in_place_of) {
     std::vector<Contour> kept;
-    std::vector<std::size_t> number;  // that each had in the slice
+    std::vector<std::size_t> number;                        // that each had in the slice
     std::optional<std::pair<double, std::size_t>> channel;  // its width, and whose it is
     for (const std::size_t c : members) {
       if (is_repeat_[c]) {
@@ -96,7 +100,8 @@ class SliceRepair {
         tell(contour.structure, "enclosed nothing and went", c);
         continue;
       }
-      const std::optional<ClosedChannel> closed = options_.inside == Inside::odd ? close_channels(contour.points) : std::nullopt;
+      const std::optional<ClosedChannel> closed =
+          options_.inside == Inside::odd ? close_channels(contour.points) : std::nullopt;
       if (closed) {
         contour.points = closed->points;
         if (!channel || closed->width > channel->first) channel = {closed->width, c};
@@ -106,7 +111,9 @@ class SliceRepair {
     }
     const std::optional<Breach> breach = breach_of(kept);
     if (!breach) {
-      if (channel) tell(slice_.contours[channel->second].structure, fmt::format("a channel {:.3g} mm wide was closed", channel->first), channel->second);
+      if (channel)
+        tell(slice_.contours[channel->second].structure,
+             fmt::format("a channel {:.3g} mm wide was closed", channel->first), channel->second);
       for (std::size_t i = 0; i < kept.size(); ++i) in_place_of[number[i]].push_back(std::move(kept[i]));
       return;
     }
@@ -127,7 +134,10 @@ class SliceRepair {
     while (points.size() > 1 && points.back() == points.front()) points.pop_back();
     if (points.size() != before) {
       const std::size_t gone = before - points.size();
-      tell(contour.structure, fmt::format("{} point{} repeated {} and went", gone, gone == 1 ? "" : "s", gone == 1 ? "its neighbour" : "their neighbours"), c);
+      tell(contour.structure,
+           fmt::format("{} point{} repeated {} and went", gone, gone == 1 ? "" : "s",
+                       gone == 1 ? "its neighbour" : "their neighbours"),
+           c);
     }
     return contour;
   }
@@ -152,7 +162,8 @@ class SliceRepair {
       if (!breach_of(contours)) return contours;
     }
     throw InputError("beyond-repair", place_,
-                     fmt::format("the contours of {} meet in a way that could not be untangled in {} rounds", structure, most_rounds),
+                     fmt::format("the contours of {} meet in a way that could not be untangled in {} rounds", structure,
+                                 most_rounds),
                      "Draw them again in the program that made them");
   }
 

@@ -10,8 +10,8 @@ namespace {
 
 using Numbers = std::vector<std::pair<double, double>>;
 
-/// Where the least of all rotations begins (two candidates that drop out piece by piece; Y. Shiloach, "Fast canonization of circular
-/// strings", Journal of Algorithms 2(2), 1981).
+/// Where the least of all rotations begins (two candidates that drop out piece by piece; Y. Shiloach, "Fast
+/// canonization of circular strings", Journal of Algorithms 2(2), 1981).
 std::size_t least_rotation(const Numbers& ring) {
   const std::size_t n = ring.size();
   std::size_t a = 0, b = 1, equal = 0;
@@ -29,7 +29,8 @@ std::size_t least_rotation(const Numbers& ring) {
 }
 
 Numbers from_least(Numbers ring) {
-  if (ring.size() > 1) std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(least_rotation(ring)), ring.end());
+  if (ring.size() > 1)
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(least_rotation(ring)), ring.end());
   return ring;
 }
 

@@ -8,8 +8,8 @@
 
 namespace odontoscope {
 
-/// Numbers of those contours, ascending, that repeat an earlier one of their structure: the same points in the same order or the
-/// opposite one, wherever it begins, points that repeat their neighbour aside. Near linear time.
+/// Numbers of those contours, ascending, that repeat an earlier one of their structure: the same points in the same
+/// order or the opposite one, wherever it begins, points that repeat their neighbour aside. Near linear time.
 std::vector<std::size_t> repeats_of_earlier(const std::vector<Contour>& contours);
 
 }  // namespace odontoscope

@@ -38,7 +38,7 @@ std::vector<Ring> without_bridges(const Ring& points) {
   // After edge i (to point i + 1) the line goes on where its partner j ends: there and back is left out.
   const std::size_t n = points.size();
   std::vector<std::size_t> next(n);
-  std::vector<bool> gone(n, false);   // by the edge that begins at the point
+  std::vector<bool> gone(n, false);  // by the edge that begins at the point
   for (std::size_t i = 0; i < n; ++i) next[i] = (i + 1) % n;
   for (const auto& [i, j] : bridges) gone[i] = gone[j] = true;
   std::map<std::size_t, std::size_t> partner;

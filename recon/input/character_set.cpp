@@ -17,29 +17,43 @@ std::optional<std::string> converted(std::string_view text, const char* encoding
   std::string from(text), to(4 * text.size() + 16, '\0');
   char *in = from.data(), *out = to.data();
   std::size_t in_left = from.size(), out_left = to.size();
-  const bool failed = ::iconv(converter, &in, &in_left, &out, &out_left) == static_cast<std::size_t>(-1) || in_left != 0;
+  const bool failed =
+      ::iconv(converter, &in, &in_left, &out, &out_left) == static_cast<std::size_t>(-1) || in_left != 0;
   ::iconv_close(converter);
   if (failed) return std::nullopt;
   to.resize(to.size() - out_left);
   return to;
 }
 
-/// What the terms of PS3.3, table C.12-2 to C.12-5 are called by iconv, and the escape sequence (PS3.3, C.12-3 and C.12-4) that switches to them.
+/// What the terms of PS3.3, table C.12-2 to C.12-5 are called by iconv, and the escape sequence (PS3.3, C.12-3 and
+/// C.12-4) that switches to them.
 struct CharacterSet {
   std::string_view term, sequence;
   const char* encoding;
   /// The converter wants the sequence itself before the text.
   bool keeps_sequence = false;
 };
-constexpr CharacterSet character_sets[] = {
-    {"ISO_IR 192", "", "UTF-8"},          {"GB18030", "", "GB18030"},           {"GBK", "", "GBK"},
-    {"ISO_IR 100", "-A", "ISO-8859-1"},   {"ISO_IR 101", "-B", "ISO-8859-2"},   {"ISO_IR 109", "-C", "ISO-8859-3"},
-    {"ISO_IR 110", "-D", "ISO-8859-4"},   {"ISO_IR 144", "-L", "ISO-8859-5"},   {"ISO_IR 127", "-G", "ISO-8859-6"},
-    {"ISO_IR 126", "-F", "ISO-8859-7"},   {"ISO_IR 138", "-H", "ISO-8859-8"},   {"ISO_IR 148", "-M", "ISO-8859-9"},
-    {"ISO_IR 203", "-b", "ISO-8859-15"},  {"ISO_IR 166", "-T", "TIS-620"},      {"ISO_IR 13", ")I", "SHIFT_JIS"},
-    {"ISO_IR 87", "$B", "ISO-2022-JP-2", true}, {"ISO_IR 159", "$(D", "ISO-2022-JP-2", true},
-    {"ISO_IR 149", "$)C", "EUC-KR"},      {"ISO_IR 58", "$)A", "GB2312"},       {"ISO_IR 14", "(J", "SHIFT_JIS"},
-    {"ISO_IR 6", "(B", "ASCII"}};
+constexpr CharacterSet character_sets[] = {{"ISO_IR 192", "", "UTF-8"},
+                                           {"GB18030", "", "GB18030"},
+                                           {"GBK", "", "GBK"},
+                                           {"ISO_IR 100", "-A", "ISO-8859-1"},
+                                           {"ISO_IR 101", "-B", "ISO-8859-2"},
+                                           {"ISO_IR 109", "-C", "ISO-8859-3"},
+                                           {"ISO_IR 110", "-D", "ISO-8859-4"},
+                                           {"ISO_IR 144", "-L", "ISO-8859-5"},
+                                           {"ISO_IR 127", "-G", "ISO-8859-6"},
+                                           {"ISO_IR 126", "-F", "ISO-8859-7"},
+                                           {"ISO_IR 138", "-H", "ISO-8859-8"},
+                                           {"ISO_IR 148", "-M", "ISO-8859-9"},
+                                           {"ISO_IR 203", "-b", "ISO-8859-15"},
+                                           {"ISO_IR 166", "-T", "TIS-620"},
+                                           {"ISO_IR 13", ")I", "SHIFT_JIS"},
+                                           {"ISO_IR 87", "$B", "ISO-2022-JP-2", true},
+                                           {"ISO_IR 159", "$(D", "ISO-2022-JP-2", true},
+                                           {"ISO_IR 149", "$)C", "EUC-KR"},
+                                           {"ISO_IR 58", "$)A", "GB2312"},
+                                           {"ISO_IR 14", "(J", "SHIFT_JIS"},
+                                           {"ISO_IR 6", "(B", "ASCII"}};
 
 std::string_view first_term(std::string_view terms) {
   std::string_view term = terms.substr(0, terms.find('\\'));
@@ -48,7 +62,8 @@ std::string_view first_term(std::string_view terms) {
   return term;
 }
 
-/// "ISO 2022 IR 100" is "ISO_IR 100" that may be switched away from. Without a term it is ASCII; nothing if the term is unknown.
+/// "ISO 2022 IR 100" is "ISO_IR 100" that may be switched away from. Without a term it is ASCII; nothing if the term is
+/// unknown.
 const CharacterSet* set_of_term(std::string_view term) {
   if (term.empty()) term = "ISO_IR 6";
   const bool extended = term.starts_with("ISO 2022 IR ");

@@ -12,8 +12,9 @@ struct DecodedText {
   bool guessed = false;
 };
 
-/// `character_set` is the value of (0008,0005), terms separated by backslashes; empty for the default, ASCII. Sets of one byte, UTF-8, GB18030
-/// and GBK; with code extensions (ISO 2022) those of Japanese, Korean and Chinese too. Control characters become question marks.
+/// `character_set` is the value of (0008,0005), terms separated by backslashes; empty for the default, ASCII. Sets of
+/// one byte, UTF-8, GB18030 and GBK; with code extensions (ISO 2022) those of Japanese, Korean and Chinese too. Control
+/// characters become question marks.
 DecodedText to_utf8(std::string_view text, std::string_view character_set);
 
 }  // namespace odontoscope

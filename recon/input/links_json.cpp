@@ -98,8 +98,8 @@ std::vector<Link> parse_links(std::string_view bytes, std::string name) {
 }
 
 std::string links_to_json(const std::vector<ReportedLink>& links) {
-  std::string text =
-      fmt::format("{{\"format\":\"{}\",\"version\":{},\"links\":[", links_file::format_name, links_file::format_version);
+  std::string text = fmt::format("{{\"format\":\"{}\",\"version\":{},\"links\":[", links_file::format_name,
+                                 links_file::format_version);
   const char* separator = "\n";
   for (const auto& [link, criterion] : links) {
     text += fmt::format("{}{{\"structure\":{},\"slice\":{},\"lower\":{},\"upper\":{},\"connect\":{},\"criterion\":{}}}",

@@ -13,7 +13,8 @@
 
 namespace odontoscope {
 
-/// Point p of the model lies at fixed + sum of axes[i] * (p[i] - fixed[i]) in the patient: x to the left, y to the back, z up, mm.
+/// Point p of the model lies at fixed + sum of axes[i] * (p[i] - fixed[i]) in the patient: x to the left, y to the
+/// back, z up, mm.
 struct PatientFrame {
   using Vector = std::array<double, 3>;
   /// Unit vectors at right angles, right-handed: the model's x, y and z.
@@ -35,8 +36,8 @@ struct PatientFrame {
 /// One image that slices were read from.
 struct DicomInstance {
   std::string class_uid, uid;
-  std::uint32_t frame = 0;                         // from 1, of a multi-frame image; 0 for a single one
-  std::optional<std::array<double, 3>> position;   // of a point of its plane, in the patient
+  std::uint32_t frame = 0;                        // from 1, of a multi-frame image; 0 for a single one
+  std::optional<std::array<double, 3>> position;  // of a point of its plane, in the patient
 };
 
 /// The patient, the study and the series, as their files have them: text in the files' character set, not trusted.

@@ -1,8 +1,9 @@
 #pragma once
 // A binary tree of boxes over numbered things, usually triangles: which could be nearest, which could a line meet?
 //
-// It holds boxes and numbers only; whoever owns the things asks them for what is exact. `Vector` is any type of three coordinates with [] (std::array,
-// glm's): float where memory counts, double else. Same boxes, same tree. After it is made it may be read from any number of threads.
+// It holds boxes and numbers only; whoever owns the things asks them for what is exact. `Vector` is any type of three
+// coordinates with [] (std::array, glm's): float where memory counts, double else. Same boxes, same tree. After it is
+// made it may be read from any number of threads.
 
 #include <algorithm>
 #include <array>
@@ -24,8 +25,9 @@ class BoxTree {
 
   BoxTree() = default;
 
-  /// `bounds[i]` encloses thing i; none may hold NaN. Halved at the median of the axis along which the boxes' middles spread most, down to four things. `made` is
-  /// told now and then how many things have found their place and may throw.
+  /// `bounds[i]` encloses thing i; none may hold NaN. Halved at the median of the axis along which the boxes' middles
+  /// spread most, down to four things. `made` is told now and then how many things have found their place and may
+  /// throw.
   template <class Made>
   BoxTree(const std::vector<Bounds>& bounds, Made made) : order_(bounds.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
@@ -58,8 +60,8 @@ class BoxTree {
   /// Encloses all. Precondition: not empty().
   Bounds bounds() const { return {nodes_[0].low, nodes_[0].high}; }
 
-  /// Calls `ask(first, end)` for runs of places whose box is nearer to `place` than the square root of `square`, nearer boxes first. `ask` lowers
-  /// `square` when it finds something. Ends once `square` is not more than `enough`.
+  /// Calls `ask(first, end)` for runs of places whose box is nearer to `place` than the square root of `square`, nearer
+  /// boxes first. `ask` lowers `square` when it finds something. Ends once `square` is not more than `enough`.
   template <class Place, class Ask>
   void nearest_first(const Place& place, double& square, double enough, Ask ask) const {
     if (nodes_.empty()) return;
@@ -78,15 +80,18 @@ class BoxTree {
         ask(node.first, node.first + node.count);
         continue;
       }
-      const double left = squared_distance(nodes_[node.first], place), right = squared_distance(nodes_[node.first + 1], place);
+      const double left = squared_distance(nodes_[node.first], place),
+                   right = squared_distance(nodes_[node.first + 1], place);
       const bool left_first = left <= right;
-      if (const double far = left_first ? right : left; far < square) waiting[count++] = {node.first + (left_first ? 1 : 0), far};
-      if (const double near = left_first ? left : right; near < square) waiting[count++] = {node.first + (left_first ? 0 : 1), near};
+      if (const double far = left_first ? right : left; far < square)
+        waiting[count++] = {node.first + (left_first ? 1 : 0), far};
+      if (const double near = left_first ? left : right; near < square)
+        waiting[count++] = {node.first + (left_first ? 0 : 1), near};
     }
   }
 
-  /// Calls `ask(first, end)` for runs of places in whose box `may_hold(low, high)`, those nearer along `direction` mostly first. Ends when
-  /// `ask` returns false.
+  /// Calls `ask(first, end)` for runs of places in whose box `may_hold(low, high)`, those nearer along `direction`
+  /// mostly first. Ends when `ask` returns false.
   template <class Place, class MayHold, class Ask>
   void along(const Place& direction, MayHold may_hold, Ask ask) const {
     if (nodes_.empty()) return;
@@ -127,7 +132,8 @@ class BoxTree {
   static double squared_distance(const Node& node, const Place& place) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
-      const double off = std::max(std::max(double(node.low[axis]) - place[axis], place[axis] - double(node.high[axis])), 0.0);
+      const double off =
+          std::max(std::max(double(node.low[axis]) - place[axis], place[axis] - double(node.high[axis])), 0.0);
       sum += off * off;
     }
     return sum;
@@ -151,7 +157,7 @@ class BoxTree {
     }
     nodes_[part.node] = {all.low, all.high, part.first, part.count};
     if (part.count <= most_in_leaf) {
-      std::sort(begin, end);   // which of two equally near is met first does not depend on how nth_element went about it
+      std::sort(begin, end);  // which of two equally near is met first does not depend on how nth_element went about it
       return 0;
     }
     const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;

@@ -31,9 +31,9 @@ constexpr std::size_t least_gain = 100;
 /// All surfaces as one mesh. Points of each keep their order, and their numbers but for what `first_point` adds.
 struct Together {
   HalfEdgeMesh mesh;
-  std::vector<std::uint32_t> surface_of;   // each vertex
+  std::vector<std::uint32_t> surface_of;  // each vertex
   std::vector<char> keep;
-  std::vector<std::size_t> first_point;    // of each surface
+  std::vector<std::size_t> first_point;  // of each surface
 
   explicit Together(const std::vector<SurfaceToCollapse>& surfaces) {
     SurfaceMesh all;
@@ -79,7 +79,8 @@ struct Round {
     const auto& triangles = profile.triangles();  // first those that vanish: two, as the surface is closed
     for (std::size_t n = 2; n < triangles.size(); ++n) {
       const auto& [before, moved, after] = triangles[n];
-      star.triangles.push_back({{before, moved, after}, {all.mesh.point(before), all.mesh.point(moved), all.mesh.point(after)}});
+      star.triangles.push_back(
+          {{before, moved, after}, {all.mesh.point(before), all.mesh.point(moved), all.mesh.point(after)}});
     }
     return star;
   }
@@ -187,8 +188,20 @@ Collapse collapse_edges(const std::vector<SurfaceToCollapse>& surfaces, std::siz
       fixed[edge] = all.keep[all.mesh.vertex(edge, 0).idx()] && all.keep[all.mesh.vertex(edge, 1).idx()];
     }
     const std::size_t at_the_start = all.mesh.number_of_edges();
-    Round round{all, fixed, CollapseGuard(all.mesh, all.surface_of), rounds[n], progress, edges, at_the_start,
-                0, false, {}, 0, 0, 0, 0};
+    Round round{all,
+                fixed,
+                CollapseGuard(all.mesh, all.surface_of),
+                rounds[n],
+                progress,
+                edges,
+                at_the_start,
+                0,
+                false,
+                {},
+                0,
+                0,
+                0,
+                0};
     sms::edge_collapse(all.mesh, sms::Count_stop_predicate<HalfEdgeMesh>(edges + 1),
                        CGAL::parameters::get_cost(sms::LindstromTurk_cost<HalfEdgeMesh>())
                            .get_placement(GuardedPlacement{Placement(fixed), &round})

@@ -32,9 +32,11 @@ std::vector<MovingBox> boxes_of(const InterfaceWeb& web) {
 
 struct Candidate {
   double cost;
-  PointIndex a, b;       // a < b
-  std::uint32_t stamp;   // of both
-  friend bool operator<(const Candidate& s, const Candidate& t) { return std::tie(s.cost, s.a, s.b) > std::tie(t.cost, t.a, t.b); }   // cheapest on top
+  PointIndex a, b;      // a < b
+  std::uint32_t stamp;  // of both
+  friend bool operator<(const Candidate& s, const Candidate& t) {
+    return std::tie(s.cost, s.a, s.b) > std::tie(t.cost, t.a, t.b);
+  }  // cheapest on top
 };
 
 /// Where an edge may go: the best place first. `bound`: to one of its vertices, which must stay where it is.
@@ -42,13 +44,20 @@ struct Placed {
   Point3 best;
   double cost;
   bool bound;
-  bool to_b = false;   // then it is the second one
+  bool to_b = false;  // then it is the second one
 };
 
 class InterfaceCollapse {
  public:
   InterfaceCollapse(InterfaceWeb& web, const std::vector<char>& keep, std::size_t aim, const Progress& progress)
-      : web_(web), keep_(keep), tree_(boxes_of(web)), stamps_(web.points().size(), 0), aim_(aim), progress_(progress), left_(triangles_of_surfaces(web.faces())), first_(left_) {}
+      : web_(web),
+        keep_(keep),
+        tree_(boxes_of(web)),
+        stamps_(web.points().size(), 0),
+        aim_(aim),
+        progress_(progress),
+        left_(triangles_of_surfaces(web.faces())),
+        first_(left_) {}
 
   SimplifiedSurfaces::Obstacles run() {
     SimplifiedSurfaces::Obstacles obstacles;
@@ -60,7 +69,8 @@ class InterfaceCollapse {
   }
 
  private:
-  /// The cheapest edge first, until the aim is reached or all that is left was refused. `elsewhere`: the middle and the ends of an edge are tried, too.
+  /// The cheapest edge first, until the aim is reached or all that is left was refused. `elsewhere`: the middle and the
+  /// ends of an edge are tried, too.
   SimplifiedSurfaces::Obstacles round(bool elsewhere) {
     SimplifiedSurfaces::Obstacles obstacles;
     queue_ = {};
@@ -79,8 +89,10 @@ class InterfaceCollapse {
       std::optional<CollapseRefusal> refusal;
       if (const auto at = allowed(next.a, next.b, placed, elsewhere, refusal)) {
         // The vertex of the lesser stratum goes, so that what is left lies on all surfaces that met there.
-        if (placed.to_b) collapse(next.b, next.a, *at);
-        else collapse(next.a, next.b, *at);
+        if (placed.to_b)
+          collapse(next.b, next.a, *at);
+        else
+          collapse(next.a, next.b, *at);
       } else {
         ++(refusal == CollapseRefusal::cuts ? obstacles.cuts : obstacles.shape);
       }
@@ -94,7 +106,9 @@ class InterfaceCollapse {
     constexpr std::size_t pause = 1000;
     if (++calls_ % pause != 0) return;
     const double all = static_cast<double>(first_) - static_cast<double>(aim_);
-    progress_.tell("simplify", all > 0 ? std::clamp((static_cast<double>(first_) - static_cast<double>(left_)) / all, 0.0, 1.0) : 1.0);
+    progress_.tell(
+        "simplify",
+        all > 0 ? std::clamp((static_cast<double>(first_) - static_cast<double>(left_)) / all, 0.0, 1.0) : 1.0);
   }
 
   /// Edges of a vertex; only those to higher ones if `upward`.
@@ -135,7 +149,9 @@ class InterfaceCollapse {
     for (const auto& n : ring_b)
       if (!n.on_surface() && n.vertex != a) quadric.add_line(from_middle(b), from_middle(n.vertex), square);
 
-    const auto stratum = [&](PointIndex v, const InterfaceWeb::Ring& ring) { return keep_[v] ? Stratum::point : InterfaceWeb::stratum(ring); };
+    const auto stratum = [&](PointIndex v, const InterfaceWeb::Ring& ring) {
+      return keep_[v] ? Stratum::point : InterfaceWeb::stratum(ring);
+    };
     const Stratum of_a = stratum(a, ring_a), of_b = stratum(b, ring_b);
     const auto at_end = [&](PointIndex v) { return Placed{points[v], quadric.cost(from_middle(v)), true, v == b}; };
     if (of_a > of_b) return at_end(a);
@@ -160,7 +176,8 @@ class InterfaceCollapse {
   }
 
   /// The first place that nothing speaks against; `refusal` says what spoke against the best.
-  std::optional<Point3> allowed(PointIndex a, PointIndex b, const Placed& placed, bool elsewhere, std::optional<CollapseRefusal>& refusal) const {
+  std::optional<Point3> allowed(PointIndex a, PointIndex b, const Placed& placed, bool elsewhere,
+                                std::optional<CollapseRefusal>& refusal) const {
     const CollapseStar star = star_of(a, b);
     const Point3 &one = web_.points()[a], &other = web_.points()[b];
     std::vector<Point3> places{placed.best};
@@ -186,7 +203,7 @@ class InterfaceCollapse {
     }
     for (const std::uint32_t f : web_.collapse(a, b, at)) tree_.move(f, {});
     for (const std::uint32_t f : web_.faces_of(a)) tree_.move(f, box_of(numbered(web_, web_.faces()[f].triangle)));
-    stamps_[a] += stamps_[b] + 1;   // more than before, whichever was looked at
+    stamps_[a] += stamps_[b] + 1;  // more than before, whichever was looked at
     const InterfaceWeb::Ring ring = web_.ring(a);
     for (const auto& n : ring) ++stamps_[n.vertex];
     // What surrounds the neighbours' edges has changed as well.
@@ -195,7 +212,8 @@ class InterfaceCollapse {
     for (const auto& n : ring) {
       const InterfaceWeb::Ring own = web_.ring(n.vertex);
       for (const auto& m : own)
-        if (std::find(done.begin(), done.end(), m.vertex) == done.end()) push(n.vertex, own, m.vertex, web_.ring(m.vertex));
+        if (std::find(done.begin(), done.end(), m.vertex) == done.end())
+          push(n.vertex, own, m.vertex, web_.ring(m.vertex));
       done.push_back(n.vertex);
     }
   }
@@ -204,7 +222,7 @@ class InterfaceCollapse {
   const std::vector<char>& keep_;
   MovingBoxTree tree_;
   std::priority_queue<Candidate> queue_;
-  std::vector<std::uint32_t> stamps_;   // grows when a vertex or what surrounds it changes
+  std::vector<std::uint32_t> stamps_;  // grows when a vertex or what surrounds it changes
   const std::size_t aim_;
   const Progress& progress_;
   std::size_t left_;
@@ -221,7 +239,8 @@ std::size_t triangles_of_surfaces(const std::vector<InterfaceTriangle>& faces) {
   return count;
 }
 
-SimplifiedSurfaces::Obstacles collapse_interfaces(InterfaceWeb& web, const std::vector<char>& keep, std::size_t triangles, const Progress& progress) {
+SimplifiedSurfaces::Obstacles collapse_interfaces(InterfaceWeb& web, const std::vector<char>& keep,
+                                                  std::size_t triangles, const Progress& progress) {
   return InterfaceCollapse(web, keep, triangles, progress).run();
 }
 

@@ -3,7 +3,8 @@
 namespace odontoscope {
 namespace {
 
-/// Directions in which the error grows less than this share of the whole are left alone: surfaces that bend by less than one degree.
+/// Directions in which the error grows less than this share of the whole are left alone: surfaces that bend by less
+/// than one degree.
 constexpr double flat_share = 3e-4;
 /// Sum of normals over the root of the sum of their squares, below which they cancel and volume tells nothing.
 constexpr double cancelled = 1e-3;
@@ -35,11 +36,12 @@ void CollapseQuadric::add_triangle(const Direction& a, const Direction& b, const
 }
 
 void CollapseQuadric::add_line(const Direction& p, const Direction& q, double square) {
-  const double w = square / 8;   // half of the squared area of a triangle
+  const double w = square / 8;  // half of the squared area of a triangle
   const Direction u{q.x - p.x, q.y - p.y, q.z - p.z};
   const double uu = dot(u, u);
   const std::array<double, 6> m{uu - u.x * u.x, -u.x * u.y, -u.x * u.z, uu - u.y * u.y, -u.y * u.z, uu - u.z * u.z};
-  const Direction mp{m[0] * p.x + m[1] * p.y + m[2] * p.z, m[1] * p.x + m[3] * p.y + m[4] * p.z, m[2] * p.x + m[4] * p.y + m[5] * p.z};
+  const Direction mp{m[0] * p.x + m[1] * p.y + m[2] * p.z, m[1] * p.x + m[3] * p.y + m[4] * p.z,
+                     m[2] * p.x + m[4] * p.y + m[5] * p.z};
   for (std::size_t i = 0; i < m.size(); ++i) square_[i] += w * m[i];
   linear_ = linear_ + w * mp;
   constant_ += w * dot(mp, p);
@@ -58,7 +60,8 @@ Direction CollapseQuadric::best(bool keep_volume) const {
 
 double CollapseQuadric::cost(const Direction& at) const {
   const auto& m = square_;
-  const Direction mx{m[0] * at.x + m[1] * at.y + m[2] * at.z, m[1] * at.x + m[3] * at.y + m[4] * at.z, m[2] * at.x + m[4] * at.y + m[5] * at.z};
+  const Direction mx{m[0] * at.x + m[1] * at.y + m[2] * at.z, m[1] * at.x + m[3] * at.y + m[4] * at.z,
+                     m[2] * at.x + m[4] * at.y + m[5] * at.z};
   return dot(mx, at) - 2 * dot(linear_, at) + constant_;
 }
 

@@ -40,7 +40,8 @@ bool CollapseStar::strays(const Point& placed) const {
   double placed_off = CGAL::squared_distance(placed, Segment3(one_at, other_at)), one_off = far, other_off = far;
   for (const NumberedTriangle& t : triangles) {
     const auto& [before, moved, after] = t.corner;
-    if (placed_off > allowed) placed_off = std::min(placed_off, CGAL::squared_distance(placed, Triangle3(before, moved, after)));
+    if (placed_off > allowed)
+      placed_off = std::min(placed_off, CGAL::squared_distance(placed, Triangle3(before, moved, after)));
     const Triangle3 made(before, placed, after);
     if (made.is_degenerate()) continue;
     if (one_off > allowed) one_off = std::min(one_off, CGAL::squared_distance(one_at, made));

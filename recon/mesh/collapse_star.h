@@ -1,6 +1,6 @@
 #pragma once
-// The triangles round an edge that is about to be collapsed, and what speaks against a place for the vertex that it becomes. Inner part of
-// collapse_guard.h and collapse_interfaces.h: needs CGAL's headers.
+// The triangles round an edge that is about to be collapsed, and what speaks against a place for the vertex that it
+// becomes. Inner part of collapse_guard.h and collapse_interfaces.h: needs CGAL's headers.
 
 #include <algorithm>
 #include <optional>
@@ -12,16 +12,16 @@
 namespace odontoscope {
 
 enum class CollapseRefusal {
-  far,      // the new vertex, or one of the old, would lie farther off the surface than the edge is long
-  turned,   // a triangle would turn over
-  flat,     // a triangle would have no area
-  cuts,     // a triangle would cut or touch another
+  far,     // the new vertex, or one of the old, would lie farther off the surface than the edge is long
+  turned,  // a triangle would turn over
+  flat,    // a triangle would have no area
+  cuts,    // a triangle would cut or touch another
 };
 
 struct CollapseStar {
   using Point = ExactKernel::Point_3;
 
-  PointIndex one = 0, other = 0;   // the edge's vertices; what they become keeps the number of the first
+  PointIndex one = 0, other = 0;  // the edge's vertices; what they become keeps the number of the first
   Point one_at, other_at;
   /// Triangles that stay, as they are now; the corner in the middle is the one that moves.
   std::vector<NumberedTriangle> triangles;
@@ -43,15 +43,18 @@ struct CollapseStar {
 /// Of its three corners.
 MovingBox box_of(const NumberedTriangle& triangle);
 
-/// Would a triangle of the star, with its vertex at `placed`, cut or touch one of the others? `tree` holds the boxes of all triangles by number;
-/// `triangle(number)` gives one, `counts(triangle)` whether it is to be held against the star's.
+/// Would a triangle of the star, with its vertex at `placed`, cut or touch one of the others? `tree` holds the boxes of
+/// all triangles by number; `triangle(number)` gives one, `counts(triangle)` whether it is to be held against the
+/// star's.
 template <class TriangleOf, class Counts>
-bool cuts_others(const CollapseStar& star, const CollapseStar::Point& placed, const MovingBoxTree& tree, TriangleOf triangle, Counts counts) {
+bool cuts_others(const CollapseStar& star, const CollapseStar::Point& placed, const MovingBoxTree& tree,
+                 TriangleOf triangle, Counts counts) {
   for (std::size_t t = 0; t < star.triangles.size(); ++t) {
     const NumberedTriangle made = star.made(t, placed);
     const bool cut = tree.any(box_of(made), [&](std::uint32_t number) {
       const NumberedTriangle other = triangle(number);
-      const bool own = std::any_of(other.number.begin(), other.number.end(), [&](PointIndex v) { return star.holds(v); });
+      const bool own =
+          std::any_of(other.number.begin(), other.number.end(), [&](PointIndex v) { return star.holds(v); });
       return !own && counts(other) && meet_elsewhere(made, other);
     });
     if (cut) return true;

@@ -10,7 +10,8 @@ namespace odontoscope {
 /// Precondition: there is a structure of that name.
 Label label_of(const LabelledComplex& complex, const std::string& structure);
 
-/// The closed surface of one material, or of all together (void_label), turned outwards; its points are a subset, in the same order.
+/// The closed surface of one material, or of all together (void_label), turned outwards; its points are a subset, in
+/// the same order.
 SurfaceMesh surface_of(const LabelledComplex& complex, Label label);
 
 /// The tetrahedra of one material; their points are a subset, in the same order.

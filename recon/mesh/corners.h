@@ -20,7 +20,9 @@ inline BoxTree<std::array<double, 3>>::Bounds box_round(const Corners& t) {
   return {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
 }
 
-inline Point3 middle_of(const Corners& t) { return {(t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3, (t[0].z + t[1].z + t[2].z) / 3}; }
+inline Point3 middle_of(const Corners& t) {
+  return {(t[0].x + t[1].x + t[2].x) / 3, (t[0].y + t[1].y + t[2].y) / 3, (t[0].z + t[1].z + t[2].z) / 3};
+}
 
 /// Twice the area long.
 inline Direction normal_of(const Corners& t) { return cross(t[1] - t[0], t[2] - t[0]); }

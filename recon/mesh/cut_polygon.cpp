@@ -25,10 +25,12 @@ struct FaceInfo {
   bool visited = false, inside = false;
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Corner, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 constexpr Corner nobody = 0xffffffff;
 
@@ -51,7 +53,8 @@ std::array<double, 3> newell_normal(const std::vector<Point3>& corners) {
 /// The one nearest to the normal first; equal ones from z on.
 std::array<std::size_t, 3> axes_by_nearness(const std::array<double, 3>& normal) {
   std::array<std::size_t, 3> axes{2, 1, 0};
-  std::stable_sort(axes.begin(), axes.end(), [&](std::size_t a, std::size_t b) { return std::abs(normal[a]) > std::abs(normal[b]); });
+  std::stable_sort(axes.begin(), axes.end(),
+                   [&](std::size_t a, std::size_t b) { return std::abs(normal[a]) > std::abs(normal[b]); });
   return axes;
 }
 
@@ -91,14 +94,17 @@ std::optional<CornerTriangles> cut_four(const std::vector<Point3>& corners, std:
 /// Edges by their corners, the lesser first, and how often they run that way rather than the other.
 using Balance = std::map<std::pair<Corner, Corner>, int>;
 void count(Balance& balance, Corner a, Corner b, int times) {
-  if (a < b) balance[{a, b}] += times;
-  else balance[{b, a}] -= times;
+  if (a < b)
+    balance[{a, b}] += times;
+  else
+    balance[{b, a}] -= times;
 }
 
 /// Cuts what is seen along one axis.
 class ManyCorners {
  public:
-  ManyCorners(const std::vector<Point3>& corners, std::size_t axis) : corners_(corners), seen_(seen_along(corners, axis)) {}
+  ManyCorners(const std::vector<Point3>& corners, std::size_t axis)
+      : corners_(corners), seen_(seen_along(corners, axis)) {}
 
   /// Nothing if the polygon meets itself otherwise than in corners and along its own edges.
   std::optional<CornerTriangles> cut() {
@@ -106,7 +112,8 @@ class ManyCorners {
     tell_inside();
     CornerTriangles triangles;
     for (const auto face : triangulation_.finite_face_handles()) {
-      if (face->info().inside) triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+      if (face->info().inside)
+        triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
     }
     if (triangles.size() != corners_.size() - 2) return std::nullopt;
     std::sort(triangles.begin(), triangles.end());
@@ -143,7 +150,8 @@ class ManyCorners {
   }
 
   bool is_border(Triangulation::Face_handle face, int i) const {
-    const auto edge = times_.find(std::minmax(face->vertex(Triangulation::ccw(i))->info(), face->vertex(Triangulation::cw(i))->info()));
+    const auto edge = times_.find(
+        std::minmax(face->vertex(Triangulation::ccw(i))->info(), face->vertex(Triangulation::cw(i))->info()));
     return edge != times_.end() && edge->second % 2 != 0;
   }
 
@@ -166,13 +174,15 @@ class ManyCorners {
 
   bool is_bounded_by_polygon(const CornerTriangles& triangles) const {
     Balance balance;
-    for (std::size_t i = 0; i < first_at_place_.size(); ++i) count(balance, first_at_place_[i], first_at_place_[(i + 1) % first_at_place_.size()], 1);
+    for (std::size_t i = 0; i < first_at_place_.size(); ++i)
+      count(balance, first_at_place_[i], first_at_place_[(i + 1) % first_at_place_.size()], 1);
     for (const auto& [a, b, c] : triangles) {
       count(balance, a, b, -1);
       count(balance, b, c, -1);
       count(balance, c, a, -1);
     }
-    return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.first.first == edge.first.second || edge.second == 0; });
+    return std::all_of(balance.begin(), balance.end(),
+                       [](const auto& edge) { return edge.first.first == edge.first.second || edge.second == 0; });
   }
 
   const std::vector<Point3>& corners_;
@@ -220,7 +230,8 @@ CutPolygon cut_polygon(const std::vector<Point3>& corners) {
   const std::array<double, 3> normal = newell_normal(corners);
   measure(corners, normal, cut);
   for (const std::size_t axis : axes_by_nearness(normal)) {
-    const auto triangles = corners.size() == 4 ? cut_four(corners, axis, normal[axis]) : ManyCorners(corners, axis).cut();
+    const auto triangles =
+        corners.size() == 4 ? cut_four(corners, axis, normal[axis]) : ManyCorners(corners, axis).cut();
     if (!triangles) continue;
     cut.triangles = *triangles;
     return cut;
@@ -230,7 +241,8 @@ CutPolygon cut_polygon(const std::vector<Point3>& corners) {
   return cut;
 }
 
-std::optional<std::vector<std::array<std::uint32_t, 3>>> cut_along_diagonal(const std::vector<Point3>& corners, std::uint32_t from) {
+std::optional<std::vector<std::array<std::uint32_t, 3>>> cut_along_diagonal(const std::vector<Point3>& corners,
+                                                                            std::uint32_t from) {
   const std::array<double, 3> normal = newell_normal(corners);
   const std::size_t axis = axes_by_nearness(normal).front();
   if (!lies_inside(from, seen_along(corners, axis), normal[axis])) return std::nullopt;

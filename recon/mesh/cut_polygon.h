@@ -19,15 +19,16 @@ namespace odontoscope {
 struct CutPolygon {
   /// Corners by number, oriented like the polygon; n - 2 of them for n corners.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  bool fan = false;       // it crosses itself whichever way it is looked at
-  double off_plane = 0;   // the farthest that a corner lies off the plane through their middle, across the normal
-  double size = 0;        // the longest side of the box around it
+  bool fan = false;      // it crosses itself whichever way it is looked at
+  double off_plane = 0;  // the farthest that a corner lies off the plane through their middle, across the normal
+  double size = 0;       // the longest side of the box around it
 };
 
 /// Precondition: three corners or more. Neighbours differ by number, places may be equal.
 CutPolygon cut_polygon(const std::vector<Point3>& corners);
 
 /// Of four corners, along the diagonal that begins at corner 0 or 1; nothing if that does not lie inside.
-std::optional<std::vector<std::array<std::uint32_t, 3>>> cut_along_diagonal(const std::vector<Point3>& corners, std::uint32_t from);
+std::optional<std::vector<std::array<std::uint32_t, 3>>> cut_along_diagonal(const std::vector<Point3>& corners,
+                                                                            std::uint32_t from);
 
 }  // namespace odontoscope

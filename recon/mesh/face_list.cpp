@@ -11,7 +11,9 @@
 namespace odontoscope {
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
 
 }  // namespace
 
@@ -31,8 +33,10 @@ void FaceList::add(const std::vector<PointIndex>& corners) {
     triangles_.resize(triangles_.size() + left - 2);
     return;
   }
-  if (left == 3) triangles_.push_back({corners_[first], corners_[first + 1], corners_[first + 2]});
-  else ++without_area_;
+  if (left == 3)
+    triangles_.push_back({corners_[first], corners_[first + 1], corners_[first + 2]});
+  else
+    ++without_area_;
   corners_.resize(first);
 }
 
@@ -64,7 +68,8 @@ std::vector<Point3> FaceList::places_of(const Polygon& polygon, const SurfaceMes
   return places;
 }
 
-void FaceList::fill(const Polygon& polygon, const std::vector<std::array<std::uint32_t, 3>>& triangles, SurfaceMesh& mesh) const {
+void FaceList::fill(const Polygon& polygon, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                    SurfaceMesh& mesh) const {
   const PointIndex* corners = corners_.data() + polygon.first_corner;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
@@ -91,15 +96,19 @@ const FaceList::Polygon* FaceList::parted_by(HalfEdge h, const SurfaceMesh& mesh
 void FaceList::turn_crowded_diagonals(SurfaceMesh& mesh) const {
   const std::vector<HalfEdge> crowded = edge_mates(mesh).crowded;
   std::vector<const Polygon*> to_turn;
-  const auto edge_of = [&](HalfEdge h) { return std::minmax({PointIndex{start(mesh, h)}, PointIndex{end(mesh, h)}}); };   // by value: the other minmax gives references
+  const auto edge_of = [&](HalfEdge h) {
+    return std::minmax({PointIndex{start(mesh, h)}, PointIndex{end(mesh, h)}});
+  };  // by value: the other minmax gives references
   for (std::size_t i = 0; i < crowded.size();) {
     const std::pair<PointIndex, PointIndex> edge = edge_of(crowded[i]);
     std::size_t others = 0;
     std::vector<const Polygon*> parted;
     for (; i < crowded.size() && std::pair<PointIndex, PointIndex>(edge_of(crowded[i])) == edge; ++i) {
       const Polygon* polygon = parted_by(crowded[i], mesh);
-      if (!polygon) ++others;
-      else if (parted.empty() || parted.back() != polygon) parted.push_back(polygon);
+      if (!polygon)
+        ++others;
+      else if (parted.empty() || parted.back() != polygon)
+        parted.push_back(polygon);
     }
     // One may keep the diagonal if nobody else has an edge there.
     to_turn.insert(to_turn.end(), parted.begin() + (others == 0 && !parted.empty() ? 1 : 0), parted.end());
@@ -107,21 +116,30 @@ void FaceList::turn_crowded_diagonals(SurfaceMesh& mesh) const {
   for (const Polygon* polygon : to_turn) {
     const PointIndex* corners = corners_.data() + polygon->first_corner;
     const bool along_first = mesh.triangles[polygon->first_triangle][0] == corners[0];
-    if (const auto turned = cut_along_diagonal(places_of(*polygon, mesh), along_first ? 1 : 0)) fill(*polygon, *turned, mesh);
+    if (const auto turned = cut_along_diagonal(places_of(*polygon, mesh), along_first ? 1 : 0))
+      fill(*polygon, *turned, mesh);
   }
 }
 
 std::vector<std::string> FaceList::remarks() const {
   std::vector<std::string> lines;
   if (!polygons_.empty()) {
-    std::string line = counted(polygons_.size(), "face of more than three corners was", "faces of more than three corners were") + " cut into triangles";
+    std::string line =
+        counted(polygons_.size(), "face of more than three corners was", "faces of more than three corners were") +
+        " cut into triangles";
     if (bent_ > 0) {
-      line += fmt::format("; {} not flat, by up to {:.3g} mm: cut as seen along the axis nearest to the normal", counted(bent_, "is", "are"), farthest_off_);
+      line += fmt::format("; {} not flat, by up to {:.3g} mm: cut as seen along the axis nearest to the normal",
+                          counted(bent_, "is", "are"), farthest_off_);
     }
-    if (fans_ > 0) line += fmt::format("; {} and {} cut as a fan from the first corner", counted(fans_, "crosses itself", "cross themselves"), fans_ == 1 ? "was" : "were");
+    if (fans_ > 0)
+      line += fmt::format("; {} and {} cut as a fan from the first corner",
+                          counted(fans_, "crosses itself", "cross themselves"), fans_ == 1 ? "was" : "were");
     lines.push_back(std::move(line));
   }
-  if (without_area_ > 0) lines.push_back(counted(without_area_, "face of fewer than three corners was", "faces of fewer than three corners were") + " left out");
+  if (without_area_ > 0)
+    lines.push_back(
+        counted(without_area_, "face of fewer than three corners was", "faces of fewer than three corners were") +
+        " left out");
   return lines;
 }
 

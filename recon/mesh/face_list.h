@@ -11,8 +11,8 @@
 
 namespace odontoscope {
 
-/// Collects faces. Triangles come out as they came in, in the order of the faces; a polygon gets as many places among them
-/// as it will have triangles, which `cut_into` fills once all corners are known.
+/// Collects faces. Triangles come out as they came in, in the order of the faces; a polygon gets as many places among
+/// them as it will have triangles, which `cut_into` fills once all corners are known.
 class FaceList {
  public:
   /// Corners in order, counter-clockwise seen from outside. Of more than three, those that repeat their neighbour are
@@ -28,8 +28,9 @@ class FaceList {
   /// The largest corner named; 0 without faces.
   PointIndex largest_corner() const { return largest_corner_; }
 
-  /// Makes them the triangles of `mesh`. Polygons are cut along diagonals between their own corners, so a surface that was
-  /// closed and oriented stays so; cut_polygon.h says along which. Once only. Precondition: all corners are points of `mesh`.
+  /// Makes them the triangles of `mesh`. Polygons are cut along diagonals between their own corners, so a surface that
+  /// was closed and oriented stays so; cut_polygon.h says along which. Once only. Precondition: all corners are points
+  /// of `mesh`.
   void cut_into(SurfaceMesh& mesh);
 
   /// What `cut_into` and `add` have to say, a line each; none if all faces were triangles.
@@ -41,7 +42,8 @@ class FaceList {
     std::uint32_t corners = 0;
   };
   std::vector<Point3> places_of(const Polygon& polygon, const SurfaceMesh& mesh) const;
-  void fill(const Polygon& polygon, const std::vector<std::array<std::uint32_t, 3>>& triangles, SurfaceMesh& mesh) const;
+  void fill(const Polygon& polygon, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+            SurfaceMesh& mesh) const;
   const Polygon* parted_by(HalfEdge h, const SurfaceMesh& mesh) const;
   /// Two faces on the same four corners would be cut along the same diagonal, which then had four triangles.
   void turn_crowded_diagonals(SurfaceMesh& mesh) const;

@@ -6,7 +6,8 @@
 namespace odontoscope {
 
 std::optional<std::size_t> slices_given(std::string_view bytes, const std::string& file) {
-  const gltf::Glb glb = bytes.starts_with("glTF") ? gltf::parse_container(bytes, file) : gltf::parse_document(bytes, file);
+  const gltf::Glb glb =
+      bytes.starts_with("glTF") ? gltf::parse_container(bytes, file) : gltf::parse_document(bytes, file);
   const nlohmann::json* found = &glb.document;
   for (const char* key : {"asset", "extras", "slices_checked"}) {
     if (!found->is_object()) return std::nullopt;

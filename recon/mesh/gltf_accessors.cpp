@@ -40,9 +40,11 @@ std::string_view announced_bytes(std::string_view bytes, const std::string& file
   if (version != 2)
     refuse("bad-header", at_byte(file, 4), fmt::format("glTF version {} is not known, only 2", version));
   const std::size_t announced = little_endian<std::uint32_t>(bytes, 8);
-  if (announced < header_size) refuse("bad-header", at_byte(file, 8), fmt::format("its header announces {} bytes", announced));
+  if (announced < header_size)
+    refuse("bad-header", at_byte(file, 8), fmt::format("its header announces {} bytes", announced));
   if (bytes.size() < announced) {
-    refuse("truncated", at_byte(file, 8), fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+    refuse("truncated", at_byte(file, 8),
+           fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
            "Copy or export it again");
   }
   return bytes.substr(0, announced);
@@ -67,7 +69,8 @@ struct View {
   std::uint64_t component_type = 0;
 };
 
-constexpr std::uint64_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123, unsigned_int = 5125, single = 5126;
+constexpr std::uint64_t signed_byte = 5120, unsigned_byte = 5121, signed_short = 5122, unsigned_short = 5123,
+                        unsigned_int = 5125, single = 5126;
 
 std::size_t component_size(std::uint64_t type) {
   switch (type) {
@@ -89,12 +92,14 @@ std::size_t component_size(std::uint64_t type) {
 std::string_view view_bytes(const Glb& glb, std::size_t index) {
   const json& view = entry(glb, "bufferViews", index);
   const auto extensions = view.find("extensions");
-  if (extensions == view.end() || !extensions->is_object() || !extensions->contains(meshopt_extension)) return buffer_bytes(glb, view);
+  if (extensions == view.end() || !extensions->is_object() || !extensions->contains(meshopt_extension))
+    return buffer_bytes(glb, view);
   const auto known = glb.unpacked.find(index);
   if (known != glb.unpacked.end()) return known->second;
   std::size_t bytes = 0;
   for (const auto& [number, other] : glb.unpacked) bytes += other.size();
-  if (bytes > limits::file_bytes) glb.refuse("too-large", fmt::format("the compressed buffer views have more than {} bytes", limits::file_bytes));
+  if (bytes > limits::file_bytes)
+    glb.refuse("too-large", fmt::format("the compressed buffer views have more than {} bytes", limits::file_bytes));
   return glb.unpacked.emplace(index, unpacked(glb, view)).first->second;
 }
 
@@ -136,7 +141,8 @@ template <typename Number>
 std::array<float, 3> three(const View& view, std::size_t element, bool normalized) {
   std::array<float, 3> values{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto value = static_cast<float>(little_endian<Number>(view.bytes, element * view.stride + k * sizeof(Number)));
+    const auto value =
+        static_cast<float>(little_endian<Number>(view.bytes, element * view.stride + k * sizeof(Number)));
     values[k] = normalized ? std::max(value / static_cast<float>(std::numeric_limits<Number>::max()), -1.0f) : value;
   }
   return values;
@@ -158,7 +164,8 @@ std::array<float, 3> quantized(const View& view, std::size_t element, bool norma
 
 void parse_json(Glb& glb, std::string_view text) {
   glb.document = json::parse(text, nullptr, false);
-  if (glb.document.is_discarded() || !glb.document.is_object()) glb.refuse("unparsable", "the JSON part is no JSON object");
+  if (glb.document.is_discarded() || !glb.document.is_object())
+    glb.refuse("unparsable", "the JSON part is no JSON object");
   check_extensions(glb);
 }
 
@@ -167,8 +174,10 @@ std::size_t bytes_outside_texts(std::string_view text) {
   std::size_t outside = 0;
   bool within = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (within && text[i] == '\\') ++i;
-    else if (text[i] == '"') within = !within;
+    if (within && text[i] == '\\')
+      ++i;
+    else if (text[i] == '"')
+      within = !within;
     outside += !within;
   }
   return outside;
@@ -191,7 +200,8 @@ Glb parse_container(std::string_view all_bytes, const std::string& file) {
   Glb glb;
   glb.file = file;
   glb.json_offset = first.offset;
-  if (all_bytes.size() > bytes.size()) glb.remarks.push_back(parsing::bytes_behind_told(all_bytes.size() - bytes.size()));
+  if (all_bytes.size() > bytes.size())
+    glb.remarks.push_back(parsing::bytes_behind_told(all_bytes.size() - bytes.size()));
   for (std::size_t at = first.offset + first.bytes.size(); at < bytes.size();) {
     const Chunk chunk = next_chunk(bytes, at, file);
     if (chunk.type == buffer_chunk && !glb.has_buffer) {
@@ -206,7 +216,8 @@ Glb parse_container(std::string_view all_bytes, const std::string& file) {
 
 Glb parse_document(std::string_view bytes, const std::string& file) {
   if (bytes_outside_texts(bytes) > limits::gltf_json_bytes) {
-    refuse("too-large", at_byte(file, 0), fmt::format("it has more than {} bytes besides its texts", limits::gltf_json_bytes));
+    refuse("too-large", at_byte(file, 0),
+           fmt::format("it has more than {} bytes besides its texts", limits::gltf_json_bytes));
   }
   Glb glb;
   glb.file = file;
@@ -262,7 +273,8 @@ std::string_view buffer_bytes(const Glb& glb, const json& place) {
   const std::string_view buffer = whole_buffer(glb, index_into(glb, place, "buffer", "buffers"));
   const std::uint64_t offset = whole(glb, place, "byteOffset", 0), length = whole(glb, place, "byteLength", 0);
   if (offset > buffer.size() || length > buffer.size() - offset) {
-    glb.refuse("truncated", fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset, buffer.size()));
+    glb.refuse("truncated",
+               fmt::format("a buffer view of {} bytes from {} leaves the buffer of {}", length, offset, buffer.size()));
   }
   return buffer.substr(offset, length);
 }
@@ -273,7 +285,8 @@ std::vector<std::array<float, 3>> read_positions(const Glb& glb, std::size_t acc
   positions.reserve(view.count);
   if (view.component_type != single) {
     const json& used = list(glb, "extensionsUsed");
-    if (view.component_type == unsigned_int || std::find(used.begin(), used.end(), quantization_extension) == used.end())
+    if (view.component_type == unsigned_int ||
+        std::find(used.begin(), used.end(), quantization_extension) == used.end())
       glb.refuse("unsupported", "positions are not single-precision numbers");
     const bool normalized = entry(glb, "accessors", accessor).value("normalized", json(false)) == true;
     for (std::size_t i = 0; i < view.count; ++i) positions.push_back(quantized(view, i, normalized));

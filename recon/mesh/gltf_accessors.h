@@ -1,6 +1,6 @@
 #pragma once
-// The numbers of glTF, in one file or with its data beside it: the parts told apart, and accessors read with every bound
-// checked. For the .cpp files of this room only.
+// The numbers of glTF, in one file or with its data beside it: the parts told apart, and accessors read with every
+// bound checked. For the .cpp files of this room only.
 
 #include <array>
 #include <cstdint>
@@ -47,7 +47,8 @@ const nlohmann::json& list(const Glb& glb, const char* key);
 /// document[key][index], an object.
 const nlohmann::json& entry(const Glb& glb, const char* key, std::size_t index);
 
-/// The part of a buffer that `place` names by buffer, byteOffset and byteLength. InputError truncated, and those of gltf_buffers.h.
+/// The part of a buffer that `place` names by buffer, byteOffset and byteLength. InputError truncated, and those of
+/// gltf_buffers.h.
 std::string_view buffer_bytes(const Glb& glb, const nlohmann::json& place);
 
 /// A VEC3 of floats, or, where the file says that it uses KHR_mesh_quantization, of bytes or shorts.

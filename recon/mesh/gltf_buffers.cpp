@@ -29,7 +29,8 @@ int hex_digit(char c) {
 std::string unescaped(std::string_view uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    const bool escaped = uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 && hex_digit(uri[i + 2]) >= 0;
+    const bool escaped =
+        uri[i] == '%' && i + 2 < uri.size() && hex_digit(uri[i + 1]) >= 0 && hex_digit(uri[i + 2]) >= 0;
     text += escaped ? static_cast<char>(hex_digit(uri[i + 1]) * 16 + hex_digit(uri[i + 2])) : uri[i];
     if (escaped) i += 2;
   }
@@ -48,7 +49,8 @@ std::string from_data_uri(const Glb& glb, std::string_view uri) {
 
 bool leads_below(const std::filesystem::path& folder, const std::filesystem::path& file) {
   std::error_code error;
-  const auto above = std::filesystem::weakly_canonical(folder, error), below = std::filesystem::weakly_canonical(file, error);
+  const auto above = std::filesystem::weakly_canonical(folder, error),
+             below = std::filesystem::weakly_canonical(file, error);
   if (error) return false;
   return std::mismatch(above.begin(), above.end(), below.begin(), below.end()).first == above.end();
 }
@@ -58,9 +60,13 @@ std::string from_file(const Glb& glb, std::string_view uri) {
   std::filesystem::path folder = std::filesystem::path(glb.file).parent_path();
   if (folder.empty()) folder = ".";
   const std::filesystem::path relative(name);
-  const bool has_scheme = name.find(':') != name.npos, climbs = std::find(relative.begin(), relative.end(), "..") != relative.end();
-  if (name.empty() || name.find('\0') != name.npos || has_scheme || climbs || relative.is_absolute() || !leads_below(folder, folder / relative)) {
-    glb.refuse("unsupported", fmt::format("the buffer \"{}\" lies outside the file's own folder", parsing::tame(name.substr(0, limits::quoted_length))),
+  const bool has_scheme = name.find(':') != name.npos,
+             climbs = std::find(relative.begin(), relative.end(), "..") != relative.end();
+  if (name.empty() || name.find('\0') != name.npos || has_scheme || climbs || relative.is_absolute() ||
+      !leads_below(folder, folder / relative)) {
+    glb.refuse("unsupported",
+               fmt::format("the buffer \"{}\" lies outside the file's own folder",
+                           parsing::tame(name.substr(0, limits::quoted_length))),
                "Put it beside the file, or export it as one .glb");
   }
   const std::filesystem::path file = folder / relative;
@@ -79,7 +85,8 @@ std::string_view whole_buffer(const Glb& glb, std::size_t index) {
   const json& buffer = entry(glb, "buffers", index);
   const auto uri = buffer.find("uri");
   if (uri == buffer.end()) {
-    if (index != 0 || !glb.has_buffer) glb.refuse("unsupported", fmt::format("buffer {} has no data", index), "Export it with its data");
+    if (index != 0 || !glb.has_buffer)
+      glb.refuse("unsupported", fmt::format("buffer {} has no data", index), "Export it with its data");
     return glb.buffer;
   }
   if (!uri->is_string()) glb.refuse("unparsable", "\"uri\" is no text");
@@ -87,7 +94,8 @@ std::string_view whole_buffer(const Glb& glb, std::size_t index) {
   std::size_t bytes = 0;
   for (const auto& [number, other] : glb.fetched) bytes += other.size();
   std::string fetched = text.starts_with("data:") ? from_data_uri(glb, text) : from_file(glb, text);
-  if (bytes + fetched.size() > limits::file_bytes) glb.refuse("file-too-large", fmt::format("its buffers have more than {} bytes", limits::file_bytes));
+  if (bytes + fetched.size() > limits::file_bytes)
+    glb.refuse("file-too-large", fmt::format("its buffers have more than {} bytes", limits::file_bytes));
   return glb.fetched.emplace(index, std::move(fetched)).first->second;
 }
 

@@ -28,11 +28,16 @@ struct Packed {
 void check_shape(const Glb& glb, const Packed& packed) {
   constexpr std::size_t largest_stride = 256;
   const bool attributes = packed.mode == "ATTRIBUTES", triangles = packed.mode == "TRIANGLES";
-  if (!attributes && !triangles && packed.mode != "INDICES") glb.refuse("unparsable", "a compressed buffer view has a mode that is not known");
-  const bool stride_fits = attributes ? packed.stride > 0 && packed.stride <= largest_stride && packed.stride % 4 == 0 : packed.stride == 2 || packed.stride == 4;
-  if (!stride_fits) glb.refuse("unparsable", fmt::format("a compressed buffer view has a stride of {} bytes", packed.stride));
-  if (triangles && packed.count % 3 != 0) glb.refuse("not-triangles", fmt::format("{} compressed corners make no whole triangles", packed.count));
-  if (packed.filter != "NONE" && !(attributes && packed.filter == "EXPONENTIAL")) glb.refuse("unsupported", "positions or indices are compressed with a filter that is not for them");
+  if (!attributes && !triangles && packed.mode != "INDICES")
+    glb.refuse("unparsable", "a compressed buffer view has a mode that is not known");
+  const bool stride_fits = attributes ? packed.stride > 0 && packed.stride <= largest_stride && packed.stride % 4 == 0
+                                      : packed.stride == 2 || packed.stride == 4;
+  if (!stride_fits)
+    glb.refuse("unparsable", fmt::format("a compressed buffer view has a stride of {} bytes", packed.stride));
+  if (triangles && packed.count % 3 != 0)
+    glb.refuse("not-triangles", fmt::format("{} compressed corners make no whole triangles", packed.count));
+  if (packed.filter != "NONE" && !(attributes && packed.filter == "EXPONENTIAL"))
+    glb.refuse("unsupported", "positions or indices are compressed with a filter that is not for them");
 }
 
 Packed described(const Glb& glb, const json& view) {
@@ -48,7 +53,8 @@ Packed described(const Glb& glb, const json& view) {
   // Two bits for sixteen equal bytes are the least that any of the three takes.
   constexpr std::size_t best_ratio = 64;
   if (packed.count > packed.bytes.size() * best_ratio / packed.stride)
-    glb.refuse("truncated", fmt::format("{} bytes cannot hold the {} elements that a compressed buffer view announces", packed.bytes.size(), packed.count));
+    glb.refuse("truncated", fmt::format("{} bytes cannot hold the {} elements that a compressed buffer view announces",
+                                        packed.bytes.size(), packed.count));
   return packed;
 }
 
@@ -57,14 +63,19 @@ Packed described(const Glb& glb, const json& view) {
 std::string unpacked(const Glb& glb, const json& view) {
   const Packed packed = described(glb, view);
   const std::size_t size = packed.count * packed.stride;
-  if (size > limits::file_bytes) glb.refuse("too-large", fmt::format("a compressed buffer view has more than {} bytes", limits::file_bytes));
+  if (size > limits::file_bytes)
+    glb.refuse("too-large", fmt::format("a compressed buffer view has more than {} bytes", limits::file_bytes));
   std::string bytes(size, '\0');
   const auto* from = reinterpret_cast<const unsigned char*>(packed.bytes.data());
   int failed = 0;
-  if (packed.mode == "ATTRIBUTES") failed = meshopt_decodeVertexBuffer(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
-  if (packed.mode == "TRIANGLES") failed = meshopt_decodeIndexBuffer(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
-  if (packed.mode == "INDICES") failed = meshopt_decodeIndexSequence(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
-  if (failed != 0) glb.refuse("damaged-buffer", "a compressed buffer view cannot be unpacked", "Copy or export it again");
+  if (packed.mode == "ATTRIBUTES")
+    failed = meshopt_decodeVertexBuffer(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
+  if (packed.mode == "TRIANGLES")
+    failed = meshopt_decodeIndexBuffer(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
+  if (packed.mode == "INDICES")
+    failed = meshopt_decodeIndexSequence(bytes.data(), packed.count, packed.stride, from, packed.bytes.size());
+  if (failed != 0)
+    glb.refuse("damaged-buffer", "a compressed buffer view cannot be unpacked", "Copy or export it again");
   if (packed.filter == "EXPONENTIAL") meshopt_decodeFilterExp(bytes.data(), packed.count, packed.stride);
   return bytes;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Buffer views of a GLB that were compressed with meshoptimizer (extension EXT_meshopt_compression). For the .cpp files of this room only.
+// Buffer views of a GLB that were compressed with meshoptimizer (extension EXT_meshopt_compression). For the .cpp files
+// of this room only.
 
 #include <string>
 
@@ -9,8 +10,9 @@ namespace odontoscope::gltf {
 
 inline constexpr const char* meshopt_extension = "EXT_meshopt_compression";
 
-/// The bytes of `view`, which has the extension. What the file announces is compared with what its bytes can hold before memory is taken. InputError: unparsable,
-/// truncated, damaged-buffer, too-large, unsupported (filters of normals and turns, which are never asked for here; a buffer outside the file).
+/// The bytes of `view`, which has the extension. What the file announces is compared with what its bytes can hold
+/// before memory is taken. InputError: unparsable, truncated, damaged-buffer, too-large, unsupported (filters of
+/// normals and turns, which are never asked for here; a buffer outside the file).
 std::string unpacked(const Glb& glb, const nlohmann::json& view);
 
 }  // namespace odontoscope::gltf

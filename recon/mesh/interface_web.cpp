@@ -41,7 +41,8 @@ InterfaceWeb::Stratum InterfaceWeb::stratum(const Ring& ring) {
 }
 
 std::uint32_t InterfaceWeb::triangles_between(const Ring& ring, PointIndex other) {
-  const auto at = std::lower_bound(ring.begin(), ring.end(), other, [](const Neighbour& n, PointIndex v) { return n.vertex < v; });
+  const auto at =
+      std::lower_bound(ring.begin(), ring.end(), other, [](const Neighbour& n, PointIndex v) { return n.vertex < v; });
   return at != ring.end() && at->vertex == other ? at->triangles : 0;
 }
 
@@ -49,14 +50,15 @@ bool InterfaceWeb::keeps_topology(const Ring& ring_a, PointIndex b, const Ring& 
   const std::uint32_t between = triangles_between(ring_a, b);
   const Stratum of_a = stratum(ring_a), of_b = stratum(ring_b);
   const bool surface_edge = between == 2;
-  if (surface_edge && of_a != Stratum::surface && of_b != Stratum::surface) return false;   // two lines would meet, or one pinch itself
+  if (surface_edge && of_a != Stratum::surface && of_b != Stratum::surface)
+    return false;  // two lines would meet, or one pinch itself
   if (of_a == Stratum::point && of_b == Stratum::point) return false;
   std::uint32_t common = 0;
   for (const Neighbour& n : ring_a) {
     const std::uint32_t others = triangles_between(ring_b, n.vertex);
     if (others == 0) continue;
     ++common;
-    if (!surface_edge && !n.on_surface() && others != 2) return false;   // a line of three edges
+    if (!surface_edge && !n.on_surface() && others != 2) return false;  // a line of three edges
   }
   return common == between;
 }
@@ -86,7 +88,8 @@ std::vector<std::uint32_t> InterfaceWeb::collapse(PointIndex a, PointIndex b, co
 
 std::vector<std::uint32_t> InterfaceWeb::faces_between(PointIndex a, PointIndex b) const {
   std::vector<std::uint32_t> both;
-  std::set_intersection(faces_of_[a].begin(), faces_of_[a].end(), faces_of_[b].begin(), faces_of_[b].end(), std::back_inserter(both));
+  std::set_intersection(faces_of_[a].begin(), faces_of_[a].end(), faces_of_[b].begin(), faces_of_[b].end(),
+                        std::back_inserter(both));
   return both;
 }
 
@@ -111,11 +114,15 @@ PointIndex InterfaceWeb::split(PointIndex a, PointIndex b, const Point3& place) 
 void InterfaceWeb::flip(PointIndex a, PointIndex b) {
   const std::vector<std::uint32_t> pair = faces_between(a, b);
   Triangle &s = faces_[pair[0]].triangle, &t = faces_[pair[1]].triangle;
-  const auto opposite = [&](const Triangle& face) { return *std::find_if(face.begin(), face.end(), [&](PointIndex v) { return v != a && v != b; }); };
+  const auto opposite = [&](const Triangle& face) {
+    return *std::find_if(face.begin(), face.end(), [&](PointIndex v) { return v != a && v != b; });
+  };
   const PointIndex c = opposite(s), d = opposite(t);
   std::replace(s.begin(), s.end(), b, d);
   std::replace(t.begin(), t.end(), a, c);
-  const auto insert = [&](PointIndex v, std::uint32_t face) { faces_of_[v].insert(std::lower_bound(faces_of_[v].begin(), faces_of_[v].end(), face), face); };
+  const auto insert = [&](PointIndex v, std::uint32_t face) {
+    faces_of_[v].insert(std::lower_bound(faces_of_[v].begin(), faces_of_[v].end(), face), face);
+  };
   std::erase(faces_of_[b], pair[0]);
   std::erase(faces_of_[a], pair[1]);
   insert(d, pair[0]);

@@ -101,7 +101,8 @@ std::size_t join_seams(SurfaceMesh& mesh) {
 void join_seams_told(NamedMesh& mesh) {
   const std::size_t gone = join_seams(mesh.surface);
   if (gone == 0) return;
-  mesh.remarks.push_back(fmt::format("seams joined: {} with another at the same place", gone == 1 ? "1 vertex" : fmt::format("{} vertices", gone)));
+  mesh.remarks.push_back(fmt::format("seams joined: {} with another at the same place",
+                                     gone == 1 ? "1 vertex" : fmt::format("{} vertices", gone)));
 }
 
 }  // namespace odontoscope

@@ -1,5 +1,6 @@
 #pragma once
-// Seams of surfaces whose vertices are doubled there, as exporters of normals and textures do. For the .cpp files of this room only.
+// Seams of surfaces whose vertices are doubled there, as exporters of normals and textures do. For the .cpp files of
+// this room only.
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 #pragma once
-// A tree of boxes over numbered things that move, grow and vanish, but stay near where they were: triangles of a surface
-// that is being simplified. Its shape is settled once (halved at the median along the longer axis); afterwards only boxes
-// change, so it stays good for as long as each thing keeps its neighbourhood.
+// A tree of boxes over numbered things that move, grow and vanish, but stay near where they were: triangles of a
+// surface that is being simplified. Its shape is settled once (halved at the median along the longer axis); afterwards
+// only boxes change, so it stays good for as long as each thing keeps its neighbourhood.
 
 #include <algorithm>
 #include <array>
@@ -53,7 +53,9 @@ struct MovingBox {
 class MovingBoxTree {
  public:
   explicit MovingBoxTree(const std::vector<MovingBox>& boxes)
-      : leaves_(std::bit_ceil(std::max<std::size_t>(boxes.size(), 1))), nodes_(2 * leaves_), place_(boxes.size()),
+      : leaves_(std::bit_ceil(std::max<std::size_t>(boxes.size(), 1))),
+        nodes_(2 * leaves_),
+        place_(boxes.size()),
         thing_(leaves_, none) {
     std::vector<std::uint32_t> order(boxes.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -126,9 +128,9 @@ class MovingBoxTree {
   }
 
   std::size_t leaves_;
-  std::vector<MovingBox> nodes_;             // node n has the children 2n and 2n + 1; leaves come last
-  std::vector<std::uint32_t> place_;   // leaf of each thing
-  std::vector<std::uint32_t> thing_;   // of each leaf
+  std::vector<MovingBox> nodes_;      // node n has the children 2n and 2n + 1; leaves come last
+  std::vector<std::uint32_t> place_;  // leaf of each thing
+  std::vector<std::uint32_t> thing_;  // of each leaf
 };
 
 }  // namespace odontoscope

@@ -5,8 +5,9 @@
 
 namespace odontoscope {
 
-/// Barycentric coordinates of the nearest point of a triangle: s towards b, t towards c. Which feature it lies on: 0 to 2 a corner, 3 to 5 the edge
-/// from corner k - 3, 6 the inside. After C. Ericson, "Real-Time Collision Detection", 5.1.5.
+/// Barycentric coordinates of the nearest point of a triangle: s towards b, t towards c. Which feature it lies on: 0 to
+/// 2 a corner, 3 to 5 the edge from corner k - 3, 6 the inside. After C. Ericson, "Real-Time Collision
+/// Detection", 5.1.5.
 struct OnTriangle {
   double s = 0, t = 0;
   int feature = 0;

@@ -57,7 +57,8 @@ std::string tame(std::string_view name) {
 }
 
 std::string bytes_behind_told(std::size_t bytes) {
-  return fmt::format("{} behind the data that the header announces left aside", bytes == 1 ? "1 byte" : fmt::format("{} bytes", bytes));
+  return fmt::format("{} behind the data that the header announces left aside",
+                     bytes == 1 ? "1 byte" : fmt::format("{} bytes", bytes));
 }
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -84,7 +85,9 @@ bool parse_number(std::string_view word, double& number) {
   return error == std::errc();
 }
 
-std::size_t line_end(std::string_view text, std::size_t from) { return std::min(text.find_first_of("\r\n", from), text.size()); }
+std::size_t line_end(std::string_view text, std::size_t from) {
+  return std::min(text.find_first_of("\r\n", from), text.size());
+}
 
 std::size_t next_line(std::string_view text, std::size_t end) {
   if (end < text.size() && text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n') return end + 2;

@@ -14,7 +14,8 @@ namespace odontoscope::parsing {
 Place at_byte(const std::string& file, std::size_t byte);
 Place at_line(const std::string& file, std::size_t line);
 
-/// Throws the InputError, with the usual remedy for its cause where `remedy` is empty. A test compares the causes that are called by this name with those in docs/formats.md.
+/// Throws the InputError, with the usual remedy for its cause where `remedy` is empty. A test compares the causes that
+/// are called by this name with those in docs/formats.md.
 [[noreturn]] void refuse(std::string_view cause, const Place& place, std::string_view wrong,
                          std::string_view remedy = {});
 

@@ -89,7 +89,8 @@ Transform local_transform(const Glb& glb, const json& node) {
 
 constexpr std::uint64_t triangle_list = 4, triangle_strip = 5, triangle_fan = 6;
 
-/// Corners of a strip or a fan as those of triangles, each as the standard turns it; triangles that name a corner twice only lead on.
+/// Corners of a strip or a fan as those of triangles, each as the standard turns it; triangles that name a corner twice
+/// only lead on.
 std::vector<std::uint32_t> as_list(std::uint64_t mode, const std::vector<std::uint32_t>& corners) {
   std::vector<std::uint32_t> listed;
   for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
@@ -167,10 +168,12 @@ class SceneReader {
       meshes += static_cast<double>(times);
       const json& object = gltf::entry(glb_, "meshes", mesh);
       const auto primitives = object.find("primitives");
-      if (primitives == object.end() || !primitives->is_array()) continue;   // refused when it is read
+      if (primitives == object.end() || !primitives->is_array()) continue;  // refused when it is read
       for (const json& primitive : *primitives) {
-        const double points = count_of(primitive.is_object() && primitive.contains("attributes") ? primitive["attributes"] : json(), "POSITION");
-        const double corners = primitive.is_object() && primitive.contains("indices") ? count_of(primitive, "indices") : points;
+        const double points = count_of(
+            primitive.is_object() && primitive.contains("attributes") ? primitive["attributes"] : json(), "POSITION");
+        const double corners =
+            primitive.is_object() && primitive.contains("indices") ? count_of(primitive, "indices") : points;
         vertices += static_cast<double>(times) * points;
         triangles += static_cast<double>(times) * corners / 3;
       }
@@ -180,30 +183,36 @@ class SceneReader {
     }
     // As read and as joined, and a name, lists and remarks for each mesh.
     constexpr double bytes_of_mesh = 512;
-    check_memory(glb_.file, 2 * (triangles * sizeof(Triangle) + vertices * sizeof(Point3)) + meshes * bytes_of_mesh, "Export it with fewer copies of its meshes, or use a larger machine");
+    check_memory(glb_.file, 2 * (triangles * sizeof(Triangle) + vertices * sizeof(Point3)) + meshes * bytes_of_mesh,
+                 "Export it with fewer copies of its meshes, or use a larger machine");
   }
 
-  /// Of the accessor that `object[key]` names, as it says; 0 where it says nothing of use, which is refused when it is read.
+  /// Of the accessor that `object[key]` names, as it says; 0 where it says nothing of use, which is refused when it is
+  /// read.
   double count_of(const json& object, const char* key) const {
     if (!object.is_object()) return 0;
     const auto index = object.find(key);
     const json& accessors = gltf::list(glb_, "accessors");
-    if (index == object.end() || !index->is_number_unsigned() || index->get<std::size_t>() >= accessors.size()) return 0;
+    if (index == object.end() || !index->is_number_unsigned() || index->get<std::size_t>() >= accessors.size())
+      return 0;
     const json& accessor = accessors[index->get<std::size_t>()];
     const auto count = accessor.is_object() ? accessor.find("count") : accessor.end();
     if (!accessor.is_object() || count == accessor.end() || !count->is_number_unsigned()) return 0;
     return count->get<double>() <= bytes_of_view(accessor) ? count->get<double>() : 0;
   }
 
-  /// Of the view that it reads from, as that says; without bound where it names none of use. More elements than bytes are a lie.
+  /// Of the view that it reads from, as that says; without bound where it names none of use. More elements than bytes
+  /// are a lie.
   double bytes_of_view(const json& accessor) const {
     const auto view = accessor.find("bufferView");
     const json& views = gltf::list(glb_, "bufferViews");
     constexpr double unbounded = std::numeric_limits<double>::infinity();
-    if (view == accessor.end() || !view->is_number_unsigned() || view->get<std::size_t>() >= views.size()) return unbounded;
+    if (view == accessor.end() || !view->is_number_unsigned() || view->get<std::size_t>() >= views.size())
+      return unbounded;
     const json& object = views[view->get<std::size_t>()];
     const auto bytes = object.is_object() ? object.find("byteLength") : object.end();
-    return object.is_object() && bytes != object.end() && bytes->is_number_unsigned() ? bytes->get<double>() : unbounded;
+    return object.is_object() && bytes != object.end() && bytes->is_number_unsigned() ? bytes->get<double>()
+                                                                                      : unbounded;
   }
 
   void tell() {
@@ -211,9 +220,14 @@ class SceneReader {
     std::vector<std::string>& remarks = meshes_.front().remarks;
     remarks = glb_.remarks;
     if (mislabelled_ > 0) {
-      remarks.push_back(fmt::format("{} called a strip or fan of triangles, but closed only as a list: read as a list", mislabelled_ == 1 ? "1 primitive is" : fmt::format("{} primitives are", mislabelled_)));
+      remarks.push_back(
+          fmt::format("{} called a strip or fan of triangles, but closed only as a list: read as a list",
+                      mislabelled_ == 1 ? "1 primitive is" : fmt::format("{} primitives are", mislabelled_)));
     }
-    if (points_and_lines_ > 0) remarks.push_back(fmt::format("{} of points or lines left out", points_and_lines_ == 1 ? "1 primitive" : fmt::format("{} primitives", points_and_lines_)));
+    if (points_and_lines_ > 0)
+      remarks.push_back(
+          fmt::format("{} of points or lines left out",
+                      points_and_lines_ == 1 ? "1 primitive" : fmt::format("{} primitives", points_and_lines_)));
   }
 
   std::vector<std::size_t> node_list(const json& object, const char* key) {
@@ -298,7 +312,8 @@ class SceneReader {
   }
 
   /// A list that is only called a strip or a fan makes no surface as such, but a sound one as what it is; that is told.
-  std::vector<std::uint32_t> listed(std::uint64_t mode, const std::vector<std::array<float, 3>>& positions, const std::vector<std::uint32_t>& corners) {
+  std::vector<std::uint32_t> listed(std::uint64_t mode, const std::vector<std::array<float, 3>>& positions,
+                                    const std::vector<std::uint32_t>& corners) {
     const auto is_sound = [&](const std::vector<std::uint32_t>& of_triangles) {
       SurfaceMesh surface;
       add_triangles(glb_, of_triangles, positions.size(), false, surface);
@@ -332,7 +347,11 @@ std::vector<NamedMesh> meshes_of(const Glb& glb) {
 
 }  // namespace
 
-std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_container(bytes, file)); }
-std::vector<NamedMesh> parse_gltf(std::string_view bytes, const std::string& file) { return meshes_of(gltf::parse_document(bytes, file)); }
+std::vector<NamedMesh> parse_glb(std::string_view bytes, const std::string& file) {
+  return meshes_of(gltf::parse_container(bytes, file));
+}
+std::vector<NamedMesh> parse_gltf(std::string_view bytes, const std::string& file) {
+  return meshes_of(gltf::parse_document(bytes, file));
+}
 
 }  // namespace odontoscope

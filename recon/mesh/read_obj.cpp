@@ -71,28 +71,34 @@ class ObjReader {
   void read_line() {
     Words words(line_, number_);
     const std::string_view keyword = words.next();
-    if (keyword == "v") read_vertex(words);
-    else if (keyword == "f" || keyword == "fo") read_face(words);
-    else if (keyword == "o") begin_object(tame(words.rest_of_line()));
-    else if (keyword.empty() || keyword.front() == '#') return;
+    if (keyword == "v")
+      read_vertex(words);
+    else if (keyword == "f" || keyword == "fo")
+      read_face(words);
+    else if (keyword == "o")
+      begin_object(tame(words.rest_of_line()));
+    else if (keyword.empty() || keyword.front() == '#')
+      return;
     else if (is_curved(keyword)) {
       fail("unsupported", fmt::format("\"{}\" is of free-form curves and surfaces", keyword), "Export it as polygons");
     } else if (!is_skipped(keyword)) {
-      fail("unparsable", fmt::format("\"{}\" is no word of an OBJ file", tame(keyword.substr(0, limits::quoted_length))));
+      fail("unparsable",
+           fmt::format("\"{}\" is no word of an OBJ file", tame(keyword.substr(0, limits::quoted_length))));
     }
   }
 
   /// Normals, textures, materials, groups, lines, points and ways to draw, which bound nothing.
   static bool is_skipped(std::string_view keyword) {
-    for (const std::string_view known : {"vn", "vt", "vp", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "lod", "bevel",
-                                         "c_interp", "d_interp", "shadow_obj", "trace_obj"}) {
+    for (const std::string_view known : {"vn", "vt", "vp", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l",
+                                         "p", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"}) {
       if (keyword == known) return true;
     }
     return false;
   }
   static bool is_curved(std::string_view keyword) {
-    for (const std::string_view known : {"cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end",
-                                         "con", "ctech", "stech", "res", "bzp", "bsp", "cdc", "cdp"}) {
+    for (const std::string_view known :
+         {"cstype", "deg", "bmat", "step",  "curv",  "curv2", "surf", "parm", "trim", "hole", "scrv",
+          "sp",     "end", "con",  "ctech", "stech", "res",   "bzp",  "bsp",  "cdc",  "cdp"}) {
       if (keyword == known) return true;
     }
     return false;
@@ -116,14 +122,16 @@ class ObjReader {
   void read_face(Words& words) {
     corners_.clear();
     for (std::string_view word = words.next(); !word.empty() && word.front() != '#'; word = words.next()) {
-      if (corners_.size() == limits::polygon_corners) fail("too-large", fmt::format("a face has more than {} corners", limits::polygon_corners));
+      if (corners_.size() == limits::polygon_corners)
+        fail("too-large", fmt::format("a face has more than {} corners", limits::polygon_corners));
       const std::size_t vertex = vertex_number(word);
       const auto [at, fresh] = object_.number.try_emplace(vertex, static_cast<PointIndex>(object_.points.size()));
       if (fresh) object_.points.push_back(points_[vertex]);
       corners_.push_back(at->second);
     }
     object_.faces.add(corners_);
-    if (triangles_ + object_.faces.triangles() > limits::triangles) fail("too-large", fmt::format("there are more than {} triangles", limits::triangles));
+    if (triangles_ + object_.faces.triangles() > limits::triangles)
+      fail("too-large", fmt::format("there are more than {} triangles", limits::triangles));
   }
 
   /// "7", "7/1", "7/1/2" or "7//2"; from 1, or below 0 back from the last one.

@@ -212,7 +212,9 @@ class Body {
   /// How many bytes follow what the header announces. Of text there must be none: a count may have been mistyped.
   std::size_t bytes_behind() {
     if (encoding_ != Encoding::ascii) return bytes_.size() - at_;
-    if (!words_.next().empty()) refuse("trailing-bytes", "the file goes on after the elements that its header announces", "Correct the counts in its header");
+    if (!words_.next().empty())
+      refuse("trailing-bytes", "the file goes on after the elements that its header announces",
+             "Correct the counts in its header");
     return 0;
   }
 
@@ -296,7 +298,8 @@ class Corners {
     list_ = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
       return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
     });
-    if (list_ == element.properties.end()) body.refuse("bad-header", fmt::format("the {}s have no list vertex_indices", what));
+    if (list_ == element.properties.end())
+      body.refuse("bad-header", fmt::format("the {}s have no list vertex_indices", what));
   }
 
   /// Reads the row; calls `take` with the corners of each piece.
@@ -339,10 +342,14 @@ void read_faces(Body& body, const Element& element, std::size_t points, bool str
   Corners corners(body, element, strips ? "strip" : "face");
   for (std::size_t row = 0; row < element.count; ++row) {
     corners.read_row(element, row, points, strips, [&](const std::vector<PointIndex>& piece) {
-      if (!strips && piece.size() > limits::polygon_corners) corners.too_large(fmt::format("face {} has more than {} corners", row, limits::polygon_corners));
-      if (strips) faces.add_strip(piece);
-      else faces.add(piece);
-      if (faces.triangles() > limits::triangles) corners.too_large(fmt::format("there are more than {} triangles", limits::triangles));
+      if (!strips && piece.size() > limits::polygon_corners)
+        corners.too_large(fmt::format("face {} has more than {} corners", row, limits::polygon_corners));
+      if (strips)
+        faces.add_strip(piece);
+      else
+        faces.add(piece);
+      if (faces.triangles() > limits::triangles)
+        corners.too_large(fmt::format("there are more than {} triangles", limits::triangles));
     });
   }
 }

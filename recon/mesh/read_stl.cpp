@@ -140,7 +140,8 @@ class StlTextReader {
 /// Many binary files begin with "solid", too, but no text has zeros, which counts and unused attributes are full of.
 bool is_text(std::string_view bytes) {
   Words words(bytes.substr(0, stl_header_size), 1);
-  return same_word(words.next(), "solid") && bytes.substr(0, stl_header_size + count_size + record_size).find('\0') == bytes.npos;
+  return same_word(words.next(), "solid") &&
+         bytes.substr(0, stl_header_size + count_size + record_size).find('\0') == bytes.npos;
 }
 
 }  // namespace
@@ -149,7 +150,8 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
   // The size tells a binary file for sure; many begin with "solid", as an ASCII file must.
   const bool has_count = bytes.size() >= stl_header_size + count_size;
   const std::size_t announced =
-      has_count ? stl_header_size + count_size + record_size * std::size_t{little_endian<std::uint32_t>(bytes, stl_header_size)}
+      has_count ? stl_header_size + count_size +
+                      record_size * std::size_t{little_endian<std::uint32_t>(bytes, stl_header_size)}
                 : 0;
   const bool text = bytes.size() != announced && is_text(bytes);
   if (!text && !has_count) {
@@ -157,7 +159,8 @@ std::vector<NamedMesh> parse_stl(std::string_view bytes, const std::string& file
            "the file is too short to be an STL file", "Copy or export it again");
   }
   if (!text && bytes.size() < announced) {
-    refuse("truncated", at_byte(file, bytes.size()), fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
+    refuse("truncated", at_byte(file, bytes.size()),
+           fmt::format("its header announces {} bytes, and it has {}", announced, bytes.size()),
            "Copy or export it again");
   }
   std::vector<NamedMesh> meshes = text ? StlTextReader(bytes, file).solids() : parse_binary(bytes, file);

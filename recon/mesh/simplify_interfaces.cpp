@@ -14,10 +14,11 @@ namespace {
 
 /// The surface of one material, or of the void, its shells, and which one each point of the complex belongs to.
 struct MaterialShells {
-  MaterialShells(const std::vector<Point3>& points, const std::vector<InterfaceTriangle>& faces, Label label) : of_point(points.size(), none) {
+  MaterialShells(const std::vector<Point3>& points, const std::vector<InterfaceTriangle>& faces, Label label)
+      : of_point(points.size(), none) {
     SurfaceMesh surface{points, {}};
     for (const InterfaceTriangle& face : faces) {
-      if (face.inner == void_label) continue;   // vanished
+      if (face.inner == void_label) continue;  // vanished
       const auto& [a, b, c] = face.triangle;
       if (face.inner == label) surface.triangles.push_back({a, b, c});
       if (face.outer == label) surface.triangles.push_back({a, c, b});
@@ -30,17 +31,18 @@ struct MaterialShells {
   }
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   SurfaceReport report;
-  std::vector<std::uint32_t> of_point;     // none: not on this surface
-  std::vector<PointIndex> first_point;     // of each shell
+  std::vector<std::uint32_t> of_point;  // none: not on this surface
+  std::vector<PointIndex> first_point;  // of each shell
 };
 
-/// Marks the points of all shells that have become another kind or genus: specks and thin plates that were turned inside out, which no local test
-/// sees. Returns whether there are any.
+/// Marks the points of all shells that have become another kind or genus: specks and thin plates that were turned
+/// inside out, which no local test sees. Returns whether there are any.
 bool keep_changed(const std::vector<MaterialShells>& full, const InterfaceWeb& web, std::vector<char>& keep) {
   bool changed = false;
   for (Label l = 0; l < full.size(); ++l) {
     const MaterialShells now(web.points(), web.faces(), l);
-    if (now.report.shells.size() != full[l].report.shells.size()) throw InternalError("simplifying lost a piece of a material");
+    if (now.report.shells.size() != full[l].report.shells.size())
+      throw InternalError("simplifying lost a piece of a material");
     for (std::size_t s = 0; s < now.first_point.size(); ++s) {
       const std::uint32_t before = full[l].of_point[now.first_point[s]];
       if (before == MaterialShells::none) throw InternalError("simplifying gave a point to another material");
@@ -77,14 +79,16 @@ void certify_embedded(const LabelledComplex& simple, const Progress& progress) {
   const MovingBoxTree tree(boxes);
   for (std::uint32_t f = 0; f < triangles.size(); ++f) {
     progress.check();
-    if (tree.any(boxes[f], [&](std::uint32_t other) { return other > f && meet_elsewhere(triangles[f], triangles[other]); }))
+    if (tree.any(boxes[f],
+                 [&](std::uint32_t other) { return other > f && meet_elsewhere(triangles[f], triangles[other]); }))
       throw InternalError("simplified interfaces cut through each other");
   }
 }
 
 }  // namespace
 
-SimplifiedInterfaces simplify_interfaces(const LabelledComplex& complex, std::size_t triangles, const Progress& progress) {
+SimplifiedInterfaces simplify_interfaces(const LabelledComplex& complex, std::size_t triangles,
+                                         const Progress& progress) {
   progress.tell("simplify", 0);
   std::vector<MaterialShells> full;
   for (Label l = 0; l <= complex.structures.size(); ++l) full.emplace_back(complex.mesh.points, complex.interfaces, l);

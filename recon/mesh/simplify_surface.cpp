@@ -95,7 +95,10 @@ struct Work {
   Verdict verdict;
 
   explicit Work(const SurfaceMesh& mesh)
-      : surface(&mesh), full(mesh), full_self_intersections(self_intersections(mesh).size()), keep(mesh.points.size(), 0) {
+      : surface(&mesh),
+        full(mesh),
+        full_self_intersections(self_intersections(mesh).size()),
+        keep(mesh.points.size(), 0) {
     if (!full.report.closed_oriented_manifold()) {
       throw UsageError("only a closed, oriented, manifold surface can be simplified");
     }
@@ -103,7 +106,8 @@ struct Work {
   bool touched() const { return collapsed.surface.triangles.size() < surface->triangles.size(); }
 };
 
-/// Judges what was collapsed; returns whether it is good, or as good as the full surface was. Marks what to keep if not.
+/// Judges what was collapsed; returns whether it is good, or as good as the full surface was. Marks what to keep if
+/// not.
 bool accepted(std::vector<Work>& works) {
   bool good = true;
   for (Work& work : works) {

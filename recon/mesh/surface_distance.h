@@ -35,8 +35,8 @@ struct SurfaceDistance {
 std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const SurfaceMesh& b,
                                                 const DistanceOptions& options = {}, const Progress& progress = {});
 
-/// From given points to the nearest point of a surface; the mean is over the points. Nothing if there is no point, or no triangle
-/// that has area. Runs and tells as above.
+/// From given points to the nearest point of a surface; the mean is over the points. Nothing if there is no point, or
+/// no triangle that has area. Runs and tells as above.
 std::optional<OneWayDistance> distance_to_surface(const std::vector<Point3>& points, const SurfaceMesh& surface,
                                                   const Progress& progress = {});
 

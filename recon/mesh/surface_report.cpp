@@ -47,7 +47,8 @@ std::uint32_t number_shells(const SurfaceMesh& mesh, const EdgeMates& edges, std
   };
   UnionFind joined(shells);
   for (std::size_t i = 1; i < edges.crowded.size(); ++i) {
-    if (same_edge(edges.crowded[i - 1], edges.crowded[i])) joined.join(shell_of[edges.crowded[i - 1] / 3], shell_of[edges.crowded[i] / 3]);
+    if (same_edge(edges.crowded[i - 1], edges.crowded[i]))
+      joined.join(shell_of[edges.crowded[i - 1] / 3], shell_of[edges.crowded[i] / 3]);
   }
   std::vector<std::uint32_t> number(shells, no_shell);
   std::uint32_t count = 0;

@@ -78,7 +78,8 @@ double measure(const TetraMesh& mesh, std::size_t element, Measurements& into) {
   const double shortest = std::min({dot(ab, ab), dot(ac, ac), dot(ad, ad), dot(bc, bc), dot(bd, bd), dot(cd, cd)});
   // Inscribed: three volumes over the area of all faces, that is six volumes over twice that area.
   const double areas = length(bcd) + length(acd) + length(adb) + length(abc), around = length(centre);
-  into.radius[element] = areas > 0 && around > 0 ? 3 * std::abs(six_volumes) / areas * (2 * std::abs(six_volumes) / around) : 0;
+  into.radius[element] =
+      areas > 0 && around > 0 ? 3 * std::abs(six_volumes) / areas * (2 * std::abs(six_volumes) / around) : 0;
   into.radius_edge[element] = bounded(length(centre) / (2 * std::abs(six_volumes) * std::sqrt(shortest)));
   return six_volumes;
 }

@@ -14,7 +14,8 @@ struct TetraReport {
   double volume = 0;             // signed sum, mm^3
   Spread smallest_dihedral_deg;  // of the six angles of each tetrahedron; 70.53 if regular
   Spread largest_dihedral_deg;
-  Spread radius_ratio;       // three times the inscribed ball's radius over that of the circumscribed one; 1 if regular, 0 if flat
+  Spread radius_ratio;  // three times the inscribed ball's radius over that of the circumscribed one; 1 if regular, 0
+                        // if flat
   Spread radius_edge_ratio;  // circumradius over shortest edge; 0.612 if regular
 };
 

@@ -13,8 +13,8 @@ struct NumberedTriangle {
   std::array<ExactKernel::Point_3, 3> corner;
 };
 
-/// True if the triangles meet anywhere but in corners and the edge that they share by number, or share all three. Precondition: both have an
-/// area, and what has one number lies in one place.
+/// True if the triangles meet anywhere but in corners and the edge that they share by number, or share all three.
+/// Precondition: both have an area, and what has one number lies in one place.
 bool meet_elsewhere(const NumberedTriangle& s, const NumberedTriangle& t);
 
 }  // namespace odontoscope

@@ -23,7 +23,9 @@ Json json_of(const ComparedMethod& method) {
   json["holes"] = json_of(method.fit.holes);
   json["solid_sections"] = json_of(method.fit.solids);
   if (method.seen_through)
-    json["seen_through"] = {{"cameras", method.seen_through->cameras}, {"culled", method.seen_through->culled}, {"two_sided", method.seen_through->two_sided}};
+    json["seen_through"] = {{"cameras", method.seen_through->cameras},
+                            {"culled", method.seen_through->culled},
+                            {"two_sided", method.seen_through->two_sided}};
   json["seconds"] = method.seconds;
   json["peak_memory_bytes"] = method.peak_memory ? Json(*method.peak_memory) : Json();
   return json;

@@ -1,10 +1,10 @@
-#include "recon/core/base64.h"
 #include "recon/output/comparison_page.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "recon/core/base64.h"
 #include "recon/output/html_text.h"
 
 namespace odontoscope {
@@ -46,8 +46,9 @@ std::string distance_table(const Comparison& comparison) {
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
     html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
-                        escaped_html(comparison.methods[pair.first].name), escaped_html(comparison.methods[pair.second].name),
-                        d.there.mean, d.there.largest, d.back.mean, d.back.largest);
+                        escaped_html(comparison.methods[pair.first].name),
+                        escaped_html(comparison.methods[pair.second].name), d.there.mean, d.there.largest, d.back.mean,
+                        d.back.largest);
   }
   return html + "</tbody></table>\n";
 }
@@ -88,8 +89,9 @@ std::string charts(const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
     html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], colours[i % 3]));
     const ComparedMethod& method = comparison.methods[i];
-    html += fmt::format("<figcaption>{}: {}{}</figcaption></figure>\n", escaped_html(method.name), escaped_html(method.made_by),
-                        method.verdict.empty() ? "" : "<br>" + escaped_html(method.verdict));
+    html +=
+        fmt::format("<figcaption>{}: {}{}</figcaption></figure>\n", escaped_html(method.name),
+                    escaped_html(method.made_by), method.verdict.empty() ? "" : "<br>" + escaped_html(method.verdict));
   }
   return html + "</div>\n";
 }

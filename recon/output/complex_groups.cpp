@@ -26,7 +26,8 @@ std::string name_of(const LabelledComplex& complex, Label inner, Label outer) {
 
 std::vector<ComplexGroup> groups_of(const LabelledComplex& complex) {
   std::map<std::pair<Label, Label>, std::vector<std::uint32_t>> faces;
-  for (std::uint32_t f = 0; f < complex.interfaces.size(); ++f) faces[{complex.interfaces[f].inner, complex.interfaces[f].outer}].push_back(f);
+  for (std::uint32_t f = 0; f < complex.interfaces.size(); ++f)
+    faces[{complex.interfaces[f].inner, complex.interfaces[f].outer}].push_back(f);
   std::vector<ComplexGroup> groups;
   for (auto& [labels, list] : faces)
     groups.push_back({name_of(complex, labels.first, labels.second), labels.first, labels.second, std::move(list)});
@@ -36,7 +37,7 @@ std::vector<ComplexGroup> groups_of(const LabelledComplex& complex) {
 std::vector<ElementFace> inner_elements(const LabelledComplex& complex) {
   using delaunay::FaceTable;
   const auto& tetrahedra = complex.mesh.tetrahedra;
-  FaceTable table(tetrahedra.size() * 4);   // room for the faces within a material, which are asked for below
+  FaceTable table(tetrahedra.size() * 4);  // room for the faces within a material, which are asked for below
   for (std::uint32_t f = 0; f < complex.interfaces.size(); ++f) {
     const Triangle& face = complex.interfaces[f].triangle;
     table(face[0], face[1], face[2]) = f;
@@ -45,7 +46,8 @@ std::vector<ElementFace> inner_elements(const LabelledComplex& complex) {
   std::size_t found = 0;
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
     for (int i = 0; i < 4; ++i) {
-      const std::uint32_t f = table(tetrahedra[t][outward_face[i][0]], tetrahedra[t][outward_face[i][1]], tetrahedra[t][outward_face[i][2]]);
+      const std::uint32_t f = table(tetrahedra[t][outward_face[i][0]], tetrahedra[t][outward_face[i][1]],
+                                    tetrahedra[t][outward_face[i][2]]);
       if (f == FaceTable::vacant || complex.interfaces[f].inner != complex.mesh.labels[t]) continue;
       elements[f] = {t, i};
       ++found;

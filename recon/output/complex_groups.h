@@ -10,9 +10,9 @@
 namespace odontoscope {
 
 struct ComplexGroup {
-  std::string name;   // "enamel-dentine junction", "pulp wall", "A-B border", "A outside"
-  Label inner = void_label, outer = void_label;   // as in InterfaceTriangle
-  std::vector<std::uint32_t> faces;               // numbers of interfaces, ascending
+  std::string name;                              // "enamel-dentine junction", "pulp wall", "A-B border", "A outside"
+  Label inner = void_label, outer = void_label;  // as in InterfaceTriangle
+  std::vector<std::uint32_t> faces;              // numbers of interfaces, ascending
 };
 
 /// In the order of inner, then outer; those that are there. "Outside" is whatever is void, cavities too.

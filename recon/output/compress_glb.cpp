@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "recon/core/error.h"
 #include "recon/core/base64.h"
+#include "recon/core/error.h"
 #include "recon/output/little_endian.h"
 
 namespace odontoscope {
@@ -42,10 +42,12 @@ Number* numbers(Parts& parts, const json& accessor) {
   return reinterpret_cast<Number*>(parts.buffer.data() + view.value("byteOffset", std::size_t{0}));
 }
 
-/// Triangles in an order in which each shares an edge with one before where it can, and vertices in the order of their first use.
+/// Triangles in an order in which each shares an edge with one before where it can, and vertices in the order of their
+/// first use.
 void put_in_order(Parts& parts, const json& primitive) {
   const json& accessors = parts.document["accessors"];
-  const json &corners = accessors[primitive["indices"].get<std::size_t>()], &positions = accessors[primitive["attributes"]["POSITION"].get<std::size_t>()];
+  const json &corners = accessors[primitive["indices"].get<std::size_t>()],
+             &positions = accessors[primitive["attributes"]["POSITION"].get<std::size_t>()];
   auto* indices = numbers<unsigned int>(parts, corners);
   const std::size_t count = corners["count"], vertices = positions["count"];
   std::vector<unsigned int> ordered(count), place(vertices);
@@ -65,23 +67,26 @@ std::size_t components(const json& accessor) {
 }
 
 std::string encoded(const char* data, std::size_t count, std::size_t stride, bool triangles) {
-  std::string bytes(triangles ? meshopt_encodeIndexBufferBound(count, count) : meshopt_encodeVertexBufferBound(count, stride), '\0');
+  std::string bytes(
+      triangles ? meshopt_encodeIndexBufferBound(count, count) : meshopt_encodeVertexBufferBound(count, stride), '\0');
   auto* out = reinterpret_cast<unsigned char*>(bytes.data());
-  bytes.resize(triangles ? meshopt_encodeIndexBuffer(out, bytes.size(), reinterpret_cast<const unsigned int*>(data), count)
-                         : meshopt_encodeVertexBuffer(out, bytes.size(), data, count, stride));
+  bytes.resize(triangles
+                   ? meshopt_encodeIndexBuffer(out, bytes.size(), reinterpret_cast<const unsigned int*>(data), count)
+                   : meshopt_encodeVertexBuffer(out, bytes.size(), data, count, stride));
   if (bytes.empty()) throw InternalError("meshoptimizer compressed nothing");
   return bytes;
 }
 
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
-/// Every view replaced by its compressed form. They name a second buffer, which holds nothing, for readers to unpack into.
+/// Every view replaced by its compressed form. They name a second buffer, which holds nothing, for readers to unpack
+/// into.
 Parts compressed(Parts plain) {
   json& document = plain.document;
   if (!document.contains("buffers")) return plain;
   for (const json& mesh : document["meshes"])
     for (const json& primitive : mesh["primitives"]) put_in_order(plain, primitive);
-  meshopt_encodeVertexVersion(0);   // the versions that the extension knows
+  meshopt_encodeVertexVersion(0);  // the versions that the extension knows
   meshopt_encodeIndexVersion(1);
   std::string buffer;
   for (const json& accessor : document["accessors"]) {
@@ -89,10 +94,15 @@ Parts compressed(Parts plain) {
     constexpr int element_array = 34963;
     const bool triangles = view.value("target", 0) == element_array;
     const std::size_t count = accessor["count"], stride = components(accessor) * sizeof(float);
-    const std::string bytes = encoded(plain.buffer.data() + view.value("byteOffset", std::size_t{0}), count, stride, triangles);
+    const std::string bytes =
+        encoded(plain.buffer.data() + view.value("byteOffset", std::size_t{0}), count, stride, triangles);
     view["buffer"] = 1;
-    view["extensions"][extension] = {{"buffer", 0},         {"byteOffset", buffer.size()}, {"byteLength", bytes.size()},
-                                     {"byteStride", stride}, {"count", count},             {"mode", triangles ? "TRIANGLES" : "ATTRIBUTES"}};
+    view["extensions"][extension] = {{"buffer", 0},
+                                     {"byteOffset", buffer.size()},
+                                     {"byteLength", bytes.size()},
+                                     {"byteStride", stride},
+                                     {"count", count},
+                                     {"mode", triangles ? "TRIANGLES" : "ATTRIBUTES"}};
     buffer += bytes;
     pad(buffer, '\0');
   }
@@ -124,7 +134,8 @@ std::string compressed_glb(const std::string& glb) {
 
 std::string compressed_gltf(const std::string& glb) {
   Parts parts = compressed(parts_of(glb));
-  if (!parts.buffer.empty()) parts.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(parts.buffer);
+  if (!parts.buffer.empty())
+    parts.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(parts.buffer);
   constexpr int indent = 2;
   return parts.document.dump(indent) + "\n";
 }

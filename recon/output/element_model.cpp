@@ -29,7 +29,8 @@ void replace(Solid& solid, const LabelledComplex& made, Label label) {
 
 class Meshing {
  public:
-  Meshing(const Reconstruction& reconstruction, std::optional<double> size, const Progress& progress) : solids_(reconstruction.solids), complex_(reconstruction.complex), size_(size), progress_(progress) {}
+  Meshing(const Reconstruction& reconstruction, std::optional<double> size, const Progress& progress)
+      : solids_(reconstruction.solids), complex_(reconstruction.complex), size_(size), progress_(progress) {}
 
   void run() {
     if (complex_) {

@@ -12,7 +12,7 @@ namespace odontoscope {
 using Json = nlohmann::ordered_json;
 
 const char* name(Shell::Kind kind);
-Json json_of(const Point3& place);   // three numbers
+Json json_of(const Point3& place);  // three numbers
 Json json_of(const OneWayDistance& distance);
 Json json_of(const Spread& spread);
 /// Counts summed over all reports, and every shell.

@@ -37,10 +37,10 @@ std::string plain(const WrittenModel& model, const GlbOptions&) {
 }
 
 const std::vector<SurfaceFormat>& surface_formats() {
-  static const std::vector<SurfaceFormat> all{{".glb", glb_bytes},        {".stl", plain<stl_bytes>}, {".ply", plain<ply_bytes>},
-                                              {".gltf", gltf_text},       {".obj", plain<obj_text>},  {".wrl", plain<vrml_text>},
-                                              {".x3d", plain<x3d_text>},  {".vtp", plain<vtp_bytes>},
-                                              {".3mf", plain<threemf_bytes>}};
+  static const std::vector<SurfaceFormat> all{
+      {".glb", glb_bytes},       {".stl", plain<stl_bytes>}, {".ply", plain<ply_bytes>},
+      {".gltf", gltf_text},      {".obj", plain<obj_text>},  {".wrl", plain<vrml_text>},
+      {".x3d", plain<x3d_text>}, {".vtp", plain<vtp_bytes>}, {".3mf", plain<threemf_bytes>}};
   return all;
 }
 const std::vector<TetrahedraFormat>& tetrahedra_formats() {
@@ -61,11 +61,13 @@ std::string ending_of(const std::filesystem::path& file) { return lower_case(fil
 template <class AFormat>
 const AFormat* format_of(const std::filesystem::path& file, const std::vector<AFormat>& formats) {
   const std::string ending = ending_of(file);
-  const auto format = std::find_if(formats.begin(), formats.end(), [&](const AFormat& f) { return f.ending == ending; });
+  const auto format =
+      std::find_if(formats.begin(), formats.end(), [&](const AFormat& f) { return f.ending == ending; });
   return format == formats.end() ? nullptr : &*format;
 }
 
-FileContent surface_file(const WrittenModel& model, const std::filesystem::path& file, const std::vector<std::string>& endings, const GlbOptions& glb) {
+FileContent surface_file(const WrittenModel& model, const std::filesystem::path& file,
+                         const std::vector<std::string>& endings, const GlbOptions& glb) {
   if (const auto* format = format_of(file, surface_formats())) return {file, format->bytes(model, glb)};
   throw UsageError(fmt::format("{}: the ending tells no model format", file.string()),
                    fmt::format("Use one of {}", fmt::join(endings, ", ")));
@@ -97,9 +99,11 @@ FileContent model_file(const Reconstruction& reconstruction, const std::filesyst
   return surface_file(reconstruction, file, model_endings(), glb);
 }
 
-FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb) {
+FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file,
+                       const GlbOptions& glb) {
   if (const auto* format = format_of(file, tetrahedra_formats())) {
-    throw UsageError(fmt::format("{}: {} holds tetrahedra, and marching cubes makes none, only a surface", file.string(), format->ending),
+    throw UsageError(fmt::format("{}: {} holds tetrahedra, and marching cubes makes none, only a surface",
+                                 file.string(), format->ending),
                      fmt::format("Use one of {}", fmt::join(surface_endings(), ", ")));
   }
   return surface_file(reconstruction, file, surface_endings(), glb);

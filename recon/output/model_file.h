@@ -20,11 +20,13 @@ const std::vector<std::string>& surface_endings();
 const std::vector<std::string>& tetrahedra_endings();
 
 /// The bytes of `file`, which is not touched yet: give all that belong together to write_files
-/// (recon/core/atomic_file.h). UsageError for an ending that is not known. See the write_*.h of this folder for what each
-/// holds. `glb` is for .glb and .gltf.
-FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb = {});
+/// (recon/core/atomic_file.h). UsageError for an ending that is not known. See the write_*.h of this folder for what
+/// each holds. `glb` is for .glb and .gltf.
+FileContent model_file(const Reconstruction& reconstruction, const std::filesystem::path& file,
+                       const GlbOptions& glb = {});
 /// The same of a DB model; UsageError for formats of tetrahedra too, since it has none.
-FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file, const GlbOptions& glb = {});
+FileContent model_file(const DbReconstruction& reconstruction, const std::filesystem::path& file,
+                       const GlbOptions& glb = {});
 
 /// Writes all files or none. UsageError, FileError.
 void write_model(const Reconstruction& reconstruction, std::span<const std::filesystem::path> files);

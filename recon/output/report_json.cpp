@@ -75,10 +75,12 @@ Json links_json(const std::vector<MadeLink>& links) {
 }
 
 Json void_links_json(const std::vector<MadeVoidLink>& links) {
-  const auto named = [](const std::optional<std::size_t>& contour) { return contour ? Json(*contour) : Json("outside"); };
+  const auto named = [](const std::optional<std::size_t>& contour) {
+    return contour ? Json(*contour) : Json("outside");
+  };
   Json list = Json::array();
   for (const MadeVoidLink& made : links) {
-    if (!made.lower && !made.upper) continue;   // the outside is always joined
+    if (!made.lower && !made.upper) continue;  // the outside is always joined
     list.push_back({{"structure", made.structure},
                     {"slice", made.slice},
                     {"lower", named(made.lower)},
@@ -143,10 +145,16 @@ Json topology_json(const std::vector<SlabTopology>& slabs) {
     as_implied += slab.as_implied();
     interpolated += slab.interpolated > 0;
     if (slab.as_implied()) continue;
-    others.push_back({{"structure", slab.structure}, {"slice", slab.slice}, {"implied", json_of(slab.implied)}, {"found", json_of(slab.found)},
+    others.push_back({{"structure", slab.structure},
+                      {"slice", slab.slice},
+                      {"implied", json_of(slab.implied)},
+                      {"found", json_of(slab.found)},
                       {"interpolated", slab.interpolated}});
   }
-  return {{"slabs", slabs.size()}, {"as_implied", as_implied}, {"interpolated", interpolated}, {"otherwise", std::move(others)}};
+  return {{"slabs", slabs.size()},
+          {"as_implied", as_implied},
+          {"interpolated", interpolated},
+          {"otherwise", std::move(others)}};
 }
 
 Json simplification_json(const std::vector<StructureSimplification>& simplifications) {
@@ -243,9 +251,15 @@ Json partition_json(const Reconstruction& made) {
                        {"area", area_of(complex, group)}});
   }
   const PartitionCounts& counts = made.partition;
-  return {{"points", complex.mesh.points.size()}, {"tetrahedra", complex.mesh.tetrahedra.size()}, {"borders", std::move(borders)},
-          {"crossings", counts.crossings},        {"corners_cut", counts.corners_cut},           {"closed_gap", counts.closed_gap},
-          {"raised_points", counts.raised_points}, {"relabelled", counts.relabelled},             {"patches", counts.patches},
+  return {{"points", complex.mesh.points.size()},
+          {"tetrahedra", complex.mesh.tetrahedra.size()},
+          {"borders", std::move(borders)},
+          {"crossings", counts.crossings},
+          {"corners_cut", counts.corners_cut},
+          {"closed_gap", counts.closed_gap},
+          {"raised_points", counts.raised_points},
+          {"relabelled", counts.relabelled},
+          {"patches", counts.patches},
           {"cut_slabs", counts.cut_slabs}};
 }
 
@@ -287,7 +301,8 @@ std::string report_json(const Reconstruction& reconstruction, const ReportOption
     for (const auto& [structure, value] : options.volume->isos) isos[structure] = value;
     report["volume"] = {{"isos", std::move(isos)}, {"remarks", options.volume->remarks}};
     if (const auto& motion = options.volume->upright) {
-      report["volume"]["upright"] = {{"matrix", motion->matrix()}, {"degrees", motion->degrees()}, {"as_given", options.volume->as_given}};
+      report["volume"]["upright"] = {
+          {"matrix", motion->matrix()}, {"degrees", motion->degrees()}, {"as_given", options.volume->as_given}};
     }
   }
   report["tetrahedra"] = tetrahedra_json(reconstruction.counts, tetrahedra);

@@ -28,7 +28,7 @@ struct StructureSimplification {
 /// What simplifying was to reach for all structures together, and what it reached.
 struct SimplificationAim {
   std::size_t aim = 0, triangles = 0;
-  SimplifiedSurfaces::Obstacles obstacles;   // if not reached
+  SimplifiedSurfaces::Obstacles obstacles;  // if not reached
   std::size_t restarts = 0;
   bool reached() const { return triangles <= aim; }
 };
@@ -55,14 +55,14 @@ struct ReportOptions {
 
 /// One JSON object, keys in a fixed order, two spaces a level: input, volume (only if there was one), tetrahedra,
 /// surface, structures, resampling, links, void_links, topology, changes, attention, cut_links, simplification_aim and
-/// simplification (only if there was one), elements (only if it was meshed anew), seconds, threads, certified, verdict (see recon/delaunay/verdict.h).
-/// `certified` is true if the reconstruction is and every surface in it, as it now is, is a closed oriented manifold.
-/// Lengths in mm, volumes in mm^3, angles in degrees. Measures the tetrahedra, which takes a moment. Only `seconds` and
-/// `threads` differ between two runs on the same input.
+/// simplification (only if there was one), elements (only if it was meshed anew), seconds, threads, certified, verdict
+/// (see recon/delaunay/verdict.h). `certified` is true if the reconstruction is and every surface in it, as it now is,
+/// is a closed oriented manifold. Lengths in mm, volumes in mm^3, angles in degrees. Measures the tetrahedra, which
+/// takes a moment. Only `seconds` and `threads` differ between two runs on the same input.
 std::string report_json(const Reconstruction& reconstruction, const ReportOptions& options = {});
 
-/// The same of a DB model: method, input, db (grid, field, cases, decimation), surface, structures, resampling, seconds, threads,
-/// certified. `options` are those that it was made with.
+/// The same of a DB model: method, input, db (grid, field, cases, decimation), surface, structures, resampling,
+/// seconds, threads, certified. `options` are those that it was made with.
 std::string report_json(const DbReconstruction& reconstruction, const DbOptions& options);
 
 struct NamedSurfaceReport {

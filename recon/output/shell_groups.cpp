@@ -45,9 +45,9 @@ std::string certificate_in_words(const WrittenModel& model) {
 }
 
 const Paint& paint_for(const std::string& structure, Shell::Kind kind) {
-  static constexpr Paint enamel{"enamel", {0.90, 0.86, 0.74}, 0.3, 0.22}, dentine{"dentine", {0.80, 0.62, 0.33}, 0.6, 0.36},
-      pulp{"pulp", {0.55, 0.06, 0.06}, 0.5}, other{"other", {0.55, 0.58, 0.62}, 0.6},
-      tooth{"tooth", {0.87, 0.80, 0.64}, 0.4, 0.36};
+  static constexpr Paint enamel{"enamel", {0.90, 0.86, 0.74}, 0.3, 0.22},
+      dentine{"dentine", {0.80, 0.62, 0.33}, 0.6, 0.36}, pulp{"pulp", {0.55, 0.06, 0.06}, 0.5},
+      other{"other", {0.55, 0.58, 0.62}, 0.6}, tooth{"tooth", {0.87, 0.80, 0.64}, 0.4, 0.36};
   if (kind == Shell::Kind::cavity) return pulp;
   const std::string first = structure.substr(0, structure.find('+'));
   for (const Paint* paint : {&enamel, &dentine, &pulp, &tooth}) {

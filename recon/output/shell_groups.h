@@ -33,7 +33,7 @@ struct Paint {
   std::string_view name;
   std::array<double, 3> colour;  // linear
   double roughness;
-  double see_through = 1;   // its opacity where the pulp within is to be seen
+  double see_through = 1;  // its opacity where the pulp within is to be seen
 };
 
 /// The colours of an anatomy atlas. A joint structure "tooth+pulp" goes by its first name, a cavity is taken for the

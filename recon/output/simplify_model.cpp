@@ -32,7 +32,8 @@ StructureSimplification replaced_by(SimplifiedSurface& simple, Solid& solid) {
 }
 
 /// Interfaces once for both their materials.
-SimplifiedSurfaces simplified(const Reconstruction& reconstruction, const LabelledComplex& complex, std::size_t triangles, const Progress& progress) {
+SimplifiedSurfaces simplified(const Reconstruction& reconstruction, const LabelledComplex& complex,
+                              std::size_t triangles, const Progress& progress) {
   const SimplifiedInterfaces simple = simplify_interfaces(complex, triangles, progress);
   SimplifiedSurfaces all{{}, simple.triangles, simple.reached, simple.obstacles, simple.restarts};
   for (const Solid& solid : reconstruction.solids) {

@@ -18,9 +18,9 @@ struct ModelSimplification {
 };
 
 /// Replaces the surfaces by ones with at most `triangles` in all: the cheapest collapse of all structures comes next,
-/// so each keeps what its shape needs; what structures of a partition share is simplified once, and stays shared. Each keeps its topology and does not cut through itself, and therefore may keep
-/// more; `aim` tells. Adds a stage "simplify" to the times. Throws Cancelled; InternalError if a result is no closed
-/// oriented manifold.
+/// so each keeps what its shape needs; what structures of a partition share is simplified once, and stays shared. Each
+/// keeps its topology and does not cut through itself, and therefore may keep more; `aim` tells. Adds a stage
+/// "simplify" to the times. Throws Cancelled; InternalError if a result is no closed oriented manifold.
 ModelSimplification simplify_surfaces(Reconstruction& reconstruction, std::size_t triangles,
                                       const Progress& progress = {});
 

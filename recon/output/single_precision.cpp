@@ -98,7 +98,8 @@ std::vector<FloatPoint> distinct_floats(const std::vector<Point3>& points, doubl
 
 std::vector<std::vector<FloatPoint>> distinct_floats(const WrittenModel& model, double scale) {
   std::vector<Point3> all;
-  for (const WrittenSurface& solid : model.solids) all.insert(all.end(), solid.surface.points.begin(), solid.surface.points.end());
+  for (const WrittenSurface& solid : model.solids)
+    all.insert(all.end(), solid.surface.points.begin(), solid.surface.points.end());
   const std::vector<FloatPoint> floats = distinct_floats(all, scale);
   std::vector<std::vector<FloatPoint>> parts;
   auto from = floats.begin();

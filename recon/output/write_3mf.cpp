@@ -24,7 +24,8 @@ constexpr const char* content_types =
 constexpr const char* relationships =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
     "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">\n"
-    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
+    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
+    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
     "</Relationships>\n";
 
 constexpr std::size_t materials_id = 1, first_object_id = 2;
@@ -52,11 +53,14 @@ void append_vertices(std::string& xml, const SurfaceMesh& surface) {
 const char* object_type(bool closed) { return closed ? "model" : "surface"; }
 
 void append_object(std::string& xml, const WrittenSurface& solid, std::size_t number) {
-  fmt::format_to(std::back_inserter(xml), "<object id=\"{}\" name=\"{}\" type=\"{}\" pid=\"{}\" pindex=\"{}\">\n<mesh>\n<vertices>\n", first_object_id + number,
-                 xml_escaped(solid.structure), object_type(solid.report.closed_oriented_manifold()), materials_id, number);
+  fmt::format_to(std::back_inserter(xml),
+                 "<object id=\"{}\" name=\"{}\" type=\"{}\" pid=\"{}\" pindex=\"{}\">\n<mesh>\n<vertices>\n",
+                 first_object_id + number, xml_escaped(solid.structure),
+                 object_type(solid.report.closed_oriented_manifold()), materials_id, number);
   append_vertices(xml, solid.surface);
   xml += "</vertices>\n<triangles>\n";
-  for (const auto& [a, b, c] : solid.surface.triangles) fmt::format_to(std::back_inserter(xml), "<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", a, b, c);
+  for (const auto& [a, b, c] : solid.surface.triangles)
+    fmt::format_to(std::back_inserter(xml), "<triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"/>\n", a, b, c);
   xml += "</triangles>\n</mesh>\n</object>\n";
 }
 
@@ -64,31 +68,40 @@ void append_resources(std::string& xml, const std::vector<const WrittenSurface*>
   auto out = std::back_inserter(xml);
   fmt::format_to(out, "<basematerials id=\"{}\">\n", materials_id);
   for (const WrittenSurface* solid : solids)
-    fmt::format_to(out, "<base name=\"{}\" displaycolor=\"{}\"/>\n", xml_escaped(solid->structure), hex_colour(solid->structure));
+    fmt::format_to(out, "<base name=\"{}\" displaycolor=\"{}\"/>\n", xml_escaped(solid->structure),
+                   hex_colour(solid->structure));
   xml += "</basematerials>\n";
   for (std::size_t i = 0; i < solids.size(); ++i) append_object(xml, *solids[i], i);
-  const bool closed = std::all_of(solids.begin(), solids.end(), [](const WrittenSurface* solid) { return solid->report.closed_oriented_manifold(); });
-  fmt::format_to(out, "<object id=\"{}\" name=\"tooth\" type=\"{}\">\n<components>\n", first_object_id + solids.size(), object_type(closed));
-  for (std::size_t i = 0; i < solids.size(); ++i) fmt::format_to(out, "<component objectid=\"{}\"/>\n", first_object_id + i);
+  const bool closed = std::all_of(solids.begin(), solids.end(),
+                                  [](const WrittenSurface* solid) { return solid->report.closed_oriented_manifold(); });
+  fmt::format_to(out, "<object id=\"{}\" name=\"tooth\" type=\"{}\">\n<components>\n", first_object_id + solids.size(),
+                 object_type(closed));
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    fmt::format_to(out, "<component objectid=\"{}\"/>\n", first_object_id + i);
   xml += "</components>\n</object>\n";
 }
 
 }  // namespace
 
 std::string threemf_bytes(const WrittenModel& model) {
-  std::vector<const WrittenSurface*> solids;   // those that there is something of
+  std::vector<const WrittenSurface*> solids;  // those that there is something of
   for (const WrittenSurface& solid : model.solids)
     if (!solid.surface.triangles.empty()) solids.push_back(&solid);
   std::string xml = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<model unit=\"millimeter\" xml:lang=\"en\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-      "<metadata name=\"Title\">tooth</metadata>\n<metadata name=\"Application\">odontoscope</metadata>\n<metadata name=\"Description\">{}</metadata>\n<resources>\n",
+      "<model unit=\"millimeter\" xml:lang=\"en\" "
+      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+      "<metadata name=\"Title\">tooth</metadata>\n<metadata name=\"Application\">odontoscope</metadata>\n<metadata "
+      "name=\"Description\">{}</metadata>\n<resources>\n",
       xml_escaped(certificate_in_words(model)));
   if (!solids.empty()) append_resources(xml, solids);
   xml += "</resources>\n<build>\n";
-  if (!solids.empty()) fmt::format_to(std::back_inserter(xml), "<item objectid=\"{}\"/>\n", first_object_id + solids.size());
+  if (!solids.empty())
+    fmt::format_to(std::back_inserter(xml), "<item objectid=\"{}\"/>\n", first_object_id + solids.size());
   xml += "</build>\n</model>\n";
-  const std::array<ZipEntry, 3> entries{ZipEntry{"[Content_Types].xml", content_types}, ZipEntry{"_rels/.rels", relationships}, ZipEntry{"3D/3dmodel.model", std::move(xml)}};
+  const std::array<ZipEntry, 3> entries{ZipEntry{"[Content_Types].xml", content_types},
+                                        ZipEntry{"_rels/.rels", relationships},
+                                        ZipEntry{"3D/3dmodel.model", std::move(xml)}};
   return zip_bytes(entries);
 }
 

@@ -29,7 +29,8 @@ struct Variant {
   const char* name;
   bool see_through, plaster;
 };
-constexpr std::array<Variant, 3> variant_list{{{"natural", false, false}, {"see-through", true, false}, {"plaster", false, true}}};
+constexpr std::array<Variant, 3> variant_list{
+    {{"natural", false, false}, {"see-through", true, false}, {"plaster", false, true}}};
 constexpr Paint plaster{"plaster", {0.80, 0.79, 0.76}, 0.9};
 
 tinygltf::Value gltf_value(const Json& json) {
@@ -63,23 +64,27 @@ Json certificate(const WrittenModel& model) {
           {"surface_in_mm", json_of(reports)}};
 }
 
-using FloatQuaternion = std::array<float, 4>;   // x, y, z, w
+using FloatQuaternion = std::array<float, 4>;  // x, y, z, w
 
 /// The turn from glTF's camera, which looks along -z with +y up, to this one.
 std::array<double, 4> turn_of(const Direction& sight, const Direction& up) {
   const Direction right = cross(sight, up), back = -1 * sight;
   // The matrix with these columns as a quaternion, from its largest component (S. Shepperd, 1978).
-  const std::array<double, 4> squares{1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z, 1 - right.x - up.y + back.z, 1 + right.x + up.y + back.z};
+  const std::array<double, 4> squares{1 + right.x - up.y - back.z, 1 - right.x + up.y - back.z,
+                                      1 - right.x - up.y + back.z, 1 + right.x + up.y + back.z};
   const auto largest = static_cast<std::size_t>(std::max_element(squares.begin(), squares.end()) - squares.begin());
-  const double yz = up.z + back.y, zx = right.z + back.x, xy = right.y + up.x, x = up.z - back.y, y = back.x - right.z, z = right.y - up.x;
-  const std::array<std::array<double, 4>, 4> rows{{{squares[0], xy, zx, x}, {xy, squares[1], yz, y}, {zx, yz, squares[2], z}, {x, y, z, squares[3]}}};
+  const double yz = up.z + back.y, zx = right.z + back.x, xy = right.y + up.x, x = up.z - back.y, y = back.x - right.z,
+               z = right.y - up.x;
+  const std::array<std::array<double, 4>, 4> rows{
+      {{squares[0], xy, zx, x}, {xy, squares[1], yz, y}, {zx, yz, squares[2], z}, {x, y, z, squares[3]}}};
   std::array<double, 4> turn = rows[largest];
   const double size = std::sqrt(turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3]);
   for (double& component : turn) component /= size;
   return turn;
 }
 
-/// A turn a key; of the two quaternions that mean it the one nearer to that before, since players go the short way only then.
+/// A turn a key; of the two quaternions that mean it the one nearer to that before, since players go the short way only
+/// then.
 std::vector<FloatQuaternion> turns_of(const std::vector<CameraKey>& keys) {
   std::vector<FloatQuaternion> turns;
   std::array<double, 4> before{0, 0, 0, 1};
@@ -88,7 +93,8 @@ std::vector<FloatQuaternion> turns_of(const std::vector<CameraKey>& keys) {
     double along = 0;
     for (std::size_t i = 0; i < 4; ++i) along += turn[i] * before[i];
     for (double& component : turn) component *= along < 0 ? -1 : 1;
-    turns.push_back({static_cast<float>(turn[0]), static_cast<float>(turn[1]), static_cast<float>(turn[2]), static_cast<float>(turn[3])});
+    turns.push_back({static_cast<float>(turn[0]), static_cast<float>(turn[1]), static_cast<float>(turn[2]),
+                     static_cast<float>(turn[3])});
     before = turn;
   }
   return turns;
@@ -122,7 +128,8 @@ class Builder {
   void add_hotspot(const GlbHotspot& hotspot) {
     tinygltf::Node node;
     node.name = hotspot.name;
-    node.translation = {metres_per_millimetre * hotspot.at.x, metres_per_millimetre * hotspot.at.y, metres_per_millimetre * hotspot.at.z};
+    node.translation = {metres_per_millimetre * hotspot.at.x, metres_per_millimetre * hotspot.at.y,
+                        metres_per_millimetre * hotspot.at.z};
     node.extras = gltf_value({{"hotspot", true}});
     model_.nodes.front().children.push_back(static_cast<int>(model_.nodes.size()));
     model_.nodes.push_back(std::move(node));
@@ -140,7 +147,8 @@ class Builder {
     std::vector<FloatPoint> places;
     for (const CameraKey& key : path.keys) {
       times.push_back(static_cast<float>(key.seconds));
-      places.push_back({static_cast<float>(metres_per_millimetre * key.at.x), static_cast<float>(metres_per_millimetre * key.at.y),
+      places.push_back({static_cast<float>(metres_per_millimetre * key.at.x),
+                        static_cast<float>(metres_per_millimetre * key.at.y),
                         static_cast<float>(metres_per_millimetre * key.at.z)});
     }
     const std::vector<FloatQuaternion> turns = turns_of(path.keys);
@@ -148,11 +156,14 @@ class Builder {
 
     tinygltf::Animation animation;
     animation.name = path.name;
-    const int input = add_accessor(times.data(), sizeof(float) * times.size(), times.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR});
+    const int input = add_accessor(times.data(), sizeof(float) * times.size(), times.size(),
+                                   {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_SCALAR});
     model_.accessors.back().minValues = {times.front()};
     model_.accessors.back().maxValues = {times.back()};
-    const int translation = add_accessor(places.data(), sizeof(FloatPoint) * places.size(), places.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
-    const int rotation = add_accessor(turns.data(), sizeof(FloatQuaternion) * turns.size(), turns.size(), {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4});
+    const int translation = add_accessor(places.data(), sizeof(FloatPoint) * places.size(), places.size(),
+                                         {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3});
+    const int rotation = add_accessor(turns.data(), sizeof(FloatQuaternion) * turns.size(), turns.size(),
+                                      {0, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC4});
     for (const auto& [output, moved] : {std::pair(translation, "translation"), std::pair(rotation, "rotation")}) {
       tinygltf::AnimationSampler sampler;
       sampler.input = input;
@@ -289,7 +300,9 @@ class Builder {
   Json mappings_of(const Paint& paint) {
     Json mappings = Json::array();
     for (std::size_t i = 0; i < variant_list.size(); ++i)
-      mappings.push_back({{"material", material(variant_list[i].plaster ? plaster : paint, variant_list[i].see_through)}, {"variants", Json::array({i})}});
+      mappings.push_back(
+          {{"material", material(variant_list[i].plaster ? plaster : paint, variant_list[i].see_through)},
+           {"variants", Json::array({i})}});
     return mappings;
   }
 
@@ -297,12 +310,14 @@ class Builder {
     const bool clear = see_through && paint.see_through < 1;
     // Of both kinds only where there are variants; without, a name says it all.
     const std::string called = std::string(paint.name) + (clear && variants_ ? ", clear" : "");
-    const auto known = std::find_if(model_.materials.begin(), model_.materials.end(), [&](const tinygltf::Material& m) { return m.name == called; });
+    const auto known = std::find_if(model_.materials.begin(), model_.materials.end(),
+                                    [&](const tinygltf::Material& m) { return m.name == called; });
     if (known != model_.materials.end()) return static_cast<int>(known - model_.materials.begin());
     tinygltf::Material fresh;
     fresh.name = called;
     fresh.doubleSided = false;
-    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2], clear ? paint.see_through : 1};
+    fresh.pbrMetallicRoughness.baseColorFactor = {paint.colour[0], paint.colour[1], paint.colour[2],
+                                                  clear ? paint.see_through : 1};
     if (clear) fresh.alphaMode = "BLEND";
     fresh.pbrMetallicRoughness.metallicFactor = 0;
     fresh.pbrMetallicRoughness.roughnessFactor = paint.roughness;

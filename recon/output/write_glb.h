@@ -7,10 +7,11 @@
 // volume_mm3}. Triangles keep their winding, so that a cavity's wall faces into the cavity; materials are single-sided.
 // Vertices are doubled where the surface has a crease, since a vertex has one normal; points that are distinct in the
 // reconstruction stay distinct in single precision, so that joining vertices of equal position gives the surface back.
-// asset.extras is the certificate. No extension is used unless the file is to be compressed (see compress_glb.h) or to have variants.
+// asset.extras is the certificate. No extension is used unless the file is to be compressed (see compress_glb.h) or to
+// have variants.
 //
-// A camera path becomes a node with a perspective camera, and an animation of its place and turn (LINEAR), all of its name. Which of several
-// animations is played, and whether through its camera, is the viewer's choice.
+// A camera path becomes a node with a perspective camera, and an animation of its place and turn (LINEAR), all of its
+// name. Which of several animations is played, and whether through its camera, is the viewer's choice.
 
 #include <string>
 #include <vector>
@@ -21,10 +22,11 @@
 
 namespace odontoscope {
 
-/// A place with a name, for viewers that put a label there: a node without a mesh under the root, of this name, with extras {hotspot: true}.
+/// A place with a name, for viewers that put a label there: a node without a mesh under the root, of this name, with
+/// extras {hotspot: true}.
 struct GlbHotspot {
   std::string name;
-  Point3 at;   // mm
+  Point3 at;  // mm
 };
 
 struct GlbOptions {
@@ -34,10 +36,11 @@ struct GlbOptions {
   std::vector<CameraPath> paths = {};
   /// Without loss, but readable by those only who know the extension EXT_meshopt_compression.
   bool compressed = false;
-  /// Enamel, dentine and a tooth as a whole are blended (alphaMode BLEND), so that the pulp, or a cavity's far wall, is seen through them.
+  /// Enamel, dentine and a tooth as a whole are blended (alphaMode BLEND), so that the pulp, or a cavity's far wall, is
+  /// seen through them.
   bool see_through = false;
-  /// Looks to choose from, by the extension KHR_materials_variants: "natural", "see-through", and "plaster", which is white all over. Readers that do not know it
-  /// show what the materials are without it.
+  /// Looks to choose from, by the extension KHR_materials_variants: "natural", "see-through", and "plaster", which is
+  /// white all over. Readers that do not know it show what the materials are without it.
   bool variants = false;
   std::vector<GlbHotspot> hotspots = {};
 };

@@ -15,8 +15,8 @@
 namespace odontoscope {
 namespace {
 
-constexpr std::size_t number_length = 20;   // that CalculiX reads
-constexpr std::size_t numbers_in_line = 16; // that solvers read
+constexpr std::size_t number_length = 20;    // that CalculiX reads
+constexpr std::size_t numbers_in_line = 16;  // that solvers read
 
 std::string upper_case(std::string text) {
   for (char& c : text) c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
@@ -101,14 +101,16 @@ class Writer {
     text_ += fmt::format("*ELEMENT,TYPE=C3D4,ELSET={}\n", named("structure " + structure, structure)) + elements;
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-    const auto [low, high] = std::minmax_element(nodes.begin(), nodes.end(), [&](std::size_t p, std::size_t q) { return mesh.points[p].z < mesh.points[q].z; });
+    const auto [low, high] = std::minmax_element(
+        nodes.begin(), nodes.end(), [&](std::size_t p, std::size_t q) { return mesh.points[p].z < mesh.points[q].z; });
     const double heights[] = {mesh.points[*low].z, mesh.points[*high].z};
     for (const int end : {0, 1}) {
       const char* which = end == 0 ? "lowest" : "highest";
       std::vector<std::size_t> at;
       for (const std::size_t node : nodes)
         if (mesh.points[node].z == heights[end]) at.push_back(node + 1);
-      const std::string name = named(fmt::format("nodes of the {} slice of {}", which, structure), fmt::format("{} {}", structure, which));
+      const std::string name =
+          named(fmt::format("nodes of the {} slice of {}", which, structure), fmt::format("{} {}", structure, which));
       add_set("*NSET,NSET=" + name, at);
     }
   }
@@ -121,10 +123,13 @@ class Writer {
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     const std::string name = named("nodes of " + group.name, group.name);
     add_set("*NSET,NSET=" + name, nodes);
-    const std::string faces = named(fmt::format("faces of {}, of elements of {}", group.name, complex.structures[group.inner - 1]), group.name + " faces");
+    const std::string faces =
+        named(fmt::format("faces of {}, of elements of {}", group.name, complex.structures[group.inner - 1]),
+              group.name + " faces");
     text_ += fmt::format("*SURFACE,NAME={},TYPE=ELEMENT\n", faces);
     for (const std::uint32_t f : group.faces)
-      fmt::format_to(std::back_inserter(text_), "{},S{}\n", elements[f].tetrahedron + std::size_t{1}, solver_face(elements[f].face));
+      fmt::format_to(std::back_inserter(text_), "{},S{}\n", elements[f].tetrahedron + std::size_t{1},
+                     solver_face(elements[f].face));
   }
 
   void add_crown_and_root(const TetraMesh& mesh, const CrownLimit& limit) {
@@ -199,7 +204,8 @@ class Writer {
     add_crown_and_root(limit, nodes, elements);
   }
 
-  void add_crown_and_root(const CrownLimit& limit, const std::vector<std::size_t> (&nodes)[2], const std::vector<std::size_t> (&elements)[2]) {
+  void add_crown_and_root(const CrownLimit& limit, const std::vector<std::size_t> (&nodes)[2],
+                          const std::vector<std::size_t> (&elements)[2]) {
     for (const bool crown : {true, false}) {
       const char* part = crown ? "crown" : "root";
       const std::string where = fmt::format("{} the enamel's edge at z = {:.6g}", crown ? "beyond" : "before", limit.z);

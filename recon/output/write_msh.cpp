@@ -15,8 +15,8 @@
 namespace odontoscope {
 namespace {
 
-constexpr int surface = 2, volume = 3;             // dimensions
-constexpr int three_nodes = 2, four_nodes = 4;     // element types: triangle, tetrahedron
+constexpr int surface = 2, volume = 3;          // dimensions
+constexpr int three_nodes = 2, four_nodes = 4;  // element types: triangle, tetrahedron
 
 /// What the sections of the file say of one structure. Tags count from 1, surfaces through all structures.
 struct Part {
@@ -145,13 +145,15 @@ std::string elements_of(const std::vector<Part>& parts) {
   return fmt::format("$Elements\n{} {} {} {}\n", blocks, count, count == 0 ? 0 : 1, count) + text + "$EndElements\n";
 }
 
-// ---- a partition ------------------------------------------------------------------------------------------------------
+// ---- a partition ----------------------------------------------------------------------------------------------------
 
 /// Volumes have the labels as tags, surfaces the numbers of their groups from 1.
 class ComplexWriter {
  public:
-  explicit ComplexWriter(const LabelledComplex& complex) : complex_(complex), groups_(groups_of(complex)), of_label_(complex.structures.size()) {
-    for (std::uint32_t t = 0; t < complex.mesh.tetrahedra.size(); ++t) of_label_[complex.mesh.labels[t] - 1].push_back(t);
+  explicit ComplexWriter(const LabelledComplex& complex)
+      : complex_(complex), groups_(groups_of(complex)), of_label_(complex.structures.size()) {
+    for (std::uint32_t t = 0; t < complex.mesh.tetrahedra.size(); ++t)
+      of_label_[complex.mesh.labels[t] - 1].push_back(t);
   }
 
   std::string text() const { return names() + entities() + nodes() + elements(); }
@@ -161,8 +163,10 @@ class ComplexWriter {
 
   std::string names() const {
     std::string list;
-    for (std::size_t g = 0; g < groups_.size(); ++g) list += fmt::format("{} {} {}\n", surface, g + 1, quoted(groups_[g].name));
-    for (std::size_t s = 0; s < volumes(); ++s) list += fmt::format("{} {} {}\n", volume, s + 1, quoted(complex_.structures[s]));
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      list += fmt::format("{} {} {}\n", surface, g + 1, quoted(groups_[g].name));
+    for (std::size_t s = 0; s < volumes(); ++s)
+      list += fmt::format("{} {} {}\n", volume, s + 1, quoted(complex_.structures[s]));
     return fmt::format("$PhysicalNames\n{}\n{}$EndPhysicalNames\n", groups_.size() + volumes(), list);
   }
 
@@ -191,7 +195,8 @@ class ComplexWriter {
     for (std::size_t s = 0; s < volumes(); ++s) {
       std::vector<Tetrahedron> own;
       for (const std::uint32_t t : of_label_[s]) own.push_back(complex_.mesh.tetrahedra[t]);
-      if (own.empty()) own.push_back({0, 0, 0, 0});   // nothing is left of the structure: a box is asked for all the same
+      if (own.empty())
+        own.push_back({0, 0, 0, 0});  // nothing is left of the structure: a box is asked for all the same
       solids += fmt::format("{0} {1}1 {0} {2}{3}\n", s + 1, box_of_cells(own), count[s], bounds[s]);
     }
     return fmt::format("$Entities\n0 0 {} {}\n{}{}$EndEntities\n", groups_.size(), volumes(), surfaces, solids);
@@ -200,7 +205,8 @@ class ComplexWriter {
   /// All in one block, under the first volume: a node belongs to several.
   std::string nodes() const {
     const std::vector<Point3>& points = complex_.mesh.points;
-    std::string text = fmt::format("$Nodes\n1 {0} {1} {0}\n{2} 1 0 {0}\n", points.size(), points.empty() ? 0 : 1, volume);
+    std::string text =
+        fmt::format("$Nodes\n1 {0} {1} {0}\n{2} 1 0 {0}\n", points.size(), points.empty() ? 0 : 1, volume);
     append_nodes(text, 1, points);
     return text + "$EndNodes\n";
   }
@@ -228,7 +234,7 @@ class ComplexWriter {
 
   const LabelledComplex& complex_;
   std::vector<ComplexGroup> groups_;
-  std::vector<std::vector<std::uint32_t>> of_label_;   // tetrahedra
+  std::vector<std::vector<std::uint32_t>> of_label_;  // tetrahedra
 };
 
 }  // namespace

@@ -10,9 +10,10 @@
 namespace odontoscope {
 
 std::string obj_text(const WrittenModel& model) {
-  std::string text = fmt::format("# made by odontoscope; millimetres, +z along the tooth\n# {}\n", certificate_in_words(model));
+  std::string text =
+      fmt::format("# made by odontoscope; millimetres, +z along the tooth\n# {}\n", certificate_in_words(model));
   Identifiers identifiers;  // many readers end a name at the first blank
-  std::size_t first = 1;  // vertices are counted from 1 through the whole file
+  std::size_t first = 1;    // vertices are counted from 1 through the whole file
   for (const WrittenSurface& solid : model.solids) {
     for (const Point3& p : solid.surface.points) {
       text += 'v';

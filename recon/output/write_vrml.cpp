@@ -41,7 +41,8 @@ View view_of(const WrittenModel& model) {
   }
   if (!(low[0] <= high[0])) return {};
   const double size = portable::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  constexpr double distance = 1.5, eye_share = 1.0 / 200;  // of the size: the usual field of view of 45 degrees holds it
+  constexpr double distance = 1.5,
+                   eye_share = 1.0 / 200;  // of the size: the usual field of view of 45 degrees holds it
   return {(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2 + distance * size,
           (low[2] + high[2]) / 2, eye_share * size};
 }
@@ -100,7 +101,8 @@ std::string vrml_quoted(const std::string& name) {
   return '"' + escaped + '"';
 }
 
-void append_vrml_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group, Identifiers& identifiers) {
+void append_vrml_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group,
+                       Identifiers& identifiers) {
   const IndexedPart part = part_of(solid.surface, group);
   text += fmt::format(
       "WorldInfo {{ title {} }}\nDEF {} Shape {{\nappearance Appearance {{ material Material {{ diffuseColor {} }} }}\n"
@@ -113,13 +115,15 @@ void append_vrml_shape(std::string& text, const WrittenSurface& solid, const She
   text += "]\n}\n}\n";
 }
 
-void append_x3d_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group, Identifiers& identifiers) {
+void append_x3d_shape(std::string& text, const WrittenSurface& solid, const ShellGroup& group,
+                      Identifiers& identifiers) {
   const IndexedPart part = part_of(solid.surface, group);
   text += fmt::format(
       "<Shape DEF=\"{}\">\n<MetadataString name=\"structure\" value=\"&quot;{}&quot;\"/>\n"
       "<Appearance><Material diffuseColor=\"{}\"/></Appearance>\n"
       "<IndexedFaceSet solid=\"true\" ccw=\"true\" convex=\"true\" creaseAngle=\"{}\" coordIndex=\"\n",
-      identifiers.unique(group.name), xml_escaped(vrml_quoted(group.name).substr(1, vrml_quoted(group.name).size() - 2)), colour_of(group),
+      identifiers.unique(group.name),
+      xml_escaped(vrml_quoted(group.name).substr(1, vrml_quoted(group.name).size() - 2)), colour_of(group),
       crease_angle);
   append_triangles(text, part);
   text += "\">\n<Coordinate point=\"\n";
@@ -133,12 +137,13 @@ std::string vrml_text(const WrittenModel& model) {
   const View view = view_of(model);
   std::string text = fmt::format(
       "#VRML V2.0 utf8\n# made by odontoscope\n"
-      "WorldInfo {{ title \"odontoscope model\" info [ \"{}\", \"coordinates in millimetres, +z along the tooth\" ] }}\n"
+      "WorldInfo {{ title \"odontoscope model\" info [ \"{}\", \"coordinates in millimetres, +z along the tooth\" ] "
+      "}}\n"
       "NavigationInfo {{ type [ \"EXAMINE\", \"ANY\" ] avatarSize [ {:.6f}, {:.6f}, {:.6f} ] headlight TRUE }}\n"
       "Viewpoint {{ position {:.6f} {:.6f} {:.6f} description \"the whole tooth\" }}\n"
       "Transform {{\nscale {} {} {}\nrotation 1 0 0 -{}\nchildren [\n",
-      certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, vrml_scale,
-      vrml_scale, vrml_scale, quarter_turn);
+      certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, vrml_scale, vrml_scale,
+      vrml_scale, quarter_turn);
   Identifiers identifiers;
   for (const WrittenSurface& solid : model.solids) {
     for (const ShellGroup& group : shell_groups(solid)) append_vrml_shape(text, solid, group, identifiers);
@@ -151,9 +156,12 @@ std::string x3d_text(const WrittenModel& model) {
   std::string text = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<X3D profile=\"Immersive\" version=\"3.3\">\n<head>\n<meta name=\"generator\" content=\"odontoscope\"/>\n"
-      "<meta name=\"certificate\" content=\"{}\"/>\n<meta name=\"coordinates\" content=\"millimetres, +z along the tooth\"/>\n"
-      "</head>\n<Scene>\n<NavigationInfo type='\"EXAMINE\" \"ANY\"' avatarSize=\"{:.6f} {:.6f} {:.6f}\" headlight=\"true\"/>\n"
-      "<Viewpoint position=\"{:.6f} {:.6f} {:.6f}\" centerOfRotation=\"{:.6f} {:.6f} {:.6f}\" description=\"the whole tooth\"/>\n"
+      "<meta name=\"certificate\" content=\"{}\"/>\n<meta name=\"coordinates\" content=\"millimetres, +z along the "
+      "tooth\"/>\n"
+      "</head>\n<Scene>\n<NavigationInfo type='\"EXAMINE\" \"ANY\"' avatarSize=\"{:.6f} {:.6f} {:.6f}\" "
+      "headlight=\"true\"/>\n"
+      "<Viewpoint position=\"{:.6f} {:.6f} {:.6f}\" centerOfRotation=\"{:.6f} {:.6f} {:.6f}\" description=\"the whole "
+      "tooth\"/>\n"
       "<Transform scale=\"{} {} {}\" rotation=\"1 0 0 -{}\">\n",
       certificate_in_words(model), view.eye, view.eye, view.eye, view.x, view.y, view.z, view.x, view.y, view.middle_z,
       vrml_scale, vrml_scale, vrml_scale, quarter_turn);

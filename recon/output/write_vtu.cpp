@@ -55,8 +55,10 @@ std::string complex_bytes(const LabelledComplex& complex, const WrittenModel& mo
     append(inner, in);
     append(outer, out);
   };
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) add(mesh.tetrahedra[t], vtk_tetra, mesh.labels[t], mesh.labels[t], mesh.labels[t]);
-  for (const InterfaceTriangle& face : complex.interfaces) add(face.triangle, vtk_triangle, void_label, face.inner, face.outer);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+    add(mesh.tetrahedra[t], vtk_tetra, mesh.labels[t], mesh.labels[t], mesh.labels[t]);
+  for (const InterfaceTriangle& face : complex.interfaces)
+    add(face.triangle, vtk_triangle, void_label, face.inner, face.outer);
   std::vector<std::string_view> structures(complex.structures.begin(), complex.structures.end());
   std::string xml = vtk_opening("UnstructuredGrid", certificate_in_words(model));
   xml += vtk_field_data(structures, is_certified(model));

@@ -17,7 +17,8 @@ namespace {
 /// Marks what a slab's tetrahedra have in one of its slices.
 class InPlane {
  public:
-  InPlane(const PartitionSlice& slice, std::uint32_t first, std::size_t number) : slice_(slice), first_(first), number_(number), met_(slice.planar.triangles.size(), false) {
+  InPlane(const PartitionSlice& slice, std::uint32_t first, std::size_t number)
+      : slice_(slice), first_(first), number_(number), met_(slice.planar.triangles.size(), false) {
     for (std::uint32_t t = 0; t < slice.planar.triangles.size(); ++t) {
       auto v = slice.planar.triangles[t].v;
       std::sort(v.begin(), v.end());
@@ -27,14 +28,16 @@ class InPlane {
 
   void meet(std::vector<std::uint32_t> corners, Label label) {
     for (std::uint32_t& v : corners) v -= first_;
-    if (corners.size() == 1 && !at_point(corners[0], label)) broken(fmt::format("a point of slice {} is touched by what is no face there", number_));
+    if (corners.size() == 1 && !at_point(corners[0], label))
+      broken(fmt::format("a point of slice {} is touched by what is no face there", number_));
     if (corners.size() == 2 && !sides_of(slice_, corners[0], corners[1]).has(label))
       broken(fmt::format("an edge of slice {} is touched by what is no face there", number_));
     if (corners.size() < 3) return;
     std::array<std::uint32_t, 3> v{corners[0], corners[1], corners[2]};
     std::sort(v.begin(), v.end());
     const auto found = triangle_of_.find(v);
-    if (found == triangle_of_.end() || slice_.label(found->second) != label) broken(fmt::format("slice {} is filled with another label", number_));
+    if (found == triangle_of_.end() || slice_.label(found->second) != label)
+      broken(fmt::format("slice {} is filled with another label", number_));
     if (met_[found->second]) broken(fmt::format("a triangle of slice {} is met twice from one side", number_));
     met_[found->second] = true;
   }
@@ -60,7 +63,8 @@ class InPlane {
 
 }  // namespace
 
-void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k) {
+void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh,
+                  std::size_t k) {
   InPlane floor(*slices[k], ranges.points[k], k), ceiling(*slices[k + 1], ranges.points[k + 1], k + 1);
   std::vector<std::uint32_t> in_floor, in_ceiling;
   for (std::size_t t = ranges.tetrahedra[k]; t < ranges.tetrahedra[k + 1]; ++t) {
@@ -71,7 +75,8 @@ void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRa
     in_ceiling.clear();
     for (const std::uint32_t v : tet) {
       const double z = mesh.points[v].z;
-      if (!(z >= slices[k]->z && z <= slices[k + 1]->z)) broken(fmt::format("a point leaves the slab above slice {}", k));
+      if (!(z >= slices[k]->z && z <= slices[k + 1]->z))
+        broken(fmt::format("a point leaves the slab above slice {}", k));
       if (z == slices[k]->z) in_floor.push_back(v);
       if (z == slices[k + 1]->z) in_ceiling.push_back(v);
     }

@@ -16,8 +16,10 @@ struct ComplexRanges {
   std::vector<std::uint32_t> points;
 };
 
-/// Every tetrahedron of slab k is positive and lies between its slices; what lies in a slice's plane is a corner, an edge or a triangle of that slice
-/// that has the tetrahedron's label; each triangle of a material has its tetrahedron. Throws InternalError.
-void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh, std::size_t k);
+/// Every tetrahedron of slab k is positive and lies between its slices; what lies in a slice's plane is a corner, an
+/// edge or a triangle of that slice that has the tetrahedron's label; each triangle of a material has its tetrahedron.
+/// Throws InternalError.
+void certify_slab(std::span<const PartitionSlice* const> slices, const ComplexRanges& ranges, const TetraMesh& mesh,
+                  std::size_t k);
 
 }  // namespace odontoscope::partition

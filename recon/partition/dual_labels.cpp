@@ -24,9 +24,10 @@ std::uint32_t right_of(const Planar& planar, std::uint32_t a, std::uint32_t spok
   return planar.spokes[spoke == first ? end - 1 : spoke - 1].triangle;
 }
 
-/// A triangle of the sector at p in which the circumcentre of a triangle of the other slice lies. Precondition: p is its nearest point, so that no
-/// border but those at p comes between.
-std::uint32_t sector_triangle(const Planar& of, std::uint32_t triangle, const PartitionSlice& slice, std::uint32_t p, Side side) {
+/// A triangle of the sector at p in which the circumcentre of a triangle of the other slice lies. Precondition: p is
+/// its nearest point, so that no border but those at p comes between.
+std::uint32_t sector_triangle(const Planar& of, std::uint32_t triangle, const PartitionSlice& slice, std::uint32_t p,
+                              Side side) {
   const Planar& planar = slice.planar;
   std::vector<std::uint32_t> borders;
   for (std::uint32_t s = planar.first_spoke[p]; s < planar.first_spoke[p + 1]; ++s)
@@ -43,18 +44,20 @@ std::uint32_t sector_triangle(const Planar& of, std::uint32_t triangle, const Pa
   return planar.spokes[borders.back()].triangle;
 }
 
-/// Of a 2-2: along the Voronoi edge of ab the side changes at its midpoint, and the walk has crossed from c to d before that exactly if the
-/// midpoint is nearer to d.
+/// Of a 2-2: along the Voronoi edge of ab the side changes at its midpoint, and the walk has crossed from c to d before
+/// that exactly if the midpoint is nearer to d.
 std::uint32_t lower_triangle(const SlabTetrahedron& tet, const PartitionSlice& lower, const Planar& upper) {
   const auto count = static_cast<std::uint32_t>(lower.planar.points.size());
   const EdgeSides sides = sides_of(lower, tet.v[0], tet.v[1]);
   if (!sides.border()) return sides.left_triangle;
-  const bool before = delaunay::nearer_to_midpoint(lower.planar.points[tet.v[0]], lower.planar.points[tet.v[1]],
-                                                   upper.points[tet.v[2] - count], upper.points[tet.v[3] - count], Side::upper) > 0;
+  const bool before =
+      delaunay::nearer_to_midpoint(lower.planar.points[tet.v[0]], lower.planar.points[tet.v[1]],
+                                   upper.points[tet.v[2] - count], upper.points[tet.v[3] - count], Side::upper) > 0;
   return before ? sides.left_triangle : sides.right_triangle;
 }
 
-/// The crossing lies between the circumcentre on one side of cd and the midpoint exactly if the bisector of a and b separates them.
+/// The crossing lies between the circumcentre on one side of cd and the midpoint exactly if the bisector of a and b
+/// separates them.
 std::uint32_t upper_triangle(const SlabTetrahedron& tet, const Planar& lower, const PartitionSlice& upper) {
   const auto count = static_cast<std::uint32_t>(lower.points.size());
   const std::uint32_t c = tet.v[2] - count, d = tet.v[3] - count;
@@ -62,7 +65,8 @@ std::uint32_t upper_triangle(const SlabTetrahedron& tet, const Planar& lower, co
   const std::uint32_t left = upper.planar.spokes[spoke].triangle, right = right_of(upper.planar, c, spoke);
   if (upper.label(left) == upper.label(right)) return left;
   const Point2 a = lower.points[tet.v[0]], b = lower.points[tet.v[1]];
-  const bool midpoint_near_b = delaunay::nearer_to_midpoint(upper.planar.points[c], upper.planar.points[d], a, b, Side::lower) > 0;
+  const bool midpoint_near_b =
+      delaunay::nearer_to_midpoint(upper.planar.points[c], upper.planar.points[d], a, b, Side::lower) > 0;
   const std::uint32_t asked = left != none ? left : right;
   const bool beside_asked = (delaunay::nearer_to_centre(upper.planar, asked, a, b, Side::lower) > 0) != midpoint_near_b;
   return beside_asked == (asked == left) ? left : right;
@@ -77,7 +81,7 @@ EdgeSides sides_of(const PartitionSlice& slice, std::uint32_t a, std::uint32_t b
 }
 
 std::vector<DualTriangles> dual_triangles(const std::vector<SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
-                                    const PartitionSlice& upper) {
+                                          const PartitionSlice& upper) {
   const auto count = static_cast<std::uint32_t>(lower.planar.points.size());
   std::vector<DualTriangles> duals(tetrahedra.size());
   for (std::size_t t = 0; t < tetrahedra.size(); ++t) {

@@ -13,10 +13,10 @@ struct DualTriangles {
   std::uint32_t lower = delaunay::none, upper = delaunay::none;
 };
 
-/// `tetrahedra` from delaunay::bare_slab of the two slices' triangulations. Exact where borders are Gabriel; where they are only Delaunay, it may be one
-/// on the other side of a gap.
-std::vector<DualTriangles> dual_triangles(const std::vector<delaunay::SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
-                                    const PartitionSlice& upper);
+/// `tetrahedra` from delaunay::bare_slab of the two slices' triangulations. Exact where borders are Gabriel; where they
+/// are only Delaunay, it may be one on the other side of a gap.
+std::vector<DualTriangles> dual_triangles(const std::vector<delaunay::SlabTetrahedron>& tetrahedra,
+                                          const PartitionSlice& lower, const PartitionSlice& upper);
 
 /// The triangles and labels on both sides of the edge from a to b, seen from +z.
 struct EdgeSides {

@@ -4,7 +4,8 @@
 
 namespace odontoscope::partition {
 
-std::vector<Contour> face_contours(const Borders& borders, const std::string& name, const std::function<bool(Label)>& chosen) {
+std::vector<Contour> face_contours(const Borders& borders, const std::string& name,
+                                   const std::function<bool(Label)>& chosen) {
   constexpr std::uint32_t nowhere = 0xffffffffu;
   std::vector<std::uint32_t> next(borders.points.size(), nowhere);
   const auto lead = [&](std::uint32_t from, std::uint32_t to) {

@@ -10,8 +10,9 @@
 
 namespace odontoscope::partition {
 
-/// Contours round all faces whose label is chosen, with these on their left: outer ones counter-clockwise, holes clockwise, simple and disjoint. Without
-/// points where nothing but labels within the set meet.
-std::vector<Contour> face_contours(const Borders& borders, const std::string& name, const std::function<bool(Label)>& chosen);
+/// Contours round all faces whose label is chosen, with these on their left: outer ones counter-clockwise, holes
+/// clockwise, simple and disjoint. Without points where nothing but labels within the set meet.
+std::vector<Contour> face_contours(const Borders& borders, const std::string& name,
+                                   const std::function<bool(Label)>& chosen);
 
 }  // namespace odontoscope::partition

@@ -17,14 +17,15 @@ struct Votes {
 };
 
 void vote(const Slice& slice, const std::string& inner, const std::string& outer, Votes& votes) {
-  constexpr std::size_t asked = 8;   // of a contour
+  constexpr std::size_t asked = 8;  // of a contour
   for (const Contour& contour : slice.contours) {
     if (contour.structure != inner) continue;
     const std::size_t step = std::max<std::size_t>(1, contour.points.size() / asked);
     for (std::size_t i = 0; i < contour.points.size(); i += step) {
       ++votes.all;
       votes.inside += std::any_of(slice.contours.begin(), slice.contours.end(), [&](const Contour& around) {
-        return around.structure == outer && signed_area(around.points) > 0 && ring_holds(around.points, contour.points[i]);
+        return around.structure == outer && signed_area(around.points) > 0 &&
+               ring_holds(around.points, contour.points[i]);
       });
     }
   }
@@ -44,7 +45,8 @@ std::vector<std::uint32_t> inner_first(const ContourStack& stack, const std::vec
       if (s == t) continue;
       Votes votes;
       for (const Slice& slice : stack.slices) {
-        const bool both = std::any_of(slice.contours.begin(), slice.contours.end(), [&](const Contour& c) { return c.structure == structures[t]; });
+        const bool both = std::any_of(slice.contours.begin(), slice.contours.end(),
+                                      [&](const Contour& c) { return c.structure == structures[t]; });
         if (both) vote(slice, structures[s], structures[t], votes);
       }
       enclosed_by[s] += 2 * votes.inside > votes.all;

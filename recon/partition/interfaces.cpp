@@ -9,7 +9,9 @@ namespace {
 using delaunay::even_permutation;
 using delaunay::FaceTable;
 
-Triangle face_of(const Tetrahedron& tet, int i) { return {tet[outward_face[i][0]], tet[outward_face[i][1]], tet[outward_face[i][2]]}; }
+Triangle face_of(const Tetrahedron& tet, int i) {
+  return {tet[outward_face[i][0]], tet[outward_face[i][1]], tet[outward_face[i][2]]};
+}
 
 }  // namespace
 
@@ -17,7 +19,7 @@ std::vector<InterfaceTriangle> interfaces_of(const TetraMesh& mesh) {
   const auto count = static_cast<std::uint32_t>(mesh.tetrahedra.size());
   constexpr std::uint32_t taken = FaceTable::vacant - 1;
   FaceTable table(std::size_t{4} * count);
-  std::vector<std::uint32_t> beyond(std::size_t{4} * count, FaceTable::vacant);   // the tetrahedron across each face
+  std::vector<std::uint32_t> beyond(std::size_t{4} * count, FaceTable::vacant);  // the tetrahedron across each face
   for (std::uint32_t t = 0; t < count; ++t)
     for (std::uint32_t i = 0; i < 4; ++i) {
       const Triangle face = face_of(mesh.tetrahedra[t], static_cast<int>(i));

@@ -12,21 +12,25 @@ namespace odontoscope::partition {
 namespace {
 
 bool has_none(const OrderedStack& stack) {
-  return std::all_of(stack.stack.slices.begin(), stack.stack.slices.end(), [](const Slice& slice) { return slice.contours.empty(); });
+  return std::all_of(stack.stack.slices.begin(), stack.stack.slices.end(),
+                     [](const Slice& slice) { return slice.contours.empty(); });
 }
 
-std::string filled_name(const std::string& structure) { return structure + "\1filled"; }   // no name has such a letter
+std::string filled_name(const std::string& structure) { return structure + "\1filled"; }  // no name has such a letter
 
 }  // namespace
 
-Interpolator::Interpolator(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given, tbb::task_arena& arena,
-                           const Progress& progress)
+Interpolator::Interpolator(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given,
+                           tbb::task_arena& arena, const Progress& progress)
     : borders_(borders), materials_(materials), given_(given) {
   for (const Slice& slice : given.stack.slices) heights_.push_back(slice.z);
   const std::size_t count = materials.structures.size();
   for (std::size_t rank = 0; rank < count; ++rank) {
-    const auto outermost = static_cast<std::size_t>(std::find(materials.rank.begin(), materials.rank.end(), rank) - materials.rank.begin());
-    const OrderedStack stack = contours_of(materials.structures[outermost], [&](Label label) { return label != void_label && materials.rank[label - 1] <= rank; });
+    const auto outermost = static_cast<std::size_t>(std::find(materials.rank.begin(), materials.rank.end(), rank) -
+                                                    materials.rank.begin());
+    const OrderedStack stack = contours_of(materials.structures[outermost], [&](Label label) {
+      return label != void_label && materials.rank[label - 1] <= rank;
+    });
     if (has_none(stack)) continue;
     structures_.push_back(outermost);
     filled_.push_back(delaunay::survey_stack({stack, materials.structures[outermost], {}}, arena, progress));
@@ -37,7 +41,8 @@ OrderedStack Interpolator::contours_of(const std::string& name, const std::funct
   OrderedStack stack;
   stack.original_slice = given_.original_slice;
   stack.stack.source = given_.stack.source;
-  for (std::size_t k = 0; k < borders_.size(); ++k) stack.stack.slices.push_back({heights_[k], face_contours(borders_[k], name, chosen)});
+  for (std::size_t k = 0; k < borders_.size(); ++k)
+    stack.stack.slices.push_back({heights_[k], face_contours(borders_[k], name, chosen)});
   return stack;
 }
 
@@ -53,8 +58,10 @@ void Interpolator::survey_own(tbb::task_arena& arena, const Progress& progress) 
 std::vector<Interpolation> Interpolator::attempts(std::size_t k) const {
   double travel = 0;
   for (const delaunay::SurveyedStructure& one : filled_)
-    travel = std::max(travel, between::need(delaunay::outline_of(one.slices[k]), delaunay::outline_of(one.slices[k + 1])).travel);
-  std::vector<Interpolation> list{{1, {.strips = true}}, {3, {.strips = true}}, {1, {.strips = false}}, {3, {.strips = false}}};
+    travel = std::max(
+        travel, between::need(delaunay::outline_of(one.slices[k]), delaunay::outline_of(one.slices[k + 1])).travel);
+  std::vector<Interpolation> list{
+      {1, {.strips = true}}, {3, {.strips = true}}, {1, {.strips = false}}, {3, {.strips = false}}};
   const double slope = travel / (heights_[k + 1] - heights_[k]);
   const bool gentle = slope < odontoscope::limits::steep;
   list.insert(gentle ? list.begin() : list.end(), Interpolation{});
@@ -63,7 +70,8 @@ std::vector<Interpolation> Interpolator::attempts(std::size_t k) const {
   if (slope > limits::very_level) list.insert(list.begin(), Interpolation{7, {.strips = false}});
   list.push_back({7, {.strips = false}});
   if (!deserves_more(k)) return list;
-  for (const auto& [slices, strips, finer] : {std::tuple{5, true, 1}, {5, false, 1}, {1, true, 3}, {3, false, 3}, {15, false, 1}}) {
+  for (const auto& [slices, strips, finer] :
+       {std::tuple{5, true, 1}, {5, false, 1}, {1, true, 3}, {3, false, 3}, {15, false, 1}}) {
     Interpolation one{static_cast<std::size_t>(slices), {.strips = strips}, true};
     one.options.finer = static_cast<std::size_t>(finer);
     list.push_back(one);
@@ -79,7 +87,8 @@ std::vector<Interpolation> Interpolator::own_attempts(std::size_t k) const {
     for (const auto& [slices, strips] : {std::pair{1, true}, {3, true}, {1, false}, {3, false}, {7, false}})
       list.push_back({static_cast<std::size_t>(slices), {.strips = strips}, false, own});
   if (deserves_more(k))
-    for (const auto own : {Interpolation::Own::inner_first, Interpolation::Own::outer_first}) list.push_back({15, {.strips = false}, true, own});
+    for (const auto own : {Interpolation::Own::inner_first, Interpolation::Own::outer_first})
+      list.push_back({15, {.strips = false}, true, own});
   return list;
 }
 
@@ -99,10 +108,12 @@ bool Interpolator::deserves_more(std::size_t k) const {
   return most_points >= odontoscope::limits::fine_outlines;
 }
 
-void Interpolator::blend(const Surveyed& one, std::size_t k, const std::vector<double>& shares, const between::BlendOptions& options, const std::string& name,
+void Interpolator::blend(const Surveyed& one, std::size_t k, const std::vector<double>& shares,
+                         const between::BlendOptions& options, const std::string& name,
                          std::vector<Slice>& contours) const {
   if (one.slices[k].regions() == 0 && one.slices[k + 1].regions() == 0) return;
-  const auto outlines = delaunay::blend_slab(one.slices, one.voids, k, one.links[k], one.surveys[k].voids, shares, options);
+  const auto outlines =
+      delaunay::blend_slab(one.slices, one.voids, k, one.links[k], one.surveys[k].voids, shares, options);
   for (std::size_t s = 0; s < outlines.size(); ++s)
     for (const auto& contour : outlines[s].outline) contours[s].contours.push_back({name, contour});
 }

@@ -1,12 +1,13 @@
 #pragma once
 // Planar partitions between two given ones.
 //
-// Structures are ordered from the inside out. What the first one fills, what the first two fill, and so on are interpolated as solids of their own
-// (recon/between), and a place belongs to the first of them that holds it. So interpolated neighbours never gape, and never overlap.
+// Structures are ordered from the inside out. What the first one fills, what the first two fill, and so on are
+// interpolated as solids of their own (recon/between), and a place belongs to the first of them that holds it. So
+// interpolated neighbours never gape, and never overlap.
 //
-// What only a structure's own contours tell (that a canal leaves through dentine's wall between two slices) is lost on the way. So where that does not give
-// the implied topology, each structure is interpolated as it is, hollow, as well, and what lies within the filled ones and in none of these goes to the next
-// structure inwards if it borders on that.
+// What only a structure's own contours tell (that a canal leaves through dentine's wall between two slices) is lost on
+// the way. So where that does not give the implied topology, each structure is interpolated as it is, hollow, as well,
+// and what lies within the filled ones and in none of these goes to the next structure inwards if it borders on that.
 
 #include <tbb/task_arena.h>
 
@@ -30,9 +31,9 @@ struct InterpolatedBorders {
 
 /// How a slab is interpolated.
 struct Interpolation {
-  std::size_t slices = 0;   // none: its two slices alone
+  std::size_t slices = 0;  // none: its two slices alone
   between::BlendOptions options = {};
-  bool late = false;        // costs several times all others: for what is nearly as it should be
+  bool late = false;  // costs several times all others: for what is nearly as it should be
   /// By the structures' own contours, too; which of them keeps a place that two hold.
   enum class Own { none, inner_first, outer_first } own = Own::none;
 };
@@ -40,8 +41,8 @@ struct Interpolation {
 class Interpolator {
  public:
   /// `borders` of the slices of `given`; all must outlive this. Follows links over all slices.
-  Interpolator(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given, tbb::task_arena& arena,
-               const Progress& progress);
+  Interpolator(const std::vector<Borders>& borders, const Materials& materials, const OrderedStack& given,
+               tbb::task_arena& arena, const Progress& progress);
 
   /// In the order in which they are worth trying for slab k; late ones only where outlines are few and fine.
   std::vector<Interpolation> attempts(std::size_t k) const;
@@ -60,16 +61,16 @@ class Interpolator {
   bool deserves_more(std::size_t k) const;
   OrderedStack contours_of(const std::string& name, const std::function<bool(Label)>& chosen) const;
   Materials stand_ins(Interpolation::Own own) const;
-  void blend(const Surveyed& one, std::size_t k, const std::vector<double>& shares, const between::BlendOptions& options, const std::string& name,
-             std::vector<Slice>& contours) const;
+  void blend(const Surveyed& one, std::size_t k, const std::vector<double>& shares,
+             const between::BlendOptions& options, const std::string& name, std::vector<Slice>& contours) const;
 
   const std::vector<Borders>& borders_;
   const Materials& materials_;
   const OrderedStack& given_;
   std::vector<double> heights_;
-  std::vector<std::size_t> structures_;   // of what is filled: the outermost structure
+  std::vector<std::size_t> structures_;  // of what is filled: the outermost structure
   std::vector<Surveyed> filled_;
-  std::vector<std::optional<Surveyed>> own_;   // of each of these, hollow; none of the first, which is
+  std::vector<std::optional<Surveyed>> own_;  // of each of these, hollow; none of the first, which is
 };
 
 }  // namespace odontoscope::partition

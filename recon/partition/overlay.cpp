@@ -9,9 +9,9 @@
 
 #include "recon/core/error.h"
 #include "recon/core/portable_math.h"
+#include "recon/core/spatial_order.h"
 #include "recon/delaunay/constrained.h"
 #include "recon/delaunay/predicates.h"
-#include "recon/core/spatial_order.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/planar_pieces.h"
 
@@ -19,7 +19,7 @@ namespace odontoscope::partition {
 namespace {
 
 using delaunay::Kernel;
-using Members = std::uint64_t;   // bit s: inside structure s
+using Members = std::uint64_t;  // bit s: inside structure s
 
 struct FaceMembers {
   Members members = 0;
@@ -27,16 +27,18 @@ struct FaceMembers {
   Label label = void_label;
 };
 
-using OverlayFaceBase = CGAL::Triangulation_face_base_with_info_2<FaceMembers, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using OverlayFaceBase =
+    CGAL::Triangulation_face_base_with_info_2<FaceMembers, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using OverlayStructure = CGAL::Triangulation_data_structure_2<delaunay::VertexBase, OverlayFaceBase>;
-using Overlay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
+using Overlay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, OverlayStructure, CGAL::No_constraint_intersection_tag>;
 
 /// The corner at `at` that begins at the border towards `first` goes to `taker`.
 struct CornerCut {
   std::uint32_t at = 0, first = 0;
-  double reach = 0;     // nothing farther from `at` is given away
+  double reach = 0;  // nothing farther from `at` is given away
   Label taker = void_label;
-  bool whole = false;   // too narrow for a cut: the triangles at the point go as they are
+  bool whole = false;  // too narrow for a cut: the triangles at the point go as they are
 };
 
 class Overlayer {
@@ -79,14 +81,15 @@ class Overlayer {
   }
 
  private:
-  /// From here on a piece parts two labels, whatever structures it came from; `toggles` is their difference. False: nothing is left.
+  /// From here on a piece parts two labels, whatever structures it came from; `toggles` is their difference. False:
+  /// nothing is left.
   bool keep_labels() {
     pieces_.clear();
     for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
       const Label one = label(edge->first), other = label(edge->first->neighbor(edge->second));
       if (one == other) continue;
-      pieces_.push_back({edge->first->vertex(Overlay::ccw(edge->second))->info().value, edge->first->vertex(Overlay::cw(edge->second))->info().value,
-                         Members{one} ^ Members{other}});
+      pieces_.push_back({edge->first->vertex(Overlay::ccw(edge->second))->info().value,
+                         edge->first->vertex(Overlay::cw(edge->second))->info().value, Members{one} ^ Members{other}});
     }
     part_labels_ = true;
     if (pieces_.empty()) return false;
@@ -161,7 +164,8 @@ class Overlayer {
 
   Members crossed(Overlay::Face_handle face, int i) const {
     if (!face->is_constrained(i)) return 0;
-    const auto [a, b] = std::minmax(face->vertex(Overlay::ccw(i))->info().value, face->vertex(Overlay::cw(i))->info().value);
+    const auto [a, b] =
+        std::minmax(face->vertex(Overlay::ccw(i))->info().value, face->vertex(Overlay::cw(i))->info().value);
     return toggles_.at({a, b});
   }
 
@@ -188,10 +192,10 @@ class Overlayer {
     return area;
   }
 
-  /// Of a void triangle that touches two structures or more: the first of them by priority to whose borders, those at its corners, all its corners are
-  /// within the gap. None: void_label.
+  /// Of a void triangle that touches two structures or more: the first of them by priority to whose borders, those at
+  /// its corners, all its corners are within the gap. None: void_label.
   Label gap_taker(Overlay::Face_handle face) const {
-    std::map<Label, std::vector<Kernel::Segment_2>> borders;   // at its corners
+    std::map<Label, std::vector<Kernel::Segment_2>> borders;  // at its corners
     for (int i = 0; i < 3; ++i) {
       const auto corner = face->vertex(i);
       auto around = cdt_.incident_faces(corner), end = around;
@@ -199,7 +203,8 @@ class Overlayer {
         const int k = around->index(corner);
         for (const int side : {Overlay::ccw(k), Overlay::cw(k)}) {
           if (label(around) == void_label || label(around->neighbor(side)) == label(around)) continue;
-          borders[label(around)].emplace_back(around->vertex(Overlay::ccw(side))->point(), around->vertex(Overlay::cw(side))->point());
+          borders[label(around)].emplace_back(around->vertex(Overlay::ccw(side))->point(),
+                                              around->vertex(Overlay::cw(side))->point());
         }
       } while (++around != end);
     }
@@ -224,7 +229,7 @@ class Overlayer {
   struct Piece {
     std::vector<Overlay::Face_handle> faces;
     double area = 0, around = 0;
-    std::map<Label, double> beside;   // length of common border
+    std::map<Label, double> beside;  // length of common border
     bool outer = false;
   };
 
@@ -236,7 +241,8 @@ class Overlayer {
       if (face->info().known) continue;
       Piece piece = piece_at(face);
       if (piece.outer || 2 * piece.area >= materials_.sliver * piece.around) continue;
-      const auto longest = std::max_element(piece.beside.begin(), piece.beside.end(), [](const auto& p, const auto& q) { return p.second < q.second; });
+      const auto longest = std::max_element(piece.beside.begin(), piece.beside.end(),
+                                            [](const auto& p, const auto& q) { return p.second < q.second; });
       dropped.emplace_back(std::move(piece.faces), longest->first);
     }
     for (const auto& [faces, label] : dropped)
@@ -255,7 +261,8 @@ class Overlayer {
       for (int i = 0; i < 3; ++i) {
         const auto other = face->neighbor(i);
         if (label(other) != label(start)) {
-          const double length = std::sqrt(CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
+          const double length = std::sqrt(
+              CGAL::squared_distance(face->vertex(Overlay::ccw(i))->point(), face->vertex(Overlay::cw(i))->point()));
           piece.around += length;
           piece.beside[label(other)] += length;
         } else if (cdt_.is_infinite(other)) {
@@ -281,10 +288,11 @@ class Overlayer {
   std::vector<Ray> rays_at(Overlay::Vertex_handle at) const {
     std::vector<Ray> rays;
     auto face = cdt_.incident_faces(at), end = face;
-    do {   // counter-clockwise
+    do {  // counter-clockwise
       const int i = face->index(at);
-      const auto before = face->neighbor(Overlay::cw(i));   // across the edge from `at` to the next corner
-      if (label(face) != label(before)) rays.push_back({face->vertex(Overlay::ccw(i))->info().value, face, label(face)});
+      const auto before = face->neighbor(Overlay::cw(i));  // across the edge from `at` to the next corner
+      if (label(face) != label(before))
+        rays.push_back({face->vertex(Overlay::ccw(i))->info().value, face, label(face)});
     } while (++face != end);
     for (Ray& ray : rays)
       if (ray.to == delaunay::none) throw InternalError("a border runs to infinity");
@@ -297,22 +305,25 @@ class Overlayer {
     return turned < 0 ? turned + 2 * std::numbers::pi : turned;
   }
 
-  /// Plans one cut at every point where more than three borders meet. Upwards: only faces of least priority give, whole triangles, so that it must end.
-  /// False: there is none.
+  /// Plans one cut at every point where more than three borders meet. Upwards: only faces of least priority give, whole
+  /// triangles, so that it must end. False: there is none.
   bool cut_corners(bool upwards) {
     std::vector<std::uint32_t> crowded;
-    for (auto v = cdt_.finite_vertices_begin(); v != cdt_.finite_vertices_end(); ++v) crowded.push_back(v->info().value);
+    for (auto v = cdt_.finite_vertices_begin(); v != cdt_.finite_vertices_end(); ++v)
+      crowded.push_back(v->info().value);
     std::sort(crowded.begin(), crowded.end());
     std::erase_if(crowded, [&](std::uint32_t p) { return rays_at(vertices_[p]).size() <= 3; });
     if (crowded.empty()) return false;
-    std::vector<bool> taken(points_.size(), false);   // a border is cut from one end at a time
+    std::vector<bool> taken(points_.size(), false);  // a border is cut from one end at a time
     for (const std::uint32_t p : crowded) {
       const std::vector<Ray> rays = rays_at(vertices_[p]);
       if (taken[p] || std::any_of(rays.begin(), rays.end(), [&](const Ray& ray) { return taken[ray.to]; })) continue;
       taken[p] = true;
       for (const Ray& ray : rays) taken[ray.to] = true;
-      if (upwards) plan_upwards(p, rays);
-      else plan_cut(p, rays);
+      if (upwards)
+        plan_upwards(p, rays);
+      else
+        plan_cut(p, rays);
     }
     make_planar(points_, pieces_);
     return true;
@@ -323,10 +334,12 @@ class Overlayer {
     std::size_t chosen = count;
     Label taker = void_label;
     for (std::size_t i = 0; i < count; ++i) {
-      if (cdt_.is_infinite(rays[i].left_face)) continue;   // nothing there to give
+      if (cdt_.is_infinite(rays[i].left_face)) continue;  // nothing there to give
       const Label one = rays[(i + count - 1) % count].left, other = rays[(i + 1) % count].left;
       const Label winner = materials_.wins(one, other) ? one : other;
-      if (!materials_.wins(winner, rays[i].left) || (chosen < count && !materials_.wins(rays[chosen].left, rays[i].left))) continue;
+      if (!materials_.wins(winner, rays[i].left) ||
+          (chosen < count && !materials_.wins(rays[chosen].left, rays[i].left)))
+        continue;
       chosen = i;
       taker = winner;
     }
@@ -336,7 +349,9 @@ class Overlayer {
 
   void plan_cut(std::uint32_t at, const std::vector<Ray>& rays) {
     const std::size_t count = rays.size();
-    const auto repeated = [&](Label label) { return std::count_if(rays.begin(), rays.end(), [label](const Ray& ray) { return ray.left == label; }) > 1; };
+    const auto repeated = [&](Label label) {
+      return std::count_if(rays.begin(), rays.end(), [label](const Ray& ray) { return ray.left == label; }) > 1;
+    };
     const auto class_of = [&](Label label) { return !repeated(label) ? 2 : label == void_label ? 1 : 0; };
     std::size_t chosen = 0;
     double least = std::numeric_limits<double>::max();
@@ -348,8 +363,10 @@ class Overlayer {
       chosen = i;
     }
     const Label one = rays[(chosen + count - 1) % count].left, other = rays[(chosen + 1) % count].left;
-    const bool parted = class_of(rays[chosen].left) == 0;   // a material that meets itself: its corner goes to void, if there is any beside it
-    const bool takes_one = parted && (one == void_label) != (other == void_label) ? one == void_label : materials_.wins(one, other);
+    const bool parted = class_of(rays[chosen].left) ==
+                        0;  // a material that meets itself: its corner goes to void, if there is any beside it
+    const bool takes_one =
+        parted && (one == void_label) != (other == void_label) ? one == void_label : materials_.wins(one, other);
     const Label taker = takes_one ? one : other;
     const std::uint32_t ends[] = {rays[chosen].to, rays[(chosen + 1) % count].to};
     const double reach = limits::corner_share * room(at);
@@ -377,8 +394,10 @@ class Overlayer {
     const auto middle = static_cast<std::uint32_t>(points_.size());
     points_.push_back(place);
     const std::pair<std::uint32_t, std::uint32_t> ends = std::minmax(at, to);
-    const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const ContourPiece& p) { return std::pair(p.a, p.b) == ends; });
-    const Members toggled = piece == pieces_.end() ? 0 : piece->toggles;   // what a corner was given away whole need not have one
+    const auto piece = std::find_if(pieces_.begin(), pieces_.end(),
+                                    [&](const ContourPiece& p) { return std::pair(p.a, p.b) == ends; });
+    const Members toggled =
+        piece == pieces_.end() ? 0 : piece->toggles;  // what a corner was given away whole need not have one
     if (piece != pieces_.end()) pieces_.erase(piece);
     pieces_.push_back({at, middle, toggled});
     pieces_.push_back({middle, to, toggled});
@@ -407,13 +426,14 @@ class Overlayer {
     const auto rays = rays_at(vertices_[cut.at]);
     if (rays.empty()) return;
     const auto off = [&](const Ray& ray) {
-      if (ray.to == cut.first) return -1.0;   // needles: directions alone do not tell which
+      if (ray.to == cut.first) return -1.0;  // needles: directions alone do not tell which
       const double turned = angle(cut.at, cut.first, ray.to);
       return std::min(turned, 2 * std::numbers::pi - turned);
     };
-    const auto start = std::min_element(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return off(a) < off(b); });
+    const auto start =
+        std::min_element(rays.begin(), rays.end(), [&](const Ray& a, const Ray& b) { return off(a) < off(b); });
     const Label loser = start->left;
-    if (loser == cut.taker) return;   // a later cut beside it gave it away already
+    if (loser == cut.taker) return;  // a later cut beside it gave it away already
     if (cut.whole) {
       auto face = cdt_.incident_faces(vertices_[cut.at], start->left_face);
       for (const auto end = face; face->info().label == loser && !cdt_.is_infinite(face);) {
@@ -437,7 +457,8 @@ class Overlayer {
       stack.pop_back();
       for (int i = 0; i < 3; ++i) {
         const auto other = face->neighbor(i);
-        if (face->is_constrained(i) || cdt_.is_infinite(other) || other->info().label != loser || !within(other)) continue;
+        if (face->is_constrained(i) || cdt_.is_infinite(other) || other->info().label != loser || !within(other))
+          continue;
         other->info().label = cut.taker;
         stack.push_back(other);
       }
@@ -464,7 +485,8 @@ class Overlayer {
     std::sort(result.points.begin(), result.points.end(), before);
     result.points.erase(std::unique(result.points.begin(), result.points.end()), result.points.end());
     const auto number = [&](Point2 p) {
-      return static_cast<std::uint32_t>(std::lower_bound(result.points.begin(), result.points.end(), p, before) - result.points.begin());
+      return static_cast<std::uint32_t>(std::lower_bound(result.points.begin(), result.points.end(), p, before) -
+                                        result.points.begin());
     };
     for (std::size_t i = 0; i < ends.size(); ++i) {
       Border border{number(ends[i].first), number(ends[i].second), sides[i].first, sides[i].second};
@@ -480,9 +502,9 @@ class Overlayer {
   std::vector<ContourPiece> pieces_;
   Overlay cdt_;
   std::vector<Overlay::Vertex_handle> vertices_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Members> toggles_;   // of pieces, by their ends
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Members> toggles_;  // of pieces, by their ends
   std::vector<CornerCut> cuts_;
-  bool part_labels_ = false;   // see keep_labels
+  bool part_labels_ = false;  // see keep_labels
 };
 
 }  // namespace

@@ -15,13 +15,16 @@ namespace {
 
 class SlabSolver {
  public:
-  SlabSolver(const PartitionSlice& lower, const PartitionSlice& upper, const Materials& materials, const Place& place, const Progress& progress)
+  SlabSolver(const PartitionSlice& lower, const PartitionSlice& upper, const Materials& materials, const Place& place,
+             const Progress& progress)
       : lower_(lower), upper_(upper), materials_(materials), place_(place), progress_(progress) {}
 
   PartitionSlab run() {
     result_.cut = !lower_.conforming || !upper_.conforming;
     const bool apart = result_.cut || lower_.empty() || upper_.empty();
-    complex_.emplace(lower_, upper_, apart ? std::vector<delaunay::SlabTetrahedron>{} : delaunay::bare_slab(lower_.planar, upper_.planar));
+    complex_.emplace(
+        lower_, upper_,
+        apart ? std::vector<delaunay::SlabTetrahedron>{} : delaunay::bare_slab(lower_.planar, upper_.planar));
     mends_.assign(complex_->on_slices(), 0);
     if (apart) {
       for (std::uint32_t p = 0; p < complex_->on_slices(); ++p) complex_->raise(p);
@@ -60,14 +63,17 @@ class SlabSolver {
 
   // ---- exact sections -----------------------------------------------------------------------------------------------
 
-  /// Raises points of the slices at which something touches that is none of their faces, or at which a face is no disc seen from the slab. Looks at what
-  /// has changed since the last time; raised copies of points are left to be looked at. False: there were none.
+  /// Raises points of the slices at which something touches that is none of their faces, or at which a face is no disc
+  /// seen from the slab. Looks at what has changed since the last time; raised copies of points are left to be looked
+  /// at. False: there were none.
   bool raise_where_not_exact() {
     progress_.check();
     std::vector<std::uint32_t> wrong;
     for (const std::uint32_t v : complex_->take_changed()) {
-      if (v >= complex_->on_slices()) later_.push_back(v);
-      else if (!complex_->raised()[v]) check_exact(v, wrong);
+      if (v >= complex_->on_slices())
+        later_.push_back(v);
+      else if (!complex_->raised()[v])
+        check_exact(v, wrong);
     }
     bool any = false;
     for (const std::uint32_t p : wrong) any = complex_->raise(p) || any;
@@ -89,7 +95,9 @@ class SlabSolver {
     for (std::uint32_t s = slice.planar.first_spoke[own]; s < slice.planar.first_spoke[own + 1]; ++s)
       faces.push_back(slice.label(slice.planar.spokes[s].triangle));
     std::vector<LinkTriangle> triangles = complex_->link(p);
-    const auto on_slice = [&](std::uint32_t w) { return w < complex_->on_slices() && complex_->is_lower(w) == complex_->is_lower(p); };
+    const auto on_slice = [&](std::uint32_t w) {
+      return w < complex_->on_slices() && complex_->is_lower(w) == complex_->is_lower(p);
+    };
     bool exact = true;
     for (const LinkTriangle& triangle : triangles) {
       if (std::find(faces.begin(), faces.end(), triangle.label) == faces.end()) exact = false;
@@ -111,7 +119,8 @@ class SlabSolver {
 
   // ---- singularities ------------------------------------------------------------------------------------------------
 
-  /// One round: exact sections first, then each singular point that no mend of this round has touched. False: there was nothing to do.
+  /// One round: exact sections first, then each singular point that no mend of this round has touched. False: there was
+  /// nothing to do.
   bool improve() {
     if (raise_where_not_exact()) return true;
     std::sort(later_.begin(), later_.end());
@@ -122,13 +131,16 @@ class SlabSolver {
     bool any = false;
     for (const std::uint32_t v : now) {
       const auto [begin, end] = complex_->star(v);
-      if (begin == end || std::all_of(begin, end, [&, first = begin](std::uint32_t cell) { return complex_->cell_label(cell) == complex_->cell_label(*first); }))
+      if (begin == end || std::all_of(begin, end, [&, first = begin](std::uint32_t cell) {
+            return complex_->cell_label(cell) == complex_->cell_label(*first);
+          }))
         continue;
       const VertexLink around(complex_->link(v));
       if (around.regular()) continue;
       any = true;
       complex_->mark(v);
-      if (std::any_of(begin, end, [&](std::uint32_t cell) { return touched[cell]; })) continue;   // seen again in the next round
+      if (std::any_of(begin, end, [&](std::uint32_t cell) { return touched[cell]; }))
+        continue;  // seen again in the next round
       mend_at(v, around);
       for (auto cell = begin; cell != end; ++cell) touched[*cell] = true;
     }
@@ -145,10 +157,12 @@ class SlabSolver {
       patch(v, mends > limits::single_mends ? mends - limits::single_mends : 1);
       return;
     }
-    for (const std::uint32_t cell : found.front().cells) result_.relabelled += complex_->relabel(cell, found.front().label);
+    for (const std::uint32_t cell : found.front().cells)
+      result_.relabelled += complex_->relabel(cell, found.front().label);
   }
 
-  /// The commonest label of the tetrahedra around v, for all of them and those 2^steps - 1 rings further out, with all their points raised.
+  /// The commonest label of the tetrahedra around v, for all of them and those 2^steps - 1 rings further out, with all
+  /// their points raised.
   void patch(std::uint32_t v, std::size_t steps) {
     ++result_.patches;
     const auto& tets = complex_->tetrahedra();
@@ -170,7 +184,9 @@ class SlabSolver {
         for (const std::uint32_t p : tets[patch[from]].v) add_at(p);
     std::map<Label, std::size_t> votes;
     for (const std::uint32_t t : patch) ++votes[complex_->label(t)];
-    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) { return a.second < b.second; })->first;
+    const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+                        return a.second < b.second;
+                      })->first;
     for (const std::uint32_t t : patch) {
       result_.relabelled += complex_->relabel(t, most);
       for (const std::uint32_t p : tets[t].v) complex_->raise(p);
@@ -183,7 +199,8 @@ class SlabSolver {
     const double low = complex_->raised_lower(), high = complex_->raised_upper();
     if (complex_->any_raised() && !(lower_.z < low && low < high && high < upper_.z))
       throw InputError("slices-too-close", place_,
-                       fmt::format("too few numbers lie between the heights {} and {} of two neighbouring slices", lower_.z, upper_.z),
+                       fmt::format("too few numbers lie between the heights {} and {} of two neighbouring slices",
+                                   lower_.z, upper_.z),
                        "Leave one of the slices out");
     std::vector<std::uint32_t> number(2 * std::size_t{complex_->on_slices()});
     for (std::uint32_t p = 0; p < complex_->on_slices(); ++p) {
@@ -208,16 +225,16 @@ class SlabSolver {
   const Place& place_;
   const Progress& progress_;
   std::optional<SlabComplex> complex_;
-  std::vector<std::uint32_t> later_;     // raised copies to be looked at
-  std::vector<std::size_t> mends_;       // at each point
+  std::vector<std::uint32_t> later_;  // raised copies to be looked at
+  std::vector<std::size_t> mends_;    // at each point
   std::size_t rounds_ = 0;
   PartitionSlab result_;
 };
 
 }  // namespace
 
-PartitionSlab solve_partition_slab(const PartitionSlice& lower, const PartitionSlice& upper, const Materials& materials, const Place& place,
-                                   const Progress& progress) {
+PartitionSlab solve_partition_slab(const PartitionSlice& lower, const PartitionSlice& upper, const Materials& materials,
+                                   const Place& place, const Progress& progress) {
   return SlabSolver(lower, upper, materials, place, progress).run();
 }
 

@@ -6,9 +6,12 @@ namespace odontoscope::partition {
 
 using delaunay::RegionLink;
 
-ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena, const Progress& progress) {
+ImpliedTopology implied_topology(const OrderedStack& stack, const std::string& structure, tbb::task_arena& arena,
+                                 const Progress& progress) {
   const delaunay::SurveyedStructure survey = delaunay::survey_stack({stack, structure, {}}, arena, progress);
-  const auto outer = [&](std::size_t k, std::uint32_t region) { return survey.slices[k].contour_number[survey.slices[k].outer_contour[region]]; };
+  const auto outer = [&](std::size_t k, std::uint32_t region) {
+    return survey.slices[k].contour_number[survey.slices[k].outer_contour[region]];
+  };
   const auto hole = [&](std::size_t k, std::uint32_t number) -> std::optional<std::size_t> {
     if (number == delaunay::outside) return std::nullopt;
     return survey.slices[k].contour_number[survey.voids[k].hole_contour[number - 1]];

@@ -11,8 +11,8 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
-#include "recon/delaunay/constrained.h"
 #include "recon/core/spatial_order.h"
+#include "recon/delaunay/constrained.h"
 #include "recon/partition/limits.h"
 #include "recon/partition/overlay.h"
 
@@ -29,19 +29,21 @@ using delaunay::Vertex;
 
 enum class Fineness { gabriel, delaunay, constrained };
 
-/// A part of a given border, from share `t0` to `t1` of the way; `u0` and `u1` are those from the other end, kept apart so that a border and its
-/// mirror image are split alike to the last bit.
+/// A part of a given border, from share `t0` to `t1` of the way; `u0` and `u1` are those from the other end, kept apart
+/// so that a border and its mirror image are split alike to the last bit.
 struct Piece {
   std::uint32_t a = 0, b = 0, border = 0;
   double t0 = 0, u0 = 1, t1 = 1, u1 = 0;
 };
 
-/// Splits borders until all are Gabriel, or Delaunay: rounds of triangulating anew from the points alone, as for contours (recon/delaunay/refine.h).
+/// Splits borders until all are Gabriel, or Delaunay: rounds of triangulating anew from the points alone, as for
+/// contours (recon/delaunay/refine.h).
 class Conformer {
  public:
   Conformer(const Borders& given, Fineness fineness, const Progress& progress)
       : given_(given), fineness_(fineness), progress_(progress), points_(given.points) {
-    for (std::uint32_t i = 0; i < given.pieces.size(); ++i) pieces_.push_back({given.pieces[i].a, given.pieces[i].b, i});
+    for (std::uint32_t i = 0; i < given.pieces.size(); ++i)
+      pieces_.push_back({given.pieces[i].a, given.pieces[i].b, i});
     std::vector<std::vector<std::uint32_t>> ends(points_.size());
     for (const Border& border : given.pieces) {
       ends[border.a].push_back(border.b);
@@ -91,7 +93,7 @@ class Conformer {
     order_ = spatial_order(points_);
     vertices_ = delaunay::insert_points(cdt_, points_, order_);
     for (const std::uint32_t p : order_)
-      if (vertices_[p]->info().value != p) return false;   // rounded onto another point
+      if (vertices_[p]->info().value != p) return false;  // rounded onto another point
     try {
       for (const Piece& piece : pieces_) cdt_.insert_constraint(vertices_[piece.a], vertices_[piece.b]);
     } catch (const Cdt::Intersection_of_constraints_exception&) {
@@ -105,12 +107,13 @@ class Conformer {
   /// A border that runs through a point that is no end of it is cut there by the triangulation.
   std::size_t count_constrained() const {
     std::size_t count = 0;
-    for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) count += edge->first->is_constrained(edge->second);
+    for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge)
+      count += edge->first->is_constrained(edge->second);
     return count;
   }
 
   bool split_encroached() {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> splits;   // piece, and the point that is in its way
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> splits;  // piece, and the point that is in its way
     for (auto edge = cdt_.finite_edges_begin(); edge != cdt_.finite_edges_end(); ++edge) {
       if (!edge->first->is_constrained(edge->second)) continue;
       if (fineness_ == Fineness::delaunay && delaunay::is_delaunay(cdt_, edge->first, edge->second)) continue;
@@ -125,7 +128,8 @@ class Conformer {
     return !splits.empty();
   }
 
-  /// Opposite the point if the gap is narrow for the border's length, on a circle round a sharp end, else in the middle.
+  /// Opposite the point if the gap is narrow for the border's length, on a circle round a sharp end, else in the
+  /// middle.
   void split(std::uint32_t number, Point2 v) {
     const Piece piece = pieces_[number];
     const Border& border = given_.pieces[piece.border];
@@ -133,7 +137,8 @@ class Conformer {
     const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y, length = std::sqrt(square);
     double t = ((v.x - a.x) * x + (v.y - a.y) * y) / square;
     const double gap = portable::hypot(v.x - (a.x + t * x), v.y - (a.y + t * y));
-    const bool narrow = gap * odontoscope::limits::narrow_gap < (piece.t1 - piece.t0) * length && (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
+    const bool narrow = gap * odontoscope::limits::narrow_gap < (piece.t1 - piece.t0) * length &&
+                        (t - piece.t0) * length > gap && (piece.t1 - t) * length > gap;
     double u = 1 - t;
     if (!narrow) {
       const bool at_start = sharp_[border.a] && piece.t0 == 0, at_end = sharp_[border.b] && piece.u1 == 0;
@@ -175,7 +180,9 @@ class Conformer {
       stack.pop_back();
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t other = planar.triangles[t].nb[k];
-        if (other == none || planar.triangles[other].region != unknown || border(planar.triangles[t], k) != of_edge_.end()) continue;
+        if (other == none || planar.triangles[other].region != unknown ||
+            border(planar.triangles[t], k) != of_edge_.end())
+          continue;
         planar.triangles[other].region = planar.triangles[t].region;
         stack.push_back(other);
       }
@@ -201,7 +208,9 @@ void set_edge_kinds(PartitionSlice& slice) {
     for (std::uint32_t s = first; s < end; ++s) {
       const Label left = slice.label(planar.spokes[s].triangle);
       const Label right = slice.label(planar.spokes[s == first ? end - 1 : s - 1].triangle);
-      planar.spokes[s].kind = left != right ? EdgeKind::contour : left == void_label ? EdgeKind::external : EdgeKind::internal;
+      planar.spokes[s].kind = left != right        ? EdgeKind::contour
+                              : left == void_label ? EdgeKind::external
+                                                   : EdgeKind::internal;
     }
   }
 }
@@ -215,7 +224,8 @@ void refuse_checkerboards(const PartitionSlice& slice) {
       if (planar.spokes[s].kind == EdgeKind::contour) runs.push_back(slice.label(planar.spokes[s].triangle));
     std::sort(runs.begin(), runs.end());
     if (std::adjacent_find(runs.begin(), runs.end()) == runs.end()) continue;
-    throw InternalError(fmt::format("faces of one label meet in the point ({}, {}) at z = {}", planar.points[v].x, planar.points[v].y, slice.z));
+    throw InternalError(fmt::format("faces of one label meet in the point ({}, {}) at z = {}", planar.points[v].x,
+                                    planar.points[v].y, slice.z));
   }
 }
 

@@ -65,12 +65,15 @@ class Planariser {
   void tidy() {
     for (ContourPiece& piece : pieces_)
       if (piece.b < piece.a) std::swap(piece.a, piece.b);
-    std::sort(pieces_.begin(), pieces_.end(), [](const ContourPiece& p, const ContourPiece& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
+    std::sort(pieces_.begin(), pieces_.end(),
+              [](const ContourPiece& p, const ContourPiece& q) { return std::pair(p.a, p.b) < std::pair(q.a, q.b); });
     std::vector<ContourPiece> kept;
     for (const ContourPiece& piece : pieces_) {
       if (piece.a == piece.b) continue;
-      if (!kept.empty() && kept.back().a == piece.a && kept.back().b == piece.b) kept.back().toggles ^= piece.toggles;
-      else kept.push_back(piece);
+      if (!kept.empty() && kept.back().a == piece.a && kept.back().b == piece.b)
+        kept.back().toggles ^= piece.toggles;
+      else
+        kept.push_back(piece);
     }
     pieces_ = std::move(kept);
   }
@@ -85,7 +88,8 @@ class Planariser {
       const Point2 a = points_[pieces_[i].a], b = points_[pieces_[i].b];
       spans.push_back({std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y), i});
     }
-    std::sort(spans.begin(), spans.end(), [](const Span& p, const Span& q) { return std::pair(p.low_x, p.piece) < std::pair(q.low_x, q.piece); });
+    std::sort(spans.begin(), spans.end(),
+              [](const Span& p, const Span& q) { return std::pair(p.low_x, p.piece) < std::pair(q.low_x, q.piece); });
     std::vector<Span> active;
     for (const Span& span : spans) {
       std::erase_if(active, [&](const Span& other) { return other.high_x < span.low_x; });
@@ -97,8 +101,8 @@ class Planariser {
 
   bool within(std::uint32_t p, const ContourPiece& piece) const {
     const Point2 a = points_[piece.a], b = points_[piece.b], at = points_[p];
-    return p != piece.a && p != piece.b && std::min(a.x, b.x) <= at.x && at.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= at.y &&
-           at.y <= std::max(a.y, b.y);
+    return p != piece.a && p != piece.b && std::min(a.x, b.x) <= at.x && at.x <= std::max(a.x, b.x) &&
+           std::min(a.y, b.y) <= at.y && at.y <= std::max(a.y, b.y);
   }
 
   void meet(std::uint32_t i, std::uint32_t k) {
@@ -112,13 +116,20 @@ class Planariser {
     if (c_side * d_side >= 0 || a_side * b_side >= 0) return;
     const Point2 at = crossing(a, b, c, d);
     const double reach = limits::snap_ulps * std::numeric_limits<double>::epsilon() *
-                         std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x), std::abs(c.y), std::abs(d.x), std::abs(d.y)});
-    const auto near = [&](std::uint32_t end) { return std::abs(points_[end].x - at.x) <= reach && std::abs(points_[end].y - at.y) <= reach; };
+                         std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y), std::abs(c.x),
+                                   std::abs(c.y), std::abs(d.x), std::abs(d.y)});
+    const auto near = [&](std::uint32_t end) {
+      return std::abs(points_[end].x - at.x) <= reach && std::abs(points_[end].y - at.y) <= reach;
+    };
     std::uint32_t p = t.a;
-    if (near(s.a)) p = s.a;
-    else if (near(s.b)) p = s.b;
-    else if (near(t.b)) p = t.b;
-    else if (!near(t.a)) p = number(at);
+    if (near(s.a))
+      p = s.a;
+    else if (near(s.b))
+      p = s.b;
+    else if (near(t.b))
+      p = t.b;
+    else if (!near(t.a))
+      p = number(at);
     if (p != s.a && p != s.b) cuts_[i].push_back(p);
     if (p != t.a && p != t.b) cuts_[k].push_back(p);
   }
@@ -129,8 +140,11 @@ class Planariser {
       const ContourPiece piece = pieces_[i];
       auto& cuts = cuts_[i];
       const Point2 a = points_[piece.a], b = points_[piece.b];
-      const auto along = [&](std::uint32_t p) { return (points_[p].x - a.x) * (b.x - a.x) + (points_[p].y - a.y) * (b.y - a.y); };
-      std::sort(cuts.begin(), cuts.end(), [&](std::uint32_t p, std::uint32_t q) { return std::pair(along(p), p) < std::pair(along(q), q); });
+      const auto along = [&](std::uint32_t p) {
+        return (points_[p].x - a.x) * (b.x - a.x) + (points_[p].y - a.y) * (b.y - a.y);
+      };
+      std::sort(cuts.begin(), cuts.end(),
+                [&](std::uint32_t p, std::uint32_t q) { return std::pair(along(p), p) < std::pair(along(q), q); });
       cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
       std::uint32_t from = piece.a;
       for (const std::uint32_t p : cuts) {
@@ -145,12 +159,14 @@ class Planariser {
   std::vector<Point2>& points_;
   std::vector<ContourPiece>& pieces_;
   std::map<Point2, std::uint32_t, ByPlace> numbers_;
-  std::vector<std::vector<std::uint32_t>> cuts_;   // of each piece: points to cut it at
+  std::vector<std::vector<std::uint32_t>> cuts_;  // of each piece: points to cut it at
   std::size_t crossings_ = 0;
 };
 
 }  // namespace
 
-std::size_t make_planar(std::vector<Point2>& points, std::vector<ContourPiece>& pieces) { return Planariser(points, pieces).run(); }
+std::size_t make_planar(std::vector<Point2>& points, std::vector<ContourPiece>& pieces) {
+  return Planariser(points, pieces).run();
+}
 
 }  // namespace odontoscope::partition

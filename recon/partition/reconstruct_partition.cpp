@@ -30,8 +30,13 @@ using namespace partition;
 
 class PartitionReconstructor {
  public:
-  PartitionReconstructor(const OrderedStack& input, Materials materials, Between between, int threads, const Progress& progress)
-      : input_(input), materials_(std::move(materials)), between_(between), progress_(progress), arena_(arena_of(threads)) {
+  PartitionReconstructor(const OrderedStack& input, Materials materials, Between between, int threads,
+                         const Progress& progress)
+      : input_(input),
+        materials_(std::move(materials)),
+        between_(between),
+        progress_(progress),
+        arena_(arena_of(threads)) {
     result_.threads = threads;
   }
 
@@ -60,25 +65,30 @@ class PartitionReconstructor {
 
   void follow_links() {
     left_ = {.stack = own_faces(input_.stack, borders_, materials_), .original_slice = input_.original_slice};
-    for (const std::string& structure : materials_.structures) implied_.push_back(implied_topology(left_, structure, arena_, progress_));
+    for (const std::string& structure : materials_.structures)
+      implied_.push_back(implied_topology(left_, structure, arena_, progress_));
     if (between_ == Between::blended) interpolator_.emplace(borders_, materials_, input_, arena_, progress_);
   }
 
   BetweenTask task(std::size_t k) const {
-    BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr, k, place(k)};
+    BetweenTask task{slices_[k], slices_[k + 1], materials_, {}, interpolator_ ? &*interpolator_ : nullptr,
+                     k,          place(k)};
     for (const ImpliedTopology& one : implied_) task.implied.push_back(one.of_slab[k]);
     return task;
   }
 
   void solve_slabs() {
     between_slices_.resize(slices_.size() - 1);
-    for_each(between_slices_.size(), arena_, "slabs", progress_, [&](std::size_t k) { between_slices_[k] = solve_between(task(k), progress_); });
+    for_each(between_slices_.size(), arena_, "slabs", progress_,
+             [&](std::size_t k) { between_slices_[k] = solve_between(task(k), progress_); });
     std::vector<std::size_t> off;
     for (std::size_t k = 0; k < between_slices_.size(); ++k)
       if (between_slices_[k].off > 0 && between_slices_[k].off <= odontoscope::limits::mendable) off.push_back(k);
-    if (off.empty() || !interpolator_ || structures() < 2 || structures() > partition::limits::most_structures / 2) return;
+    if (off.empty() || !interpolator_ || structures() < 2 || structures() > partition::limits::most_structures / 2)
+      return;
     interpolator_->survey_own(arena_, progress_);
-    for_each(off.size(), arena_, "slabs", progress_, [&](std::size_t i) { improve_between(task(off[i]), between_slices_[off[i]], progress_); });
+    for_each(off.size(), arena_, "slabs", progress_,
+             [&](std::size_t i) { improve_between(task(off[i]), between_slices_[off[i]], progress_); });
   }
 
   template <class Work>
@@ -119,13 +129,14 @@ class PartitionReconstructor {
   void certify() {
     const LabelledComplex& complex = *result_.complex;
     const ComplexRanges ranges{first_tetrahedron_, first_point_};
-    for_each(all_.size() - 1, arena_, "certify", progress_, [&](std::size_t k) { certify_slab(all_, ranges, complex.mesh, k); });
+    for_each(all_.size() - 1, arena_, "certify", progress_,
+             [&](std::size_t k) { certify_slab(all_, ranges, complex.mesh, k); });
     const std::size_t count = structures();
     result_.solids.resize(count);
     for_each(count + 1, arena_, "certify", progress_, [&](std::size_t s) {
       const auto label = static_cast<Label>(s == count ? void_label : s + 1);
       SurfaceMesh surface = surface_of(complex, label);
-      if (surface.triangles.empty()) return;   // others keep its place everywhere
+      if (surface.triangles.empty()) return;  // others keep its place everywhere
       SurfaceReport report = inspect(surface);
       delaunay::certify_surface(report, s == count ? "all structures together" : materials_.structures[s]);
       if (s == count) return;
@@ -149,18 +160,23 @@ class PartitionReconstructor {
       const std::string& name = materials_.structures[s];
       std::vector<SlabTopology> counted(between_slices_.size());
       for_each(counted.size(), arena_, "certify", progress_, [&](std::size_t k) {
-        counted[k] = {name, k, implied_[s].of_slab[k], between_slices_[k].found[s], between_slices_[k].slices.size(), false, {}, {}};
+        counted[k] = {
+            name, k, implied_[s].of_slab[k], between_slices_[k].found[s], between_slices_[k].slices.size(), false,
+            {},   {}};
         if (counted[k].as_implied()) return;
-        const LabelledPart part = part_of(complex.mesh, first_tetrahedron_[given_[k]], first_tetrahedron_[given_[k + 1]], static_cast<Label>(s + 1));
+        const LabelledPart part = part_of(complex.mesh, first_tetrahedron_[given_[k]],
+                                          first_tetrahedron_[given_[k + 1]], static_cast<Label>(s + 1));
         if (part.tetrahedra.empty()) return;
-        counted[k].place = delaunay::place_of_difference({complex.mesh.points, part.tetrahedra, part.boundary, delaunay::holes_beside(left_.stack, k, name)},
-                                                         counted[k].implied, counted[k].found);
+        counted[k].place = delaunay::place_of_difference(
+            {complex.mesh.points, part.tetrahedra, part.boundary, delaunay::holes_beside(left_.stack, k, name)},
+            counted[k].implied, counted[k].found);
       });
       result_.topology.insert(result_.topology.end(), counted.begin(), counted.end());
       result_.links.insert(result_.links.end(), implied_[s].links.begin(), implied_[s].links.end());
       result_.void_links.insert(result_.void_links.end(), implied_[s].void_links.begin(), implied_[s].void_links.end());
     }
-    for (const ImpliedTopology& one : implied_) result_.doubts.insert(result_.doubts.end(), one.doubts.begin(), one.doubts.end());
+    for (const ImpliedTopology& one : implied_)
+      result_.doubts.insert(result_.doubts.end(), one.doubts.begin(), one.doubts.end());
     result_.attention = delaunay::places_to_look_at(result_, left_.stack, {});
     forget_numbers();
   }
@@ -211,27 +227,31 @@ class PartitionReconstructor {
   const Between between_;
   const Progress& progress_;
   tbb::task_arena arena_;
-  std::vector<Borders> borders_;                 // of the given slices
-  std::vector<PartitionSlice> slices_;           // given
-  OrderedStack left_;                            // contours as the partition leaves them
-  std::vector<ImpliedTopology> implied_;         // of each structure
+  std::vector<Borders> borders_;          // of the given slices
+  std::vector<PartitionSlice> slices_;    // given
+  OrderedStack left_;                     // contours as the partition leaves them
+  std::vector<ImpliedTopology> implied_;  // of each structure
   std::optional<Interpolator> interpolator_;
-  std::vector<SolvedBetween> between_slices_;    // above each given slice
-  std::vector<const PartitionSlice*> all_;       // given and interpolated, bottom up
-  std::vector<std::size_t> given_;               // of each given slice: its number among all
-  std::vector<std::size_t> first_tetrahedron_;   // of each of their slabs
-  std::vector<std::uint32_t> first_point_;       // of each of them
+  std::vector<SolvedBetween> between_slices_;   // above each given slice
+  std::vector<const PartitionSlice*> all_;      // given and interpolated, bottom up
+  std::vector<std::size_t> given_;              // of each given slice: its number among all
+  std::vector<std::size_t> first_tetrahedron_;  // of each of their slabs
+  std::vector<std::uint32_t> first_point_;      // of each of them
   Reconstruction result_;
 };
 
 }  // namespace
 
-Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options, const Progress& progress) {
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options,
+                                     const Progress& progress) {
+  const int threads =
+      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   validate(stack, progress);
   const OrderedStack input = ordered(stack);
-  return PartitionReconstructor(input, materials_of(input.stack, options.priority, options.gap), options.between, threads, progress).run();
+  return PartitionReconstructor(input, materials_of(input.stack, options.priority, options.gap), options.between,
+                                threads, progress)
+      .run();
 }
 
 }  // namespace odontoscope

@@ -5,7 +5,8 @@
 
 namespace odontoscope {
 
-MadeOfStructures reconstruct_structures(const ContourStack& stack, const ReconstructOptions& options, const Progress& progress) {
+MadeOfStructures reconstruct_structures(const ContourStack& stack, const ReconstructOptions& options,
+                                        const Progress& progress) {
   std::string no_partition;
   if (structures_meet(stack)) {
     try {

@@ -19,7 +19,8 @@ double raise_step(double lower, double upper) {
 
 }  // namespace
 
-SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper, std::vector<SlabTetrahedron> tetrahedra)
+SlabComplex::SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper,
+                         std::vector<SlabTetrahedron> tetrahedra)
     : lower_(lower),
       upper_(upper),
       tets_(std::move(tetrahedra)),
@@ -71,18 +72,21 @@ bool SlabComplex::relabel(std::uint32_t t, Label label) {
 
 std::vector<std::uint32_t> SlabComplex::keep_positive() {
   std::vector<std::uint32_t> around;
-  for (std::size_t i = 0; i < fresh_.size(); ++i) {   // it grows meanwhile
+  for (std::size_t i = 0; i < fresh_.size(); ++i) {  // it grows meanwhile
     const auto [begin, end] = tetrahedra_at(fresh_[i]);
     for (auto t = begin; t != end; ++t) {
       around.push_back(*t);
       const SlabTetrahedron& tet = tets_[*t];
       const auto mixed = [&](int from, int to) {
-        const int count = static_cast<int>(std::count_if(tet.v.begin() + from, tet.v.begin() + to, [&](std::uint32_t v) { return raised_[v]; }));
+        const int count = static_cast<int>(
+            std::count_if(tet.v.begin() + from, tet.v.begin() + to, [&](std::uint32_t v) { return raised_[v]; }));
         return count > 0 && count < to - from;
       };
       const bool low = mixed(0, tet.lower_count), high = mixed(tet.lower_count, 4);
       if (!low && !high) continue;
-      if (delaunay::orientation(place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])), place(top(tet.v[3]))) > 0) continue;
+      if (delaunay::orientation(place(top(tet.v[0])), place(top(tet.v[1])), place(top(tet.v[2])),
+                                place(top(tet.v[3]))) > 0)
+        continue;
       for (int k = low ? 0 : tet.lower_count; k < (high ? 4 : tet.lower_count); ++k) raise(tet.v[k]);
     }
   }
@@ -97,7 +101,8 @@ void SlabComplex::build() {
   stale_ = false;
   cells_.clear();
   thick_labels_.clear();
-  for (const SlabTetrahedron& tet : tets_) cells_.push_back({top(tet.v[0]), top(tet.v[1]), top(tet.v[2]), top(tet.v[3])});
+  for (const SlabTetrahedron& tet : tets_)
+    cells_.push_back({top(tet.v[0]), top(tet.v[1]), top(tet.v[2]), top(tet.v[3])});
   if (any_raised_) {
     thicken(lower_, 0, true);
     thicken(upper_, offset_, false);
@@ -113,12 +118,12 @@ void SlabComplex::thicken(const PartitionSlice& slice, std::uint32_t first, bool
     std::array<std::uint32_t, 3> v = given;
     std::sort(v.begin(), v.end());
     const int fixed = (v[0] == given[0]) + (v[1] == given[1]) + (v[2] == given[2]);
-    const bool even = fixed != 1;   // one corner in place: the other two were swapped
+    const bool even = fixed != 1;  // one corner in place: the other two were swapped
     for (std::uint32_t& p : v) p += first;
     const std::array<std::uint32_t, 3> to{top(v[0]), top(v[1]), top(v[2])};
     const std::array<std::pair<Corners, bool>, 3> parts{{{{v[0], v[1], v[2], to[2]}, to[2] != v[2]},
-                                                        {{v[0], v[1], to[2], to[1]}, to[1] != v[1]},
-                                                        {{v[0], to[1], to[2], to[0]}, to[0] != v[0]}}};
+                                                         {{v[0], v[1], to[2], to[1]}, to[1] != v[1]},
+                                                         {{v[0], to[1], to[2], to[0]}, to[0] != v[0]}}};
     for (auto [corners, there] : parts) {
       if (!there) continue;
       if (even != upwards) std::swap(corners[0], corners[1]);

@@ -1,8 +1,9 @@
 #pragma once
-// The tetrahedra of a slab while it is being solved: the triangulation's, with raised points, and the thickened triangles below (above) these.
-// Inner part of partition_slab.h.
+// The tetrahedra of a slab while it is being solved: the triangulation's, with raised points, and the thickened
+// triangles below (above) these. Inner part of partition_slab.h.
 //
-// Points: those of the lower slice, those of the upper, then of each of them a place for its raised copy, whether there is one or not.
+// Points: those of the lower slice, those of the upper, then of each of them a place for its raised copy, whether there
+// is one or not.
 
 #include <array>
 #include <cstdint>
@@ -20,7 +21,8 @@ class SlabComplex {
   using Corners = std::array<std::uint32_t, 4>;
 
   /// `tetrahedra`: of both slices' triangulations, or none. All labels are void at first.
-  SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper, std::vector<delaunay::SlabTetrahedron> tetrahedra);
+  SlabComplex(const PartitionSlice& lower, const PartitionSlice& upper,
+              std::vector<delaunay::SlabTetrahedron> tetrahedra);
 
   const std::vector<delaunay::SlabTetrahedron>& tetrahedra() const { return tets_; }
   std::uint32_t on_slices() const { return on_slices_; }
@@ -35,8 +37,9 @@ class SlabComplex {
 
   /// Returns false if it was raised already.
   bool raise(std::uint32_t p);
-  /// Where only some corners of a tetrahedron in one slice are raised, and it is not positive any more, the others are raised too. To be called after
-  /// raising. Returns the tetrahedra at all points raised since the last call, ascending.
+  /// Where only some corners of a tetrahedron in one slice are raised, and it is not positive any more, the others are
+  /// raised too. To be called after raising. Returns the tetrahedra at all points raised since the last call,
+  /// ascending.
   std::vector<std::uint32_t> keep_positive();
   /// Returns false if it had that label.
   bool relabel(std::uint32_t t, Label label);
@@ -47,8 +50,12 @@ class SlabComplex {
   /// Cells: the tetrahedra, in their order, then the thickened triangles.
   std::size_t cells() const { return cells_.size(); }
   const Corners& corners(std::uint32_t cell) const { return cells_[cell]; }
-  Label cell_label(std::uint32_t cell) const { return cell < tets_.size() ? labels_[cell] : thick_labels_[cell - tets_.size()]; }
-  std::pair<const std::uint32_t*, const std::uint32_t*> star(std::uint32_t v) const { return {star_.data() + first_[v], star_.data() + first_[v + 1]}; }
+  Label cell_label(std::uint32_t cell) const {
+    return cell < tets_.size() ? labels_[cell] : thick_labels_[cell - tets_.size()];
+  }
+  std::pair<const std::uint32_t*, const std::uint32_t*> star(std::uint32_t v) const {
+    return {star_.data() + first_[v], star_.data() + first_[v + 1]};
+  }
   std::vector<LinkTriangle> link(std::uint32_t v) const;
   /// Of the tetrahedra that have the point, raised or not.
   std::pair<const std::uint32_t*, const std::uint32_t*> tetrahedra_at(std::uint32_t p) const {
@@ -77,10 +84,10 @@ class SlabComplex {
   const std::uint32_t offset_, on_slices_;
   const double raised_lower_, raised_upper_;
   std::vector<std::uint32_t> first_at_, at_;
-  std::vector<Label> labels_;   // of the tetrahedra
+  std::vector<Label> labels_;  // of the tetrahedra
   std::vector<bool> raised_;
   bool any_raised_ = false, stale_ = true;
-  std::vector<std::uint32_t> fresh_;   // raised since keep_positive was called
+  std::vector<std::uint32_t> fresh_;  // raised since keep_positive was called
   std::vector<Corners> cells_;
   std::vector<Label> thick_labels_;
   std::vector<std::uint32_t> first_, star_;

@@ -44,8 +44,8 @@ std::vector<std::uint32_t> faces_of(const PartitionSlice& slice) {
 
 }  // namespace
 
-SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const PartitionSlice& lower, const PartitionSlice& upper,
-                       const Materials& materials)
+SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
+                       const PartitionSlice& upper, const Materials& materials)
     : tets_(tetrahedra),
       lower_(lower),
       upper_(upper),
@@ -65,22 +65,28 @@ SlabLabels::SlabLabels(const std::vector<SlabTetrahedron>& tetrahedra, const Par
 }
 
 bool SlabLabels::linked(std::uint32_t lower_triangle, std::uint32_t upper_triangle) const {
-  const std::pair faces{lower_triangle == none ? 0 : lower_faces_[lower_triangle], upper_triangle == none ? 0 : upper_faces_[upper_triangle]};
-  return faces == std::pair<std::uint32_t, std::uint32_t>{0, 0} || std::binary_search(links_.begin(), links_.end(), faces);
+  const std::pair faces{lower_triangle == none ? 0 : lower_faces_[lower_triangle],
+                        upper_triangle == none ? 0 : upper_faces_[upper_triangle]};
+  return faces == std::pair<std::uint32_t, std::uint32_t>{0, 0} ||
+         std::binary_search(links_.begin(), links_.end(), faces);
 }
 
 /// Does a face at the point continue that of the triangle?
 bool SlabLabels::knows_above(std::uint32_t point, std::uint32_t lower_triangle) const {
   const auto& planar = upper_.planar;
   for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
-    if (upper_.label(planar.spokes[s].triangle) == lower_.label(lower_triangle) && linked(lower_triangle, planar.spokes[s].triangle)) return true;
+    if (upper_.label(planar.spokes[s].triangle) == lower_.label(lower_triangle) &&
+        linked(lower_triangle, planar.spokes[s].triangle))
+      return true;
   return false;
 }
 
 bool SlabLabels::knows_below(std::uint32_t point, std::uint32_t upper_triangle) const {
   const auto& planar = lower_.planar;
   for (std::uint32_t s = planar.first_spoke[point]; s < planar.first_spoke[point + 1]; ++s)
-    if (lower_.label(planar.spokes[s].triangle) == upper_.label(upper_triangle) && linked(planar.spokes[s].triangle, upper_triangle)) return true;
+    if (lower_.label(planar.spokes[s].triangle) == upper_.label(upper_triangle) &&
+        linked(planar.spokes[s].triangle, upper_triangle))
+      return true;
   return false;
 }
 
@@ -116,7 +122,8 @@ Label SlabLabels::of_edges(std::uint32_t t, const std::vector<bool>& raised, std
   if (low == high) return low;
   const EdgeSides lower = sides_of(lower_, tet.v[0], tet.v[1]);
   const EdgeSides upper = sides_of(upper_, tet.v[2] - offset_, tet.v[3] - offset_);
-  const bool lower_claims = !(raised[tet.v[0]] && raised[tet.v[1]]), upper_claims = !(raised[tet.v[2]] && raised[tet.v[3]]);
+  const bool lower_claims = !(raised[tet.v[0]] && raised[tet.v[1]]),
+             upper_claims = !(raised[tet.v[2]] && raised[tet.v[3]]);
   const bool low_admitted = !upper_claims || upper.has(low), high_admitted = !lower_claims || lower.has(high);
   const auto joins = [&](Label label) {
     return !lower.has(label) || !upper.has(label) || linked(lower.triangle(label), upper.triangle(label));
@@ -130,8 +137,10 @@ Label SlabLabels::of_edges(std::uint32_t t, const std::vector<bool>& raised, std
   for (const Label common : {lower.left, lower.right})
     if (upper.has(common)) return common;
   const bool low_wins = materials_.wins(low, high);
-  if (low_wins) losers.insert(losers.end(), {tet.v[2], tet.v[3]});
-  else losers.insert(losers.end(), {tet.v[0], tet.v[1]});
+  if (low_wins)
+    losers.insert(losers.end(), {tet.v[2], tet.v[3]});
+  else
+    losers.insert(losers.end(), {tet.v[0], tet.v[1]});
   return low_wins ? low : high;
 }
 

@@ -13,11 +13,11 @@ namespace odontoscope::partition {
 
 class SlabLabels {
  public:
-  SlabLabels(const std::vector<delaunay::SlabTetrahedron>& tetrahedra, const PartitionSlice& lower, const PartitionSlice& upper,
-             const Materials& materials);
+  SlabLabels(const std::vector<delaunay::SlabTetrahedron>& tetrahedra, const PartitionSlice& lower,
+             const PartitionSlice& upper, const Materials& materials);
 
-  /// Points to raise before anything is labelled: the corners of triangles whose face the point above or below them knows nothing of. Such a
-  /// face ends here.
+  /// Points to raise before anything is labelled: the corners of triangles whose face the point above or below them
+  /// knows nothing of. Such a face ends here.
   std::vector<std::uint32_t> ending() const;
 
   /// The label of tetrahedron t. Where two edges contradict each other, the loser's ends are added to `losers`.
@@ -36,8 +36,8 @@ class SlabLabels {
   const Materials& materials_;
   std::uint32_t offset_;
   std::vector<DualTriangles> duals_;
-  std::vector<std::uint32_t> lower_faces_, upper_faces_;   // of each triangle
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;   // faces of one label that continue each other, sorted
+  std::vector<std::uint32_t> lower_faces_, upper_faces_;        // of each triangle
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  // faces of one label that continue each other, sorted
 };
 
 }  // namespace odontoscope::partition

@@ -33,12 +33,14 @@ SolvedBetween solved_through(const BetweenTask& task, const Interpolation& how, 
 long apart(const std::vector<Topology>& a, const std::vector<Topology>& b) {
   long off = 0;
   for (std::size_t s = 0; s < a.size(); ++s)
-    off += std::labs(a[s].pieces - b[s].pieces) + std::labs(a[s].handles - b[s].handles) + std::labs(a[s].bubbles - b[s].bubbles);
+    off += std::labs(a[s].pieces - b[s].pieces) + std::labs(a[s].handles - b[s].handles) +
+           std::labs(a[s].bubbles - b[s].bubbles);
   return off;
 }
 
 /// Keeps the first of the attempts that gives what is implied, else the one that comes nearest.
-void attempt(const BetweenTask& task, const std::vector<Interpolation>& attempts, std::optional<SolvedBetween>& best, const Progress& progress) {
+void attempt(const BetweenTask& task, const std::vector<Interpolation>& attempts, std::optional<SolvedBetween>& best,
+             const Progress& progress) {
   for (const Interpolation& how : attempts) {
     if (best && (best->off == 0 || (how.late && best->off > odontoscope::limits::mendable))) break;
     SolvedBetween solved = solved_through(task, how, progress);

@@ -41,7 +41,9 @@ bool meet_in(const Slice& slice) {
   std::vector<Outline> outlines;
   for (const Contour& contour : slice.contours)
     if (!contour.points.empty()) outlines.emplace_back(contour);
-  const bool several = std::any_of(outlines.begin(), outlines.end(), [&](const Outline& one) { return one.contour->structure != outlines[0].contour->structure; });
+  const bool several = std::any_of(outlines.begin(), outlines.end(), [&](const Outline& one) {
+    return one.contour->structure != outlines[0].contour->structure;
+  });
   if (!several) return false;
   const std::size_t each = std::max<std::size_t>(1, std::min(asked_of_a_contour, asked_of_a_slice / outlines.size()));
   for (const Outline& outline : outlines) {
@@ -55,6 +57,8 @@ bool meet_in(const Slice& slice) {
 
 }  // namespace
 
-bool structures_meet(const ContourStack& stack) { return std::any_of(stack.slices.begin(), stack.slices.end(), meet_in); }
+bool structures_meet(const ContourStack& stack) {
+  return std::any_of(stack.slices.begin(), stack.slices.end(), meet_in);
+}
 
 }  // namespace odontoscope

@@ -28,18 +28,19 @@ void VertexLink::number_corners() {
   corners_.resize(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t)
     for (int k = 0; k < 3; ++k)
-      corners_[t][k] = static_cast<std::uint16_t>(std::lower_bound(names.begin(), names.end(), triangles_[t].v[k]) - names.begin());
+      corners_[t][k] =
+          static_cast<std::uint16_t>(std::lower_bound(names.begin(), names.end(), triangles_[t].v[k]) - names.begin());
 }
 
 void VertexLink::match_edges() {
   across_.assign(triangles_.size(), {none, none, none});
-  const auto match = [&](std::uint32_t one, std::uint32_t other) {   // 3 * triangle + side
+  const auto match = [&](std::uint32_t one, std::uint32_t other) {  // 3 * triangle + side
     across_[one / 3][one % 3] = other / 3;
     across_[other / 3][other % 3] = one / 3;
   };
-  constexpr std::size_t few = 64;   // a table of all pairs is small then
+  constexpr std::size_t few = 64;  // a table of all pairs is small then
   std::vector<std::uint32_t> seen(vertices_ <= few ? vertices_ * vertices_ : 0, none);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;   // corners as one number, and 3 * triangle + side
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;  // corners as one number, and 3 * triangle + side
   for (std::uint32_t t = 0; t < triangles_.size(); ++t)
     for (std::uint32_t k = 0; k < 3; ++k) {
       const auto [a, b] = std::minmax(corners_[t][(k + 1) % 3], corners_[t][(k + 2) % 3]);
@@ -61,7 +62,8 @@ std::vector<VertexLink::Part> VertexLink::parts() const {
   std::vector<Part> found;
   for (const LinkTriangle& triangle : triangles_) {
     if (triangle.label == void_label) continue;
-    if (std::none_of(found.begin(), found.end(), [&](const Part& part) { return part.label == triangle.label; })) found.push_back({false, triangle.label});
+    if (std::none_of(found.begin(), found.end(), [&](const Part& part) { return part.label == triangle.label; }))
+      found.push_back({false, triangle.label});
   }
   if (found.size() > 1) found.push_back({true, void_label});
   return found;
@@ -69,7 +71,7 @@ std::vector<VertexLink::Part> VertexLink::parts() const {
 
 /// One piece, without a pinch, and of Euler characteristic 1; 2 is the whole sphere.
 bool VertexLink::is_disc(const Part& part) const {
-  std::vector<std::int16_t> fans(vertices_, 0);       // at each link vertex: triangles of the part less edges within it
+  std::vector<std::int16_t> fans(vertices_, 0);  // at each link vertex: triangles of the part less edges within it
   std::vector<std::uint8_t> used(vertices_, 0);
   std::vector<std::uint32_t> stack;
   std::size_t faces = 0, inner = 0;
@@ -116,8 +118,10 @@ bool VertexLink::regular() const {
   return true;
 }
 
-/// Edge-connected; `touches_outside`: whether each has an edge beyond which there is nothing. With the outside, all that do are one piece.
-std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<bool>& in, bool with_outside, std::vector<bool>& touches_outside) const {
+/// Edge-connected; `touches_outside`: whether each has an edge beyond which there is nothing. With the outside, all
+/// that do are one piece.
+std::vector<std::vector<std::uint32_t>> VertexLink::pieces(const std::vector<bool>& in, bool with_outside,
+                                                           std::vector<bool>& touches_outside) const {
   const auto outside = static_cast<std::uint32_t>(triangles_.size());
   UnionFind joined(triangles_.size() + 1);
   for (std::uint32_t t = 0; t < triangles_.size(); ++t) {

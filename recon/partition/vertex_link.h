@@ -1,8 +1,9 @@
 #pragma once
-// The link of one vertex in a labelled complex of tetrahedra: is every label's part of it a disc, and if not, what is in the way?
+// The link of one vertex in a labelled complex of tetrahedra: is every label's part of it a disc, and if not, what is
+// in the way?
 //
-// What no tetrahedron fills is void. A label's solid is a manifold with boundary at the vertex exactly if its part of the link is a disc, or
-// the whole sphere; so it must be for each material and for all materials together.
+// What no tetrahedron fills is void. A label's solid is a manifold with boundary at the vertex exactly if its part of
+// the link is a disc, or the whole sphere; so it must be for each material and for all materials together.
 
 #include <array>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace odontoscope::partition {
 struct LinkTriangle {
   std::array<std::uint32_t, 3> v{};
   Label label = void_label;
-  std::uint32_t cell = 0;   // whatever the caller knows the tetrahedron by
+  std::uint32_t cell = 0;  // whatever the caller knows the tetrahedron by
 };
 
 /// Cells that would have to change their label, and to which.
@@ -30,8 +31,8 @@ class VertexLink {
 
   bool regular() const;
 
-  /// Ways to make the first irregular part better: give away a piece of it, or fill what parts it; without any that would change a cell that
-  /// `fixed` says must stay. Fewest cells first, then the lowest. Empty: there is none.
+  /// Ways to make the first irregular part better: give away a piece of it, or fill what parts it; without any that
+  /// would change a cell that `fixed` says must stay. Fewest cells first, then the lowest. Empty: there is none.
   template <class Fixed>
   std::vector<Mend> mends(Fixed fixed) const {
     std::vector<Mend> found;
@@ -54,15 +55,16 @@ class VertexLink {
   std::vector<Part> parts() const;
   bool is_disc(const Part& part) const;
   std::vector<Mend> all_mends() const;
-  std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& in, bool with_outside, std::vector<bool>& touches_outside) const;
+  std::vector<std::vector<std::uint32_t>> pieces(const std::vector<bool>& in, bool with_outside,
+                                                 std::vector<bool>& touches_outside) const;
   Label commonest_beside(const std::vector<std::uint32_t>& piece, bool material) const;
   void number_corners();
   void match_edges();
 
   std::vector<LinkTriangle> triangles_;
-  std::vector<std::array<std::uint16_t, 3>> corners_;   // of each triangle: numbers of link vertices from 0
+  std::vector<std::array<std::uint16_t, 3>> corners_;  // of each triangle: numbers of link vertices from 0
   std::size_t vertices_ = 0;
-  std::vector<std::array<std::uint32_t, 3>> across_;    // across the edge opposite v[i]; none: nothing there
+  std::vector<std::array<std::uint32_t, 3>> across_;  // across the edge opposite v[i]; none: nothing there
 };
 
 }  // namespace odontoscope::partition

@@ -20,7 +20,8 @@ Point3 FilmView::pixel_centre(int column, int row) const {
 
 FilmRay ray_to(const FilmView& view, int column, int row) {
   const Point3 end = view.pixel_centre(column, row);
-  if (view.beam == FilmView::Beam::parallel) return {end, times(-1, view.towards_tube), std::numeric_limits<double>::infinity()};
+  if (view.beam == FilmView::Beam::parallel)
+    return {end, times(-1, view.towards_tube), std::numeric_limits<double>::infinity()};
   const Point3 way = minus(end, view.focus);
   const double far = length(way);
   return {end, times(1 / far, way), far};

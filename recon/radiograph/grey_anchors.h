@@ -10,8 +10,9 @@ struct GreyAnchors {
   double air = 0, dentine = 1;
 };
 
-/// The middle (median) value of what lies below Otsu's threshold, and of what lies from it on: in a scan of a tooth most of that is dentine. Throws InputError
-/// nothing-crosses-iso where all values are equal. Precondition: `volume` passes validate_volume.
+/// The middle (median) value of what lies below Otsu's threshold, and of what lies from it on: in a scan of a tooth
+/// most of that is dentine. Throws InputError nothing-crosses-iso where all values are equal. Precondition: `volume`
+/// passes validate_volume.
 GreyAnchors grey_anchors(const Volume& volume);
 
 }  // namespace odontoscope

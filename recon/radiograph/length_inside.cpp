@@ -19,9 +19,9 @@ namespace {
 
 /// A corner on the film, x to the right and y upwards from the lower left corner.
 struct Projected {
-  double x = 0, y = 0;   // pixels
-  /// What runs straight over a projected triangle: of a parallel beam the distance along the ray from the film's plane, negative before it; of a cone
-  /// the film's distance from the focus over the corner's.
+  double x = 0, y = 0;  // pixels
+  /// What runs straight over a projected triangle: of a parallel beam the distance along the ray from the film's plane,
+  /// negative before it; of a cone the film's distance from the focus over the corner's.
   double depth = 0;
 };
 
@@ -33,9 +33,9 @@ constexpr double most_fixed = 1 << 29;
 constexpr int most_bits = 16, least_bits = 8;
 
 struct Face {
-  std::array<Fixed, 3> corner;      // counter-clockwise on the film
+  std::array<Fixed, 3> corner;  // counter-clockwise on the film
   std::array<double, 3> depth{};
-  double sign = 1;                  // -1 where a ray enters
+  double sign = 1;  // -1 where a ray enters
   std::int64_t twice_area = 0;
 };
 
@@ -48,7 +48,8 @@ class Projection {
 
   Projected operator()(const Point3& point) const {
     if (!cone_) {
-      const double way = dot(minus(view_.centre, point), normal_) / dot(view_.towards_tube, normal_);   // negative: before the film
+      const double way =
+          dot(minus(view_.centre, point), normal_) / dot(view_.towards_tube, normal_);  // negative: before the film
       return on_film(plus(point, times(way, view_.towards_tube)), way);
     }
     const double before = dot(minus(view_.focus, point), normal_);
@@ -59,11 +60,13 @@ class Projection {
   }
 
  private:
-  static constexpr double least_distance = 1e-3;   // over the film's: nearer a corner's shadow would be thousands of times as large as itself
+  static constexpr double least_distance =
+      1e-3;  // over the film's: nearer a corner's shadow would be thousands of times as large as itself
 
   Projected on_film(const Point3& place, double depth) const {
     const Point3 way = minus(place, view_.centre);
-    return {dot(way, view_.right) / view_.pixel + 0.5 * view_.columns, dot(way, view_.up) / view_.pixel + 0.5 * view_.rows, depth};
+    return {dot(way, view_.right) / view_.pixel + 0.5 * view_.columns,
+            dot(way, view_.up) / view_.pixel + 0.5 * view_.rows, depth};
   }
 
   const FilmView& view_;
@@ -72,7 +75,9 @@ class Projection {
   bool cone_ = false;
 };
 
-std::int64_t turn(const Fixed& a, const Fixed& b, const Fixed& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+std::int64_t turn(const Fixed& a, const Fixed& b, const Fixed& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 /// Fractions of a pixel, as a power of two, that fit the farthest corner.
 int bits_for(const std::vector<std::vector<Projected>>& corners) {
@@ -81,7 +86,8 @@ int bits_for(const std::vector<std::vector<Projected>>& corners) {
     for (const Projected& corner : surface) farthest = std::max({farthest, std::abs(corner.x), std::abs(corner.y)});
   int bits = most_bits;
   while (bits >= least_bits && !(farthest * std::ldexp(1.0, bits) < most_fixed)) --bits;
-  if (bits < least_bits) throw UsageError("the solid spans more than a million pixels of the film", "Give larger pixels with --pixel MM.");
+  if (bits < least_bits)
+    throw UsageError("the solid spans more than a million pixels of the film", "Give larger pixels with --pixel MM.");
   return bits;
 }
 
@@ -104,7 +110,7 @@ std::vector<Face> faces_of(std::span<const SurfaceMesh* const> surfaces, const F
         face.depth[i] = corner.depth;
       }
       face.twice_area = turn(face.corner[0], face.corner[1], face.corner[2]);
-      if (face.twice_area == 0) continue;   // seen edge-on: covers no pixel, and its neighbours meet beyond it
+      if (face.twice_area == 0) continue;  // seen edge-on: covers no pixel, and its neighbours meet beyond it
       face.sign = face.twice_area > 0 ? -1 : 1;
       if (face.twice_area < 0) {
         std::swap(face.corner[1], face.corner[2]);
@@ -122,13 +128,16 @@ bool owns(const Fixed& from, const Fixed& to) { return to.y < from.y || (to.y ==
 /// Pixels are counted from the lower left corner here.
 class Band {
  public:
-  Band(const FilmView& view, int bits, int first, int last, FilmMap& map) : view_(view), bits_(bits), first_(first), last_(last), map_(map) {}
+  Band(const FilmView& view, int bits, int first, int last, FilmMap& map)
+      : view_(view), bits_(bits), first_(first), last_(last), map_(map) {}
 
   void add(const Face& face) {
     const auto [low_x, high_x] = std::minmax({face.corner[0].x, face.corner[1].x, face.corner[2].x});
     const auto [low_y, high_y] = std::minmax({face.corner[0].y, face.corner[1].y, face.corner[2].y});
-    const std::int64_t left = std::max<std::int64_t>(low_x >> bits_, 0), right = std::min<std::int64_t>(high_x >> bits_, view_.columns - 1);
-    const std::int64_t bottom = std::max<std::int64_t>(low_y >> bits_, first_), top = std::min<std::int64_t>(high_y >> bits_, last_);
+    const std::int64_t left = std::max<std::int64_t>(low_x >> bits_, 0),
+                       right = std::min<std::int64_t>(high_x >> bits_, view_.columns - 1);
+    const std::int64_t bottom = std::max<std::int64_t>(low_y >> bits_, first_),
+                       top = std::min<std::int64_t>(high_y >> bits_, last_);
     for (std::int64_t y = bottom; y <= top; ++y)
       for (std::int64_t x = left; x <= right; ++x) add(face, x, y);
   }
@@ -161,15 +170,18 @@ constexpr int band_rows = 16;
 }  // namespace
 
 FilmMap length_inside(std::span<const SurfaceMesh* const> surfaces, const FilmView& view, const Progress& progress) {
-  FilmMap map{view.columns, view.rows, std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
+  FilmMap map{view.columns, view.rows,
+              std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
   int bits = 0;
   const std::vector<Face> faces = faces_of(surfaces, view, bits);
   const int bands = (view.rows + band_rows - 1) / band_rows;
   std::vector<std::vector<std::uint32_t>> in_band(static_cast<std::size_t>(bands));
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const auto [low, high] = std::minmax({faces[f].corner[0].y, faces[f].corner[1].y, faces[f].corner[2].y});
-    const std::int64_t first = std::max<std::int64_t>((low >> bits) / band_rows, 0), last = std::min<std::int64_t>((high >> bits) / band_rows, bands - 1);
-    for (std::int64_t band = first; band <= last && (high >> bits) >= 0; ++band) in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(f));
+    const std::int64_t first = std::max<std::int64_t>((low >> bits) / band_rows, 0),
+                       last = std::min<std::int64_t>((high >> bits) / band_rows, bands - 1);
+    for (std::int64_t band = first; band <= last && (high >> bits) >= 0; ++band)
+      in_band[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(f));
   }
   tbb::parallel_for(0, bands, [&](int number) {
     if (progress.stop.stop_requested()) return;

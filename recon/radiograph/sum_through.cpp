@@ -26,7 +26,8 @@ struct VoxelRay {
 };
 
 VoxelRay in_voxels(const Volume& volume, const FilmRay& ray) {
-  const Triple origin{volume.origin.x, volume.origin.y, volume.origin.z}, end{ray.end.x, ray.end.y, ray.end.z}, direction{ray.direction.x, ray.direction.y, ray.direction.z};
+  const Triple origin{volume.origin.x, volume.origin.y, volume.origin.z}, end{ray.end.x, ray.end.y, ray.end.z},
+      direction{ray.direction.x, ray.direction.y, ray.direction.z};
   VoxelRay found;
   found.begin = -ray.length;
   found.end = std::numeric_limits<double>::infinity();
@@ -38,7 +39,8 @@ VoxelRay in_voxels(const Volume& volume, const FilmRay& ray) {
       if (found.place[axis] < low || found.place[axis] >= high) found.end = -std::numeric_limits<double>::infinity();
       continue;
     }
-    const double one = (low - found.place[axis]) / found.way[axis], other = (high - found.place[axis]) / found.way[axis];
+    const double one = (low - found.place[axis]) / found.way[axis],
+                 other = (high - found.place[axis]) / found.way[axis];
     found.begin = std::max(found.begin, std::min(one, other));
     found.end = std::min(found.end, std::max(one, other));
   }
@@ -54,10 +56,13 @@ struct Cell {
     std::array<std::array<std::size_t, 2>, 3> index{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const auto last = static_cast<std::ptrdiff_t>(volume.size[axis]) - 1;
-      index[axis] = {static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(low[axis], 0, last)), static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(low[axis] + 1, 0, last))};
+      index[axis] = {static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(low[axis], 0, last)),
+                     static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(low[axis] + 1, 0, last))};
     }
     for (std::size_t corner = 0; corner < 8; ++corner)
-      values[corner] = static_cast<double>(volume.values[(index[2][corner >> 2] * volume.size[1] + index[1][corner >> 1 & 1]) * volume.size[0] + index[0][corner & 1]]);
+      values[corner] = static_cast<double>(
+          volume.values[(index[2][corner >> 2] * volume.size[1] + index[1][corner >> 1 & 1]) * volume.size[0] +
+                        index[0][corner & 1]]);
   }
   double value(const VoxelRay& ray, double t) const {
     Triple part{};
@@ -75,7 +80,7 @@ double sum_along(const Volume& volume, double zero, const FilmRay& along) {
   const VoxelRay ray = in_voxels(volume, along);
   if (!(ray.begin < ray.end)) return 0;
   Cell cell;
-  Triple next{};   // where the ray crosses into the next cell along each axis
+  Triple next{};  // where the ray crosses into the next cell along each axis
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double least = -1, most = static_cast<double>(volume.size[axis]) - 1;
     const double low = std::clamp(std::floor(ray.at(axis, ray.begin)), least, most);
@@ -92,7 +97,8 @@ double sum_along(const Volume& volume, double zero, const FilmRay& along) {
     const double to = std::min(next[axis], ray.end);
     if (to > t) {
       cell.read(volume);
-      sum += (to - t) / 6 * (cell.value(ray, t) + 4 * cell.value(ray, 0.5 * (t + to)) + cell.value(ray, to)) - zero * (to - t);
+      sum += (to - t) / 6 * (cell.value(ray, t) + 4 * cell.value(ray, 0.5 * (t + to)) + cell.value(ray, to)) -
+             zero * (to - t);
       t = to;
     }
     if (to >= ray.end) break;
@@ -103,10 +109,12 @@ double sum_along(const Volume& volume, double zero, const FilmRay& along) {
 }
 
 FilmMap sum_through(const Volume& volume, double zero, const FilmView& view, const Progress& progress) {
-  FilmMap map{view.columns, view.rows, std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
+  FilmMap map{view.columns, view.rows,
+              std::vector<double>(static_cast<std::size_t>(view.columns) * static_cast<std::size_t>(view.rows))};
   tbb::parallel_for(0, view.rows, [&](int row) {
     if (progress.stop.stop_requested()) return;
-    for (int column = 0; column < view.columns; ++column) map.at(column, row) = sum_along(volume, zero, ray_to(view, column, row));
+    for (int column = 0; column < view.columns; ++column)
+      map.at(column, row) = sum_along(volume, zero, ray_to(view, column, row));
   });
   progress.check();
   return map;

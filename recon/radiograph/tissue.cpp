@@ -26,16 +26,18 @@ constexpr std::array<std::array<double, table_kev.size()>, element_count> table{
     {93.41, 29.79, 13.06, 4.080, 1.830, 1.019, 0.6578, 0.3656, 0.2571},
 }};
 
-using Shares = std::array<double, element_count>;   // H, C, N, O, P, S, Ca
+using Shares = std::array<double, element_count>;  // H, C, N, O, P, S, Ca
 
 /// By the weights of the atoms in Ca10(PO4)6(OH)2.
 constexpr Shares hydroxyapatite{0.0020, 0, 0, 0.4141, 0.1850, 0, 0.3989};
 constexpr Shares water{0.1119, 0, 0, 0.8881, 0, 0, 0};
-constexpr Shares protein{0.066, 0.534, 0.170, 0.220, 0, 0.010, 0};   // Woodard and White, British Journal of Radiology 59, 1986
+constexpr Shares protein{0.066, 0.534, 0.170, 0.220,
+                         0,     0.010, 0};  // Woodard and White, British Journal of Radiology 59, 1986
 
 Shares mixed(double mineral, double organic, double wet) {
   Shares shares{};
-  for (std::size_t i = 0; i < element_count; ++i) shares[i] = mineral * hydroxyapatite[i] + organic * protein[i] + wet * water[i];
+  for (std::size_t i = 0; i < element_count; ++i)
+    shares[i] = mineral * hydroxyapatite[i] + organic * protein[i] + wet * water[i];
   return shares;
 }
 
@@ -71,17 +73,20 @@ std::optional<Tissue> tissue_called(std::string_view structure) {
 
 double mass_attenuation(Element element, double energy_kev) {
   if (!(energy_kev >= least_energy_kev && energy_kev <= most_energy_kev))
-    throw UsageError(fmt::format("{:g} keV is beyond the table of attenuation", energy_kev), fmt::format("Give {:g} to {:g} keV.", least_energy_kev, most_energy_kev));
+    throw UsageError(fmt::format("{:g} keV is beyond the table of attenuation", energy_kev),
+                     fmt::format("Give {:g} to {:g} keV.", least_energy_kev, most_energy_kev));
   std::size_t above = 1;
   while (above + 1 < table_kev.size() && table_kev[above] < energy_kev) ++above;
   const auto& row = table[static_cast<std::size_t>(element)];
-  const double part = portable::log(energy_kev / table_kev[above - 1]) / portable::log(table_kev[above] / table_kev[above - 1]);
+  const double part =
+      portable::log(energy_kev / table_kev[above - 1]) / portable::log(table_kev[above] / table_kev[above - 1]);
   return row[above - 1] * portable::pow(row[above] / row[above - 1], part);
 }
 
 double linear_attenuation(const Tissue& tissue, double energy_kev) {
   double per_weight = 0;
-  for (std::size_t i = 0; i < element_count; ++i) per_weight += tissue.share[i] * mass_attenuation(static_cast<Element>(i), energy_kev);
+  for (std::size_t i = 0; i < element_count; ++i)
+    per_weight += tissue.share[i] * mass_attenuation(static_cast<Element>(i), energy_kev);
   constexpr double per_cm_to_per_mm = 0.1;
   return per_cm_to_per_mm * tissue.density * per_weight;
 }

@@ -34,9 +34,10 @@ const char* name(ToothKind kind);
 
 /// How enamel, dentine and pulp lie beside each other in a slice.
 enum class SampleWalls {
-  shared,   // neighbours share their border, to the bit: what a label map gives, and what a partition (recon/partition) is made of
-  apart,    // a gap of limits::sample_gap keeps enamel off dentine and dentine off pulp
-  filled    // every structure is filled and so overlaps those within it
+  shared,  // neighbours share their border, to the bit: what a label map gives, and what a partition (recon/partition)
+           // is made of
+  apart,   // a gap of limits::sample_gap keeps enamel off dentine and dentine off pulp
+  filled   // every structure is filled and so overlaps those within it
 };
 
 struct SampleOptions {
@@ -47,15 +48,15 @@ struct SampleOptions {
   /// points.
   double point_spacing = 0.22;
   SampleWalls walls = SampleWalls::shared;
-  /// Only where structures keep apart. true: the dentine has the pulp cavity as holes and is complete by itself. false: it is filled, for reconstructing
-  /// dentine and pulp together (where the pulp's contours become the holes).
+  /// Only where structures keep apart. true: the dentine has the pulp cavity as holes and is complete by itself. false:
+  /// it is filled, for reconstructing dentine and pulp together (where the pulp's contours become the holes).
   bool hollow_dentine = true;
 };
 
 /// Contours of the structures "enamel", "dentine" and "pulp", slices by ascending z. Passes `validate`. Contours are
-/// simple and, within a structure, at least limits::sample_clearance apart, but where a margin runs out to nothing. Outer contours are
-/// counter-clockwise seen from +z, holes clockwise. Coordinates are rounded to limits::sample_grain, but for the few points where contours
-/// of two structures cross.
+/// simple and, within a structure, at least limits::sample_clearance apart, but where a margin runs out to nothing.
+/// Outer contours are counter-clockwise seen from +z, holes clockwise. Coordinates are rounded to limits::sample_grain,
+/// but for the few points where contours of two structures cross.
 ///
 /// Topology: enamel one shell of genus 0 (a cap), dentine one of genus 0 with one cavity of genus 0 (none if not
 /// hollow), pulp one of genus 0; so they come out of `reconstruct` at the default spacing. Not promised at every other:

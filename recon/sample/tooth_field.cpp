@@ -34,7 +34,8 @@ CuspHeight cusp_height(const Cusp& cusp, Point2 at) {
   }
   // An exponent between 1 (sharp edges) and 2 (a cone) rounds the four ridges.
   constexpr double n = 1.5;
-  const double fall = portable::pow(portable::pow(fall_across, n) + portable::pow(cusp.slope_along * std::abs(along), n), 1 / n);
+  const double fall =
+      portable::pow(portable::pow(fall_across, n) + portable::pow(cusp.slope_along * std::abs(along), n), 1 / n);
   return {cusp.tip.z - (portable::hypot(fall, cusp.rounding) - cusp.rounding), inward, std::abs(along)};
 }
 
@@ -108,8 +109,8 @@ ToothSection::ToothSection(const ToothShape& shape, double z)
   constexpr double round_end = 0.35, round_orifice = 0.6;  // mm
   for (const Canal& canal : shape.canals) {
     const double end = shape.roots[canal.root].apex_z + apical_stop;
-    const double shrunk = std::min(canal.open ? 1.0 : blunt_end(z - end, round_end),
-                                   blunt_end(shape.canal_top_z - z, round_orifice));
+    const double shrunk =
+        std::min(canal.open ? 1.0 : blunt_end(z - end, round_end), blunt_end(shape.canal_top_z - z, round_orifice));
     if (shrunk <= 0) continue;
     const Point3 centre = canal_centre(shape, canal, z);
     canals_.push_back(

@@ -1,5 +1,6 @@
 #pragma once
-// Numbers of permanent teeth: the FDI's two digits (ISO 3950) and the Universal Numbering System of the American Dental Association.
+// Numbers of permanent teeth: the FDI's two digits (ISO 3950) and the Universal Numbering System of the American Dental
+// Association.
 
 #include <string>
 

@@ -94,7 +94,7 @@ struct Canal {
   std::size_t root = 0;
   double lobe = 0;  // +1 in the buccal lobe, -1 in the lingual, 0 on the axis
   Profile half_mesiodistal, half_buccolingual;
-  bool open = false;  // runs out of the apex, else ends apical_stop above it
+  bool open = false;                   // runs out of the apex, else ends apical_stop above it
   Profile shift_x = {}, shift_y = {};  // of its centre from where root and lobe put it
 };
 
@@ -127,9 +127,9 @@ struct ToothShape {
   std::vector<Horn> horns;
   std::vector<Canal> canals;
   std::vector<Horn> accessory_canals;  // from the pulp out of the root's side or its furcation
-  double canal_top_z = 0;             // inside the chamber
-  double pulp_blend = 0.4;            // width of the fillets between chamber, horns and canals
-  std::vector<NamedPoint> landmarks;  // reported as cusps if there are none
+  double canal_top_z = 0;              // inside the chamber
+  double pulp_blend = 0.4;             // width of the fillets between chamber, horns and canals
+  std::vector<NamedPoint> landmarks;   // reported as cusps if there are none
 };
 
 /// The canals' blind ends lie so far above their root's apex.

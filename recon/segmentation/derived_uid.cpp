@@ -10,7 +10,8 @@ namespace {
 void add_block(const std::uint8_t* block, std::array<std::uint32_t, 5>& state) {
   std::array<std::uint32_t, 80> w{};
   for (std::size_t t = 0; t < 16; ++t) {
-    w[t] = std::uint32_t{block[4 * t]} << 24 | std::uint32_t{block[4 * t + 1]} << 16 | std::uint32_t{block[4 * t + 2]} << 8 | block[4 * t + 3];
+    w[t] = std::uint32_t{block[4 * t]} << 24 | std::uint32_t{block[4 * t + 1]} << 16 |
+           std::uint32_t{block[4 * t + 2]} << 8 | block[4 * t + 3];
   }
   for (std::size_t t = 16; t < 80; ++t) w[t] = std::rotl(w[t - 3] ^ w[t - 8] ^ w[t - 14] ^ w[t - 16], 1);
   auto [a, b, c, d, e] = state;
@@ -65,7 +66,8 @@ std::array<std::uint8_t, 20> sha1(std::string_view bytes) {
   for (int shift = 56; shift >= 0; shift -= 8) tail.push_back(static_cast<std::uint8_t>(bits >> shift));
   for (std::size_t at = 0; at < tail.size(); at += block) add_block(tail.data() + at, state);
   std::array<std::uint8_t, 20> digest{};
-  for (std::size_t n = 0; n < digest.size(); ++n) digest[n] = static_cast<std::uint8_t>(state[n / 4] >> (24 - 8 * (n % 4)));
+  for (std::size_t n = 0; n < digest.size(); ++n)
+    digest[n] = static_cast<std::uint8_t>(state[n / 4] >> (24 - 8 * (n % 4)));
   return digest;
 }
 
@@ -78,8 +80,8 @@ std::string DerivedUid::of(std::string_view role) const {
   const auto digest = sha1("odontoscope " + digest_ + std::string(role));
   std::array<std::uint8_t, 16> uuid{};
   std::copy_n(digest.begin(), uuid.size(), uuid.begin());
-  uuid[6] = static_cast<std::uint8_t>((uuid[6] & 0x0f) | 0x50);   // version 5
-  uuid[8] = static_cast<std::uint8_t>((uuid[8] & 0x3f) | 0x80);   // the variant of RFC 4122
+  uuid[6] = static_cast<std::uint8_t>((uuid[6] & 0x0f) | 0x50);  // version 5
+  uuid[8] = static_cast<std::uint8_t>((uuid[8] & 0x3f) | 0x80);  // the variant of RFC 4122
   return "2.25." + decimal(uuid);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// Identifiers of new DICOM objects, made from their content: the same content has the same identifier, another has another.
+// Identifiers of new DICOM objects, made from their content: the same content has the same identifier, another has
+// another.
 //
 // UUIDs of version 5 (RFC 4122, SHA-1) below 2.25, as DICOM PS3.5, B.2, has them.
 

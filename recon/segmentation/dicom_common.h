@@ -1,8 +1,9 @@
 #pragma once
 // What all DICOM objects of this room say: whose they are, of which study, on which images. Inner part of this room.
 //
-// Patient and study are those of the series or structure set that was read; its text is not trusted: it becomes UTF-8, without control characters, and
-// no longer than the standard allows. Without one the patient is left blank and the study is new.
+// Patient and study are those of the series or structure set that was read; its text is not trusted: it becomes UTF-8,
+// without control characters, and no longer than the standard allows. Without one the patient is left blank and the
+// study is new.
 
 #include <optional>
 #include <string>
@@ -27,7 +28,8 @@ struct ObjectUids {
 ObjectUids object_uids(const PatientOrigin& origin, const DerivedUid& content);
 
 /// Modules patient, study, series, frame of reference, equipment and SOP common; no identifiers of images.
-DicomWriter common_modules(const PatientOrigin& origin, const ObjectUids& uids, const std::string& class_uid, const std::string& modality, const WrittenBy& by);
+DicomWriter common_modules(const PatientOrigin& origin, const ObjectUids& uids, const std::string& class_uid,
+                           const std::string& modality, const WrittenBy& by);
 
 /// All that the objects say of the origin, to derive identifiers from.
 std::string in_bytes(const PatientOrigin& origin);
@@ -37,7 +39,8 @@ DicomWriter code_item(const Code& code);
 /// "1.2.3" of class and instance, with the frame of multi-frame images.
 DicomWriter image_item(const DicomInstance& instance);
 
-/// A date of eight digits: the study's, or 20000101. Objects that need one have no other: bytes depend on the input alone.
+/// A date of eight digits: the study's, or 20000101. Objects that need one have no other: bytes depend on the input
+/// alone.
 std::string content_date(const PatientOrigin& origin);
 
 /// As names of DICOM may be: at most 64 characters, no backslash. `names` in order, made different from each other.
@@ -47,7 +50,8 @@ std::vector<std::string> dicom_names(const std::vector<std::string>& names);
 class ImagePlanes {
  public:
   explicit ImagePlanes(const PatientOrigin& origin);
-  /// The image whose plane the model's plane through `at` (across the model's z) is, within a twentieth of the images' distance; null if there is none.
+  /// The image whose plane the model's plane through `at` (across the model's z) is, within a twentieth of the images'
+  /// distance; null if there is none.
   const DicomInstance* at(const Point3& at) const;
 
  private:

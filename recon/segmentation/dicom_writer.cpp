@@ -24,10 +24,12 @@ void append_tag(std::string& bytes, std::uint32_t tag) {
 
 bool has_long_length(std::string_view vr) { return vr == "OB" || vr == "OW" || vr == "SQ" || vr == "UT" || vr == "UN"; }
 
-void append_element(std::string& bytes, std::uint32_t tag, std::string_view vr, const std::string& value, DicomCoding coding) {
+void append_element(std::string& bytes, std::uint32_t tag, std::string_view vr, const std::string& value,
+                    DicomCoding coding) {
   constexpr std::size_t most = 0xfffffffe, most_in_16_bits = 0xfffe;
   const bool is_short = coding == DicomCoding::explicit_little && !has_long_length(vr);
-  if (value.size() > (is_short ? most_in_16_bits : most)) throw InternalError(fmt::format("a value of {} bytes does not fit into element {:08x}", value.size(), tag));
+  if (value.size() > (is_short ? most_in_16_bits : most))
+    throw InternalError(fmt::format("a value of {} bytes does not fit into element {:08x}", value.size(), tag));
   append_tag(bytes, tag);
   const auto length = static_cast<std::uint32_t>(value.size());
   if (coding == DicomCoding::explicit_little) {
@@ -117,7 +119,7 @@ std::string DicomWriter::file(DicomCoding coding) const {
 
 std::string decimal_string(double value) {
   constexpr std::size_t longest = 16;
-  if (value == 0) return "0";   // and no -0
+  if (value == 0) return "0";  // and no -0
   std::string text = fmt::format("{}", value);
   if (text.ends_with(".0")) text.resize(text.size() - 2);
   for (int digits = 16; text.size() > longest; --digits) text = fmt::format("{:.{}g}", value, digits);

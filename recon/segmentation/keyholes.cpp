@@ -39,7 +39,9 @@ bool holds(const Ring& ring, const Point2& p) {
 bool less(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 /// Does `p`, which lies on the line through a and b, lie between them, ends counted?
-bool between(const Point2& a, const Point2& b, const Point2& p) { return !less(p, std::min(a, b, less)) && !less(std::max(a, b, less), p); }
+bool between(const Point2& a, const Point2& b, const Point2& p) {
+  return !less(p, std::min(a, b, less)) && !less(std::max(a, b, less), p);
+}
 
 /// Have the two anything in common but ends that both share?
 bool in_the_way(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
@@ -48,7 +50,9 @@ bool in_the_way(const Point2& p, const Point2& q, const Point2& a, const Point2&
   if (std::max(a.y, b.y) < std::min(p.y, q.y) || std::min(a.y, b.y) > std::max(p.y, q.y)) return false;
   const int pa = turn(p, q, a), pb = turn(p, q, b), ap = turn(a, b, p), aq = turn(a, b, q);
   if (pa * pb < 0 && ap * aq < 0) return true;
-  const auto on = [](int sense, const Point2& from, const Point2& to, const Point2& x) { return sense == 0 && !(x == from) && !(x == to) && between(from, to, x); };
+  const auto on = [](int sense, const Point2& from, const Point2& to, const Point2& x) {
+    return sense == 0 && !(x == from) && !(x == to) && between(from, to, x);
+  };
   return on(pa, p, q, a) || on(pb, p, q, b) || on(ap, a, b, p) || on(aq, a, b, q);
 }
 
@@ -59,7 +63,9 @@ bool any_in_the_way(const Point2& p, const Point2& q, const Ring& ring) {
   return false;
 }
 
-std::size_t leftmost(const Ring& ring) { return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), less) - ring.begin()); }
+std::size_t leftmost(const Ring& ring) {
+  return static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), less) - ring.begin());
+}
 
 /// The number of the line's point that the bridge ends in.
 std::size_t bridge_end(const Ring& line, const Point2& from, const std::vector<const Ring*>& holes) {
@@ -78,7 +84,8 @@ std::size_t bridge_end(const Ring& line, const Point2& from, const std::vector<c
 }
 
 Ring joined(Ring line, std::vector<const Ring*> holes) {
-  std::sort(holes.begin(), holes.end(), [](const Ring* a, const Ring* b) { return less((*a)[leftmost(*a)], (*b)[leftmost(*b)]); });
+  std::sort(holes.begin(), holes.end(),
+            [](const Ring* a, const Ring* b) { return less((*a)[leftmost(*a)], (*b)[leftmost(*b)]); });
   while (!holes.empty()) {
     const Ring& hole = *holes.front();
     const std::size_t first = leftmost(hole), end = bridge_end(line, hole[first], holes);

@@ -31,13 +31,15 @@ std::size_t first_not_below(double value, double origin, double spacing, std::si
 template <class IsBefore>
 std::size_t count_before(double guess, const VoxelGrid& grid, const IsBefore& is_before) {
   const double about = (guess - grid.origin.x) / grid.spacing[0];
-  auto m = static_cast<std::size_t>(std::clamp(std::isfinite(about) ? about : 0.0, 0.0, static_cast<double>(grid.size[0])));
+  auto m =
+      static_cast<std::size_t>(std::clamp(std::isfinite(about) ? about : 0.0, 0.0, static_cast<double>(grid.size[0])));
   while (m > 0 && !is_before(m - 1)) --m;
   while (m < grid.size[0] && is_before(m)) ++m;
   return m;
 }
 
-/// Every border that a row crosses toggles the last centre before it; from the end of the row on, centres are then inside behind an odd number.
+/// Every border that a row crosses toggles the last centre before it; from the end of the row on, centres are then
+/// inside behind an odd number.
 void toggle(VoxelBits& bits, std::size_t count, std::size_t j, std::size_t k) {
   if (count > 0) bits.toggle(count - 1, j, k);
 }
@@ -59,7 +61,12 @@ void toggle_edge(const Point2& a, const Point2& b, const VoxelGrid& grid, std::s
   const std::size_t end = first_not_below(high.y, grid.origin.y, grid.spacing[1], grid.size[1], y);
   for (std::size_t j = first_not_below(low.y, grid.origin.y, grid.spacing[1], grid.size[1], y); j < end; ++j) {
     const double at = low.x + (grid.y(j) - low.y) / (high.y - low.y) * (high.x - low.x);
-    toggle(bits, count_before(at, grid, [&](std::size_t i) { return turn_of(low, high, {grid.x(i), grid.y(j)}) > 0; }), j, k);
+    toggle(bits,
+           count_before(at, grid,
+                        [&](std::size_t i) {
+                          return turn_of(low, high, {grid.x(i), grid.y(j)}) > 0;
+                        }),
+           j, k);
   }
 }
 
@@ -73,7 +80,9 @@ class SeenAlongX {
   }
   bool on_edge() const { return on_edge_; }
 
-  bool holds(double y, double z) const { return left_of(a_, b_, y, z) && left_of(b_, c_, y, z) && left_of(c_, a_, y, z); }
+  bool holds(double y, double z) const {
+    return left_of(a_, b_, y, z) && left_of(b_, c_, y, z) && left_of(c_, a_, y, z);
+  }
   /// Does the point lie before the triangle's plane along x? On it, it does not.
   bool is_behind(const Point3& p) const { return orientation(a_, b_, c_, p) < 0; }
 
@@ -104,7 +113,8 @@ void toggle_triangle(const Point3& a, const Point3& b, const Point3& c, const Vo
   const auto y = [&](std::size_t j) { return grid.y(j); };
   const auto z = [&](std::size_t k) { return grid.z(k); };
   const std::size_t first = first_not_below(low_y, grid.origin.y, grid.spacing[1], grid.size[1], y);
-  for (std::size_t k = first_not_below(low_z, grid.origin.z, grid.spacing[2], grid.size[2], z); k < grid.size[2] && grid.z(k) <= high_z; ++k) {
+  for (std::size_t k = first_not_below(low_z, grid.origin.z, grid.spacing[2], grid.size[2], z);
+       k < grid.size[2] && grid.z(k) <= high_z; ++k) {
     for (std::size_t j = first; j < grid.size[1] && grid.y(j) <= high_y; ++j) {
       if (!triangle.holds(grid.y(j), grid.z(k))) continue;
       const auto before = [&](std::size_t i) { return triangle.is_behind({grid.x(i), grid.y(j), grid.z(k)}); };
@@ -114,7 +124,8 @@ void toggle_triangle(const Point3& a, const Point3& b, const Point3& c, const Vo
 }
 
 std::size_t nearest_slice(double z, const VoxelGrid& grid) {
-  return static_cast<std::size_t>(std::clamp(std::round((z - grid.origin.z) / grid.spacing[2]), 0.0, static_cast<double>(grid.size[2] - 1)));
+  return static_cast<std::size_t>(
+      std::clamp(std::round((z - grid.origin.z) / grid.spacing[2]), 0.0, static_cast<double>(grid.size[2] - 1)));
 }
 
 }  // namespace
@@ -125,16 +136,19 @@ VoxelGrid grid_of_slices(const ContourStack& stack, double spacing_x, double spa
   std::sort(heights.begin(), heights.end());
   Place place;
   place.file = stack.source;
-  if (heights.size() < 2) throw InputError("single-slice", place, "the stack has a single slice", "Add the slices above or below it");
+  if (heights.size() < 2)
+    throw InputError("single-slice", place, "the stack has a single slice", "Add the slices above or below it");
   const double step = (heights.back() - heights.front()) / static_cast<double>(heights.size() - 1);
   for (std::size_t k = 0; k < heights.size(); ++k) {
-    if (std::abs(heights[k] - heights.front() - static_cast<double>(k) * step) <= limits::slice_unevenness * step) continue;
+    if (std::abs(heights[k] - heights.front() - static_cast<double>(k) * step) <= limits::slice_unevenness * step)
+      continue;
     place.z = heights[k];
-    throw InputError("uneven-slices", place, fmt::format("slices lie unevenly, and voxels do not: even ones would be {:.6g} mm apart", step),
+    throw InputError("uneven-slices", place,
+                     fmt::format("slices lie unevenly, and voxels do not: even ones would be {:.6g} mm apart", step),
                      "Let reconstruct write the voxels: it fills the space between slices");
   }
   Box3 box = box_of(stack);
-  box.low.z = box.high.z = 0;   // heights are the slices'
+  box.low.z = box.high.z = 0;  // heights are the slices'
   const std::array<double, 3> spacing{spacing_x, spacing_y, step};
   VoxelGrid grid = origin == nullptr ? grid_around(box, spacing) : grid_from({origin->x, origin->y, 0}, box, spacing);
   grid.origin.z = heights.front();
@@ -153,12 +167,14 @@ Segmentation rasterised(const ContourStack& stack, const VoxelGrid& grid, const 
       for (const Contour& contour : slice.contours) {
         if (contour.structure != name) continue;
         const std::size_t n = contour.points.size();
-        for (std::size_t p = 0; p < n; ++p) toggle_edge(contour.points[p], contour.points[(p + 1) % n], grid, k, segment.voxels);
+        for (std::size_t p = 0; p < n; ++p)
+          toggle_edge(contour.points[p], contour.points[(p + 1) % n], grid, k, segment.voxels);
       }
       fill_rows(segment.voxels, grid, k);
     }
     result.segments.push_back(std::move(segment));
-    progress.tell("voxels", static_cast<double>(result.segments.size()) / static_cast<double>(structures_of(stack).size()));
+    progress.tell("voxels",
+                  static_cast<double>(result.segments.size()) / static_cast<double>(structures_of(stack).size()));
   }
   return result;
 }

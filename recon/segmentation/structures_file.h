@@ -8,9 +8,9 @@
 namespace odontoscope {
 
 enum class StructuresFormat {
-  rtstruct,    // .dcm
-  seg,         // .seg.dcm
-  label_map,   // .nrrd, .seg.nrrd
+  rtstruct,   // .dcm
+  seg,        // .seg.dcm
+  label_map,  // .nrrd, .seg.nrrd
 };
 
 /// Whatever its letters; nothing for other names.

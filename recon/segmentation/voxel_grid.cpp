@@ -15,18 +15,22 @@ namespace {
 void check_spacing(const std::array<double, 3>& spacing) {
   for (const double x : spacing) {
     if (std::isfinite(x) && x >= limits::smallest_spacing && x <= limits::largest_coordinate) continue;
-    throw UsageError(fmt::format("voxels of {} x {} x {} mm make no sense", spacing[0], spacing[1], spacing[2]), "Give three sizes in mm, as in 0.1,0.1,0.2");
+    throw UsageError(fmt::format("voxels of {} x {} x {} mm make no sense", spacing[0], spacing[1], spacing[2]),
+                     "Give three sizes in mm, as in 0.1,0.1,0.2");
   }
 }
 
 /// From whole number `first` to `last`, as a number of voxels; as many as a double can hold, to be refused later.
-std::size_t count_of(double first, double last) { return static_cast<std::size_t>(std::clamp(last - first + 1, 1.0, 1e9)); }
+std::size_t count_of(double first, double last) {
+  return static_cast<std::size_t>(std::clamp(last - first + 1, 1.0, 1e9));
+}
 
 }  // namespace
 
 bool VoxelBits::any(std::size_t k) const {
   const auto first = bits_.begin() + static_cast<std::ptrdiff_t>(k * size_[1] * words_);
-  return std::any_of(first, first + static_cast<std::ptrdiff_t>(size_[1] * words_), [](std::uint64_t word) { return word != 0; });
+  return std::any_of(first, first + static_cast<std::ptrdiff_t>(size_[1] * words_),
+                     [](std::uint64_t word) { return word != 0; });
 }
 
 std::size_t VoxelBits::count() const {
@@ -52,9 +56,11 @@ Box3 box_of(const ContourStack& stack) {
 }
 
 void check_grid(const VoxelGrid& grid) {
-  const double voxels = static_cast<double>(grid.size[0]) * static_cast<double>(grid.size[1]) * static_cast<double>(grid.size[2]);
+  const double voxels =
+      static_cast<double>(grid.size[0]) * static_cast<double>(grid.size[1]) * static_cast<double>(grid.size[2]);
   if (voxels <= static_cast<double>(limits::voxels)) return;
-  throw UsageError(fmt::format("{} x {} x {} voxels are more than the {} that are written", grid.size[0], grid.size[1], grid.size[2], limits::voxels),
+  throw UsageError(fmt::format("{} x {} x {} voxels are more than the {} that are written", grid.size[0], grid.size[1],
+                               grid.size[2], limits::voxels),
                    "Make voxels larger (--voxels X,Y,Z)");
 }
 
@@ -76,14 +82,17 @@ VoxelGrid grid_around(const Box3& box, const std::array<double, 3>& spacing) {
 
 VoxelGrid grid_from(const Point3& origin, const Box3& box, const std::array<double, 3>& spacing) {
   check_spacing(spacing);
-  const std::array<double, 3> first{origin.x, origin.y, origin.z}, low{box.low.x, box.low.y, box.low.z}, high{box.high.x, box.high.y, box.high.z};
+  const std::array<double, 3> first{origin.x, origin.y, origin.z}, low{box.low.x, box.low.y, box.low.z},
+      high{box.high.x, box.high.y, box.high.z};
   VoxelGrid grid;
   grid.spacing = spacing;
   grid.origin = origin;
   for (std::size_t n = 0; n < 3; ++n) {
-    if (!(std::abs(first[n]) <= limits::largest_coordinate)) throw UsageError("--voxel-origin wants three numbers in mm");
+    if (!(std::abs(first[n]) <= limits::largest_coordinate))
+      throw UsageError("--voxel-origin wants three numbers in mm");
     if (low[n] < first[n] - spacing[n] / 2) {
-      throw UsageError(fmt::format("the structures begin at {} = {:.6g} mm, before the first voxel at {:.6g} mm", "xyz"[n], low[n], first[n]),
+      throw UsageError(fmt::format("the structures begin at {} = {:.6g} mm, before the first voxel at {:.6g} mm",
+                                   "xyz"[n], low[n], first[n]),
                        "Give a --voxel-origin that lies before them, or leave it out");
     }
     grid.size[n] = count_of(0, std::max(0.0, std::ceil((high[n] - first[n]) / spacing[n])));

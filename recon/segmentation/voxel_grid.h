@@ -27,7 +27,8 @@ struct VoxelGrid {
 /// One bit a voxel; each row of x begins with a word of its own.
 class VoxelBits {
  public:
-  explicit VoxelBits(const std::array<std::size_t, 3>& size) : size_(size), words_((size[0] + 63) / 64), bits_(words_ * size[1] * size[2]) {}
+  explicit VoxelBits(const std::array<std::size_t, 3>& size)
+      : size_(size), words_((size[0] + 63) / 64), bits_(words_ * size[1] * size[2]) {}
   bool at(std::size_t i, std::size_t j, std::size_t k) const { return (bits_[word(i, j, k)] >> (i % 64) & 1) != 0; }
   void toggle(std::size_t i, std::size_t j, std::size_t k) { bits_[word(i, j, k)] ^= std::uint64_t{1} << (i % 64); }
   /// Is any voxel of slice k set?
@@ -61,8 +62,8 @@ struct Box3 {
 /// Around all points. Precondition: there is one.
 Box3 box_of(const ContourStack& stack);
 
-/// Voxels of such a size around `box`, their centres on whole multiples of it, with an empty one on each side. UsageError if they are more than
-/// limits::voxels, or if `spacing` is not positive or too small.
+/// Voxels of such a size around `box`, their centres on whole multiples of it, with an empty one on each side.
+/// UsageError if they are more than limits::voxels, or if `spacing` is not positive or too small.
 VoxelGrid grid_around(const Box3& box, const std::array<double, 3>& spacing);
 
 /// The same with the first voxel's centre at `origin`. UsageError if the box reaches below half a voxel before it.

@@ -1,8 +1,9 @@
 #pragma once
-// Voxels as a label map: NRRD with the keys of 3D Slicer's segmentations (.seg.nrrd), which names its segments; any program that reads NRRD takes it for a plain label map.
+// Voxels as a label map: NRRD with the keys of 3D Slicer's segmentations (.seg.nrrd), which names its segments; any
+// program that reads NRRD takes it for a plain label map.
 //
-// A voxel's value is the number of its segment, from 1 on, 0 for none. Where segments overlap the later one has the voxel. Packed by gzip; space left-posterior-superior, axes and
-// origin in the patient.
+// A voxel's value is the number of its segment, from 1 on, 0 for none. Where segments overlap the later one has the
+// voxel. Packed by gzip; space left-posterior-superior, axes and origin in the patient.
 
 #include <cstddef>
 #include <string>

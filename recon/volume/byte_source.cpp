@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 struct ByteSource::Unpacking {
   explicit Unpacking(Packing packing) {
     constexpr int window = 15, with_head = 32;
-    if (inflateInit2(&stream, packing == Packing::bare ? -window : window + with_head) != Z_OK) throw InternalError("zlib does not start");
+    if (inflateInit2(&stream, packing == Packing::bare ? -window : window + with_head) != Z_OK)
+      throw InternalError("zlib does not start");
   }
   ~Unpacking() { inflateEnd(&stream); }
   Unpacking(const Unpacking&) = delete;
@@ -51,7 +52,8 @@ ByteSource::ByteSource(const std::string& file, std::size_t offset, Packing pack
     : file_(file), left_(packed_bytes), piece_(1u << 18) {
   check_plain_file(file);
   in_.open(file, std::ios::binary);
-  if (!in_ || !in_.seekg(static_cast<std::streamoff>(offset))) throw FileError(file, "cannot be opened", "check its permissions");
+  if (!in_ || !in_.seekg(static_cast<std::streamoff>(offset)))
+    throw FileError(file, "cannot be opened", "check its permissions");
   if (packing != Packing::none) unpacking_ = std::make_unique<Unpacking>(packing);
 }
 
@@ -106,7 +108,8 @@ std::size_t ByteSource::refill() {
     if (code != Z_OK && code != Z_STREAM_END && code != Z_BUF_ERROR) {
       u.over = u.member_ended;  // padding behind the last member
       if (u.over) break;
-      throw InputError("damaged-volume", in_file(file_), "its compressed bytes cannot be unpacked", "get a whole copy of the file");
+      throw InputError("damaged-volume", in_file(file_), "its compressed bytes cannot be unpacked",
+                       "get a whole copy of the file");
     }
     u.member_ended = code == Z_STREAM_END;
   }

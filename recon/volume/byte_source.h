@@ -1,6 +1,6 @@
 #pragma once
-// A file's bytes from front to back, unpacked where they are packed, a piece at a time: nothing is held or taken on a header's word.
-// Inner part of read_volume.h.
+// A file's bytes from front to back, unpacked where they are packed, a piece at a time: nothing is held or taken on a
+// header's word. Inner part of read_volume.h.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +16,15 @@ namespace odontoscope {
 
 class ByteSource {
  public:
-  /// `zlib_or_gzip` tells the two apart; several gzip members in a row are one stream. `bare` is deflate with neither's head.
+  /// `zlib_or_gzip` tells the two apart; several gzip members in a row are one stream. `bare` is deflate with neither's
+  /// head.
   enum class Packing { none, zlib_or_gzip, bare };
   static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
 
-  /// From `offset` on, of which at most `packed_bytes` are taken. Throws FileError unless it is a plain file that can be read.
-  explicit ByteSource(const std::string& file, std::size_t offset = 0, Packing packing = Packing::none, std::size_t packed_bytes = all);
+  /// From `offset` on, of which at most `packed_bytes` are taken. Throws FileError unless it is a plain file that can
+  /// be read.
+  explicit ByteSource(const std::string& file, std::size_t offset = 0, Packing packing = Packing::none,
+                      std::size_t packed_bytes = all);
   ~ByteSource();
   ByteSource(ByteSource&&) noexcept;
   ByteSource& operator=(ByteSource&&) noexcept;
@@ -45,7 +48,8 @@ class ByteSource {
   std::unique_ptr<Unpacking> unpacking_;
 };
 
-/// Throws FileError if `file` is missing, no plain file (pipes and devices never end) or cannot be opened. Returns its length.
+/// Throws FileError if `file` is missing, no plain file (pipes and devices never end) or cannot be opened. Returns its
+/// length.
 std::size_t check_plain_file(const std::string& file);
 
 /// Does it begin as gzip does?

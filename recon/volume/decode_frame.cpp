@@ -1,4 +1,5 @@
-// The only file that knows GDCM. What it is given was checked: nothing of the user's file comes here but the frame's compressed bytes.
+// The only file that knows GDCM. What it is given was checked: nothing of the user's file comes here but the frame's
+// compressed bytes.
 
 #include <gdcmDataElement.h>
 #include <gdcmFragment.h>
@@ -28,9 +29,11 @@ bool decode_here(const CompressedFrame& frame, char* to) {
   image.SetDimension(1, frame.rows);
   image.SetTransferSyntax(gdcm::TransferSyntax(gdcm::TransferSyntax::GetTSType(frame.syntax.c_str())));
   const auto half = [](unsigned bits) { return static_cast<unsigned short>(bits); };
-  image.SetPixelFormat(gdcm::PixelFormat(1, half(frame.bits_allocated), half(frame.bits_stored), half(frame.high_bit), half(frame.is_signed ? 1 : 0)));
+  image.SetPixelFormat(gdcm::PixelFormat(1, half(frame.bits_allocated), half(frame.bits_stored), half(frame.high_bit),
+                                         half(frame.is_signed ? 1 : 0)));
   const bool dark_is_high = frame.photometric == "MONOCHROME1";
-  image.SetPhotometricInterpretation(dark_is_high ? gdcm::PhotometricInterpretation::MONOCHROME1 : gdcm::PhotometricInterpretation::MONOCHROME2);
+  image.SetPhotometricInterpretation(dark_is_high ? gdcm::PhotometricInterpretation::MONOCHROME1
+                                                  : gdcm::PhotometricInterpretation::MONOCHROME2);
 
   const gdcm::SmartPointer<gdcm::SequenceOfFragments> pieces = new gdcm::SequenceOfFragments;
   gdcm::Fragment piece;
@@ -45,7 +48,9 @@ bool decode_here(const CompressedFrame& frame, char* to) {
   if (image.GetBufferLength() != wanted) return false;
   std::vector<char> buffer(2 * wanted + 64);  // some decoders correct the number of bits on their way
   if (!image.GetBuffer(buffer.data())) return false;
-  if (image.GetPixelFormat().GetBitsAllocated() != frame.bits_allocated || image.GetPixelFormat().GetSamplesPerPixel() != 1) return false;
+  if (image.GetPixelFormat().GetBitsAllocated() != frame.bits_allocated ||
+      image.GetPixelFormat().GetSamplesPerPixel() != 1)
+    return false;
   std::memcpy(to, buffer.data(), wanted);
   return true;
 }

@@ -14,7 +14,8 @@ namespace {
 double binary_number(const DicomElement& element, std::string_view raw) {
   std::array<char, 8> bytes{};
   std::copy(raw.begin(), raw.end(), bytes.begin());
-  if (element.big_endian != (std::endian::native == std::endian::big)) std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(raw.size()));
+  if (element.big_endian != (std::endian::native == std::endian::big))
+    std::reverse(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(raw.size()));
   const auto as = [&bytes](auto value) {
     std::memcpy(&value, bytes.data(), sizeof value);
     return static_cast<double>(value);
@@ -47,13 +48,17 @@ std::size_t binary_width(const DicomElement& element) {
     case dicom::referenced_segment:
     case dicom::fraction_of:
     case dicom::record_in_use:
-    case dicom::frame_increment: return 2;
+    case dicom::frame_increment:
+      return 2;
     case dicom::first_record:
     case dicom::next_record:
     case dicom::lower_record:
-    case dicom::temporal_index: return 4;
-    case dicom::slice_location_vector: return 0;
-    default: return 0;
+    case dicom::temporal_index:
+      return 4;
+    case dicom::slice_location_vector:
+      return 0;
+    default:
+      return 0;
   }
 }
 
@@ -61,7 +66,8 @@ std::size_t binary_width(const DicomElement& element) {
 
 const DicomElement* DicomDataSet::find(std::uint32_t tag) const {
   // The last of several, as readers take it; valid files have one.
-  const auto found = std::find_if(elements.rbegin(), elements.rend(), [tag](const DicomElement& e) { return e.tag == tag; });
+  const auto found =
+      std::find_if(elements.rbegin(), elements.rend(), [tag](const DicomElement& e) { return e.tag == tag; });
   return found == elements.rend() ? nullptr : &*found;
 }
 

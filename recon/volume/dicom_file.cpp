@@ -12,7 +12,8 @@
 
 namespace odontoscope {
 
-/// Bytes at any place of a file, or of what lies unpacked in memory; read through a window, since most pieces are a few bytes long.
+/// Bytes at any place of a file, or of what lies unpacked in memory; read through a window, since most pieces are a few
+/// bytes long.
 class DicomBytes::Source {
  public:
   explicit Source(const std::string& path) : in_(path, std::ios::binary) {
@@ -60,34 +61,95 @@ namespace {
 constexpr std::size_t preamble = 128;
 constexpr std::string_view mark = "DICM";
 constexpr std::uint32_t undefined_length = 0xffffffff;
-constexpr std::uint64_t item_head = 8;   // a tag and a length
+constexpr std::uint64_t item_head = 8;  // a tag and a length
 constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syntax = dicom::tag(0x0002, 0x0010);
-constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d), sequence_end = dicom::tag(0xfffe, 0xe0dd);
+constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d),
+                        sequence_end = dicom::tag(0xfffe, 0xe0dd);
 
 /// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 69> wanted{
-    dicom::first_record, dicom::records,
-    dicom::image_type, dicom::class_uid, dicom::instance_uid, dicom::modality, dicom::series_description, dicom::slice_thickness,
-    dicom::spacing_between_slices, dicom::frame_time, dicom::frame_time_vector, dicom::magnification, dicom::imager_spacing,
-    dicom::slice_location_vector, dicom::nominal_spacing, dicom::series_uid, dicom::instance_number, dicom::position, dicom::orientation,
-    dicom::frame_content, dicom::plane_position, dicom::plane_orientation, dicom::temporal_index, dicom::concatenation_uid, dicom::samples,
-    dicom::photometric, dicom::frames, dicom::frame_increment, dicom::rows, dicom::columns, dicom::pixel_spacing, dicom::bits_allocated,
-    dicom::bits_stored, dicom::high_bit, dicom::is_signed, dicom::intercept, dicom::slope, dicom::modality_table, dicom::pixel_measures,
-    dicom::value_transformation, dicom::grid_offsets, dicom::dose_scaling, dicom::shared_groups, dicom::frame_groups,
-    dicom::character_set, dicom::study_date, dicom::study_time, dicom::accession, dicom::referring, dicom::study_description, dicom::patient_name,
-    dicom::patient_id, dicom::patient_birth, dicom::patient_sex, dicom::study_uid, dicom::study_id, dicom::frame_of_reference,
-    dicom::position_indicator, dicom::segmentation_type, dicom::segments, dicom::segment_number, dicom::segment_label, dicom::segment_identification,
-    dicom::referenced_segment, dicom::fraction_of, dicom::referenced_series, dicom::referenced_instances, dicom::referenced_class,
-    dicom::referenced_instance};
+constexpr std::array<std::uint32_t, 69> wanted{dicom::first_record,
+                                               dicom::records,
+                                               dicom::image_type,
+                                               dicom::class_uid,
+                                               dicom::instance_uid,
+                                               dicom::modality,
+                                               dicom::series_description,
+                                               dicom::slice_thickness,
+                                               dicom::spacing_between_slices,
+                                               dicom::frame_time,
+                                               dicom::frame_time_vector,
+                                               dicom::magnification,
+                                               dicom::imager_spacing,
+                                               dicom::slice_location_vector,
+                                               dicom::nominal_spacing,
+                                               dicom::series_uid,
+                                               dicom::instance_number,
+                                               dicom::position,
+                                               dicom::orientation,
+                                               dicom::frame_content,
+                                               dicom::plane_position,
+                                               dicom::plane_orientation,
+                                               dicom::temporal_index,
+                                               dicom::concatenation_uid,
+                                               dicom::samples,
+                                               dicom::photometric,
+                                               dicom::frames,
+                                               dicom::frame_increment,
+                                               dicom::rows,
+                                               dicom::columns,
+                                               dicom::pixel_spacing,
+                                               dicom::bits_allocated,
+                                               dicom::bits_stored,
+                                               dicom::high_bit,
+                                               dicom::is_signed,
+                                               dicom::intercept,
+                                               dicom::slope,
+                                               dicom::modality_table,
+                                               dicom::pixel_measures,
+                                               dicom::value_transformation,
+                                               dicom::grid_offsets,
+                                               dicom::dose_scaling,
+                                               dicom::shared_groups,
+                                               dicom::frame_groups,
+                                               dicom::character_set,
+                                               dicom::study_date,
+                                               dicom::study_time,
+                                               dicom::accession,
+                                               dicom::referring,
+                                               dicom::study_description,
+                                               dicom::patient_name,
+                                               dicom::patient_id,
+                                               dicom::patient_birth,
+                                               dicom::patient_sex,
+                                               dicom::study_uid,
+                                               dicom::study_id,
+                                               dicom::frame_of_reference,
+                                               dicom::position_indicator,
+                                               dicom::segmentation_type,
+                                               dicom::segments,
+                                               dicom::segment_number,
+                                               dicom::segment_label,
+                                               dicom::segment_identification,
+                                               dicom::referenced_segment,
+                                               dicom::fraction_of,
+                                               dicom::referenced_series,
+                                               dicom::referenced_instances,
+                                               dicom::referenced_class,
+                                               dicom::referenced_instance};
 
 bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
 
 /// And of the records of a DICOMDIR, each of which repeats much of what its file says.
-constexpr std::array<std::uint32_t, 6> wanted_of_record{dicom::next_record, dicom::record_in_use, dicom::lower_record, dicom::record_type, dicom::file_id, dicom::series_uid};
+constexpr std::array<std::uint32_t, 6> wanted_of_record{dicom::next_record, dicom::record_in_use, dicom::lower_record,
+                                                        dicom::record_type, dicom::file_id,       dicom::series_uid};
 
-bool is_wanted_of_record(std::uint32_t tag) { return std::find(wanted_of_record.begin(), wanted_of_record.end(), tag) != wanted_of_record.end(); }
+bool is_wanted_of_record(std::uint32_t tag) {
+  return std::find(wanted_of_record.begin(), wanted_of_record.end(), tag) != wanted_of_record.end();
+}
 
-bool is_pixels(std::uint32_t tag) { return tag == dicom::pixel_data || tag == dicom::float_pixels || tag == dicom::double_pixels; }
+bool is_pixels(std::uint32_t tag) {
+  return tag == dicom::pixel_data || tag == dicom::float_pixels || tag == dicom::double_pixels;
+}
 
 /// A tag with the length of its value; the value comes next.
 struct Head {
@@ -98,7 +160,8 @@ struct Head {
   bool is_undefined() const { return length == undefined_length; }
 };
 
-constexpr std::array<std::string_view, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ", "UC", "UR", "UT", "UN", "SV", "UV"};
+constexpr std::array<std::string_view, 13> long_ones{"OB", "OW", "OF", "OD", "OL", "OV", "SQ",
+                                                     "UC", "UR", "UT", "UN", "SV", "UV"};
 constexpr std::array<std::string_view, 21> short_ones{"AE", "AS", "AT", "CS", "DA", "DS", "DT", "FL", "FD", "IS", "LO",
                                                       "LT", "PN", "SH", "SL", "SS", "ST", "TM", "UI", "UL", "US"};
 
@@ -118,8 +181,10 @@ class Walk {
     const std::uint64_t end = source_.size();
     while (at_ < end && file_.pixels.tag == 0) {
       const Head head = next(file_.implicit_vr, end);
-      if (is_pixels(head.tag)) take_pixels(head, end);
-      else take(head, file_.implicit_vr, end, 0, file_.data);
+      if (is_pixels(head.tag))
+        take_pixels(head, end);
+      else
+        take(head, file_.implicit_vr, end, 0, file_.data);
     }
   }
 
@@ -136,9 +201,12 @@ class Walk {
       at_ = start;
       const Head head = next(false, end);
       if (head.is_undefined()) refuse("its meta information has an element without length");
-      if (head.tag == transfer_syntax) file_.syntax = padded_text(value(head, end));
-      else if (head.tag == storage_class) file_.storage_class = padded_text(value(head, end));
-      else skip(head.length, end);
+      if (head.tag == transfer_syntax)
+        file_.syntax = padded_text(value(head, end));
+      else if (head.tag == storage_class)
+        file_.storage_class = padded_text(value(head, end));
+      else
+        skip(head.length, end);
     }
     return at_;
   }
@@ -156,7 +224,8 @@ class Walk {
     throw InputError("unreadable-volume", place(), wrong, "convert the series with the program that wrote it");
   }
   [[noreturn]] void throw_truncated() const {
-    throw InputError("truncated-volume", place(), "an element reaches beyond the end of what holds it", "get a whole copy of the file");
+    throw InputError("truncated-volume", place(), "an element reaches beyond the end of what holds it",
+                     "get a whole copy of the file");
   }
 
   void require(std::uint64_t count, std::uint64_t end) const {
@@ -205,7 +274,8 @@ class Walk {
   }
 
   std::string value(const Head& head, std::uint64_t end) {
-    if (head.length > limits::dicom_value) refuse(fmt::format("element ({:04x},{:04x}) is too long", head.tag >> 16, head.tag & 0xffff));
+    if (head.length > limits::dicom_value)
+      refuse(fmt::format("element ({:04x},{:04x}) is too long", head.tag >> 16, head.tag & 0xffff));
     require(head.length, end);
     std::string bytes(head.length, '\0');
     take_bytes(bytes.data(), bytes.size(), end);
@@ -223,7 +293,8 @@ class Walk {
     // Of unknown representation and length: a sequence in implicit coding, says PS3.5, 6.2.2.
     const bool inner_implicit = implicit_vr || (head.is("UN") && head.is_undefined());
     const bool wanted_sequence = !in_records_ && is_wanted_sequence(head.tag);
-    const bool is_sequence = head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
+    const bool is_sequence =
+        head.is("SQ") || head.is_undefined() || (wanted_sequence && (implicit_vr || head.is("UN")));
     if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
     if (is_sequence) refuse_odd(head);
     if (!is_sequence) {
@@ -246,20 +317,27 @@ class Walk {
     if (wanted_sequence) keep(std::move(sequence), data);
   }
 
-  /// PS3.5, 7.1.1: lengths are even. A value that is not may be a careless writer's; where a whole item is not, its end and all that follows may be misread.
+  /// PS3.5, 7.1.1: lengths are even. A value that is not may be a careless writer's; where a whole item is not, its end
+  /// and all that follows may be misread.
   void refuse_odd(const Head& head) const {
     if (head.is_undefined() || head.length % 2 == 0) return;
-    refuse(fmt::format("an item or sequence has an odd number of bytes ({}), which DICOM does not allow: where it ends is not sure", head.length));
+    refuse(fmt::format(
+        "an item or sequence has an odd number of bytes ({}), which DICOM does not allow: where it ends is not sure",
+        head.length));
   }
 
   static bool is_wanted_sequence(std::uint32_t tag) {
-    if (tag == dicom::records || tag == dicom::segments || tag == dicom::segment_identification || tag == dicom::referenced_series || tag == dicom::referenced_instances) return true;
-    return tag == dicom::frame_content || tag == dicom::plane_position || tag == dicom::plane_orientation || tag == dicom::modality_table ||
-           tag == dicom::pixel_measures || tag == dicom::value_transformation || tag == dicom::shared_groups || tag == dicom::frame_groups;
+    if (tag == dicom::records || tag == dicom::segments || tag == dicom::segment_identification ||
+        tag == dicom::referenced_series || tag == dicom::referenced_instances)
+      return true;
+    return tag == dicom::frame_content || tag == dicom::plane_position || tag == dicom::plane_orientation ||
+           tag == dicom::modality_table || tag == dicom::pixel_measures || tag == dicom::value_transformation ||
+           tag == dicom::shared_groups || tag == dicom::frame_groups;
   }
 
   void keep(DicomElement element, DicomDataSet& data) {
-    if (++kept_ > limits::dicom_elements) refuse(fmt::format("it has more than {} elements about its place", limits::dicom_elements));
+    if (++kept_ > limits::dicom_elements)
+      refuse(fmt::format("it has more than {} elements about its place", limits::dicom_elements));
     data.elements.push_back(std::move(element));
   }
 
@@ -274,7 +352,8 @@ class Walk {
   void take_item(const Head& head, bool implicit_vr, std::uint64_t end, int depth, std::vector<DicomDataSet>* items) {
     if (head.tag != item_tag) refuse("a sequence holds something else than items");
     refuse_odd(head);
-    if (depth > limits::dicom_nesting) refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
+    if (depth > limits::dicom_nesting)
+      refuse(fmt::format("sequences lie in each other more than {} deep", limits::dicom_nesting));
     if (!head.is_undefined()) require(head.length, end);
     const std::uint64_t own_end = head.is_undefined() ? end : at_ + head.length;
     DicomDataSet unwanted;
@@ -361,7 +440,9 @@ std::string head_of(const std::string& path, std::size_t count) {
   return head;
 }
 
-bool has_mark(std::string_view head) { return head.size() >= preamble + mark.size() && head.substr(preamble, mark.size()) == mark; }
+bool has_mark(std::string_view head) {
+  return head.size() >= preamble + mark.size() && head.substr(preamble, mark.size()) == mark;
+}
 
 /// Everything from `at` on, unpacked.
 std::string inflated(const std::string& path, std::uint64_t at) {
@@ -371,7 +452,8 @@ std::string inflated(const std::string& path, std::uint64_t at) {
     constexpr std::size_t piece = 1u << 18;
     const std::size_t before = bytes.size();
     if (before > limits::deflated_bytes) {
-      throw InputError("too-well-packed", in_file(path), fmt::format("it unpacks to more than {} bytes", limits::deflated_bytes), "store it unpacked");
+      throw InputError("too-well-packed", in_file(path),
+                       fmt::format("it unpacks to more than {} bytes", limits::deflated_bytes), "store it unpacked");
     }
     bytes.resize(before + piece);
     const std::size_t got = packed.read(bytes.data() + before, piece);
@@ -381,7 +463,8 @@ std::string inflated(const std::string& path, std::uint64_t at) {
 }
 
 void understand_syntax(DicomFile& file) {
-  constexpr std::string_view implicit_little = "1.2.840.10008.1.2", deflated = "1.2.840.10008.1.2.1.99", big_endian = "1.2.840.10008.1.2.2";
+  constexpr std::string_view implicit_little = "1.2.840.10008.1.2", deflated = "1.2.840.10008.1.2.1.99",
+                             big_endian = "1.2.840.10008.1.2.2";
   file.implicit_vr = file.syntax == implicit_little;
   file.big_endian = file.syntax == big_endian;
   file.deflated = file.syntax == deflated;
@@ -397,10 +480,12 @@ void walk(Source& source, DicomFile& file, std::string_view head) {
   if (file.syntax.empty() && has_meta) {
     Place place = in_file(file.path);
     place.byte = static_cast<std::size_t>(at);
-    throw InputError("unreadable-volume", place, "it names no transfer syntax", "convert the series with the program that wrote it");
+    throw InputError("unreadable-volume", place, "it names no transfer syntax",
+                     "convert the series with the program that wrote it");
   }
   understand_syntax(file);
-  if (!has_meta) file.implicit_vr = !is_one_of(head.substr(4, 2), short_ones) && !is_one_of(head.substr(4, 2), long_ones);
+  if (!has_meta)
+    file.implicit_vr = !is_one_of(head.substr(4, 2), short_ones) && !is_one_of(head.substr(4, 2), long_ones);
   if (file.deflated) {
     source.hold(inflated(file.path, at));
     at = 0;

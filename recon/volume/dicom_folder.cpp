@@ -77,7 +77,9 @@ std::vector<std::string> dicom_candidates(const std::string& folder, Depth depth
   fs::recursive_directory_iterator at(folder, error);
   for (const fs::recursive_directory_iterator end; !error && at != end; at.increment(error)) {
     if (++seen > limits::dicom_files) {
-      throw InputError("too-many-files", in_file(folder), fmt::format("there are more than {} files in it", limits::dicom_files), "put the series alone into a folder");
+      throw InputError("too-many-files", in_file(folder),
+                       fmt::format("there are more than {} files in it", limits::dicom_files),
+                       "put the series alone into a folder");
     }
     progress.check();
     std::error_code ignored;
@@ -99,10 +101,11 @@ DicomFolder dicom_series_of(const std::vector<std::string>& files, const Progres
     progress.check();
     progress.tell("list", static_cast<double>(n) / static_cast<double>(files.size()));
     DicomFile file = read_dicom_file(files[n]);
-    if (is_dicom_directory(file)) continue;   // harms nothing here, even if it is damaged
+    if (is_dicom_directory(file)) continue;  // harms nothing here, even if it is damaged
     const bool tells_series = !file.data.text(dicom::series_uid).empty();
     if (!tells_series && is_dicom_image(file) && file.pixels.tag == 0 && !file.trouble) {
-      file.trouble = InputError("truncated-volume", in_file(file.path), "the image's pixels are missing", "get a whole copy of the file");
+      file.trouble = InputError("truncated-volume", in_file(file.path), "the image's pixels are missing",
+                                "get a whole copy of the file");
     }
     if (file.trouble && !tells_series) {
       // Without the mark of DICOM it is rather no DICOM at all.
@@ -159,16 +162,18 @@ std::size_t chosen_series(const DicomFolder& folder, const std::string& wanted, 
   if (found.size() == 1) return found.front();
   const char* how_many = found.empty() ? "there is no" : "several are the";
   throw InputError("no-such-series", in_file(path),
-                   fmt::format("{} series of images \"{}\". There are:\n{}", how_many, wanted.substr(0, 80), list_of(offers_of(folder))),
+                   fmt::format("{} series of images \"{}\". There are:\n{}", how_many, wanted.substr(0, 80),
+                               list_of(offers_of(folder))),
                    "Choose one by its number (--series N)");
 }
 
 std::string list_of(const std::vector<SeriesOffer>& offers) {
   constexpr std::size_t most_lines = 40;
   std::string list;
-  for (std::size_t n = 0; n < std::min(offers.size(), most_lines); ++n) list += fmt::format("  {}\n", in_words(offers[n], n + 1));
+  for (std::size_t n = 0; n < std::min(offers.size(), most_lines); ++n)
+    list += fmt::format("  {}\n", in_words(offers[n], n + 1));
   if (offers.size() > most_lines) list += fmt::format("  and {} more\n", offers.size() - most_lines);
-  if (!list.empty()) list.pop_back();   // a message goes on behind it
+  if (!list.empty()) list.pop_back();  // a message goes on behind it
   return list;
 }
 

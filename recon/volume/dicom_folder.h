@@ -11,7 +11,8 @@
 
 namespace odontoscope {
 
-/// Files that make a volume together: those of one SeriesInstanceUID; a file of several frames alone, or all of one concatenation.
+/// Files that make a volume together: those of one SeriesInstanceUID; a file of several frames alone, or all of one
+/// concatenation.
 struct DicomSeries {
   std::string uid;
   std::vector<DicomFile> files;  // by name
@@ -32,7 +33,8 @@ std::vector<std::string> dicom_candidates(const std::string& folder, Depth depth
 /// What these files are; each is looked into.
 DicomFolder dicom_series_of(const std::vector<std::string>& files, const Progress& progress);
 
-/// All that lies in `folder`. Throws FileError if it cannot be listed, InputError too-many-files beyond limits::dicom_files.
+/// All that lies in `folder`. Throws FileError if it cannot be listed, InputError too-many-files beyond
+/// limits::dicom_files.
 DicomFolder dicom_folder(const std::string& folder, Depth depth, const Progress& progress);
 
 /// Each as a person chooses one.

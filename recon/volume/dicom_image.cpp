@@ -20,7 +20,8 @@ namespace {
 constexpr std::array<std::string_view, 5> image_classes{"1.2.840.10008.5.1.4.1.1.2", "1.2.840.10008.5.1.4.1.1.4",
                                                         "1.2.840.10008.5.1.4.1.1.7", "1.2.840.10008.5.1.4.1.1.13.1",
                                                         "1.2.840.10008.5.1.4.1.1.128"};
-constexpr std::string_view segmentation_class = "1.2.840.10008.5.1.4.1.1.66.4", label_map_class = "1.2.840.10008.5.1.4.1.1.66.7";
+constexpr std::string_view segmentation_class = "1.2.840.10008.5.1.4.1.1.66.4",
+                           label_map_class = "1.2.840.10008.5.1.4.1.1.66.7";
 constexpr std::string_view nuclear_class = "1.2.840.10008.5.1.4.1.1.20", dose_class = "1.2.840.10008.5.1.4.1.1.481.2";
 
 bool is_image_class(std::string_view name) {
@@ -29,31 +30,38 @@ bool is_image_class(std::string_view name) {
   });
 }
 
-[[noreturn]] void refuse(std::string_view cause, const DicomFile& file, const std::string& wrong, std::string_view remedy) {
+[[noreturn]] void refuse(std::string_view cause, const DicomFile& file, const std::string& wrong,
+                         std::string_view remedy) {
   throw InputError(cause, in_file(file.path), wrong, remedy);
 }
 
 constexpr std::string_view convert_it = "convert the series with the program that wrote it";
 
-std::size_t whole(const DicomFile& file, std::uint32_t tag, const char* name, double least, double most, double otherwise) {
+std::size_t whole(const DicomFile& file, std::uint32_t tag, const char* name, double least, double most,
+                  double otherwise) {
   const double number = file.data.number(tag).value_or(otherwise);
   if (number >= least && number <= most && number == std::floor(number)) return static_cast<std::size_t>(number);
-  refuse("unreadable-volume", file, fmt::format("its {} {}", name, file.data.find(tag) == nullptr ? "is missing" : fmt::format("is {}", number)), convert_it);
+  refuse("unreadable-volume", file,
+         fmt::format("its {} {}", name, file.data.find(tag) == nullptr ? "is missing" : fmt::format("is {}", number)),
+         convert_it);
 }
 
 /// Unit vectors at right angles, within what headers round to.
 std::optional<std::array<Vector3, 2>> orientation_of(const DicomFile& file, const DicomDataSet& data) {
   if (data.find(dicom::orientation) == nullptr) return std::nullopt;
   const std::vector<double> six = data.numbers(dicom::orientation);
-  if (six.size() != 6) refuse("unreadable-volume", file, "its image orientation is not made of six finite numbers", convert_it);
+  if (six.size() != 6)
+    refuse("unreadable-volume", file, "its image orientation is not made of six finite numbers", convert_it);
   std::array<Vector3, 2> axes{{{six[0], six[1], six[2]}, {six[3], six[4], six[5]}}};
   for (Vector3& axis : axes) {
     const double length = std::sqrt(dot(axis, axis));
-    if (!(std::abs(length - 1) <= 1e-2)) refuse("unreadable-volume", file, "its image orientation is not made of unit vectors", convert_it);
+    if (!(std::abs(length - 1) <= 1e-2))
+      refuse("unreadable-volume", file, "its image orientation is not made of unit vectors", convert_it);
     for (double& x : axis) x /= length;
   }
   if (std::abs(dot(axes[0], axes[1])) > limits::axes_out_of_square) {
-    refuse("sheared-volume", file, "its rows and columns are not at right angles", "resample it onto a rectangular grid");
+    refuse("sheared-volume", file, "its rows and columns are not at right angles",
+           "resample it onto a rectangular grid");
   }
   return axes;
 }
@@ -61,7 +69,8 @@ std::optional<std::array<Vector3, 2>> orientation_of(const DicomFile& file, cons
 std::optional<Vector3> position_of(const DicomFile& file, const DicomDataSet& data) {
   if (data.find(dicom::position) == nullptr || data.find(dicom::position)->value.empty()) return std::nullopt;
   const std::vector<double> three = data.numbers(dicom::position);
-  if (three.size() != 3) refuse("unreadable-volume", file, "its image position is not made of three finite numbers", convert_it);
+  if (three.size() != 3)
+    refuse("unreadable-volume", file, "its image position is not made of three finite numbers", convert_it);
   return Vector3{three[0], three[1], three[2]};
 }
 
@@ -69,7 +78,8 @@ std::optional<std::array<double, 2>> spacing_of(const DicomFile& file, const Dic
   if (data.find(tag) == nullptr || data.find(tag)->value.empty()) return std::nullopt;
   const std::vector<double> two = data.numbers(tag);  // between rows first
   if (two.size() != 2 || !(two[0] > 0) || !(two[1] > 0)) {
-    refuse("bad-spacing", file, "its pixel spacing is not made of two positive numbers", "give the size of a voxel in mm (--spacing X,Y,Z)");
+    refuse("bad-spacing", file, "its pixel spacing is not made of two positive numbers",
+           "give the size of a voxel in mm (--spacing X,Y,Z)");
   }
   return std::array<double, 2>{two[1], two[0]};
 }
@@ -107,7 +117,8 @@ void read_groups(const DicomImage& image, const DicomDataSet& data, DicomFrame& 
     if (const auto thickness = item->number(dicom::slice_thickness)) frame.thickness = thickness;
   }
   if (const DicomDataSet* item = data.item(dicom::segment_identification)) {
-    frame.segment = static_cast<std::uint32_t>(std::clamp(item->number(dicom::referenced_segment).value_or(0), 0.0, 65535.0));
+    frame.segment =
+        static_cast<std::uint32_t>(std::clamp(item->number(dicom::referenced_segment).value_or(0), 0.0, 65535.0));
   }
   if (const DicomDataSet* item = data.item(dicom::value_transformation)) {
     frame.slope = item->number(dicom::slope).value_or(frame.slope);
@@ -124,9 +135,13 @@ void read_top_spacing(DicomImage& image, DicomFrame& frame) {
   if (frame.spacing) {
     const double magnification = data.number(dicom::magnification).value_or(1);
     for (double& x : *frame.spacing) x /= magnification > 0 ? magnification : 1;
-    image.remarks.push_back(magnification != 1 && magnification > 0
-                                ? fmt::format("it gives the pixel spacing at the detector only, and a magnification of {}: their quotient is taken", magnification)
-                                : "it gives the pixel spacing at the detector only (imager pixel spacing), which is taken; the true one may be smaller");
+    image.remarks.push_back(
+        magnification != 1 && magnification > 0
+            ? fmt::format(
+                  "it gives the pixel spacing at the detector only, and a magnification of {}: their quotient is taken",
+                  magnification)
+            : "it gives the pixel spacing at the detector only (imager pixel spacing), which is taken; the true one "
+              "may be smaller");
     return;
   }
   frame.spacing = spacing_of(image.file, data, dicom::nominal_spacing);
@@ -152,7 +167,9 @@ Vector3 normal_of(const std::array<Vector3, 2>& axes) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-bool any_text(const DicomDataSet& data, std::uint32_t tag) { return data.find(tag) != nullptr && !data.find(tag)->value.empty(); }
+bool any_text(const DicomDataSet& data, std::uint32_t tag) {
+  return data.find(tag) != nullptr && !data.find(tag)->value.empty();
+}
 
 /// Do frames without places of their own follow each other in time?
 bool is_film(const DicomImage& image) {
@@ -160,7 +177,9 @@ bool is_film(const DicomImage& image) {
   const DicomDataSet& data = image.file.data;
   const std::vector<double> pointers = data.numbers(dicom::frame_increment);
   for (std::size_t n = 0; n + 1 < pointers.size(); n += 2) {
-    if (pointers[n] == of_time && (pointers[n + 1] == (dicom::frame_time & 0xffff) || pointers[n + 1] == (dicom::frame_time_vector & 0xffff))) return true;
+    if (pointers[n] == of_time &&
+        (pointers[n + 1] == (dicom::frame_time & 0xffff) || pointers[n + 1] == (dicom::frame_time_vector & 0xffff)))
+      return true;
   }
   if (!pointers.empty()) return false;
   return any_text(data, dicom::frame_time) || any_text(data, dicom::frame_time_vector);
@@ -170,7 +189,8 @@ bool is_film(const DicomImage& image) {
 void place_along_normal(DicomImage& image) {
   DicomFrame& first = image.frames.front();
   if (is_film(image)) {
-    refuse("time-series", image.file, fmt::format("its {} frames follow each other in time: it is a film and no volume", image.frames.size()),
+    refuse("time-series", image.file,
+           fmt::format("its {} frames follow each other in time: it is a film and no volume", image.frames.size()),
            "give a volume; of a film in space and time export one moment");
   }
   if (!first.orientation || !first.position) return;
@@ -180,10 +200,13 @@ void place_along_normal(DicomImage& image) {
   const std::vector<double> offsets = data.numbers(vector);
   if (any_text(data, vector)) {
     if (offsets.size() != image.frames.size()) {
-      refuse("unreadable-volume", image.file, fmt::format("it gives the places of {} frames and has {}", offsets.size(), image.frames.size()), convert_it);
+      refuse("unreadable-volume", image.file,
+             fmt::format("it gives the places of {} frames and has {}", offsets.size(), image.frames.size()),
+             convert_it);
     }
     for (std::size_t n = 0; n < offsets.size(); ++n)
-      for (std::size_t x = 0; x < 3; ++x) image.frames[n].position->at(x) = from[x] + (offsets[n] - offsets[0]) * normal[x];
+      for (std::size_t x = 0; x < 3; ++x)
+        image.frames[n].position->at(x) = from[x] + (offsets[n] - offsets[0]) * normal[x];
     return;
   }
   double step = first.slice_spacing.value_or(0);
@@ -191,15 +214,19 @@ void place_along_normal(DicomImage& image) {
   if (data.text(dicom::class_uid) != nuclear_class) step = std::abs(step);
   if (step == 0 && first.thickness.value_or(0) > 0) {
     step = *first.thickness;
-    image.remarks.push_back(fmt::format("it gives no distance of its frames: their thickness of {} mm is taken for it", step));
+    image.remarks.push_back(
+        fmt::format("it gives no distance of its frames: their thickness of {} mm is taken for it", step));
   } else if (step != 0) {
-    image.remarks.push_back(fmt::format("its frames have no places of their own: they are put one after the other, {} mm apart", std::abs(step)));
+    image.remarks.push_back(fmt::format(
+        "its frames have no places of their own: they are put one after the other, {} mm apart", std::abs(step)));
   }
   if (step == 0) image.first_place = from;
   for (std::size_t n = 0; n < image.frames.size(); ++n) {
-    if (step == 0) image.frames[n].position.reset();  // to be asked for
+    if (step == 0)
+      image.frames[n].position.reset();  // to be asked for
     else
-      for (std::size_t x = 0; x < 3; ++x) image.frames[n].position->at(x) = from[x] + static_cast<double>(n) * step * normal[x];
+      for (std::size_t x = 0; x < 3; ++x)
+        image.frames[n].position->at(x) = from[x] + static_cast<double>(n) * step * normal[x];
   }
 }
 
@@ -214,7 +241,8 @@ void read_frames(DicomImage& image, std::size_t count) {
   image.position_grain = top_position ? grain_of(data.text(dicom::position)) : 0;
   if (groups != nullptr && !groups->items.empty()) {
     if (groups->items.size() != count) {
-      refuse("unreadable-volume", image.file, fmt::format("it tells of {} frames and has {}", groups->items.size(), count), convert_it);
+      refuse("unreadable-volume", image.file,
+             fmt::format("it tells of {} frames and has {}", groups->items.size(), count), convert_it);
     }
     for (std::size_t n = 0; n < count; ++n) {
       read_groups(image, groups->items[n], image.frames[n]);
@@ -226,13 +254,17 @@ void read_frames(DicomImage& image, std::size_t count) {
     }
   }
   if (placed == 0 && is_dicom_segmentation(image.file)) {
-    refuse("no-positions", image.file, "it does not say where its frames lie", "export it as a label map (NRRD or NIfTI)");
+    refuse("no-positions", image.file, "it does not say where its frames lie",
+           "export it as a label map (NRRD or NIfTI)");
   }
-  if (placed != 0 && placed != count) refuse("unreadable-volume", image.file, fmt::format("only {} of its {} frames have a place", placed, count), convert_it);
+  if (placed != 0 && placed != count)
+    refuse("unreadable-volume", image.file, fmt::format("only {} of its {} frames have a place", placed, count),
+           convert_it);
   if (placed == 0 && count > 1) place_along_normal(image);
   if (count > 1 && placed == 0 && !image.frames.front().position) image.position_grain = 0;
   for (const DicomFrame& frame : image.frames) {
-    if (frame.slope == 0) refuse("unreadable-volume", image.file, "its rescale slope is 0, which makes all its values one", convert_it);
+    if (frame.slope == 0)
+      refuse("unreadable-volume", image.file, "its rescale slope is 0, which makes all its values one", convert_it);
   }
 }
 
@@ -240,14 +272,18 @@ void check_length(const DicomImage& image) {
   const DicomPixels& pixels = image.file.pixels;
   if (pixels.encapsulated) {
     if (pixels.fragments.size() >= image.frames.size()) return;
-    refuse("truncated-volume", image.file, fmt::format("it has {} frames and {} pieces of compressed pixels", image.frames.size(), pixels.fragments.size()),
+    refuse("truncated-volume", image.file,
+           fmt::format("it has {} frames and {} pieces of compressed pixels", image.frames.size(),
+                       pixels.fragments.size()),
            "get a whole copy of the file");
   }
   // At most 2^16 * 2^16 * 2^32 * 2^6: in floating point, since it overflows 64 bits.
-  const double needed = std::ceil(static_cast<double>(image.pixels()) * static_cast<double>(image.frames.size()) * image.bits_allocated / 8);
+  const double needed = std::ceil(static_cast<double>(image.pixels()) * static_cast<double>(image.frames.size()) *
+                                  image.bits_allocated / 8);
   if (static_cast<double>(pixels.length) >= needed) return;
-  refuse("truncated-volume", image.file, fmt::format("{} frames of {} rows of {} pixels need {:.0f} bytes, it has {}", image.frames.size(), image.rows,
-                                                      image.columns, needed, pixels.length),
+  refuse("truncated-volume", image.file,
+         fmt::format("{} frames of {} rows of {} pixels need {:.0f} bytes, it has {}", image.frames.size(), image.rows,
+                     image.columns, needed, pixels.length),
          "get a whole copy of the file");
 }
 
@@ -255,15 +291,18 @@ void read_pixel_format(DicomImage& image) {
   const DicomFile& file = image.file;
   image.photometric = file.data.text(dicom::photometric);
   if (const std::size_t samples = whole(file, dicom::samples, "number of samples a pixel", 1, 65535, 1); samples != 1) {
-    refuse("not-scalar", file, fmt::format("each pixel has {} numbers (a colour)", samples), "give a grey-scale series");
+    refuse("not-scalar", file, fmt::format("each pixel has {} numbers (a colour)", samples),
+           "give a grey-scale series");
   }
-  if (image.photometric == "PALETTE COLOR" && !is_dicom_segmentation(file)) refuse("not-scalar", file, "its pixels are colours of a palette", "give a grey-scale series");
+  if (image.photometric == "PALETTE COLOR" && !is_dicom_segmentation(file))
+    refuse("not-scalar", file, "its pixels are colours of a palette", "give a grey-scale series");
   image.rows = whole(file, dicom::rows, "number of rows", 1, 65535, 0);
   image.columns = whole(file, dicom::columns, "number of columns", 1, 65535, 0);
   image.bits_allocated = static_cast<unsigned>(whole(file, dicom::bits_allocated, "number of bits a pixel", 1, 64, 0));
   const double all = image.bits_allocated;
   image.bits_stored = static_cast<unsigned>(whole(file, dicom::bits_stored, "number of bits stored", 1, all, all));
-  image.high_bit = static_cast<unsigned>(whole(file, dicom::high_bit, "high bit", image.bits_stored - 1, all - 1, image.bits_stored - 1));
+  image.high_bit = static_cast<unsigned>(
+      whole(file, dicom::high_bit, "high bit", image.bits_stored - 1, all - 1, image.bits_stored - 1));
   image.is_signed = whole(file, dicom::is_signed, "pixel representation", 0, 1, 0) == 1;
   const bool floating = file.pixels.tag != dicom::pixel_data;
   const unsigned float_bits = file.pixels.tag == dicom::float_pixels ? 32 : 64;
@@ -271,7 +310,9 @@ void read_pixel_format(DicomImage& image) {
                               : image.bits_allocated == 8 || image.bits_allocated == 16 || image.bits_allocated == 32;
   const bool of_bits = image.bits_allocated == 1 && is_dicom_segmentation(file) && !file.pixels.encapsulated;
   if (!known && !of_bits) {
-    refuse("pixel-type", file, fmt::format("its pixels have {}", image.bits_allocated == 1 ? "one bit, in an unusual coding" : fmt::format("{} bits", image.bits_allocated)),
+    refuse("pixel-type", file,
+           fmt::format("its pixels have {}", image.bits_allocated == 1 ? "one bit, in an unusual coding"
+                                                                       : fmt::format("{} bits", image.bits_allocated)),
            image.bits_allocated == 1 ? "export the segmentation as a label map (NRRD or NIfTI)" : convert_it);
   }
   if (file.data.item(dicom::modality_table) != nullptr) {
@@ -282,12 +323,15 @@ void read_pixel_format(DicomImage& image) {
 }  // namespace
 
 bool is_dicom_segmentation(const DicomFile& file) {
-  const std::string name = file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid);
+  const std::string name =
+      file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid);
   return name == segmentation_class || name == label_map_class;
 }
 
 bool is_dicom_image(const DicomFile& file) {
-  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr || is_image_class(file.data.find(dicom::class_uid) == nullptr ? file.storage_class : file.data.text(dicom::class_uid));
+  return file.pixels.tag != 0 || file.data.find(dicom::rows) != nullptr ||
+         is_image_class(file.data.find(dicom::class_uid) == nullptr ? file.storage_class
+                                                                    : file.data.text(dicom::class_uid));
 }
 
 std::optional<DicomImage> dicom_image(DicomFile file) {
@@ -296,7 +340,8 @@ std::optional<DicomImage> dicom_image(DicomFile file) {
   DicomImage image;
   image.file = std::move(file);
   const DicomDataSet& data = image.file.data;
-  if (image.file.pixels.tag == 0) refuse("truncated-volume", image.file, "the image's pixels are missing", "get a whole copy of the file");
+  if (image.file.pixels.tag == 0)
+    refuse("truncated-volume", image.file, "the image's pixels are missing", "get a whole copy of the file");
   image.series = data.text(dicom::series_uid);
   image.instance = data.text(dicom::instance_uid);
   image.concatenation = data.text(dicom::concatenation_uid);
@@ -305,13 +350,21 @@ std::optional<DicomImage> dicom_image(DicomFile file) {
   image.instance_number = data.number(dicom::instance_number).value_or(0);
   image.is_localizer = data.text(dicom::image_type).find("LOCALIZER") != std::string::npos;
   read_pixel_format(image);
-  if (image.file.odd_lengths) image.remarks.push_back("it has values with an odd number of bytes, which DICOM does not allow; it was read all the same");
+  if (image.file.odd_lengths)
+    image.remarks.push_back(
+        "it has values with an odd number of bytes, which DICOM does not allow; it was read all the same");
   // Before frames are made for it, what it promises is held against what it has.
   const std::size_t count = whole(image.file, dicom::frames, "number of frames", 1, 4294967295.0, 1);
-  const std::size_t most = image.file.pixels.encapsulated ? image.file.pixels.fragments.size() : static_cast<std::size_t>(image.file.pixels.length * 8);
+  const std::size_t most = image.file.pixels.encapsulated ? image.file.pixels.fragments.size()
+                                                          : static_cast<std::size_t>(image.file.pixels.length * 8);
   const std::size_t limit = is_dicom_segmentation(image.file) ? limits::segment_frames : limits::slices;
-  if (count > most) refuse("truncated-volume", image.file, fmt::format("it promises {} frames, which its pixels are too few for", count), "get a whole copy of the file");
-  if (count > limit) refuse("too-many-voxels", image.file, fmt::format("it has {} frames; the limit is {}", count, limit), "crop it to the tooth");
+  if (count > most)
+    refuse("truncated-volume", image.file,
+           fmt::format("it promises {} frames, which its pixels are too few for", count),
+           "get a whole copy of the file");
+  if (count > limit)
+    refuse("too-many-voxels", image.file, fmt::format("it has {} frames; the limit is {}", count, limit),
+           "crop it to the tooth");
   read_frames(image, count);
   check_length(image);
   return image;

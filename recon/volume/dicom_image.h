@@ -1,9 +1,11 @@
 #pragma once
-// What a DICOM file says of the image or images in it: each frame's place in the patient, and what its numbers mean. Inner part of read_volume.h.
+// What a DICOM file says of the image or images in it: each frame's place in the patient, and what its numbers mean.
+// Inner part of read_volume.h.
 //
-// DICOM PS3.3: C.7.6.2 (image plane), C.7.6.16 (functional groups of Enhanced CT, MR and their like: plane position, plane orientation, pixel measures
-// and pixel value transformation, each shared by all frames or each frame's own), C.7.6.6 (frames without such groups), C.8.8.3 (dose grids),
-// C.8.15.3 (frames of secondary captures along a normal). What a frame's own group says goes before the shared one, and that before the top level.
+// DICOM PS3.3: C.7.6.2 (image plane), C.7.6.16 (functional groups of Enhanced CT, MR and their like: plane position,
+// plane orientation, pixel measures and pixel value transformation, each shared by all frames or each frame's own),
+// C.7.6.6 (frames without such groups), C.8.8.3 (dose grids), C.8.15.3 (frames of secondary captures along a normal).
+// What a frame's own group says goes before the shared one, and that before the top level.
 
 #include <array>
 #include <cstdint>
@@ -50,12 +52,13 @@ struct DicomImage {
   std::size_t pixels() const { return rows * columns; }
 };
 
-/// Nothing for objects that are no images (structure sets, reports, DICOMDIR). Throws the file's trouble; InputError truncated-volume (an image without
-/// pixels, or with fewer than its size makes), not-scalar (colours), pixel-type, time-series (its frames follow each other in time),
-/// unreadable-volume.
+/// Nothing for objects that are no images (structure sets, reports, DICOMDIR). Throws the file's trouble; InputError
+/// truncated-volume (an image without pixels, or with fewer than its size makes), not-scalar (colours), pixel-type,
+/// time-series (its frames follow each other in time), unreadable-volume.
 std::optional<DicomImage> dicom_image(DicomFile file);
 
-/// A segmentation: one frame for each segment and slice (PS3.3, A.51), or one for each slice, whose pixels are segments' numbers. See dicom_segmentation.h.
+/// A segmentation: one frame for each segment and slice (PS3.3, A.51), or one for each slice, whose pixels are
+/// segments' numbers. See dicom_segmentation.h.
 bool is_dicom_segmentation(const DicomFile& file);
 
 /// Is it an image, of whatever kind? What is found out without looking at its frames.

@@ -26,10 +26,12 @@ PixelType stored_type(const DicomImage& image) {
 void convert(const DicomImage& image, const DicomFrame& frame, const char* raw, bool swapped, float* to) {
   const PixelType type = stored_type(image);
   const std::size_t count = image.pixels();
-  if (type == PixelType::float32 || type == PixelType::float64) return convert_pixels(type, swapped, frame.slope, frame.intercept, raw, count, to);
+  if (type == PixelType::float32 || type == PixelType::float64)
+    return convert_pixels(type, swapped, frame.slope, frame.intercept, raw, count, to);
   const std::size_t each = bytes_of(type);
   const unsigned low = image.high_bit + 1 - image.bits_stored;
-  const std::uint64_t mask = (std::uint64_t{1} << image.bits_stored) - 1, sign = std::uint64_t{1} << (image.bits_stored - 1);
+  const std::uint64_t mask = (std::uint64_t{1} << image.bits_stored) - 1,
+                      sign = std::uint64_t{1} << (image.bits_stored - 1);
   for (std::size_t n = 0; n < count; ++n) {
     std::uint64_t bits = 0;
     for (std::size_t b = 0; b < each; ++b) {
@@ -38,13 +40,15 @@ void convert(const DicomImage& image, const DicomFrame& frame, const char* raw, 
       bits = bits << 8 | static_cast<unsigned char>(raw[n * each + at]);
     }
     bits = bits >> low & mask;
-    const double value = image.is_signed && (bits & sign) != 0 ? static_cast<double>(bits) - static_cast<double>(mask) - 1 : static_cast<double>(bits);
+    const double value = image.is_signed && (bits & sign) != 0
+                             ? static_cast<double>(bits) - static_cast<double>(mask) - 1
+                             : static_cast<double>(bits);
     to[n] = static_cast<float>(frame.slope * value + frame.intercept);
   }
 }
 
-/// `count` bytes of plain pixels from `from` on. Words (VR OW) differ between byte orders within each word (PS3.5, 6.2), whatever a pixel takes: they are turned, so that
-/// pixels are little-endian.
+/// `count` bytes of plain pixels from `from` on. Words (VR OW) differ between byte orders within each word
+/// (PS3.5, 6.2), whatever a pixel takes: they are turned, so that pixels are little-endian.
 void read_plain(const DicomImage& image, DicomBytes& bytes, std::uint64_t from, std::size_t count, std::string& to) {
   const DicomPixels& pixels = image.file.pixels;
   to.resize(count);
@@ -69,14 +73,16 @@ std::vector<std::size_t> first_fragments(const DicomImage& image) {
   // Offsets count from the first fragment's item on; so do, alike, those between values.
   for (const std::uint32_t offset : pixels.offset_table) {
     const std::uint64_t at = pixels.fragments.front().at + offset;
-    const auto found = std::lower_bound(pixels.fragments.begin(), pixels.fragments.end(), at, [](const auto& f, std::uint64_t x) { return f.at < x; });
+    const auto found = std::lower_bound(pixels.fragments.begin(), pixels.fragments.end(), at,
+                                        [](const auto& f, std::uint64_t x) { return f.at < x; });
     if (found == pixels.fragments.end() || found->at != at) break;
     const auto n = static_cast<std::size_t>(found - pixels.fragments.begin());
     if (!first.empty() && n <= first.back()) break;
     first.push_back(n);
   }
   if (first.size() != frames || first.front() != 0) {
-    throw InputError("unreadable-volume", in_file(image.file.path), "it does not tell which pieces of its compressed pixels make which frame",
+    throw InputError("unreadable-volume", in_file(image.file.path),
+                     "it does not tell which pieces of its compressed pixels make which frame",
                      "store it uncompressed, or with a table of offsets");
   }
   first.push_back(pieces);
@@ -107,9 +113,11 @@ class Reader {
       open(*plane.image);
       const std::size_t bytes = pixels_ * plane.image->bits_allocated / 8;
       read_plain(*plane.image, *bytes_, plane.frame * bytes, bytes, raw_);
-      const bool big = plane.image->file.big_endian && !plane.image->file.pixels.words, swapped = big != (std::endian::native == std::endian::big);
+      const bool big = plane.image->file.big_endian && !plane.image->file.pixels.words,
+                 swapped = big != (std::endian::native == std::endian::big);
       values.resize(values.size() + pixels_);
-      convert(*plane.image, plane.image->frames[plane.frame], raw_.data(), swapped, values.data() + values.size() - pixels_);
+      convert(*plane.image, plane.image->frames[plane.frame], raw_.data(), swapped,
+              values.data() + values.size() - pixels_);
     }
     decode(values);
     return values;
@@ -126,12 +134,21 @@ class Reader {
   void collect(const DicomPlane& plane) {
     const DicomImage& image = *plane.image;
     if (!is_decodable(image.file.syntax)) {
-      throw InputError("unreadable-volume", in_file(image.file.path), fmt::format("its pixels are compressed as {}, which is not read here", image.file.syntax),
+      throw InputError("unreadable-volume", in_file(image.file.path),
+                       fmt::format("its pixels are compressed as {}, which is not read here", image.file.syntax),
                        "store it uncompressed");
     }
     open(image);
-    CompressedFrame frame{image.file.path, image.file.syntax, image.photometric, static_cast<unsigned>(image.rows), static_cast<unsigned>(image.columns),
-                          image.bits_allocated, image.bits_stored, image.high_bit, image.is_signed, {}};
+    CompressedFrame frame{image.file.path,
+                          image.file.syntax,
+                          image.photometric,
+                          static_cast<unsigned>(image.rows),
+                          static_cast<unsigned>(image.columns),
+                          image.bits_allocated,
+                          image.bits_stored,
+                          image.high_bit,
+                          image.is_signed,
+                          {}};
     for (std::size_t n = first_[plane.frame]; n < first_[plane.frame + 1]; ++n) {
       const DicomPixels::Fragment& piece = image.file.pixels.fragments[n];
       const std::size_t before = frame.bytes.size();
@@ -148,7 +165,8 @@ class Reader {
     if (frames_.empty()) return;
     const std::vector<std::string> decoded = decode_apart(frames_, progress_);
     float* to = values.data() + values.size() - frames_.size() * pixels_;
-    for (std::size_t n = 0; n < planes_.size(); ++n, to += pixels_) convert(*planes_[n].image, planes_[n].image->frames[planes_[n].frame], decoded[n].data(), false, to);
+    for (std::size_t n = 0; n < planes_.size(); ++n, to += pixels_)
+      convert(*planes_[n].image, planes_[n].image->frames[planes_[n].frame], decoded[n].data(), false, to);
     frames_.clear();
     planes_.clear();
     pending_bytes_ = 0;
@@ -182,7 +200,8 @@ void check_plausible(const std::vector<DicomPlane>& planes) {
   }
   if (packed == 0 || plain / packed <= limits::suspicious_ratio) return;
   throw InputError("too-well-packed", in_file(planes.front().image->file.path),
-                   fmt::format("{} compressed bytes would become {} voxels: no scan packs like that", packed, voxels), "crop it, or store it uncompressed");
+                   fmt::format("{} compressed bytes would become {} voxels: no scan packs like that", packed, voxels),
+                   "crop it, or store it uncompressed");
 }
 
 void read_bits(const DicomImage& image, std::size_t frame, DicomBytes& bytes, std::vector<float>& to) {

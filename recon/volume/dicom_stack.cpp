@@ -39,14 +39,18 @@ class Stacking {
   DicomStack run() {
     drop_doubles();
     drop_localizers();
-    if (planes().size() < 2) refuse("single-slice", "it is one image only", "give at least two slices; a solid lies between them");
+    if (planes().size() < 2)
+      refuse("single-slice", "it is one image only", "give at least two slices; a solid lies between them");
     if (planes().size() > limits::slices) {
-      refuse("too-many-voxels", fmt::format("it has {} slices; the limit is {}", planes().size(), limits::slices), "crop it to the tooth");
+      refuse("too-many-voxels", fmt::format("it has {} slices; the limit is {}", planes().size(), limits::slices),
+             "crop it to the tooth");
     }
     check_alike();
     take_plane_geometry();
-    if (frame_of(planes().front()).position) place_by_positions();
-    else place_by_numbers();
+    if (frame_of(planes().front()).position)
+      place_by_positions();
+    else
+      place_by_numbers();
     if (options_.spacing) result_.image.spacing = *options_.spacing;
     collect_remarks();
     return std::move(result_);
@@ -59,18 +63,23 @@ class Stacking {
     throw InputError(cause, in_file(result_.image.source), wrong, remedy);
   }
 
-  /// The same image twice in a folder is one image. In another place it is another one, whatever its identity: some programs give all slices one.
+  /// The same image twice in a folder is one image. In another place it is another one, whatever its identity: some
+  /// programs give all slices one.
   void drop_doubles() {
     std::set<std::tuple<std::string, std::size_t, Vector3>> seen;
     const std::size_t before = planes().size();
     std::erase_if(planes(), [&](const DicomPlane& p) {
-      return !p.image->instance.empty() && frame_of(p).position && !seen.emplace(p.image->instance, p.frame, *frame_of(p).position).second;
+      return !p.image->instance.empty() && frame_of(p).position &&
+             !seen.emplace(p.image->instance, p.frame, *frame_of(p).position).second;
     });
-    if (planes().size() < before) result_.remarks.push_back(fmt::format("{} of its images are there twice, with one identity: one of each is taken", before - planes().size()));
+    if (planes().size() < before)
+      result_.remarks.push_back(fmt::format("{} of its images are there twice, with one identity: one of each is taken",
+                                            before - planes().size()));
   }
 
   void drop_localizers() {
-    const auto scouts = static_cast<std::size_t>(std::count_if(planes().begin(), planes().end(), [](const DicomPlane& p) { return p.image->is_localizer; }));
+    const auto scouts = static_cast<std::size_t>(
+        std::count_if(planes().begin(), planes().end(), [](const DicomPlane& p) { return p.image->is_localizer; }));
     if (scouts == 0 || scouts == planes().size()) return;
     std::erase_if(planes(), [](const DicomPlane& p) { return p.image->is_localizer; });
     result_.remarks.push_back(fmt::format("{} of its images are localizers (overviews) and left out", scouts));
@@ -81,7 +90,8 @@ class Stacking {
     for (const DicomPlane& plane : planes()) {
       const char* differs = difference(first, plane);
       if (differs == nullptr) continue;
-      throw InputError("mixed-series", in_file(plane.image->file.path), fmt::format("the {} of {} differs from that of {}", differs, name_of(plane), name_of(first)),
+      throw InputError("mixed-series", in_file(plane.image->file.path),
+                       fmt::format("the {} of {} differs from that of {}", differs, name_of(plane), name_of(first)),
                        "put the slices of one volume alone into a folder");
     }
   }
@@ -92,10 +102,12 @@ class Stacking {
     if (f.orientation.has_value() != g.orientation.has_value()) return "orientation";
     for (std::size_t n = 0; f.orientation && n < 2; ++n)
       for (std::size_t x = 0; x < 3; ++x)
-        if (std::abs((*f.orientation)[n][x] - (*g.orientation)[n][x]) > limits::axes_out_of_square) return "orientation";
+        if (std::abs((*f.orientation)[n][x] - (*g.orientation)[n][x]) > limits::axes_out_of_square)
+          return "orientation";
     if (f.spacing.has_value() != g.spacing.has_value()) return "pixel spacing";
     for (std::size_t n = 0; f.spacing && n < 2; ++n)
-      if (std::abs((*f.spacing)[n] - (*g.spacing)[n]) > limits::slice_unevenness * (*f.spacing)[n]) return "pixel spacing";
+      if (std::abs((*f.spacing)[n] - (*g.spacing)[n]) > limits::slice_unevenness * (*f.spacing)[n])
+        return "pixel spacing";
     return f.position.has_value() == g.position.has_value() ? nullptr : "position";
   }
 
@@ -108,17 +120,22 @@ class Stacking {
       image.direction[1] = (*first.orientation)[1];
       image.direction[2] = cross(image.direction[0], image.direction[1]);
     } else {
-      result_.remarks.push_back("it does not say how its images lie in the patient: they are taken as axial, seen from the feet");
+      result_.remarks.push_back(
+          "it does not say how its images lie in the patient: they are taken as axial, seen from the feet");
     }
     if (first.spacing) {
       image.spacing[0] = (*first.spacing)[0];
       image.spacing[1] = (*first.spacing)[1];
     } else if (!options_.spacing) {
-      refuse("bad-spacing", "it does not say how large its pixels are", "give the size of a voxel in mm (--spacing X,Y,Z)");
+      refuse("bad-spacing", "it does not say how large its pixels are",
+             "give the size of a voxel in mm (--spacing X,Y,Z)");
     }
   }
 
-  double height(const DicomPlane& plane) const { return dot(minus(*frame_of(plane).position, *frame_of(result_.planes.front()).position), result_.image.direction[2]); }
+  double height(const DicomPlane& plane) const {
+    return dot(minus(*frame_of(plane).position, *frame_of(result_.planes.front()).position),
+               result_.image.direction[2]);
+  }
 
   void place_by_positions() {
     const Vector3 normal = result_.image.direction[2];
@@ -158,9 +175,12 @@ class Stacking {
       if (heights[k] - heights[k - 1] > one_place * middle && heights.back() > 0) continue;
       std::size_t more = k;
       while (more + 1 < heights.size() && heights[more + 1] - heights[k - 1] <= one_place * middle) ++more;
-      refuse("time-series", fmt::format("{} images lie in one place, {} and {} among them: it is a series in time, or of several kinds of image", more - k + 2,
-                                         name_of(result_.planes[k - 1]), name_of(result_.planes[k])),
-             "put the images of one moment and kind alone into a folder");
+      refuse(
+          "time-series",
+          fmt::format(
+              "{} images lie in one place, {} and {} among them: it is a series in time, or of several kinds of image",
+              more - k + 2, name_of(result_.planes[k - 1]), name_of(result_.planes[k])),
+          "put the images of one moment and kind alone into a folder");
     }
   }
 
@@ -169,7 +189,8 @@ class Stacking {
   };
   static Line measured(double first, double step, const std::vector<double>& heights) {
     Line line{first, step, 0};
-    for (std::size_t k = 0; k < heights.size(); ++k) line.worst = std::max(line.worst, std::abs(heights[k] - first - static_cast<double>(k) * step));
+    for (std::size_t k = 0; k < heights.size(); ++k)
+      line.worst = std::max(line.worst, std::abs(heights[k] - first - static_cast<double>(k) * step));
     return line;
   }
 
@@ -184,21 +205,24 @@ class Stacking {
     return measured(sum / n - step * (n - 1) / 2, step, heights);
   }
 
-  /// The spacing of an even grid, from one end to the other; where rounding explains that slices are off it, the line that fits all of them best.
+  /// The spacing of an even grid, from one end to the other; where rounding explains that slices are off it, the line
+  /// that fits all of them best.
   void fit_spacing(const std::vector<double>& heights) {
     const auto gaps = static_cast<double>(heights.size() - 1);
     const Line ends = measured(0, heights.back() / gaps, heights);
     if (ends.worst <= limits::slice_unevenness * ends.step) return take(ends);
     const Line fit = least_squares(heights);
     const double share = options_.spacing ? limits::slice_rounding_by_hand : limits::slice_rounding;
-    // A fit to rounded places is off them by a little more than the rounding; gaps between them differ by no more than the last digit, and that is at
-    // most half a gap, so that no missing slice passes for it.
+    // A fit to rounded places is off them by a little more than the rounding; gaps between them differ by no more than
+    // the last digit, and that is at most half a gap, so that no missing slice passes for it.
     constexpr double more = 1.5;
-    const bool rounded = 4 * rounding() <= fit.step && spread(heights) <= 2 * rounding() * (1 + 1e-6) && fit.worst <= std::min(more * rounding(), share * fit.step);
+    const bool rounded = 4 * rounding() <= fit.step && spread(heights) <= 2 * rounding() * (1 + 1e-6) &&
+                         fit.worst <= std::min(more * rounding(), share * fit.step);
     const bool by_hand = options_.spacing && fit.worst <= share * fit.step && !has_gap(heights);
     if (!rounded && !by_hand) refuse_uneven(heights, fit);
-    result_.remarks.push_back(fmt::format("its slices lie up to {:.2g} mm off even places {:.4g} mm apart, {}", fit.worst, fit.step,
-                                          rounded ? "as rounding of the file's numbers makes" : "which is passed over since the spacing is given"));
+    result_.remarks.push_back(fmt::format(
+        "its slices lie up to {:.2g} mm off even places {:.4g} mm apart, {}", fit.worst, fit.step,
+        rounded ? "as rounding of the file's numbers makes" : "which is passed over since the spacing is given"));
     take(fit);
   }
 
@@ -236,15 +260,18 @@ class Stacking {
     const double gap = heights[widest] - heights[widest - 1];
     const DicomPlane &below = result_.planes[widest - 1], &above = result_.planes[widest];
     if (wide == 0) {
-      refuse("uneven-slices", fmt::format("its slices are not evenly spaced: between {} and {} there are {:.4g} mm, in the middle {:.4g} mm; even places are missed by {:.2g} mm",
-                                          name_of(below), name_of(above), gap, middle, fit.worst),
+      refuse("uneven-slices",
+             fmt::format("its slices are not evenly spaced: between {} and {} there are {:.4g} mm, in the middle "
+                         "{:.4g} mm; even places are missed by {:.2g} mm",
+                         name_of(below), name_of(above), gap, middle, fit.worst),
              "resample it evenly");
     }
     const double missing = std::round(gap / middle) - 1;
     refuse("uneven-slices",
-           fmt::format("{:.0f} {} missing between {} and {}: there are {:.4g} mm between them, and {:.4g} mm between others{}", missing,
-                       missing == 1 ? "slice is" : "slices are", name_of(below), name_of(above), gap, middle,
-                       wide == 1 ? "" : fmt::format("; there are {} such gaps", wide)),
+           fmt::format(
+               "{:.0f} {} missing between {} and {}: there are {:.4g} mm between them, and {:.4g} mm between others{}",
+               missing, missing == 1 ? "slice is" : "slices are", name_of(below), name_of(above), gap, middle,
+               wide == 1 ? "" : fmt::format("; there are {} such gaps", wide)),
            "complete the series, or resample it evenly");
   }
 
@@ -252,14 +279,18 @@ class Stacking {
   void check_straight(const std::vector<double>& heights) const {
     const Vector3 normal = result_.image.direction[2];
     const double step = result_.image.spacing[2];
-    const double allowed = std::max(limits::slice_unevenness * step, std::min(4 * rounding(), limits::slice_rounding * step));
+    const double allowed =
+        std::max(limits::slice_unevenness * step, std::min(4 * rounding(), limits::slice_rounding * step));
     for (std::size_t k = 1; k < heights.size(); ++k) {
       Vector3 off = minus(*frame_of(result_.planes[k]).position, *frame_of(result_.planes.front()).position);
       for (std::size_t x = 0; x < 3; ++x) off[x] -= heights[k] * normal[x];
       const double sideways = std::sqrt(dot(off, off));
       if (sideways <= allowed) continue;
-      refuse("sheared-volume", fmt::format("{} lies {:.4g} mm beside the first slice, {:.4g} mm above it: slices are pushed by {:.3g} degrees, as a tilted gantry does",
-                                           name_of(result_.planes[k]), sideways, heights[k], portable::atan2(sideways, heights[k]) * 180 / std::numbers::pi),
+      refuse("sheared-volume",
+             fmt::format("{} lies {:.4g} mm beside the first slice, {:.4g} mm above it: slices are pushed by {:.3g} "
+                         "degrees, as a tilted gantry does",
+                         name_of(result_.planes[k]), sideways, heights[k],
+                         portable::atan2(sideways, heights[k]) * 180 / std::numbers::pi),
              "resample the series onto a rectangular grid");
     }
   }
@@ -267,7 +298,9 @@ class Stacking {
   /// Nothing says where they lie, but their numbers tell an order.
   void place_by_numbers() {
     if (!options_.spacing) {
-      refuse("no-positions", "it does not say where its images lie, nor how far apart", "give the size of a voxel in mm (--spacing X,Y,Z); images are then taken in the order of their numbers, upwards");
+      refuse("no-positions", "it does not say where its images lie, nor how far apart",
+             "give the size of a voxel in mm (--spacing X,Y,Z); images are then taken in the order of their numbers, "
+             "upwards");
     }
     std::stable_sort(planes().begin(), planes().end(), [](const DicomPlane& a, const DicomPlane& b) {
       return std::pair(a.image->instance_number, a.frame) < std::pair(b.image->instance_number, b.frame);
@@ -275,10 +308,13 @@ class Stacking {
     const DicomImage& first = *planes().front().image;
     if (first.first_place && first.frames.size() == planes().size()) {
       result_.image.origin = *first.first_place;
-      result_.remarks.push_back("its frames have no places of their own: they are put one after the other along the first one's normal");
+      result_.remarks.push_back(
+          "its frames have no places of their own: they are put one after the other along the first one's normal");
       return;
     }
-    result_.remarks.push_back("it does not say where its images lie: they are taken in the order of their numbers, upwards; if that is wrong, the tooth is mirrored");
+    result_.remarks.push_back(
+        "it does not say where its images lie: they are taken in the order of their numbers, upwards; if that is "
+        "wrong, the tooth is mirrored");
   }
 
   void collect_remarks() {
@@ -294,7 +330,8 @@ class Stacking {
 
 }  // namespace
 
-DicomStack stack_planes(const std::vector<const DicomImage*>& images, const std::string& source, const ReadVolumeOptions& options) {
+DicomStack stack_planes(const std::vector<const DicomImage*>& images, const std::string& source,
+                        const ReadVolumeOptions& options) {
   return Stacking(images, source, options).run();
 }
 

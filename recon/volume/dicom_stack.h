@@ -1,5 +1,6 @@
 #pragma once
-// Planes of DICOM images, in whatever order, as one grid: sorted by their places along their normal. Inner part of read_volume.h.
+// Planes of DICOM images, in whatever order, as one grid: sorted by their places along their normal. Inner part of
+// read_volume.h.
 
 #include <string>
 #include <vector>
@@ -17,12 +18,14 @@ struct DicomStack {
   std::vector<std::string> remarks;
 };
 
-/// The images outlive the result. Slices must be evenly spaced, within limits::slice_unevenness of their spacing; where that last digit that positions are
-/// written with explains more, within limits::slice_rounding. A spacing that is given instead (options) leaves places out of account, but not gaps.
-/// Images without place are taken in the order of their numbers, if the spacing is given. Throws InputError single-slice, mixed-series (sizes,
-/// orientations or pixel spacings differ), time-series (several images in one place), uneven-slices (naming the gap), sheared-volume (a tilted gantry),
-/// no-positions, bad-spacing (none is given), and what validate_grid throws.
-DicomStack stack_planes(const std::vector<const DicomImage*>& images, const std::string& source, const ReadVolumeOptions& options);
+/// The images outlive the result. Slices must be evenly spaced, within limits::slice_unevenness of their spacing; where
+/// that last digit that positions are written with explains more, within limits::slice_rounding. A spacing that is
+/// given instead (options) leaves places out of account, but not gaps. Images without place are taken in the order of
+/// their numbers, if the spacing is given. Throws InputError single-slice, mixed-series (sizes, orientations or pixel
+/// spacings differ), time-series (several images in one place), uneven-slices (naming the gap), sheared-volume (a
+/// tilted gantry), no-positions, bad-spacing (none is given), and what validate_grid throws.
+DicomStack stack_planes(const std::vector<const DicomImage*>& images, const std::string& source,
+                        const ReadVolumeOptions& options);
 
 /// Distance of the slices of such a stack for a list: nothing where it would be refused.
 std::optional<double> slice_spacing_of(const std::vector<const DicomImage*>& images);

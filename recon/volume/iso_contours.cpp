@@ -36,7 +36,8 @@ class IsoField {
     constexpr double border = 0.5;
     if (!in_image(out)) return trace::between(lattice_, in, out, border);
     const double fraction = excess(in) / (excess(in) - excess(out));
-    return trace::between(lattice_, in, out, std::clamp(fraction, limits::grid_vertex_margin, 1 - limits::grid_vertex_margin));
+    return trace::between(lattice_, in, out,
+                          std::clamp(fraction, limits::grid_vertex_margin, 1 - limits::grid_vertex_margin));
   }
 
  private:
@@ -72,8 +73,8 @@ std::vector<LevelTracer> iso_tracers(const Volume& volume, ValueRange range, con
   std::vector<LevelTracer> tracers;
   for (const IsoLevel& level : levels) {
     check_crossed(volume, range, level.threshold);
-    const auto trace_slice = [&volume, lattice = Lattice(volume), threshold = level.threshold](std::size_t k,
-                                                                                        const LevelTracer::Take& take) {
+    const auto trace_slice = [&volume, lattice = Lattice(volume), threshold = level.threshold](
+                                 std::size_t k, const LevelTracer::Take& take) {
       trace::contours(IsoField(volume, lattice, k, threshold), volume.size[0], volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("iso value {}", level.threshold)});

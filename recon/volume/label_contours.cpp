@@ -19,7 +19,8 @@ using trace::Vertex;
 
 class LabelField {
  public:
-  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, const LabelMeetings* meetings, std::size_t k, const LabelValues& label)
+  LabelField(const Volume& volume, const Lattice& lattice, const SmoothLabels* smooth, const LabelMeetings* meetings,
+             std::size_t k, const LabelValues& label)
       : pixels_(volume.slice(k)),
         width_(static_cast<std::ptrdiff_t>(volume.size[0])),
         height_(static_cast<std::ptrdiff_t>(volume.size[1])),
@@ -29,9 +30,7 @@ class LabelField {
         meetings_(meetings),
         k_(k) {}
 
-  bool inside(Vertex v) const {
-    return in_image(v) && label_(pixels_[v.j * width_ + v.i]);
-  }
+  bool inside(Vertex v) const { return in_image(v) && label_(pixels_[v.j * width_ + v.i]); }
   /// Never: joining one label across a cell's corner could cross another's join over the other diagonal.
   bool joined(Vertex, Vertex, Vertex, Vertex) const { return false; }
 
@@ -48,7 +47,8 @@ class LabelField {
   void bend(const trace::Stand& stand, std::vector<Point2>& points) const {
     if (!meetings_) return;
     constexpr float outside = std::numeric_limits<float>::quiet_NaN();
-    meetings_->append(lattice_, stand, [&](Vertex v) { return in_image(v) ? pixels_[v.j * width_ + v.i] : outside; }, points);
+    meetings_->append(
+        lattice_, stand, [&](Vertex v) { return in_image(v) ? pixels_[v.j * width_ + v.i] : outside; }, points);
   }
 
  private:
@@ -108,7 +108,9 @@ std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::ve
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
     if (LabelValues(volume, level.label).any_shared()) {
-      throw UsageError(fmt::format("\"{}\" overlaps other segments, and --smooth moves borders that two labels share", level.structure), "Leave out --smooth");
+      throw UsageError(fmt::format("\"{}\" overlaps other segments, and --smooth moves borders that two labels share",
+                                   level.structure),
+                       "Leave out --smooth");
     }
     values.push_back(static_cast<float>(level.label));
   }
@@ -123,9 +125,10 @@ std::vector<LevelTracer> label_tracers(const Volume& volume, const std::vector<L
   const std::shared_ptr<const LabelMeetings> meetings = meetings_of(volume, labels);
   for (const LabelLevel& level : labels) {
     check_label(volume, level.label);
-    const auto trace_slice = [&volume, smooth, meetings, lattice = Lattice(volume), label = LabelValues(volume, level.label)](
-                                 std::size_t k, const LevelTracer::Take& take) {
-      trace::contours(LabelField(volume, lattice, smooth.get(), meetings.get(), k, label), volume.size[0], volume.size[1], take);
+    const auto trace_slice = [&volume, smooth, meetings, lattice = Lattice(volume),
+                              label = LabelValues(volume, level.label)](std::size_t k, const LevelTracer::Take& take) {
+      trace::contours(LabelField(volume, lattice, smooth.get(), meetings.get(), k, label), volume.size[0],
+                      volume.size[1], take);
     };
     tracers.push_back({level.structure, trace_slice, fmt::format("label {}", level.label)});
   }

@@ -3,8 +3,8 @@
 //
 // A pixel is inside a label where its value equals it. Contours cross grid edges at their midpoints, so a label's
 // outline runs through pixel edges' middles with its corners cut at 45 degrees, and the wall between two labels is one
-// and the same line in both: they coincide there exactly. Where three or four labels meet in a cell their walls meet, too
-// (label_meetings.h). Pixels of one label that meet only across a corner are not joined, so different labels never
+// and the same line in both: they coincide there exactly. Where three or four labels meet in a cell their walls meet,
+// too (label_meetings.h). Pixels of one label that meet only across a corner are not joined, so different labels never
 // overlap. At the image's border the contour runs half a pixel outside the outermost centres. All points lie on the
 // volume's lattice (lattice.h), as exactly as if voxels measured 2 x 2.
 //
@@ -33,7 +33,8 @@ struct LabelLevel {
 TracedContours label_contours(const Volume& volume, const std::vector<LabelLevel>& labels,
                               const TraceOptions& options = {}, const Progress& progress = {});
 
-/// The labels' smoothed borders, for label_tracers. Throws as label_contours and SmoothLabels do; UsageError for labels that overlap others.
+/// The labels' smoothed borders, for label_tracers. Throws as label_contours and SmoothLabels do; UsageError for labels
+/// that overlap others.
 std::shared_ptr<const SmoothLabels> smoothed(const Volume& volume, const std::vector<LabelLevel>& labels,
                                              const SmoothLabelsOptions& options, const Progress& progress = {});
 

@@ -9,7 +9,9 @@ namespace {
 using trace::Vertex;
 
 /// The point of a cell at so many quarters of the way from its lower left corner.
-Point2 within(const Lattice& lattice, const Vertex& low, int x, int y) { return {lattice.x_quarters(low.i, x), lattice.y_quarters(low.j, y)}; }
+Point2 within(const Lattice& lattice, const Vertex& low, int x, int y) {
+  return {lattice.x_quarters(low.i, x), lattice.y_quarters(low.j, y)};
+}
 
 }  // namespace
 
@@ -31,7 +33,7 @@ void LabelMeetings::append(const Lattice& lattice, const Cell& cell, std::vector
   if (distinct < 3) return;
   Vertex low = cell.corners[0];
   for (const Vertex& corner : cell.corners) low = {std::min(low.i, corner.i), std::min(low.j, corner.j)};
-  const bool first_pair = l[0] == l[2], second_pair = l[1] == l[3];   // of one label across the diagonal
+  const bool first_pair = l[0] == l[2], second_pair = l[1] == l[3];  // of one label across the diagonal
   if (distinct == 3 && !first_pair && !second_pair) {
     points.push_back(within(lattice, low, 2, 2));
     return;

@@ -18,7 +18,8 @@ namespace {
   Place place;
   place.file = file;
   place.line = line;
-  throw InputError("unparsable", place, "the line is not made of seven numbers and a name in quotation marks", "export the label descriptions from ITK-SNAP again");
+  throw InputError("unparsable", place, "the line is not made of seven numbers and a name in quotation marks",
+                   "export the label descriptions from ITK-SNAP again");
 }
 
 VolumeLabel label_of(std::string_view line, const std::string& file, std::size_t number) {
@@ -27,7 +28,9 @@ VolumeLabel label_of(std::string_view line, const std::string& file, std::size_t
   const std::vector<std::string> words = words_of(line.substr(0, open));
   constexpr std::size_t numbers = 7;  // index, red, green, blue, opacity, two switches
   double index = 0;
-  if (words.size() != numbers || !number_of(words[0], index) || index != std::floor(index) || std::abs(index) > static_cast<double>(limits::largest_label)) refuse(file, number);
+  if (words.size() != numbers || !number_of(words[0], index) || index != std::floor(index) ||
+      std::abs(index) > static_cast<double>(limits::largest_label))
+    refuse(file, number);
   std::string name(trimmed(line.substr(open + 1, close - open - 1)).substr(0, limits::name_length));
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
@@ -48,9 +51,11 @@ std::vector<VolumeLabel> parse_label_names(std::string_view text, const std::str
     if (labels.size() <= limits::structures) continue;
     Place place;
     place.file = file;
-    throw InputError("too-many-structures", place, fmt::format("it names more than {} labels", limits::structures), "leave out those that are not there");
+    throw InputError("too-many-structures", place, fmt::format("it names more than {} labels", limits::structures),
+                     "leave out those that are not there");
   }
-  std::stable_sort(labels.begin(), labels.end(), [](const VolumeLabel& a, const VolumeLabel& b) { return a.value < b.value; });
+  std::stable_sort(labels.begin(), labels.end(),
+                   [](const VolumeLabel& a, const VolumeLabel& b) { return a.value < b.value; });
   return labels;
 }
 

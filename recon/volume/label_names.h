@@ -8,8 +8,8 @@
 
 namespace odontoscope {
 
-/// Lines of "IDX R G B A VIS MESH "NAME"", others beginning with #. Label 0, which is nothing, is left out. By value. Throws FileError; InputError
-/// unparsable (naming the line), too-many-structures, file-too-large.
+/// Lines of "IDX R G B A VIS MESH "NAME"", others beginning with #. Label 0, which is nothing, is left out. By value.
+/// Throws FileError; InputError unparsable (naming the line), too-many-structures, file-too-large.
 std::vector<VolumeLabel> read_label_names(const std::string& file);
 
 /// The same of a text.

@@ -29,8 +29,8 @@ double finest_step(const Volume& volume, const std::array<double, 3>& origin) {
 Lattice::Lattice(const Volume& volume) {
   const std::array<double, 3> origin{volume.origin.x, volume.origin.y, volume.origin.z};
   const double finest_voxel = *std::min_element(volume.spacing.begin(), volume.spacing.end());
-  const double wanted = std::min(limits::lattice_step,
-                                 power_of_two_below(finest_voxel) / limits::lattice_steps_per_voxel);
+  const double wanted =
+      std::min(limits::lattice_step, power_of_two_below(finest_voxel) / limits::lattice_steps_per_voxel);
   const double step = std::max(wanted, finest_step(volume, origin));
   half_step_ = step / 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {

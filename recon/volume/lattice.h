@@ -35,7 +35,8 @@ class Lattice {
   double x(std::ptrdiff_t i) const { return at(0, 2 * i); }
   double y(std::ptrdiff_t j) const { return at(1, 2 * j); }
   double z(std::size_t k) const { return at(2, 2 * static_cast<std::ptrdiff_t>(k)); }
-  /// So many quarters of the way from i to i + 1, exactly, as far as doubles reach; on the lattice if that is half or all.
+  /// So many quarters of the way from i to i + 1, exactly, as far as doubles reach; on the lattice if that is half or
+  /// all.
   double x_quarters(std::ptrdiff_t i, int quarters) const { return quarters_from(0, i, quarters); }
   double y_quarters(std::ptrdiff_t j, int quarters) const { return quarters_from(1, j, quarters); }
   /// Between neighbours: the lattice point nearest to the given part of the way from i to i + 1, which lies in (0, 1).

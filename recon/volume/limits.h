@@ -9,7 +9,8 @@ namespace odontoscope::limits {
 inline constexpr std::size_t segment_frames = 200'000;
 /// Ways in which the segments of a segmentation overlap: each is a value of its own.
 inline constexpr std::size_t label_overlaps = 4096;
-/// Frames within this distance of each other lie in one plane, mm: well below any voxel, and above what positions of 16 characters round to.
+/// Frames within this distance of each other lie in one plane, mm: well below any voxel, and above what positions of 16
+/// characters round to.
 inline constexpr double one_plane = 1e-4;
 
 /// Characters and parts of a name in a DICOMDIR; the standard allows 8 parts of 8 characters.

@@ -19,19 +19,26 @@ namespace odontoscope {
 namespace {
 
 [[noreturn]] void refuse(std::string_view cause, const std::string& path, const std::string& wrong) {
-  throw InputError(cause, in_file(path), wrong, "correct the header, or convert the volume with the program that wrote it");
+  throw InputError(cause, in_file(path), wrong,
+                   "correct the header, or convert the volume with the program that wrote it");
 }
 
 struct ElementType {
   std::string_view name;
   PixelType type;
 };
-constexpr std::array<ElementType, 12> element_types{{{"MET_CHAR", PixelType::int8}, {"MET_UCHAR", PixelType::uint8},
-                                                     {"MET_SHORT", PixelType::int16}, {"MET_USHORT", PixelType::uint16},
-                                                     {"MET_INT", PixelType::int32}, {"MET_UINT", PixelType::uint32},
-                                                     {"MET_LONG", PixelType::int32}, {"MET_ULONG", PixelType::uint32},
-                                                     {"MET_LONG_LONG", PixelType::int64}, {"MET_ULONG_LONG", PixelType::uint64},
-                                                     {"MET_FLOAT", PixelType::float32}, {"MET_DOUBLE", PixelType::float64}}};
+constexpr std::array<ElementType, 12> element_types{{{"MET_CHAR", PixelType::int8},
+                                                     {"MET_UCHAR", PixelType::uint8},
+                                                     {"MET_SHORT", PixelType::int16},
+                                                     {"MET_USHORT", PixelType::uint16},
+                                                     {"MET_INT", PixelType::int32},
+                                                     {"MET_UINT", PixelType::uint32},
+                                                     {"MET_LONG", PixelType::int32},
+                                                     {"MET_ULONG", PixelType::uint32},
+                                                     {"MET_LONG_LONG", PixelType::int64},
+                                                     {"MET_ULONG_LONG", PixelType::uint64},
+                                                     {"MET_FLOAT", PixelType::float32},
+                                                     {"MET_DOUBLE", PixelType::float64}}};
 
 /// By key; each may come once only, since nobody knows which of two is meant.
 class MetaFields {
@@ -39,7 +46,8 @@ class MetaFields {
   MetaFields(const std::string& path, const TextHeader& header) : path_(path) {
     for (const HeaderField& field : header.fields) {
       if (values_.emplace(field.key, field.value).second) continue;
-      refuse("unreadable-volume", path, fmt::format("its header gives {} twice", field.key.substr(0, limits::quoted_length)));
+      refuse("unreadable-volume", path,
+             fmt::format("its header gives {} twice", field.key.substr(0, limits::quoted_length)));
     }
   }
 
@@ -56,7 +64,8 @@ class MetaFields {
 
   bool is_true(const std::string& key) const {
     const std::string* value = find(key);
-    return value != nullptr && !value->empty() && (value->front() == 'T' || value->front() == 't' || value->front() == '1');
+    return value != nullptr && !value->empty() &&
+           (value->front() == 'T' || value->front() == 't' || value->front() == '1');
   }
 
   /// Exactly `count` finite numbers.
@@ -68,7 +77,8 @@ class MetaFields {
       }
     }
     if (found.size() == count) return found;
-    refuse("unreadable-volume", path_, fmt::format("its header's {} has {} numbers instead of {}", key, found.size(), count));
+    refuse("unreadable-volume", path_,
+           fmt::format("its header's {} has {} numbers instead of {}", key, found.size(), count));
   }
 
   /// The numbers of the first of several names for one thing that is there.
@@ -93,8 +103,10 @@ class MetaFields {
 std::vector<double> read_sizes(const std::string& path, const MetaFields& fields) {
   constexpr double most_dimensions = 10;  // MetaIO's own limit
   const double dimensions = fields.numbers("ndims", 1).front();
-  if (dimensions < 1 || dimensions != std::floor(dimensions)) refuse("unreadable-volume", path, fmt::format("its header's NDims is {}", dimensions));
-  if (dimensions > most_dimensions || dimensions < 3) refuse("not-3d", path, fmt::format("the image has {} dimensions instead of 3", dimensions));
+  if (dimensions < 1 || dimensions != std::floor(dimensions))
+    refuse("unreadable-volume", path, fmt::format("its header's NDims is {}", dimensions));
+  if (dimensions > most_dimensions || dimensions < 3)
+    refuse("not-3d", path, fmt::format("the image has {} dimensions instead of 3", dimensions));
   if (fields.find("elementnumberofchannels") != nullptr && fields.whole("elementnumberofchannels", 1e9) != 1) {
     refuse("not-scalar", path, "each voxel has several numbers (a colour or a vector)");
   }
@@ -107,17 +119,20 @@ double unit_of(const std::string& path, const MetaFields& fields, const ReadVolu
   if (name == nullptr || name->empty() || *name == "?") return 1;  // MetaIO's own is the millimetre
   const std::optional<double> millimetres = millimetres_in(*name);
   if (millimetres || options.spacing) return millimetres.value_or(1);
-  throw InputError("unknown-unit", in_file(path), fmt::format("its unit \"{}\" is no length that is known here", name->substr(0, limits::quoted_length)),
-                   "give the size of a voxel in mm (--spacing X,Y,Z)");
+  throw InputError(
+      "unknown-unit", in_file(path),
+      fmt::format("its unit \"{}\" is no length that is known here", name->substr(0, limits::quoted_length)),
+      "give the size of a voxel in mm (--spacing X,Y,Z)");
 }
 
-void read_geometry(const std::string& path, const MetaFields& fields, std::size_t dimensions, const std::vector<std::size_t>& kept,
-                   const ReadVolumeOptions& options, VolumeHeader& header) {
+void read_geometry(const std::string& path, const MetaFields& fields, std::size_t dimensions,
+                   const std::vector<std::size_t>& kept, const ReadVolumeOptions& options, VolumeHeader& header) {
   FileImage& image = header.image;
   const double unit = unit_of(path, fields, options);
   if (const auto spacing = fields.first_of({"elementspacing", "elementsize"}, dimensions)) {
     for (std::size_t n = 0; n < 3; ++n) {
-      if (!((*spacing)[kept[n]] > 0)) refuse("bad-spacing", path, fmt::format("its header's ElementSpacing holds {}", (*spacing)[kept[n]]));
+      if (!((*spacing)[kept[n]] > 0))
+        refuse("bad-spacing", path, fmt::format("its header's ElementSpacing holds {}", (*spacing)[kept[n]]));
       image.spacing[n] = (*spacing)[kept[n]] * unit;
     }
   } else if (!options.spacing) {
@@ -136,10 +151,14 @@ void read_geometry(const std::string& path, const MetaFields& fields, std::size_
 void read_pixels_place(const std::string& path, const MetaFields& fields, const TextHeader& text, std::size_t voxels,
                        const ReadVolumeOptions& options, PixelFiles& pixels) {
   const std::string& name = fields.get("elementtype");
-  const auto type = std::find_if(element_types.begin(), element_types.end(), [&](const ElementType& t) { return t.name == name; });
-  if (type == element_types.end()) refuse("pixel-type", path, fmt::format("the voxels are {}: no plain numbers", name.substr(0, limits::quoted_length)));
+  const auto type =
+      std::find_if(element_types.begin(), element_types.end(), [&](const ElementType& t) { return t.name == name; });
+  if (type == element_types.end())
+    refuse("pixel-type", path,
+           fmt::format("the voxels are {}: no plain numbers", name.substr(0, limits::quoted_length)));
   pixels.type = type->type;
-  const char* order = fields.find("binarydatabyteordermsb") != nullptr ? "binarydatabyteordermsb" : "elementbyteordermsb";
+  const char* order =
+      fields.find("binarydatabyteordermsb") != nullptr ? "binarydatabyteordermsb" : "elementbyteordermsb";
   pixels.swapped = fields.is_true(order) == (std::endian::native == std::endian::little);
 
   const std::string& data = fields.get("elementdatafile");
@@ -148,7 +167,8 @@ void read_pixels_place(const std::string& path, const MetaFields& fields, const 
   pixels.offset = local ? text.end : 0;
   const bool packed_whole = local && is_gzip(path);
   pixels.packed_whole = packed_whole;
-  if (fields.find("binarydata") != nullptr && !fields.is_true("binarydata")) pixels.encoding = PixelFiles::Encoding::text;
+  if (fields.find("binarydata") != nullptr && !fields.is_true("binarydata"))
+    pixels.encoding = PixelFiles::Encoding::text;
   if (fields.is_true("compresseddata")) {
     if (packed_whole) refuse("unreadable-volume", path, "its pixels are packed within a file that is packed itself");
     pixels.encoding = PixelFiles::Encoding::deflate;
@@ -161,8 +181,10 @@ void read_pixels_place(const std::string& path, const MetaFields& fields, const 
   const std::string* skip = fields.find("headersize");
   if (skip == nullptr || *skip == "0") return;
   if (local) refuse("unreadable-volume", path, "its HeaderSize contradicts that its pixels are LOCAL");
-  if (*skip == "-1") pixels.at_end = true;
-  else pixels.offset = fields.whole("headersize", 1e15);
+  if (*skip == "-1")
+    pixels.at_end = true;
+  else
+    pixels.offset = fields.whole("headersize", 1e15);
 }
 
 }  // namespace

@@ -13,9 +13,9 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
-#include "recon/volume/volume_header.h"
 #include "recon/volume/byte_source.h"
 #include "recon/volume/text_header.h"
+#include "recon/volume/volume_header.h"
 
 namespace odontoscope {
 namespace {
@@ -26,7 +26,8 @@ namespace fs = std::filesystem;
 constexpr double largest_form = 1e9;
 
 [[noreturn]] void refuse_nifti(std::string_view cause, const std::string& path, const std::string& wrong) {
-  throw InputError(cause, in_file(path), wrong, "correct the header, or convert the volume with the program that wrote it");
+  throw InputError(cause, in_file(path), wrong,
+                   "correct the header, or convert the volume with the program that wrote it");
 }
 
 /// Fields by their offset, in the file's byte order.
@@ -44,7 +45,8 @@ class Fields {
         return;
       }
     }
-    refuse_nifti("unreadable-volume", path, bytes_.size() < first_size ? "it is shorter than a NIfTI header" : "it is no NIfTI file");
+    refuse_nifti("unreadable-volume", path,
+                 bytes_.size() < first_size ? "it is shorter than a NIfTI header" : "it is no NIfTI file");
   }
 
   template <class T>
@@ -61,7 +63,9 @@ class Fields {
   bool swapped() const { return swapped_; }
   std::string_view magic() const { return std::string_view(bytes_).substr(is_second_ ? 4 : 344, 3); }
   std::int16_t datatype() const { return field<std::int16_t>(is_second_ ? 12 : 70); }
-  double dim(std::size_t n) const { return is_second_ ? static_cast<double>(field<std::int64_t>(16 + 8 * n)) : field<std::int16_t>(40 + 2 * n); }
+  double dim(std::size_t n) const {
+    return is_second_ ? static_cast<double>(field<std::int64_t>(16 + 8 * n)) : field<std::int16_t>(40 + 2 * n);
+  }
   double pixdim(std::size_t n) const { return real(76, 104, n); }
   double vox_offset() const { return is_second_ ? static_cast<double>(field<std::int64_t>(168)) : field<float>(108); }
   double slope() const { return real(112, 176, 0); }
@@ -83,7 +87,9 @@ class Fields {
 
   double sensible(double value, const char* name) const {
     if (std::isfinite(value) && std::abs(value) <= largest_form) return value;
-    refuse_nifti("unreadable-volume", path_, fmt::format("its header's {} holds {}, which is {}", name, value, std::isfinite(value) ? "too large" : "not finite"));
+    refuse_nifti("unreadable-volume", path_,
+                 fmt::format("its header's {} holds {}, which is {}", name, value,
+                             std::isfinite(value) ? "too large" : "not finite"));
   }
 
   std::string path_, bytes_;
@@ -92,31 +98,45 @@ class Fields {
 
 PixelType type_of(const std::string& path, std::int16_t datatype) {
   switch (datatype) {
-    case 2: return PixelType::uint8;
-    case 256: return PixelType::int8;
-    case 4: return PixelType::int16;
-    case 512: return PixelType::uint16;
-    case 8: return PixelType::int32;
-    case 768: return PixelType::uint32;
-    case 16: return PixelType::float32;
-    case 64: return PixelType::float64;
-    case 1024: return PixelType::int64;
-    case 1280: return PixelType::uint64;
+    case 2:
+      return PixelType::uint8;
+    case 256:
+      return PixelType::int8;
+    case 4:
+      return PixelType::int16;
+    case 512:
+      return PixelType::uint16;
+    case 8:
+      return PixelType::int32;
+    case 768:
+      return PixelType::uint32;
+    case 16:
+      return PixelType::float32;
+    case 64:
+      return PixelType::float64;
+    case 1024:
+      return PixelType::int64;
+    case 1280:
+      return PixelType::uint64;
     case 128:
     case 2304:
     case 32:
-    case 1792: refuse_nifti("not-scalar", path, "the voxels are colours or complex numbers");
-    default: refuse_nifti("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
+    case 1792:
+      refuse_nifti("not-scalar", path, "the voxels are colours or complex numbers");
+    default:
+      refuse_nifti("pixel-type", path, fmt::format("its NIfTI data type {} is not read here", datatype));
   }
 }
 
 std::vector<double> sizes_of(const std::string& path, const Fields& header) {
   const double dimensions = header.dim(0);
-  if (!(dimensions >= 1 && dimensions <= 7)) refuse_nifti("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
+  if (!(dimensions >= 1 && dimensions <= 7))
+    refuse_nifti("unreadable-volume", path, fmt::format("its header's dim[0] is {}", dimensions));
   std::vector<double> sizes;
   for (std::size_t n = 1; n <= static_cast<std::size_t>(dimensions); ++n) {
     sizes.push_back(header.dim(n));
-    if (sizes.back() < 1) refuse_nifti("empty-volume", path, fmt::format("its header's dim[{}] is {}", n, sizes.back()));
+    if (sizes.back() < 1)
+      refuse_nifti("empty-volume", path, fmt::format("its header's dim[{}] is {}", n, sizes.back()));
     if (n > 3 && sizes.back() > 1) refuse_nifti("not-3d", path, fmt::format("it has {} volumes", sizes.back()));
   }
   voxels_of(path, sizes);
@@ -161,33 +181,44 @@ bool is_square(const Form& form) {
   for (std::size_t n = 0; n < 3; ++n) {
     const Vector3 &a = form.axes[n], &b = form.axes[(n + 1) % 3];
     const double both = length_of(a) * length_of(b);
-    if (!(both > 0) || std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > limits::axes_out_of_square * both) return false;
+    if (!(both > 0) || std::abs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) > limits::axes_out_of_square * both)
+      return false;
   }
   return true;
 }
 
-/// Lengths of voxels; some programs write negative ones for axes that run the other way, which the forms say. 0 where none is given.
+/// Lengths of voxels; some programs write negative ones for axes that run the other way, which the forms say. 0 where
+/// none is given.
 Vector3 spacing_of(const std::string& path, const Fields& header) {
   Vector3 spacing{};
   if (!std::isfinite(header.pixdim(0))) refuse_nifti("unreadable-volume", path, "its header's qfac is not finite");
   for (std::size_t n = 0; n < 3; ++n) {
     spacing[n] = std::abs(header.pixdim(n + 1));
-    if (!std::isfinite(spacing[n])) refuse_nifti("bad-spacing", path, fmt::format("its header's pixdim[{}] is {}", n + 1, spacing[n]));
+    if (!std::isfinite(spacing[n]))
+      refuse_nifti("bad-spacing", path, fmt::format("its header's pixdim[{}] is {}", n + 1, spacing[n]));
   }
   return spacing;
 }
 
-double millimetres_of_unit(const std::string& path, const Fields& header, const ReadVolumeOptions& options, std::vector<std::string>& remarks) {
+double millimetres_of_unit(const std::string& path, const Fields& header, const ReadVolumeOptions& options,
+                           std::vector<std::string>& remarks) {
   constexpr int space_bits = 7;
   switch (header.units() & space_bits) {
-    case 0: remarks.push_back("the file names no unit of length: millimetres are assumed"); return 1;
-    case 1: return 1000;
-    case 2: return 1;
-    case 3: return 1e-3;
-    default: break;
+    case 0:
+      remarks.push_back("the file names no unit of length: millimetres are assumed");
+      return 1;
+    case 1:
+      return 1000;
+    case 2:
+      return 1;
+    case 3:
+      return 1e-3;
+    default:
+      break;
   }
   if (options.spacing) return 1;
-  throw InputError("unknown-unit", in_file(path), fmt::format("its header's unit of length has the unknown number {}", header.units() & space_bits),
+  throw InputError("unknown-unit", in_file(path),
+                   fmt::format("its header's unit of length has the unknown number {}", header.units() & space_bits),
                    "give the size of a voxel in mm (--spacing X,Y,Z)");
 }
 
@@ -196,14 +227,16 @@ void put_form(const Form& form, double millimetres, FileImage& image) {
   for (std::size_t n = 0; n < 3; ++n) {
     const double length = length_of(form.axes[n]);
     image.spacing[n] = length * millimetres;
-    for (std::size_t x = 0; x < 3; ++x) image.direction[n][x] = length > 0 ? ras_to_lps[x] * form.axes[n][x] / length : 0;
+    for (std::size_t x = 0; x < 3; ++x)
+      image.direction[n][x] = length > 0 ? ras_to_lps[x] * form.axes[n][x] / length : 0;
   }
   for (std::size_t x = 0; x < 3; ++x) image.origin[x] = ras_to_lps[x] * form.origin[x] * millimetres;
 }
 
-/// Both forms may be there. An sform may also be a registration to an atlas, which stretches: the scanner's own is taken before it, and one
-/// with right angles before one without.
-void read_geometry(const std::string& path, const Fields& header, const ReadVolumeOptions& options, VolumeHeader& result) {
+/// Both forms may be there. An sform may also be a registration to an atlas, which stretches: the scanner's own is
+/// taken before it, and one with right angles before one without.
+void read_geometry(const std::string& path, const Fields& header, const ReadVolumeOptions& options,
+                   VolumeHeader& result) {
   FileImage& image = result.image;
   const Vector3 spacing = spacing_of(path, header);
   const double millimetres = millimetres_of_unit(path, header, options, result.remarks);
@@ -218,7 +251,8 @@ void read_geometry(const std::string& path, const Fields& header, const ReadVolu
   } else {
     for (std::size_t n = 0; n < 3; ++n) {
       if (spacing[n] == 0 && !options.spacing) {
-        throw InputError("bad-spacing", in_file(path), fmt::format("its header's pixdim[{}] is 0", n + 1), "give the size of a voxel in mm (--spacing X,Y,Z)");
+        throw InputError("bad-spacing", in_file(path), fmt::format("its header's pixdim[{}] is 0", n + 1),
+                         "give the size of a voxel in mm (--spacing X,Y,Z)");
       }
       image.spacing[n] = spacing[n] * millimetres;
     }
@@ -247,10 +281,12 @@ std::string header_of_pair(const std::string& path) {
   return header.string();
 }
 
-void read_pixels_place(const std::string& path, const std::string& header_path, const Fields& header, bool allow_outside, PixelFiles& pixels) {
+void read_pixels_place(const std::string& path, const std::string& header_path, const Fields& header,
+                       bool allow_outside, PixelFiles& pixels) {
   const bool one_file = header.magic() == "n+1" || header.magic() == "n+2";
   if (!one_file && header.magic() != "ni1" && header.magic() != "ni2") {
-    refuse_nifti("unreadable-volume", path, "it lacks the mark of NIfTI (Analyze 7.5 is not read, since it does not say which side is left)");
+    refuse_nifti("unreadable-volume", path,
+                 "it lacks the mark of NIfTI (Analyze 7.5 is not read, since it does not say which side is left)");
   }
   pixels.type = type_of(path, header.datatype());
   pixels.swapped = header.swapped();

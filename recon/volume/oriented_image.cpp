@@ -82,7 +82,8 @@ PatientFrame frame_of(const FileImage& image, const AxisMap& map) {
   if (!turned) return frame;
   frame.fixed = image.origin;
   for (std::size_t n = 0; n < 3; ++n) {
-    for (std::size_t x = 0; x < 3; ++x) frame.axes[map.along[n]][x] = map.reversed[n] ? -image.direction[n][x] : image.direction[n][x];
+    for (std::size_t x = 0; x < 3; ++x)
+      frame.axes[map.along[n]][x] = map.reversed[n] ? -image.direction[n][x] : image.direction[n][x];
   }
   return frame;
 }
@@ -139,9 +140,13 @@ std::array<IndexRange, 3> index_ranges(const FileImage& image, const VolumeBound
   for (std::size_t n = 0; n < 3; ++n) {
     const std::size_t axis = map.along[n];
     const double last = static_cast<double>(image.size[n] - 1);
-    const auto index = [&](double place) { return std::clamp((place - origin[axis]) / image.spacing[n], -1.0, last + 1); };
-    const double low = std::clamp(std::floor(index(bounds.low[axis])) - 1, 0.0, last), high = std::clamp(std::ceil(index(bounds.high[axis])) + 1, low, last);
-    ranges[n] = {static_cast<std::size_t>(map.reversed[n] ? last - high : low), static_cast<std::size_t>(high - low) + 1};
+    const auto index = [&](double place) {
+      return std::clamp((place - origin[axis]) / image.spacing[n], -1.0, last + 1);
+    };
+    const double low = std::clamp(std::floor(index(bounds.low[axis])) - 1, 0.0, last),
+                 high = std::clamp(std::ceil(index(bounds.high[axis])) + 1, low, last);
+    ranges[n] = {static_cast<std::size_t>(map.reversed[n] ? last - high : low),
+                 static_cast<std::size_t>(high - low) + 1};
   }
   return ranges;
 }

@@ -33,7 +33,8 @@ struct IndexRange {
   std::size_t first = 0, count = 0;
 };
 
-/// Those of the image, along its own axes, that lie within bounds along x, y and z of its Volume, mm, and one more at either end; never none. Precondition: oriented_grid(image) does not throw.
+/// Those of the image, along its own axes, that lie within bounds along x, y and z of its Volume, mm, and one more at
+/// either end; never none. Precondition: oriented_grid(image) does not throw.
 std::array<IndexRange, 3> index_ranges(const FileImage& image, const VolumeBounds& bounds);
 
 /// The grid of `image` along x, y, z without values. Throws InputError sheared-volume and what validate_grid throws.

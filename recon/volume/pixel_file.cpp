@@ -18,7 +18,8 @@ namespace {
 using Encoding = PixelFiles::Encoding;
 
 [[noreturn]] void throw_truncated(const std::string& file, const std::string& wanted, const std::string& found) {
-  throw InputError("truncated-volume", in_file(file), fmt::format("the header promises {}, the file has {}", wanted, found),
+  throw InputError("truncated-volume", in_file(file),
+                   fmt::format("the header promises {}, the file has {}", wanted, found),
                    "get a whole copy of the file, or correct the sizes in its header");
 }
 
@@ -75,7 +76,8 @@ class Decoder {
   std::size_t read(char* to, std::size_t count) {
     if (encoding_ != Encoding::hex) return source_.read(to, count);
     std::size_t done = 0;
-    for (int high, low; done < count && (high = digit()) >= 0 && (low = digit()) >= 0;) to[done++] = static_cast<char>(high * 16 + low);
+    for (int high, low; done < count && (high = digit()) >= 0 && (low = digit()) >= 0;)
+      to[done++] = static_cast<char>(high * 16 + low);
     return done;
   }
 
@@ -92,7 +94,8 @@ class Decoder {
       if (word_.size() > limits::quoted_length) break;
     } while (source_.next(c) && !is_blank(c));
     if (!number_of(word_, value)) {
-      throw InputError("damaged-volume", in_file(path_), "its pixels are not written as numbers", "get a whole copy of the file");
+      throw InputError("damaged-volume", in_file(path_), "its pixels are not written as numbers",
+                       "get a whole copy of the file");
     }
     return true;
   }
@@ -104,7 +107,8 @@ class Decoder {
       if (c >= 'a' && c <= 'f') return c - 'a' + 10;
       if (c >= 'A' && c <= 'F') return c - 'A' + 10;
       if (c != ' ' && (c < '\t' || c > '\r')) {
-        throw InputError("damaged-volume", in_file(path_), "its pixels are not written as hexadecimal digits", "get a whole copy of the file");
+        throw InputError("damaged-volume", in_file(path_), "its pixels are not written as hexadecimal digits",
+                         "get a whole copy of the file");
       }
     }
     return -1;
@@ -119,7 +123,8 @@ using Visit = std::function<void(const float* values, std::size_t count)>;
 
 constexpr std::size_t pixels_at_once = 1u << 16;
 
-void visit_texts(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, const Visit& visit) {
+void visit_texts(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count,
+                 const Visit& visit) {
   std::vector<float> some;
   for (std::size_t n = 0; n < count; ++n) {
     double value = 0;
@@ -131,14 +136,16 @@ void visit_texts(Decoder& decoder, const PixelFiles& files, const std::string& p
   }
 }
 
-void visit_bytes(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count, const Visit& visit) {
+void visit_bytes(Decoder& decoder, const PixelFiles& files, const std::string& path, std::size_t count,
+                 const Visit& visit) {
   const std::size_t each = bytes_of(files.type);
   std::vector<char> raw(pixels_at_once * each);
   std::vector<float> values(pixels_at_once);
   for (std::size_t n = 0; n < count;) {
     const std::size_t some = std::min(pixels_at_once, count - n);
     const std::size_t got = decoder.read(raw.data(), some * each);
-    if (got < some * each) throw_truncated(path, fmt::format("{} bytes of pixels", count * each), fmt::format("{}", n * each + got));
+    if (got < some * each)
+      throw_truncated(path, fmt::format("{} bytes of pixels", count * each), fmt::format("{}", n * each + got));
     convert_pixels(files.type, files.swapped, files.slope, files.intercept, raw.data(), some, values.data());
     visit(values.data(), some);
     n += some;
@@ -155,16 +162,21 @@ void check_file(const PixelFiles& files, const std::string& path, std::size_t co
   const std::size_t before = files.at_end || files.packed_whole ? 0 : std::min(files.offset, length);
   const std::size_t there = length - before;
   std::size_t most = there;
-  if (packed) most = there > ByteSource::all / limits::compression_ratio ? ByteSource::all : there * limits::compression_ratio;
-  else if (files.encoding == Encoding::hex) most = there / 2;
-  else if (files.encoding == Encoding::text) most = (there + 1) / 2 * bytes_of(files.type);
-  if (most < bytes) throw_truncated(path, fmt::format("{} bytes of pixels", bytes), fmt::format("{}", packed ? there : most));
+  if (packed)
+    most = there > ByteSource::all / limits::compression_ratio ? ByteSource::all : there * limits::compression_ratio;
+  else if (files.encoding == Encoding::hex)
+    most = there / 2;
+  else if (files.encoding == Encoding::text)
+    most = (there + 1) / 2 * bytes_of(files.type);
+  if (most < bytes)
+    throw_truncated(path, fmt::format("{} bytes of pixels", bytes), fmt::format("{}", packed ? there : most));
   const bool large = count > limits::plausible_voxels;
   if (packed && large && bytes / limits::suspicious_ratio > there) {
-    throw InputError("too-well-packed", in_file(path),
-                     fmt::format("its {} bytes would become {} voxels, more than {} bytes from each one: no scan packs like that", there, count,
-                                 limits::suspicious_ratio),
-                     "crop it, or store it unpacked if it is really so");
+    throw InputError(
+        "too-well-packed", in_file(path),
+        fmt::format("its {} bytes would become {} voxels, more than {} bytes from each one: no scan packs like that",
+                    there, count, limits::suspicious_ratio),
+        "crop it, or store it unpacked if it is really so");
   }
 }
 
@@ -173,31 +185,46 @@ void check_file(const PixelFiles& files, const std::string& path, std::size_t co
 std::size_t bytes_of(PixelType type) {
   switch (type) {
     case PixelType::int8:
-    case PixelType::uint8: return 1;
+    case PixelType::uint8:
+      return 1;
     case PixelType::int16:
-    case PixelType::uint16: return 2;
+    case PixelType::uint16:
+      return 2;
     case PixelType::int32:
     case PixelType::uint32:
-    case PixelType::float32: return 4;
+    case PixelType::float32:
+      return 4;
     case PixelType::int64:
     case PixelType::uint64:
-    case PixelType::float64: return 8;
+    case PixelType::float64:
+      return 8;
   }
   throw InternalError("a pixel type that is none");
 }
 
-void convert_pixels(PixelType type, bool swapped, double slope, double intercept, const char* raw, std::size_t count, float* to) {
+void convert_pixels(PixelType type, bool swapped, double slope, double intercept, const char* raw, std::size_t count,
+                    float* to) {
   switch (type) {
-    case PixelType::int8: return convert_as<std::int8_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::uint8: return convert_as<std::uint8_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::int16: return convert_as<std::int16_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::uint16: return convert_as<std::uint16_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::int32: return convert_as<std::int32_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::uint32: return convert_as<std::uint32_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::int64: return convert_as<std::int64_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::uint64: return convert_as<std::uint64_t>(swapped, slope, intercept, raw, count, to);
-    case PixelType::float32: return convert_as<float>(swapped, slope, intercept, raw, count, to);
-    case PixelType::float64: return convert_as<double>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int8:
+      return convert_as<std::int8_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint8:
+      return convert_as<std::uint8_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int16:
+      return convert_as<std::int16_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint16:
+      return convert_as<std::uint16_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int32:
+      return convert_as<std::int32_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint32:
+      return convert_as<std::uint32_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::int64:
+      return convert_as<std::int64_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::uint64:
+      return convert_as<std::uint64_t>(swapped, slope, intercept, raw, count, to);
+    case PixelType::float32:
+      return convert_as<float>(swapped, slope, intercept, raw, count, to);
+    case PixelType::float64:
+      return convert_as<double>(swapped, slope, intercept, raw, count, to);
   }
 }
 
@@ -205,13 +232,15 @@ void check_pixel_files(const PixelFiles& files, std::size_t count) {
   if (files.paths.empty()) throw InternalError("a volume without files");
   if (count % files.paths.size() != 0) {
     throw InputError("unreadable-volume", in_file(files.paths.front()),
-                     fmt::format("{} voxels are to lie in {} files, which makes no whole number for each", count, files.paths.size()),
+                     fmt::format("{} voxels are to lie in {} files, which makes no whole number for each", count,
+                                 files.paths.size()),
                      "correct the header's sizes or its list of files");
   }
   for (const std::string& path : files.paths) check_file(files, path, count / files.paths.size());
 }
 
-void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress, const std::function<void(const float* values, std::size_t count)>& visit) {
+void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress,
+                  const std::function<void(const float* values, std::size_t count)>& visit) {
   check_pixel_files(files, count);
   const std::size_t each = count / files.paths.size();
   std::size_t done = 0;
@@ -219,8 +248,10 @@ void for_each_run(const PixelFiles& files, std::size_t count, const Progress& pr
     progress.check();
     progress.tell("read", static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(count, 1)));
     Decoder decoder(files, path, each * bytes_of(files.type));
-    if (files.encoding == Encoding::text) visit_texts(decoder, files, path, each, visit);
-    else visit_bytes(decoder, files, path, each, visit);
+    if (files.encoding == Encoding::text)
+      visit_texts(decoder, files, path, each, visit);
+    else
+      visit_bytes(decoder, files, path, each, visit);
     done += each;
   }
 }
@@ -236,7 +267,8 @@ std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const
 
 void check_memory(const std::string& file, std::size_t voxels) {
   check_memory(file, static_cast<double>(voxels) * sizeof(float),
-               "crop it to the tooth or resample it more coarsely (with another program, if this one cannot even read it), or use a larger machine");
+               "crop it to the tooth or resample it more coarsely (with another program, if this one cannot even read "
+               "it), or use a larger machine");
 }
 
 }  // namespace odontoscope

@@ -41,22 +41,26 @@ struct PixelFiles {
   double slope = 1, intercept = 0;
 };
 
-/// Throws FileError for files that are missing or no plain files; InputError truncated-volume where they cannot hold `count` pixels (packed
-/// ones: not even at limits::compression_ratio), too-well-packed where few bytes are to become very many (limits::suspicious_ratio).
-/// Nothing is unpacked for it.
+/// Throws FileError for files that are missing or no plain files; InputError truncated-volume where they cannot hold
+/// `count` pixels (packed ones: not even at limits::compression_ratio), too-well-packed where few bytes are to become
+/// very many (limits::suspicious_ratio). Nothing is unpacked for it.
 void check_pixel_files(const PixelFiles& files, std::size_t count);
 
-/// Calls `visit` with the pixels, converted, in the file's order, a run of them after the other. Throws and tells as read_pixels does.
-void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress, const std::function<void(const float* values, std::size_t count)>& visit);
+/// Calls `visit` with the pixels, converted, in the file's order, a run of them after the other. Throws and tells as
+/// read_pixels does.
+void for_each_run(const PixelFiles& files, std::size_t count, const Progress& progress,
+                  const std::function<void(const float* values, std::size_t count)>& visit);
 
-/// The pixels, converted. Memory is taken as they come. Throws what check_pixel_files throws, InputError damaged-volume if unpacking fails or
-/// a number is none, truncated-volume. Stage "read".
+/// The pixels, converted. Memory is taken as they come. Throws what check_pixel_files throws, InputError damaged-volume
+/// if unpacking fails or a number is none, truncated-volume. Stage "read".
 std::vector<float> read_pixels(const PixelFiles& files, std::size_t count, const Progress& progress);
 
 /// `count` stored numbers to `to`; `raw` holds bytes_of(type) * count bytes.
-void convert_pixels(PixelType type, bool swapped, double slope, double intercept, const char* raw, std::size_t count, float* to);
+void convert_pixels(PixelType type, bool swapped, double slope, double intercept, const char* raw, std::size_t count,
+                    float* to);
 
-/// Throws FileError if this machine has not so many bytes of memory left for `file`'s volume: told before they are taken.
+/// Throws FileError if this machine has not so many bytes of memory left for `file`'s volume: told before they are
+/// taken.
 void check_memory(const std::string& file, std::size_t voxels);
 
 }  // namespace odontoscope

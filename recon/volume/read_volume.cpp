@@ -31,9 +31,12 @@ void check_openable(const std::string& path) {
 
 VolumeHeader header_of(VolumeFormat format, const std::string& path, const ReadVolumeOptions& options) {
   switch (format) {
-    case VolumeFormat::nrrd: return read_nrrd_header(path, options);
-    case VolumeFormat::meta_image: return read_meta_image_header(path, options);
-    case VolumeFormat::nifti: return read_nifti_header(path, options);
+    case VolumeFormat::nrrd:
+      return read_nrrd_header(path, options);
+    case VolumeFormat::meta_image:
+      return read_meta_image_header(path, options);
+    case VolumeFormat::nifti:
+      return read_nifti_header(path, options);
   }
   throw InternalError("a volume format that is none");
 }
@@ -42,11 +45,13 @@ VolumeHeader header_of(VolumeFormat format, const std::string& path, const ReadV
 void check_thickness(const FileImage& image) {
   if (std::none_of(image.size.begin(), image.size.end(), [](std::size_t n) { return n == 1; })) return;
   throw InputError("single-slice", in_file(image.source),
-                   fmt::format("its {} x {} x {} voxels are one image, one voxel thick", image.size[0], image.size[1], image.size[2]),
+                   fmt::format("its {} x {} x {} voxels are one image, one voxel thick", image.size[0], image.size[1],
+                               image.size[2]),
                    "give at least two slices; a solid lies between them");
 }
 
-Volume read_file_volume(VolumeFormat format, const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
+Volume read_file_volume(VolumeFormat format, const std::string& path, const ReadVolumeOptions& options,
+                        const Progress& progress) {
   VolumeHeader header = header_of(format, path, options);
   FileImage& image = header.image;
   const std::size_t voxels = image.size[0] * image.size[1] * image.size[2];
@@ -81,8 +86,10 @@ Volume read_volume(const std::string& path, const ReadVolumeOptions& options, co
     volume = read_dicom_volume(path, options, progress);
   } else {
     std::error_code error;
-    if (fs::file_size(path, error) == 0 && !error) throw InputError("unknown-volume-format", in_file(path), "the file is empty", "write or copy it again");
-    throw InputError("unknown-volume-format", in_file(path), "it is no volume that can be read here, or its header is damaged",
+    if (fs::file_size(path, error) == 0 && !error)
+      throw InputError("unknown-volume-format", in_file(path), "the file is empty", "write or copy it again");
+    throw InputError("unknown-volume-format", in_file(path),
+                     "it is no volume that can be read here, or its header is damaged",
                      "give NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), NIfTI (.nii, .nii.gz) or DICOM");
   }
   validate_volume(volume);

@@ -222,7 +222,8 @@ std::shared_ptr<const DicomOrigin> origin_of(const DicomStack& stack) {
   const Vector3& normal = stack.image.direction[2];
   for (const DicomPlane& plane : stack.planes) {
     const DicomImage& image = *plane.image;
-    DicomInstance instance{image.file.data.text(dicom::class_uid), image.instance, 0, image.frames[plane.frame].position};
+    DicomInstance instance{image.file.data.text(dicom::class_uid), image.instance, 0,
+                           image.frames[plane.frame].position};
     if (image.frames.size() > 1) instance.frame = static_cast<std::uint32_t>(plane.frame + 1);
     if (instance.position) origin->normal = normal;
     origin->instances.push_back(std::move(instance));
@@ -238,13 +239,15 @@ std::shared_ptr<const DicomOrigin> referenced_by(const DicomImage& image) {
   origin->series = series->text(dicom::series_uid);
   if (const DicomElement* instances = series->find(dicom::referenced_instances)) {
     for (const DicomDataSet& item : instances->items) {
-      origin->instances.push_back({item.text(dicom::referenced_class), item.text(dicom::referenced_instance), 0, std::nullopt});
+      origin->instances.push_back(
+          {item.text(dicom::referenced_class), item.text(dicom::referenced_instance), 0, std::nullopt});
     }
   }
   return origin;
 }
 
-Volume segmentation_volume(const DicomImage& image, std::vector<std::string> remarks, const std::string& path, const ReadVolumeOptions& options, const Progress& progress) {
+Volume segmentation_volume(const DicomImage& image, std::vector<std::string> remarks, const std::string& path,
+                           const ReadVolumeOptions& options, const Progress& progress) {
   Volume volume = dicom_segmentation(image, path, options, progress);
   volume.patient.dicom = referenced_by(image);
   remarks.insert(remarks.end(), volume.remarks.begin(), volume.remarks.end());
@@ -260,7 +263,8 @@ Volume read_dicom_volume(const std::string& path, const ReadVolumeOptions& optio
   for (DicomFile& file : found.files) {
     if (auto image = dicom_image(std::move(file))) images.push_back(std::move(*image));
   }
-  if (images.size() == 1 && is_dicom_segmentation(images.front().file)) return segmentation_volume(images.front(), std::move(found.remarks), path, options, progress);
+  if (images.size() == 1 && is_dicom_segmentation(images.front().file))
+    return segmentation_volume(images.front(), std::move(found.remarks), path, options, progress);
   std::vector<const DicomImage*> all;
   for (const DicomImage& image : images) all.push_back(&image);
   DicomStack stack = stack_planes(all, path, options);

@@ -42,7 +42,9 @@ Volume like(const Volume& volume) {
 /// Asks for no memory on a number's word: sizes are clamped to what validate_grid refuses.
 std::size_t voxels_along(double length, double spacing) {
   const double count = std::round(length / spacing);
-  return count < 1 ? 1 : count > static_cast<double>(limits::voxels) ? limits::voxels + 1 : static_cast<std::size_t>(count);
+  return count < 1                                     ? 1
+         : count > static_cast<double>(limits::voxels) ? limits::voxels + 1
+                                                       : static_cast<std::size_t>(count);
 }
 
 void check_grid(const Volume& grid) {
@@ -67,8 +69,9 @@ std::vector<Tap> taps(std::size_t old_count, std::size_t count, double step, Sam
       all[n] = {static_cast<std::size_t>(std::clamp(std::floor(at + 0.5), 0.0, last)), {1}};
       continue;
     }
-    const double inside = std::clamp(at, 0.0, last);   // beyond the outermost voxel its value goes on
-    const double first = std::max(0.0, std::ceil(inside - half_width)), end = std::min(last, std::floor(inside + half_width));
+    const double inside = std::clamp(at, 0.0, last);  // beyond the outermost voxel its value goes on
+    const double first = std::max(0.0, std::ceil(inside - half_width)),
+                 end = std::min(last, std::floor(inside + half_width));
     all[n].first = static_cast<std::size_t>(first);
     double sum = 0;
     for (double voxel = first; voxel <= end; ++voxel) {
@@ -81,8 +84,8 @@ std::vector<Tap> taps(std::size_t old_count, std::size_t count, double step, Sam
 }
 
 /// Along one axis alone: `size` is that of `values` before, and after it.
-void resample_axis(std::vector<float>& values, std::array<std::size_t, 3>& size, std::size_t axis, const std::vector<Tap>& taps, Share share,
-                   const Progress& progress) {
+void resample_axis(std::vector<float>& values, std::array<std::size_t, 3>& size, std::size_t axis,
+                   const std::vector<Tap>& taps, Share share, const Progress& progress) {
   std::array<std::size_t, 3> wanted = size;
   wanted[axis] = taps.size();
   const std::array<std::size_t, 3> stride{1, size[0], size[0] * size[1]};
@@ -111,7 +114,8 @@ void resample_axis(std::vector<float>& values, std::array<std::size_t, 3>& size,
 /// Values of a volume anywhere, from the grid's outermost voxels' edges on `outside`.
 class Sampler {
  public:
-  Sampler(const Volume& volume, Sampling sampling, float outside) : volume_(volume), sampling_(sampling), outside_(outside), origin_(as_array(volume.origin)) {}
+  Sampler(const Volume& volume, Sampling sampling, float outside)
+      : volume_(volume), sampling_(sampling), outside_(outside), origin_(as_array(volume.origin)) {}
 
   float at(const Point3& place) const {
     std::array<std::size_t, 3> low{};
@@ -125,12 +129,14 @@ class Sampler {
       low[n] = static_cast<std::size_t>(inside);
       part[n] = inside - static_cast<double>(low[n]);
     }
-    return sampling_ == Sampling::nearest ? volume_.slice(low[2])[low[0] + low[1] * volume_.size[0]] : between(low, part);
+    return sampling_ == Sampling::nearest ? volume_.slice(low[2])[low[0] + low[1] * volume_.size[0]]
+                                          : between(low, part);
   }
 
  private:
   float between(const std::array<std::size_t, 3>& low, const Vector3& part) const {
-    const std::size_t right = part[0] > 0 ? 1 : 0, back = part[1] > 0 ? volume_.size[0] : 0, up = part[2] > 0 ? volume_.pixels_per_slice() : 0;
+    const std::size_t right = part[0] > 0 ? 1 : 0, back = part[1] > 0 ? volume_.size[0] : 0,
+                      up = part[2] > 0 ? volume_.pixels_per_slice() : 0;
     const float* v = volume_.slice(low[2]) + low[0] + low[1] * volume_.size[0];
     const auto mix = [](double a, double b, double t) { return a + t * (b - a); };
     const auto line = [&](std::size_t at) { return mix(v[at], v[at + right], part[0]); };
@@ -145,14 +151,16 @@ class Sampler {
 
 /// `take(centre)` for each voxel that belongs, slice by slice.
 template <class Take>
-void for_voxels_of(const Volume& volume, const std::function<bool(float)>& belongs, const Progress& progress, Take take) {
+void for_voxels_of(const Volume& volume, const std::function<bool(float)>& belongs, const Progress& progress,
+                   Take take) {
   for (std::size_t k = 0; k < volume.size[2]; ++k) {
     progress.check();
     const float* value = volume.slice(k);
     for (std::size_t j = 0; j < volume.size[1]; ++j) {
       for (std::size_t i = 0; i < volume.size[0]; ++i) {
         if (!belongs(*value++)) continue;
-        take(Point3{volume.origin.x + static_cast<double>(i) * volume.spacing[0], volume.origin.y + static_cast<double>(j) * volume.spacing[1],
+        take(Point3{volume.origin.x + static_cast<double>(i) * volume.spacing[0],
+                    volume.origin.y + static_cast<double>(j) * volume.spacing[1],
                     volume.origin.z + static_cast<double>(k) * volume.spacing[2]});
       }
     }
@@ -163,13 +171,16 @@ RigidMotion upright_motion(const Volume& volume, const std::function<bool(float)
   Moments moments;
   for_voxels_of(volume, belongs, progress, [&](const Point3& at) { moments.add(at); });
   const std::string remedy = "crop the volume to the tooth (--crop), or leave --upright out";
-  if (moments.count() == 0) throw InputError("no-long-axis", in_volume(volume), "no voxel belongs to what is to stand upright", remedy);
+  if (moments.count() == 0)
+    throw InputError("no-long-axis", in_volume(volume), "no voxel belongs to what is to stand upright", remedy);
   const Moments::Axes axes = moments.axes();
   if (!(axes.variance[0] > limits::long_axis * axes.variance[1])) {
-    throw InputError("no-long-axis", in_volume(volume),
-                     fmt::format("it is as wide as long (spread of {:.3g} and {:.3g} mm along its axes): which way is up cannot be told", std::sqrt(axes.variance[1]),
-                                 std::sqrt(axes.variance[0])),
-                     remedy);
+    throw InputError(
+        "no-long-axis", in_volume(volume),
+        fmt::format(
+            "it is as wide as long (spread of {:.3g} and {:.3g} mm along its axes): which way is up cannot be told",
+            std::sqrt(axes.variance[1]), std::sqrt(axes.variance[0])),
+        remedy);
   }
   return turn_to_z(axes.direction[0], moments.centre());
 }
@@ -181,12 +192,14 @@ Volume cropped(Volume&& volume, const VolumeBox& box) {
   std::array<std::size_t, 3> first{}, end{};
   for (std::size_t n = 0; n < 3; ++n) {
     const auto last = static_cast<double>(volume.size[n] - 1);
-    const double from = std::max(0.0, std::ceil((low[n] - origin[n]) / volume.spacing[n])), to = std::min(last, std::floor((high[n] - origin[n]) / volume.spacing[n]));
+    const double from = std::max(0.0, std::ceil((low[n] - origin[n]) / volume.spacing[n])),
+                 to = std::min(last, std::floor((high[n] - origin[n]) / volume.spacing[n]));
     if (!(from <= to)) {
-      throw InputError("crop-misses", in_volume(volume),
-                       fmt::format("no voxel lies from {:.6g} to {:.6g} mm along {}; the volume reaches from {:.6g} to {:.6g} mm", low[n], high[n], "xyz"[n], origin[n],
-                                   origin[n] + last * volume.spacing[n]),
-                       "give a box that holds a part of it: --crop X0,X1,Y0,Y1,Z0,Z1");
+      throw InputError(
+          "crop-misses", in_volume(volume),
+          fmt::format("no voxel lies from {:.6g} to {:.6g} mm along {}; the volume reaches from {:.6g} to {:.6g} mm",
+                      low[n], high[n], "xyz"[n], origin[n], origin[n] + last * volume.spacing[n]),
+          "give a box that holds a part of it: --crop X0,X1,Y0,Y1,Z0,Z1");
     }
     first[n] = static_cast<std::size_t>(from);
     end[n] = static_cast<std::size_t>(to) + 1;
@@ -194,7 +207,8 @@ Volume cropped(Volume&& volume, const VolumeBox& box) {
   Volume part = like(volume);
   part.spacing = volume.spacing;
   part.size = {end[0] - first[0], end[1] - first[1], end[2] - first[2]};
-  part.origin = {origin[0] + static_cast<double>(first[0]) * volume.spacing[0], origin[1] + static_cast<double>(first[1]) * volume.spacing[1],
+  part.origin = {origin[0] + static_cast<double>(first[0]) * volume.spacing[0],
+                 origin[1] + static_cast<double>(first[1]) * volume.spacing[1],
                  origin[2] + static_cast<double>(first[2]) * volume.spacing[2]};
   validate_grid(part);
   part.values.reserve(part.size[0] * part.size[1] * part.size[2]);
@@ -223,18 +237,20 @@ Volume resampled(const Volume& volume, double spacing, Sampling sampling, const 
   std::array<std::size_t, 3> size = volume.size;
   // Coarser axes first: the least work and memory on the way.
   std::array<std::size_t, 3> order{0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return volume.spacing[a] < volume.spacing[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return volume.spacing[a] < volume.spacing[b]; });
   grid.values = volume.values;
   for (std::size_t n = 0; n < 3; ++n) {
     const std::size_t axis = order[n];
     const Share share{static_cast<double>(n) / 3, static_cast<double>(n + 1) / 3};
-    resample_axis(grid.values, size, axis, taps(volume.size[axis], grid.size[axis], spacing / volume.spacing[axis], sampling), share, progress);
+    resample_axis(grid.values, size, axis,
+                  taps(volume.size[axis], grid.size[axis], spacing / volume.spacing[axis], sampling), share, progress);
   }
   return grid;
 }
 
-UprightVolume upright(const Volume& volume, const std::function<bool(float)>& belongs, double spacing, Sampling sampling, float outside,
-                      const Progress& progress) {
+UprightVolume upright(const Volume& volume, const std::function<bool(float)>& belongs, double spacing,
+                      Sampling sampling, float outside, const Progress& progress) {
   progress.tell("upright", 0);
   const RigidMotion motion = upright_motion(volume, belongs, progress);
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -262,8 +278,9 @@ UprightVolume upright(const Volume& volume, const std::function<bool(float)>& be
     float* to = grid.values.data() + k * grid.pixels_per_slice();
     for (std::size_t j = 0; j < grid.size[1]; ++j)
       for (std::size_t i = 0; i < grid.size[0]; ++i)
-        *to++ = sampler.at(back({grid.origin.x + static_cast<double>(i) * spacing, grid.origin.y + static_cast<double>(j) * spacing,
-                                 grid.origin.z + static_cast<double>(k) * spacing}));
+        *to++ = sampler.at(
+            back({grid.origin.x + static_cast<double>(i) * spacing, grid.origin.y + static_cast<double>(j) * spacing,
+                  grid.origin.z + static_cast<double>(k) * spacing}));
   });
   return {std::move(grid), motion};
 }

@@ -40,22 +40,27 @@ bool is_clockwise(const std::vector<Point2>& points) {
 }
 
 bool near(const Box& a, const Box& b, Point2 reach) {
-  return a.low.x < b.high.x + reach.x && b.low.x < a.high.x + reach.x && a.low.y < b.high.y + reach.y && b.low.y < a.high.y + reach.y;
+  return a.low.x < b.high.x + reach.x && b.low.x < a.high.x + reach.x && a.low.y < b.high.y + reach.y &&
+         b.low.y < a.high.y + reach.y;
 }
 
-/// Of one kind, with a corner of one inside the other: what only crosses with all corners outside is thinner than a contour of pixels gets.
+/// Of one kind, with a corner of one inside the other: what only crosses with all corners outside is thinner than a
+/// contour of pixels gets.
 bool overlap(const Outline& a, const Outline& b) {
   if (a.is_hole != b.is_hole || !near(a.box, b.box, {0, 0})) return false;
   const auto any_in = [](const Outline& these, const Outline& that) {
-    return std::any_of(these.points->begin(), these.points->end(), [&](const Point2& p) { return ring_holds(*that.points, p); });
+    return std::any_of(these.points->begin(), these.points->end(),
+                       [&](const Point2& p) { return ring_holds(*that.points, p); });
   };
   return any_in(a, b) || any_in(b, a);
 }
 
-std::vector<Outline> outlines_of(const TracedLevels& slice, const std::string& structure, std::optional<std::size_t> level) {
+std::vector<Outline> outlines_of(const TracedLevels& slice, const std::string& structure,
+                                 std::optional<std::size_t> level) {
   std::vector<Outline> result;
   for (const Contour& contour : *slice.kept) {
-    if (contour.structure == structure) result.push_back({&contour.points, box_of(contour.points), is_clockwise(contour.points), false});
+    if (contour.structure == structure)
+      result.push_back({&contour.points, box_of(contour.points), is_clockwise(contour.points), false});
   }
   if (!level) return result;
   for (const DroppedContour& dropped : *slice.dropped) {
@@ -72,15 +77,17 @@ struct Run {
 Point2 middle(const Box& box) { return {(box.low.x + box.high.x) / 2, (box.low.y + box.high.y) / 2}; }
 
 /// Runs that end in each outline of a slice, from those that end in the slice before. Marks in `goes_on` what overlaps.
-std::vector<Run> runs_in(std::size_t k, const std::vector<Outline>& here, const std::vector<Outline>& before, const std::vector<Run>& runs_before,
-                         std::vector<bool>& goes_on, std::vector<bool>& before_goes_on) {
+std::vector<Run> runs_in(std::size_t k, const std::vector<Outline>& here, const std::vector<Outline>& before,
+                         const std::vector<Run>& runs_before, std::vector<bool>& goes_on,
+                         std::vector<bool>& before_goes_on) {
   std::vector<Run> runs;
   for (std::size_t n = 0; n < here.size(); ++n) {
     Run run{1, k, middle(here[n].box)};
     for (std::size_t m = 0; m < before.size(); ++m) {
       if (!(here[n].is_dropped || before[m].is_dropped) || !overlap(here[n], before[m])) continue;
       goes_on[n] = before_goes_on[m] = true;
-      if (here[n].is_dropped && before[m].is_dropped && runs_before[m].length + 1 > run.length) run = {runs_before[m].length + 1, runs_before[m].first_slice, runs_before[m].at};
+      if (here[n].is_dropped && before[m].is_dropped && runs_before[m].length + 1 > run.length)
+        run = {runs_before[m].length + 1, runs_before[m].first_slice, runs_before[m].at};
     }
     runs.push_back(run);
   }
@@ -95,7 +102,8 @@ std::size_t dropped_that_go_on(const std::vector<Outline>& outlines, const std::
 
 }  // namespace
 
-void find_runs(const std::vector<TracedLevels>& slices, std::size_t level, const std::string& structure, DroppedCounts& counts) {
+void find_runs(const std::vector<TracedLevels>& slices, std::size_t level, const std::string& structure,
+               DroppedCounts& counts) {
   if (!counts.looked_at) return;
   std::vector<Outline> before;
   std::vector<Run> runs_before;
@@ -132,7 +140,8 @@ std::size_t count_pieces(const std::vector<TracedLevels>& slices, const std::str
       if (other >= outlines.size()) continue;  // k - 1 of the first wraps round
       if (outlines[k].size() * outlines[other].size() > limits::small_contour_pairs) return 0;
       for (std::size_t n = 0; n < outlines[k].size(); ++n) {
-        lonely[k][n] = lonely[k][n] && std::none_of(outlines[other].begin(), outlines[other].end(), [&](const Outline& o) { return overlap(outlines[k][n], o); });
+        lonely[k][n] = lonely[k][n] && std::none_of(outlines[other].begin(), outlines[other].end(),
+                                                    [&](const Outline& o) { return overlap(outlines[k][n], o); });
       }
     }
   }
@@ -144,7 +153,8 @@ std::size_t count_pieces(const std::vector<TracedLevels>& slices, const std::str
         if (!lonely[k][n] || other >= outlines.size()) continue;
         for (std::size_t m = 0; m < outlines[other].size(); ++m) {
           const Outline& o = outlines[other][m];
-          touches = touches || (lonely[other][m] && o.is_hole == outlines[k][n].is_hole && near(outlines[k][n].box, o.box, reach));
+          touches = touches ||
+                    (lonely[other][m] && o.is_hole == outlines[k][n].is_hole && near(outlines[k][n].box, o.box, reach));
         }
       }
       pieces += touches ? 1 : 0;

@@ -1,5 +1,6 @@
 #pragma once
-// What became of contours too small to be kept, and of those that hang together by corners only. Inner part of contour_levels.h.
+// What became of contours too small to be kept, and of those that hang together by corners only. Inner part of
+// contour_levels.h.
 //
 // A canal's section is small, too: one that goes on in the next slice is no noise.
 
@@ -41,11 +42,13 @@ struct TracedLevels {
   const std::vector<DroppedContour>* dropped = nullptr;
 };
 
-/// Fills in what goes on, and the longest run; `counts` holds the rest already, and stays as it is if not all was kept to be looked at.
-void find_runs(const std::vector<TracedLevels>& slices, std::size_t level, const std::string& structure, DroppedCounts& counts);
+/// Fills in what goes on, and the longest run; `counts` holds the rest already, and stays as it is if not all was kept
+/// to be looked at.
+void find_runs(const std::vector<TracedLevels>& slices, std::size_t level, const std::string& structure,
+               DroppedCounts& counts);
 
-/// Contours that overlap none of their kind in either neighbouring slice, but come within `reach` (a voxel, x and y) of one that is as lonely: a canal one
-/// voxel wide that runs aslant falls into such pieces.
+/// Contours that overlap none of their kind in either neighbouring slice, but come within `reach` (a voxel, x and y) of
+/// one that is as lonely: a canal one voxel wide that runs aslant falls into such pieces.
 std::size_t count_pieces(const std::vector<TracedLevels>& slices, const std::string& structure, Point2 reach);
 
 }  // namespace odontoscope

@@ -142,7 +142,8 @@ class Plate {
     const auto add = [&](int axis, std::size_t near) {
       const std::uint32_t n = number_[near];
       const double far = (inside(near) ? 1 : -1) * limits::plate_reach * beyond;
-      sum += weight_[axis] * ((n == not_in_band ? far : static_cast<double>(values[n])) - static_cast<double>(values[i]));
+      sum +=
+          weight_[axis] * ((n == not_in_band ? far : static_cast<double>(values[n])) - static_cast<double>(values[i]));
     };
     for (int axis = 0; axis < 3; ++axis) {
       const auto by = static_cast<std::size_t>(stride(axis));
@@ -161,9 +162,9 @@ class Plate {
 
   const Volume& volume_;
   float label_;
-  std::vector<std::uint32_t>& number_;   // in the band, of each voxel
+  std::vector<std::uint32_t>& number_;  // in the band, of each voxel
   std::ptrdiff_t size_[3];
-  double length_[3], weight_[3];         // of a voxel, over the shortest; of an axis in the Laplacian
+  double length_[3], weight_[3];  // of a voxel, over the shortest; of an axis in the Laplacian
   std::vector<std::size_t> voxels_;
   std::vector<float> distances_, heights_;
 };
@@ -197,7 +198,8 @@ const SmoothLabels::Band* SmoothLabels::band_of(float value) const {
 /// In one of the two cells beside the grid edge?
 bool SmoothLabels::three_meet(std::size_t k, trace::Vertex low, int axis) const {
   const float* pixels = volume_.slice(k);
-  const auto width = static_cast<std::ptrdiff_t>(volume_.size[0]), height = static_cast<std::ptrdiff_t>(volume_.size[1]);
+  const auto width = static_cast<std::ptrdiff_t>(volume_.size[0]),
+             height = static_cast<std::ptrdiff_t>(volume_.size[1]);
   const trace::Step along = axis == 0 ? trace::Step{1, 0} : trace::Step{0, 1};
   const auto band_at = [&](trace::Vertex v) { return band_of(pixels[v.j * width + v.i]); };
   const Band *one = band_at(low), *other = band_at(low + along);
@@ -216,8 +218,8 @@ double SmoothLabels::crossing(std::size_t k, trace::Vertex low, int axis) const 
   constexpr double middle = 0.5;
   if (three_meet(k, low, axis)) return middle;
   const std::size_t row = volume_.size[0];
-  const std::size_t from = k * volume_.pixels_per_slice() + static_cast<std::size_t>(low.j) * row +
-                           static_cast<std::size_t>(low.i);
+  const std::size_t from =
+      k * volume_.pixels_per_slice() + static_cast<std::size_t>(low.j) * row + static_cast<std::size_t>(low.i);
   const std::size_t to = from + (axis == 0 ? 1 : row);
   const Band *one = band_of(volume_.values[from]), *other = band_of(volume_.values[to]);
   const auto height = [](const Band* band, std::size_t voxel) {
@@ -226,13 +228,14 @@ double SmoothLabels::crossing(std::size_t k, trace::Vertex low, int axis) const 
     return static_cast<double>(band->heights[static_cast<std::size_t>(at - band->voxels.begin())]);
   };
   const double before = height(one, from) - height(other, from), after = height(one, to) - height(other, to);
-  const double most = std::min(distance_ / volume_.spacing[static_cast<std::size_t>(axis)],
-                               middle - limits::grid_vertex_margin);
+  const double most =
+      std::min(distance_ / volume_.spacing[static_cast<std::size_t>(axis)], middle - limits::grid_vertex_margin);
   return std::clamp(before / (before - after), middle - most, middle + most);
 }
 
 double SmoothLabels::find_largest_shift() const {
-  const auto columns = static_cast<std::ptrdiff_t>(volume_.size[0]), rows = static_cast<std::ptrdiff_t>(volume_.size[1]);
+  const auto columns = static_cast<std::ptrdiff_t>(volume_.size[0]),
+             rows = static_cast<std::ptrdiff_t>(volume_.size[1]);
   const auto of_edge = [&](std::size_t k, trace::Vertex low, int axis) {
     const float* pixels = volume_.slice(k);
     const trace::Vertex high = axis == 0 ? trace::Vertex{low.i + 1, low.j} : trace::Vertex{low.i, low.j + 1};

@@ -1,5 +1,6 @@
 #pragma once
-// Label maps without their staircase: where between two voxels the border of a label runs, guessed from its surroundings.
+// Label maps without their staircase: where between two voxels the border of a label runs, guessed from its
+// surroundings.
 //
 // Each label gets a height for every voxel near its border: at first the signed distance to the faces of voxels that
 // part it from others (positive inside), then bent as little as possible: a few steps down the gradient of its squared
@@ -9,8 +10,8 @@
 // of three voxels keeps its width. Only few steps are taken, since after many it would.
 //
 // A contour of label a then crosses the grid line to a voxel of label b where the difference of their heights is zero.
-// That is strictly between the two voxels' centres, so the contours' topology is that of the unsmoothed map whatever the
-// heights are: nothing is lost, joined or parted, and no pixel changes sides (trace.h). Seen from b it is the same
+// That is strictly between the two voxels' centres, so the contours' topology is that of the unsmoothed map whatever
+// the heights are: nothing is lost, joined or parted, and no pixel changes sides (trace.h). Seen from b it is the same
 // difference, so both have the same point to the bit. Where three labels meet in a cell, its points stay in the middle
 // between voxels.
 
@@ -34,10 +35,10 @@ struct SmoothLabelsOptions {
 
 class SmoothLabels {
  public:
-  /// All labels that are contoured together; whatever else is in the volume counts as one. Precondition: validate_volume
-  /// passed; the volume outlives this. Memory: 4 bytes a voxel while it is made, some 100 a voxel of border. Runs in the
-  /// caller's TBB arena; the result does not depend on the number of threads. Throws UsageError for a distance that is
-  /// negative or not a number. Stage: "smooth".
+  /// All labels that are contoured together; whatever else is in the volume counts as one. Precondition:
+  /// validate_volume passed; the volume outlives this. Memory: 4 bytes a voxel while it is made, some 100 a voxel of
+  /// border. Runs in the caller's TBB arena; the result does not depend on the number of threads. Throws UsageError for
+  /// a distance that is negative or not a number. Stage: "smooth".
   SmoothLabels(const Volume& volume, const std::vector<float>& labels, const SmoothLabelsOptions& options,
                const Progress& progress = {});
 

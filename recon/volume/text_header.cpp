@@ -41,8 +41,8 @@ class Lines {
     for (char c; source_.next(c);) {
       if (++end_ > limits::header_bytes || line.size() > limits::header_line) {
         refuse(path_, number_,
-               fmt::format("its header has a line of more than {} or more than {} characters in all", limits::header_line,
-                           limits::header_bytes));
+               fmt::format("its header has a line of more than {} or more than {} characters in all",
+                           limits::header_line, limits::header_bytes));
       }
       if (c == '\n') return true;
       line += c;
@@ -90,17 +90,20 @@ std::optional<Pattern> pattern_of(std::string_view text) {
 std::vector<std::string> names_by_pattern(const std::string& header, const std::vector<std::string>& words) {
   const std::optional<Pattern> pattern = pattern_of(words[0]);
   double first = 0, last = 0, step = 1;
-  const bool numbers = words.size() >= 3 && words.size() <= 5 && number_of(words[1], first) && number_of(words[2], last) &&
-                       (words.size() < 4 || number_of(words[3], step));
+  const bool numbers = words.size() >= 3 && words.size() <= 5 && number_of(words[1], first) &&
+                       number_of(words[2], last) && (words.size() < 4 || number_of(words[3], step));
   constexpr double most = 1e6;
   const auto whole = [](double x) { return std::abs(x) <= most && x == std::floor(x); };
   if (!pattern || !numbers || !whole(first) || !whole(last) || !whole(step) || step == 0 || (last - first) / step < 0) {
-    refuse_names(header, fmt::format("\"{}\" is no pattern of file names like slice%03d.raw 1 100 1", words[0].substr(0, limits::quoted_length)));
+    refuse_names(header, fmt::format("\"{}\" is no pattern of file names like slice%03d.raw 1 100 1",
+                                     words[0].substr(0, limits::quoted_length)));
   }
   const double count = std::floor((last - first) / step) + 1;
-  if (count > static_cast<double>(limits::slices)) refuse_names(header, fmt::format("it names {:.0f} files; the limit is {}", count, limits::slices));
+  if (count > static_cast<double>(limits::slices))
+    refuse_names(header, fmt::format("it names {:.0f} files; the limit is {}", count, limits::slices));
   std::vector<std::string> names;
-  for (long n = 0; n < static_cast<long>(count); ++n) names.push_back(pattern->name(static_cast<long>(first) + n * static_cast<long>(step)));
+  for (long n = 0; n < static_cast<long>(count); ++n)
+    names.push_back(pattern->name(static_cast<long>(first) + n * static_cast<long>(step)));
   return names;
 }
 
@@ -121,7 +124,8 @@ bool lies_inside(const std::string& header, const std::string& file) {
 
 void check_inside(const std::string& header, const std::string& file) {
   if (lies_inside(header, file)) return;
-  throw InputError("outside-folder", in_file(header), fmt::format("its pixels are to come from {}, which lies outside the header's own folder", file),
+  throw InputError("outside-folder", in_file(header),
+                   fmt::format("its pixels are to come from {}, which lies outside the header's own folder", file),
                    "put the pixels beside the header, or give --allow-outside if you trust it");
 }
 
@@ -181,14 +185,16 @@ TextHeader read_text_header(ByteSource& source, const std::string& path, const T
   return header;
 }
 
-std::vector<std::string> data_files_of(const std::string& header, const std::string& field, const std::vector<std::string>& list, bool allow_outside) {
+std::vector<std::string> data_files_of(const std::string& header, const std::string& field,
+                                       const std::vector<std::string>& list, bool allow_outside) {
   std::vector<std::string> names{field};
   const std::vector<std::string> words = words_of(field);
   if (words.empty()) refuse_names(header, "it names no file with its pixels");
   if (begins_list("data file", field)) {
     names = list;
     if (names.empty()) refuse_names(header, "its list of files with pixels is empty");
-    if (names.size() > limits::slices) refuse_names(header, fmt::format("it names {} files; the limit is {}", names.size(), limits::slices));
+    if (names.size() > limits::slices)
+      refuse_names(header, fmt::format("it names {} files; the limit is {}", names.size(), limits::slices));
   } else if (words.size() > 1 && words[0].find('%') != std::string::npos) {
     names = names_by_pattern(header, words);
   }

@@ -52,11 +52,12 @@ std::vector<std::string> words_of(std::string_view text);
 /// The whole of `word` as a number; NRRD's "nan" and "inf" too. False if it is none.
 bool number_of(std::string_view word, double& number);
 
-/// Files with the pixels that `field` of a header names: one; with "LIST" those of `list`; with "name%03d.raw FIRST LAST STEP" those of that
-/// pattern. Throws InputError unreadable-volume for a pattern or list that makes no sense, outside-folder for a file that lies neither in the
-/// header's folder nor below it, unless `allow_outside`: a header that somebody sent could name any file of the machine.
-std::vector<std::string> data_files_of(const std::string& header, const std::string& field, const std::vector<std::string>& list,
-                                       bool allow_outside);
+/// Files with the pixels that `field` of a header names: one; with "LIST" those of `list`; with "name%03d.raw FIRST
+/// LAST STEP" those of that pattern. Throws InputError unreadable-volume for a pattern or list that makes no sense,
+/// outside-folder for a file that lies neither in the header's folder nor below it, unless `allow_outside`: a header
+/// that somebody sent could name any file of the machine.
+std::vector<std::string> data_files_of(const std::string& header, const std::string& field,
+                                       const std::vector<std::string>& list, bool allow_outside);
 
 /// Does `file`, with links followed, lie in the header's folder or below it?
 bool lies_inside(const std::string& header, const std::string& file);

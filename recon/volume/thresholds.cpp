@@ -81,7 +81,8 @@ Histogram histogram_of(const Volume& volume, ValueRange range) {
 
 std::vector<double> otsu_thresholds(const Histogram& histogram, std::size_t classes) {
   const std::size_t bins = histogram.counts.size();
-  const auto filled = static_cast<std::size_t>(std::count_if(histogram.counts.begin(), histogram.counts.end(), [](std::uint64_t n) { return n > 0; }));
+  const auto filled = static_cast<std::size_t>(
+      std::count_if(histogram.counts.begin(), histogram.counts.end(), [](std::uint64_t n) { return n > 0; }));
   classes = std::min(classes, filled);
   if (classes < 2) return {};
   const Sums sums(histogram);
@@ -125,7 +126,8 @@ bool looks_like_labels(const Volume& volume) {
   return seen.contains(0.0f) && seen.size() > 1;
 }
 
-std::vector<std::string> histogram_lines(const Histogram& histogram, const std::vector<double>& marks, std::size_t lines) {
+std::vector<std::string> histogram_lines(const Histogram& histogram, const std::vector<double>& marks,
+                                         std::size_t lines) {
   const std::size_t bins = histogram.counts.size(), together = (bins + lines - 1) / lines;
   std::vector<std::uint64_t> sums;
   for (std::size_t bin = 0; bin < bins; bin += together) {
@@ -140,7 +142,8 @@ std::vector<std::string> histogram_lines(const Histogram& histogram, const std::
     for (const double mark : marks)
       if (mark >= from && mark < to) marked += fmt::format("  < {:.4g}", mark);
     // By the root: the air around a tooth would make every other bar vanish.
-    result.push_back(fmt::format("{:>10.4g} |{:<50}|{}", from, bar(std::sqrt(static_cast<double>(sums[line]) / most)), marked));
+    result.push_back(
+        fmt::format("{:>10.4g} |{:<50}|{}", from, bar(std::sqrt(static_cast<double>(sums[line]) / most)), marked));
   }
   return result;
 }

@@ -129,12 +129,14 @@ ValueRange validate_volume(const Volume& volume) {
 }
 
 bool is_overlap(const Volume& volume, float value) {
-  return std::any_of(volume.overlaps.begin(), volume.overlaps.end(), [value](const LabelOverlap& overlap) { return value == static_cast<float>(overlap.value); });
+  return std::any_of(volume.overlaps.begin(), volume.overlaps.end(),
+                     [value](const LabelOverlap& overlap) { return value == static_cast<float>(overlap.value); });
 }
 
 LabelValues::LabelValues(const Volume& volume, std::int64_t label) : label_(static_cast<float>(label)) {
   for (const LabelOverlap& overlap : volume.overlaps) {
-    if (std::binary_search(overlap.labels.begin(), overlap.labels.end(), label)) shared_.push_back(static_cast<float>(overlap.value));
+    if (std::binary_search(overlap.labels.begin(), overlap.labels.end(), label))
+      shared_.push_back(static_cast<float>(overlap.value));
   }
 }
 

@@ -46,7 +46,8 @@ struct Volume {
   std::vector<VolumeLabel> labels;
   /// By value. None of the values is a label.
   std::vector<LabelOverlap> overlaps;
-  /// Voxels of the file that became one of these, along x, y and z: of a large file that was not wanted whole (VolumePart).
+  /// Voxels of the file that became one of these, along x, y and z: of a large file that was not wanted whole
+  /// (VolumePart).
   std::array<std::size_t, 3> merged{1, 1, 1};
   /// How many there were along x, y and z before that, which need be no multiple; zeros if none were merged.
   std::array<std::size_t, 3> size_before{};

@@ -100,8 +100,8 @@ VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptio
 
   VolumeContours result;
   const Lattice lattice(volume);
-  result.volume = {volume.size, volume.spacing, volume.origin, range, volume.tilt_degrees, lattice.step(),
-                   lattice.largest_shift()};
+  result.volume = {volume.size,         volume.spacing, volume.origin,          range,
+                   volume.tilt_degrees, lattice.step(), lattice.largest_shift()};
   if (smooth) result.smoothing_shift = smooth->largest_shift();
   result.levels = std::move(traced.levels);
   result.stack = std::move(traced.stack);

@@ -60,7 +60,8 @@ VolumeContours contours_from_volume(const std::string& path, const VolumeContour
                                     const Progress& progress = {});
 
 /// The same of a volume that was read before and passes validate_volume; options.spacing has had its say by then.
-VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptions& options, const Progress& progress = {});
+VolumeContours contours_of_volume(const Volume& volume, const VolumeContourOptions& options,
+                                  const Progress& progress = {});
 
 /// "120" or "120=dentine". Without a name the structure is "tooth". Throws UsageError.
 IsoLevel parse_iso_level(std::string_view text);

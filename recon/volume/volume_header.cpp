@@ -76,13 +76,15 @@ std::optional<double> millimetres_in(const std::string& unit) {
     std::string_view word;
     double millimetres;
   };
-  constexpr std::array<Unit, 36> units{{{"mm", 1}, {"millimeter", 1}, {"millimeters", 1}, {"millimetre", 1}, {"millimetres", 1},
-                                        {"um", 1e-3}, {"\xc2\xb5m", 1e-3}, {"\xce\xbcm", 1e-3}, {"\xb5m", 1e-3}, {"micron", 1e-3}, {"microns", 1e-3},
-                                        {"micrometer", 1e-3}, {"micrometers", 1e-3}, {"micrometre", 1e-3}, {"micrometres", 1e-3},
-                                        {"nm", 1e-6}, {"nanometer", 1e-6}, {"nanometers", 1e-6}, {"nanometre", 1e-6}, {"nanometres", 1e-6},
-                                        {"cm", 10}, {"centimeter", 10}, {"centimeters", 10}, {"centimetre", 10}, {"centimetres", 10},
-                                        {"dm", 100}, {"m", 1000}, {"meter", 1000}, {"meters", 1000}, {"metre", 1000}, {"metres", 1000},
-                                        {"in", 25.4}, {"inch", 25.4}, {"inches", 25.4}, {"mu", 1e-3}, {"micro", 1e-3}}};
+  constexpr std::array<Unit, 36> units{
+      {{"mm", 1},         {"millimeter", 1},    {"millimeters", 1},    {"millimetre", 1},    {"millimetres", 1},
+       {"um", 1e-3},      {"\xc2\xb5m", 1e-3},  {"\xce\xbcm", 1e-3},   {"\xb5m", 1e-3},      {"micron", 1e-3},
+       {"microns", 1e-3}, {"micrometer", 1e-3}, {"micrometers", 1e-3}, {"micrometre", 1e-3}, {"micrometres", 1e-3},
+       {"nm", 1e-6},      {"nanometer", 1e-6},  {"nanometers", 1e-6},  {"nanometre", 1e-6},  {"nanometres", 1e-6},
+       {"cm", 10},        {"centimeter", 10},   {"centimeters", 10},   {"centimetre", 10},   {"centimetres", 10},
+       {"dm", 100},       {"m", 1000},          {"meter", 1000},       {"meters", 1000},     {"metre", 1000},
+       {"metres", 1000},  {"in", 25.4},         {"inch", 25.4},        {"inches", 25.4},     {"mu", 1e-3},
+       {"micro", 1e-3}}};
   const std::string word = lower_case(unit);
   for (const Unit& known : units)
     if (word == known.word) return known.millimetres;
@@ -93,12 +95,14 @@ std::size_t voxels_of(const std::string& path, const std::vector<double>& sizes)
   double voxels = 1;
   for (const double size : sizes) {
     if (size != std::floor(size) || size < 1) {
-      throw InputError("empty-volume", in_file(path), fmt::format("one of its sizes is {}", size), "correct the header");
+      throw InputError("empty-volume", in_file(path), fmt::format("one of its sizes is {}", size),
+                       "correct the header");
     }
     voxels *= size;
   }
   if (voxels > static_cast<double>(limits::voxels)) {
-    throw InputError("too-many-voxels", in_file(path), fmt::format("it has {:.3g} voxels; the limit is {}", voxels, limits::voxels),
+    throw InputError("too-many-voxels", in_file(path),
+                     fmt::format("it has {:.3g} voxels; the limit is {}", voxels, limits::voxels),
                      "crop it to the tooth or resample it more coarsely");
   }
   return static_cast<std::size_t>(voxels);
@@ -110,7 +114,8 @@ std::vector<std::size_t> three_axes(const std::string& path, const std::vector<d
   for (std::size_t n = sizes.size(); n-- > 0 && kept.size() > 3;)
     if (sizes[n] == 1) kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(n));
   if (kept.size() <= 3) return kept;
-  throw InputError("not-3d", in_file(path), fmt::format("it has {} axes that are longer than one voxel: several volumes", kept.size()),
+  throw InputError("not-3d", in_file(path),
+                   fmt::format("it has {} axes that are longer than one voxel: several volumes", kept.size()),
                    "give one volume of a time series");
 }
 

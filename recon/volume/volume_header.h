@@ -1,6 +1,6 @@
 #pragma once
-// What a volume file's header says: the grid in the patient's axes, and where and how the pixels lie. Nothing of it is believed that could cost
-// memory or time before it is checked. Inner part of read_volume.h, which states the rules.
+// What a volume file's header says: the grid in the patient's axes, and where and how the pixels lie. Nothing of it is
+// believed that could cost memory or time before it is checked. Inner part of read_volume.h, which states the rules.
 //
 //   NRRD       teem.sourceforge.net/nrrd/format.html (Kindlmann)
 //   MetaImage  MetaIO's documentation (Kitware)
@@ -27,12 +27,14 @@ struct VolumeHeader {
 
 enum class VolumeFormat { nrrd, meta_image, nifti };
 
-/// By content, unpacked where the file is gzip; by name where the content tells nothing (an empty MetaImage header is a damaged one).
+/// By content, unpacked where the file is gzip; by name where the content tells nothing (an empty MetaImage header is a
+/// damaged one).
 std::optional<VolumeFormat> volume_format(const std::string& path);
 
-/// The options' spacing has its say where the file's is missing or its unit unknown. Throws InputError unreadable-volume (a field is missing,
-/// doubled, out of range or not finite; the remedy says what to write), outside-folder, not-scalar, not-3d, pixel-type, empty-volume,
-/// too-many-voxels, bad-spacing, unknown-unit, left-handed-space.
+/// The options' spacing has its say where the file's is missing or its unit unknown. Throws InputError
+/// unreadable-volume (a field is missing, doubled, out of range or not finite; the remedy says what to write),
+/// outside-folder, not-scalar, not-3d, pixel-type, empty-volume, too-many-voxels, bad-spacing, unknown-unit,
+/// left-handed-space.
 VolumeHeader read_nrrd_header(const std::string& path, const ReadVolumeOptions& options);
 VolumeHeader read_meta_image_header(const std::string& path, const ReadVolumeOptions& options);
 VolumeHeader read_nifti_header(const std::string& path, const ReadVolumeOptions& options);
@@ -43,7 +45,8 @@ std::optional<double> millimetres_in(const std::string& unit);
 /// Number of voxels; throws empty-volume and too-many-voxels for what no volume has.
 std::size_t voxels_of(const std::string& path, const std::vector<double>& sizes);
 
-/// Numbers of the axes that make the volume: all up to three, of more those longer than one voxel. Throws not-3d if these are too many.
+/// Numbers of the axes that make the volume: all up to three, of more those longer than one voxel. Throws not-3d if
+/// these are too many.
 std::vector<std::size_t> three_axes(const std::string& path, const std::vector<double>& sizes);
 
 }  // namespace odontoscope

@@ -47,11 +47,13 @@ void figures_in(const nlohmann::json& value, const std::string& path, std::map<s
   if (value.is_number()) figures[path] = value;
   if (!value.is_structured()) return;
   for (const auto& [key, part] : value.items())
-    if (key != "at" && key != "orifice" && key != "end" && key != "uncertainty") figures_in(part, path + "/" + key, figures);
+    if (key != "at" && key != "orifice" && key != "end" && key != "uncertainty")
+      figures_in(part, path + "/" + key, figures);
 }
 
 TEST_F(AnatomyCommand, TellsTheSameOfAModelInAFile) {
-  const std::vector<std::pair<std::string, std::string>> teeth{{"premolar", "0.3"}, {"incisor", "0.25"}, {"molar", "0.35"}};
+  const std::vector<std::pair<std::string, std::string>> teeth{
+      {"premolar", "0.3"}, {"incisor", "0.25"}, {"molar", "0.35"}};
   for (const auto& [tooth, spacing] : teeth) {
     ASSERT_EQ(odontoscope({"sample", tooth, "--slice-spacing", spacing, "-o", "t.json"}).exit_code, 0);
     ASSERT_EQ(odontoscope({"anatomy", "t.json", "-o", "contours.json"}).exit_code, 0);
@@ -73,10 +75,14 @@ TEST_F(AnatomyCommand, TellsTheSameOfAModelInAFile) {
         EXPECT_GE(one.size(), 12u);
         EXPECT_EQ(one.size(), other.size()) << tooth;
         for (const auto& [figure, value] : one) {
-          // As good as straight: the radius of a bow of a few hundredths of a millimetre over the whole canal is any large number.
-          constexpr double straight = 5e-4;   // 1 / mm
-          if (figure.ends_with("smallest_bend_radius")) EXPECT_NEAR(1 / value, 1 / other[figure], std::max(0.02 / value, straight)) << figure << " of the " << tooth << " in " << file;
-          else EXPECT_NEAR(value, other[figure], 0.02 * value) << figure << " of the " << tooth << " in " << file;
+          // As good as straight: the radius of a bow of a few hundredths of a millimetre over the whole canal is any
+          // large number.
+          constexpr double straight = 5e-4;  // 1 / mm
+          if (figure.ends_with("smallest_bend_radius"))
+            EXPECT_NEAR(1 / value, 1 / other[figure], std::max(0.02 / value, straight))
+                << figure << " of the " << tooth << " in " << file;
+          else
+            EXPECT_NEAR(value, other[figure], 0.02 * value) << figure << " of the " << tooth << " in " << file;
         }
       }
     }

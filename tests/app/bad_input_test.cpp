@@ -1,4 +1,5 @@
-// Bad data: exit code 3 (4 where nothing can be read), a message that names file and cause, and outputs left as they were.
+// Bad data: exit code 3 (4 where nothing can be read), a message that names file and cause, and outputs left as they
+// were.
 
 #include "tests/app/program.h"
 
@@ -16,7 +17,8 @@ class BadStack : public ProgramTest, public ::testing::WithParamInterface<BadFil
 TEST_P(BadStack, IsRefusedAndOutputsStayAsTheyWere) {
   given("bad.json", GetParam().text);
   given("old.glb", "what was there");
-  const Ending ending = odontoscope({"reconstruct", "bad.json", "-o", "old.glb", "-o", "new.stl", "--report", "new.json"});
+  const Ending ending =
+      odontoscope({"reconstruct", "bad.json", "-o", "old.glb", "-o", "new.stl", "--report", "new.json"});
   EXPECT_EQ(ending.exit_code, 3) << ending.err;
   EXPECT_TRUE(ending.complains("bad.json")) << ending.err;
   EXPECT_TRUE(ending.complains(std::string("[") + GetParam().cause + "]")) << ending.err;
@@ -54,9 +56,12 @@ TEST_F(BadInput, MissingFileIsAFileError) {
 TEST_F(BadInput, AnEmptyFileIsCalledEmptyWhateverItsName) {
   for (const char* name : {"a.json", "a.stl", "a.glb", "a.nrrd", "a.dcm", "a"}) {
     given(name, "");
-    for (std::vector<std::string> call : {std::vector<std::string>{"check", name}, {"contours", name, "--iso", "1", "-o", "b.json"}, {"anatomy", name}, {"reconstruct", name, "-o", "b.glb"}}) {
+    for (std::vector<std::string> call : {std::vector<std::string>{"check", name},
+                                          {"contours", name, "--iso", "1", "-o", "b.json"},
+                                          {"anatomy", name},
+                                          {"reconstruct", name, "-o", "b.glb"}}) {
       const Ending ending = odontoscope(call);
-      if (ending.exit_code == 2) continue;   // named like a volume: where in it?
+      if (ending.exit_code == 2) continue;  // named like a volume: where in it?
       EXPECT_EQ(ending.exit_code, 3) << call[0] << " " << name;
       EXPECT_TRUE(ending.complains("the file is empty")) << call[0] << " " << name << ": " << ending.err;
     }
@@ -73,7 +78,9 @@ TEST_F(BadInput, UnknownStructureTogether) {
 
 TEST_F(BadInput, LinkThatNamesWhatIsNotThere) {
   given("cube.json", cube_stack());
-  given("links.json", R"({"format":"odontoscope.links","version":1,"links":[{"structure":"tooth","slice":7,"lower":0,"upper":0,"connect":true}]})");
+  given(
+      "links.json",
+      R"({"format":"odontoscope.links","version":1,"links":[{"structure":"tooth","slice":7,"lower":0,"upper":0,"connect":true}]})");
   const Ending ending = odontoscope({"reconstruct", "cube.json", "--links", "links.json", "-o", "a.glb"});
   EXPECT_EQ(ending.exit_code, 3) << ending.err;
   EXPECT_TRUE(ending.complains("[link-unknown-slice]")) << ending.err;

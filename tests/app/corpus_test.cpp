@@ -16,7 +16,7 @@ class Corpus : public ProgramTest {
     given("in/below/flat.json", cube_stack("[[0,0],[1,0],[2,0]]"));
     given("in/map.nrrd", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: text\n\n0 1 0 1 0 1 0 1\n");
     given("in/cut.nrrd", "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nendian: little\nencoding: raw\n\n0");
-    ASSERT_EQ(::mkfifo((folder / "in/pipe").c_str(), 0600), 0);   // left out: nobody writes to it
+    ASSERT_EQ(::mkfifo((folder / "in/pipe").c_str(), 0600), 0);  // left out: nobody writes to it
     std::filesystem::create_directory_symlink("..", folder / "in/round");
   }
 };
@@ -30,7 +30,9 @@ TEST_F(Corpus, IsTold) {
   EXPECT_TRUE(ending.says("1  exit 3 [truncated-volume]")) << ending.out;
   EXPECT_TRUE(ending.says("1  exit 3 [unknown-volume-format]")) << ending.out;
   const std::string table = bytes_of("table.csv");
-  EXPECT_TRUE(table.starts_with("file,reader,exit,cause,seconds,mebibytes\n\"in/below/flat.json\",check,3,\"zero-area\",")) << table;
+  EXPECT_TRUE(
+      table.starts_with("file,reader,exit,cause,seconds,mebibytes\n\"in/below/flat.json\",check,3,\"zero-area\","))
+      << table;
   EXPECT_NE(table.find("\"in/map.nrrd\",contours,0,\"\","), table.npos) << table;
   EXPECT_NE(table.find("\"in/notes, \"\"odd\"\".txt\",contours,3,"), table.npos) << table;
   EXPECT_NE(bytes_of("table.md").find("| in/cube.json | check | 0 |  | "), table.npos) << bytes_of("table.md");

@@ -11,17 +11,19 @@ class DbMethod : public ProgramTest {
  protected:
   /// Two squares nearly touching with a corner each, under and over a block: cracks with the classic tables.
   void SetUp() override {
-    const std::string squares = R"([{"points":[[0,0],[4,0],[4,4],[0,4]]},{"points":[[4.05,4.05],[8,4.05],[8,8],[4.05,8]]}])";
+    const std::string squares =
+        R"([{"points":[[0,0],[4,0],[4,4],[0,4]]},{"points":[[4.05,4.05],[8,4.05],[8,8],[4.05,8]]}])";
     const std::string block = R"([{"points":[[0,0],[8,0],[8,8],[0,8]]}])";
-    given("corners.json", R"({"format":"odontoscope.contours","version":1,"unit":"mm","slices":[{"z":0,"contours":)" + squares +
-                              R"(},{"z":1,"contours":)" + block + R"(},{"z":2,"contours":)" + squares + "}]}");
+    given("corners.json", R"({"format":"odontoscope.contours","version":1,"unit":"mm","slices":[{"z":0,"contours":)" +
+                              squares + R"(},{"z":1,"contours":)" + block + R"(},{"z":2,"contours":)" + squares +
+                              "}]}");
   }
   nlohmann::json report(const std::string& name) const { return nlohmann::json::parse(bytes_of(name)); }
 };
 
 TEST_F(DbMethod, WritesCrackedModelsAndSaysSo) {
-  const Ending made = odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24", "-o", "a.glb", "-o", "a.stl",
-                                   "-o", "a.ply", "--report", "a.json"});
+  const Ending made = odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24", "-o", "a.glb", "-o",
+                                   "a.stl", "-o", "a.ply", "--report", "a.json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(made.says("not certified")) << made.out;
   EXPECT_TRUE(made.says("boundary edges")) << made.out;
@@ -41,40 +43,48 @@ TEST_F(DbMethod, WritesCrackedModelsAndSaysSo) {
 }
 
 TEST_F(DbMethod, ConsistentTableGivesASoundModel) {
-  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24x30", "--cases", "consistent", "-o", "a.glb",
-                         "--report", "a.json"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24x30", "--cases", "consistent",
+                         "-o", "a.glb", "--report", "a.json"})
+                .exit_code,
+            0);
   EXPECT_TRUE(report("a.json").at("certified").get<bool>());
   EXPECT_EQ(report("a.json").at("db").at("grid").at("rows"), 30);
   EXPECT_EQ(odontoscope({"check", "a.glb"}).exit_code, 0);
 }
 
 TEST_F(DbMethod, DecimatesAndTellsFromWhat) {
-  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "40", "--decimate", "300", "-o", "a.stl",
-                         "--report", "a.json"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "40", "--decimate", "300", "-o",
+                         "a.stl", "--report", "a.json"})
+                .exit_code,
+            0);
   const auto said = report("a.json");
   EXPECT_LE(said.at("surface").at("triangles"), 300);
   EXPECT_GT(said.at("db").at("decimation").at("structures").at(0).at("before").at("triangles"), 3000);
 }
 
 TEST_F(DbMethod, ASplitPartsWhatItIsPutBetween) {
-  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24", "--cases", "consistent", "--split", "0.5",
-                         "--split", "1.5", "-o", "a.stl", "--report", "a.json"}).exit_code, 0);
-  EXPECT_EQ(report("a.json").at("surface").at("shells").size(), 5u);   // two squares, the block, two squares
+  ASSERT_EQ(odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "24", "--cases", "consistent",
+                         "--split", "0.5", "--split", "1.5", "-o", "a.stl", "--report", "a.json"})
+                .exit_code,
+            0);
+  EXPECT_EQ(report("a.json").at("surface").at("shells").size(), 5u);  // two squares, the block, two squares
 }
 
 TEST_F(DbMethod, AGridThatIsTooLargeIsRefusedBeforeMemoryIsTaken) {
   given("old.glb", "old");
-  const Ending refused =
-      odontoscope({"reconstruct", "corners.json", "--method", "db", "--grid", "8192", "-o", "old.glb", "--split", "0.1"});
+  const Ending refused = odontoscope(
+      {"reconstruct", "corners.json", "--method", "db", "--grid", "8192", "-o", "old.glb", "--split", "0.1"});
   EXPECT_EQ(refused.exit_code, 2) << refused.err;
   EXPECT_TRUE(refused.complains("At most")) << refused.err;
   EXPECT_EQ(bytes_of("old.glb"), "old");
 }
 
 TEST_F(DbMethod, CompareShowsTheMethodsSideBySide) {
-  const Ending compared = odontoscope({"compare", "corners.json", "--grid", "40", "--report", "c.json", "--html", "c.html"});
+  const Ending compared =
+      odontoscope({"compare", "corners.json", "--grid", "40", "--report", "c.json", "--html", "c.html"});
   ASSERT_EQ(compared.exit_code, 0) << compared.err;
-  for (const char* said : {"DT", "DB decimated", "boundary edges", "thinnest hole", "contours to surface", "seconds", "Wrote c.html"}) {
+  for (const char* said :
+       {"DT", "DB decimated", "boundary edges", "thinnest hole", "contours to surface", "seconds", "Wrote c.html"}) {
     EXPECT_TRUE(compared.says(said)) << said;
   }
   EXPECT_EQ(report("c.json").at("methods").size(), 3u);
@@ -99,7 +109,8 @@ TEST_F(DbMethod, CompareRefusesOtherEndingsAndItsInputAsOutput) {
 }
 
 TEST_F(DbMethod, CanalPlotsSurvivalOverTheGrid) {
-  const Ending canal = odontoscope({"canal", "--grid", "24", "--grid", "72", "-o", "canal.svg", "--report", "canal.json"});
+  const Ending canal =
+      odontoscope({"canal", "--grid", "24", "--grid", "72", "-o", "canal.svg", "--report", "canal.json"});
   ASSERT_EQ(canal.exit_code, 0) << canal.err;
   EXPECT_TRUE(canal.says("DT:          open")) << canal.out;
   EXPECT_TRUE(canal.says("DB grid   24: closed")) << canal.out;
@@ -112,8 +123,10 @@ TEST_F(DbMethod, CanalPlotsSurvivalOverTheGrid) {
 
 TEST_F(DbMethod, BytesDoNotDependOnThreads) {
   for (const char* threads : {"1", "4"}) {
-    ASSERT_EQ(odontoscope({"--threads", threads, "reconstruct", "corners.json", "--method", "db", "--decimate", "max", "-o",
-                           std::string("with") + threads + ".glb"}).exit_code, 0);
+    ASSERT_EQ(odontoscope({"--threads", threads, "reconstruct", "corners.json", "--method", "db", "--decimate", "max",
+                           "-o", std::string("with") + threads + ".glb"})
+                  .exit_code,
+              0);
   }
   EXPECT_GT(bytes_of("with1.glb").size(), 1000u);
   EXPECT_TRUE(bytes_of("with1.glb") == bytes_of("with4.glb"));

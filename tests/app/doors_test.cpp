@@ -1,4 +1,5 @@
-// Doors of the system: closed outputs, limits on memory and files, what a killed run leaves, small files that stand for large ones.
+// Doors of the system: closed outputs, limits on memory and files, what a killed run leaves, small files that stand for
+// large ones.
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -24,7 +25,8 @@ class Doors : public ProgramTest {
   /// Through a shell, for what it can do to a program: close descriptors, set limits.
   Ending shell(const std::string& command) {
     const std::string out = (folder / "out").string(), err = (folder / "err").string();
-    const std::string whole = "cd '" + folder.path().string() + "' && { " + command + "; } >>'" + out + "' 2>>'" + err + "'";
+    const std::string whole =
+        "cd '" + folder.path().string() + "' && { " + command + "; } >>'" + out + "' 2>>'" + err + "'";
     const int status = std::system(whole.c_str());
     Ending ending;
     if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);
@@ -55,7 +57,8 @@ TEST_F(Doors, ClosedOutputsSpoilNoFile) {
 TEST_F(Doors, LimitOnFileSizeIsAFileErrorAndLeavesWhatWas) {
   given("a.stl", "what was there");
   given("b.glb", "this too");
-  const Ending ending = shell("ulimit -f 1; " + program + " reconstruct cube.json -o a.stl -o b.glb");   // blocks of 512 or 1024 bytes
+  const Ending ending =
+      shell("ulimit -f 1; " + program + " reconstruct cube.json -o a.stl -o b.glb");  // blocks of 512 or 1024 bytes
   EXPECT_EQ(ending.exit_code, 4) << ending.err;
   EXPECT_TRUE(ending.complains("cannot be written")) << ending.err;
   EXPECT_EQ(bytes_of("a.stl"), "what was there");
@@ -73,7 +76,8 @@ TEST_F(Doors, WithoutMemoryEndWithWords) {
     const Ending ending = shell(within + " reconstruct molar.json --threads 1 -o a.glb");
     if (ending.exit_code == 0) break;
     EXPECT_FALSE(exists("a.glb"));
-    // Not enough for the loader to bring the program up, or for what libraries do on their own before it begins (GDCM fills a dictionary).
+    // Not enough for the loader to bring the program up, or for what libraries do on their own before it begins (GDCM
+    // fills a dictionary).
     if (shell(within + " --version").exit_code != 0) continue;
     ++without;
     EXPECT_EQ(ending.exit_code, 4) << megabytes << " MB: " << ending.err;
@@ -88,8 +92,11 @@ TEST_F(Doors, WhatAKilledRunLeftIsCleanedByTheNext) {
   if (dead == 0) ::_exit(0);
   ASSERT_GT(dead, 0);
   ::waitpid(dead, nullptr, 0);
-  const std::string left = ".odontoscope-" + std::to_string(dead) + "-0.tmp", living = ".odontoscope-" + std::to_string(::getpid()) + "-0.tmp";
-  for (const std::string& name : {left, living, std::string(".odontoscope-1.tmp"), std::string(".odontoscope-x-1.tmp"), std::string("odontoscope-1-1.tmp")}) given(name, "half");
+  const std::string left = ".odontoscope-" + std::to_string(dead) + "-0.tmp",
+                    living = ".odontoscope-" + std::to_string(::getpid()) + "-0.tmp";
+  for (const std::string& name : {left, living, std::string(".odontoscope-1.tmp"), std::string(".odontoscope-x-1.tmp"),
+                                  std::string("odontoscope-1-1.tmp")})
+    given(name, "half");
   given(".odontoscope-" + std::to_string(dead) + "-1.tmp", "in use elsewhere");
   const int held = ::open((folder / (".odontoscope-" + std::to_string(dead) + "-1.tmp")).c_str(), O_RDONLY);
   ASSERT_GE(held, 0);
@@ -98,7 +105,8 @@ TEST_F(Doors, WhatAKilledRunLeftIsCleanedByTheNext) {
   EXPECT_FALSE(exists(left));
   EXPECT_TRUE(exists(living)) << "its process lives";
   EXPECT_TRUE(exists(".odontoscope-" + std::to_string(dead) + "-1.tmp")) << "another machine may hold it";
-  for (const char* foreign : {".odontoscope-1.tmp", ".odontoscope-x-1.tmp", "odontoscope-1-1.tmp"}) EXPECT_TRUE(exists(foreign)) << foreign;
+  for (const char* foreign : {".odontoscope-1.tmp", ".odontoscope-x-1.tmp", "odontoscope-1-1.tmp"})
+    EXPECT_TRUE(exists(foreign)) << foreign;
   ::close(held);
   ASSERT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "a.stl"}).exit_code, 0);
   EXPECT_FALSE(exists(".odontoscope-" + std::to_string(dead) + "-1.tmp"));
@@ -109,17 +117,30 @@ TEST_F(Doors, APipeThatIsHeldOpenAnswersTheFirstSignal) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   const int writer = ::open((folder / "pipe").c_str(), O_RDWR);
   ASSERT_GE(writer, 0);
-  constexpr auto time_to_start = std::chrono::milliseconds(2000);   // before it listens, a signal ends it as any program
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"reconstruct", "pipe", "-o", "new.glb"}, {"anatomy", "pipe"}, {"reconstruct", "cube.json", "--links", "pipe", "-o", "new.glb"}}) {
-    const Ending ending = run({.arguments = arguments, .folder = folder.path().string(), .signals = {SIGINT}, .says_nothing = true, .pause = time_to_start});
+  constexpr auto time_to_start = std::chrono::milliseconds(2000);  // before it listens, a signal ends it as any program
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"reconstruct", "pipe", "-o", "new.glb"},
+                                             {"anatomy", "pipe"},
+                                             {"reconstruct", "cube.json", "--links", "pipe", "-o", "new.glb"}}) {
+    const Ending ending = run({.arguments = arguments,
+                               .folder = folder.path().string(),
+                               .signals = {SIGINT},
+                               .says_nothing = true,
+                               .pause = time_to_start});
     EXPECT_EQ(ending.exit_code, 130) << arguments[0] << ": " << ending.err << ending.signal;
   }
   ::close(writer);
   for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"contours", "pipe", "--iso", "1", "-o", "new.json"}, {"contours", "cube.json", "--label-names", "pipe", "--label", "1", "-o", "new.json"}, {"corpus", "pipe"}}) {
-    const Ending ending = run({.arguments = arguments, .folder = folder.path().string(), .signals = {SIGINT}, .says_nothing = true, .pause = time_to_start});
-    EXPECT_TRUE(ending.exit_code == 130 || ending.exit_code == 4) << arguments[0] << ": " << ending.exit_code << ending.err << ending.signal;
+           {"contours", "pipe", "--iso", "1", "-o", "new.json"},
+           {"contours", "cube.json", "--label-names", "pipe", "--label", "1", "-o", "new.json"},
+           {"corpus", "pipe"}}) {
+    const Ending ending = run({.arguments = arguments,
+                               .folder = folder.path().string(),
+                               .signals = {SIGINT},
+                               .says_nothing = true,
+                               .pause = time_to_start});
+    EXPECT_TRUE(ending.exit_code == 130 || ending.exit_code == 4)
+        << arguments[0] << ": " << ending.exit_code << ending.err << ending.signal;
   }
 }
 

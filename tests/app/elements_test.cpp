@@ -15,7 +15,8 @@ class ElementsCommand : public ProgramTest {
 
 TEST_F(ElementsCommand, WritesAndReportsThem) {
   if (!elements::can_fill()) GTEST_SKIP() << "built without TetGen (libtet1.5-dev)";
-  const Ending made = odontoscope({"reconstruct", "cube.json", "--elements", "0.25", "-o", "cube.msh", "-o", "cube.inp", "-o", "cube.stl", "--report", "report.json"});
+  const Ending made = odontoscope({"reconstruct", "cube.json", "--elements", "0.25", "-o", "cube.msh", "-o", "cube.inp",
+                                   "-o", "cube.stl", "--report", "report.json"});
   ASSERT_EQ(made.exit_code, 0) << made.err;
   EXPECT_TRUE(made.says("elements of about 0.25 mm")) << made.out;
   EXPECT_TRUE(made.says("before it was meshed anew")) << made.out;
@@ -48,8 +49,11 @@ TEST_F(ElementsCommand, WhatMakesNoSenseIsRefusedBeforeAnyWork) {
     EXPECT_EQ(refused.exit_code, 2) << size;
     EXPECT_FALSE(exists("cube.msh")) << size;
   }
-  EXPECT_EQ(odontoscope({"reconstruct", "cube.json", "--elements", "0.2", "--triangles", "100", "-o", "cube.msh"}).exit_code, 2);
-  EXPECT_EQ(odontoscope({"reconstruct", "cube.json", "--elements", "0.2", "--method", "db", "-o", "cube.stl"}).exit_code, 2);
+  EXPECT_EQ(
+      odontoscope({"reconstruct", "cube.json", "--elements", "0.2", "--triangles", "100", "-o", "cube.msh"}).exit_code,
+      2);
+  EXPECT_EQ(
+      odontoscope({"reconstruct", "cube.json", "--elements", "0.2", "--method", "db", "-o", "cube.stl"}).exit_code, 2);
 }
 
 }  // namespace

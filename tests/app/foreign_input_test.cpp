@@ -7,24 +7,31 @@ namespace {
 
 class ForeignInput : public ProgramTest {};
 
-const std::string csl = "CSLC\n2 2\n1 4 1 0 0 1 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n4 1 0 1 2 3\n2 4 1 0 0 1 -1\n0 0 1\n4 0 1\n4 4 1\n0 4 1\n4 1 ";
+const std::string csl =
+    "CSLC\n2 2\n1 4 1 0 0 1 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n4 1 0 1 2 3\n2 4 1 0 0 1 -1\n0 0 1\n4 0 1\n4 4 1\n0 4 1\n4 "
+    "1 ";
 
 TEST_F(ForeignInput, OurOwnModelComesBackAsContours) {
   given("cube.json", cube_stack());
-  ASSERT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "a.glb", "-o", "a.stl", "-o", "a.ply", "-o", "a.obj"}).exit_code, 0);
+  ASSERT_EQ(
+      odontoscope({"reconstruct", "cube.json", "-o", "a.glb", "-o", "a.stl", "-o", "a.ply", "-o", "a.obj"}).exit_code,
+      0);
   for (const char* mesh : {"a.glb", "a.stl", "a.ply", "a.obj"}) {
     const Ending ending = odontoscope({"contours", mesh, "--spacing-z", "0.25", "-o", "back.json"});
     EXPECT_EQ(ending.exit_code, 0) << ending.err;
     EXPECT_TRUE(ending.says("4 slices from z = 0.125 to 0.875 mm, 4 contours")) << ending.out;
     EXPECT_TRUE(ending.says("structure: tooth")) << ending.out;
-    EXPECT_EQ(odontoscope({"reconstruct", mesh, "--at", "0.25", "--at", "0.75", "-o", "again.glb"}).exit_code, 0) << mesh;
+    EXPECT_EQ(odontoscope({"reconstruct", mesh, "--at", "0.25", "--at", "0.75", "-o", "again.glb"}).exit_code, 0)
+        << mesh;
     EXPECT_EQ(odontoscope({"check", "again.glb"}).exit_code, 0);
   }
 }
 
 TEST_F(ForeignInput, SeveralMeshesBecomeOneStack) {
   given("a.json", cube_stack());
-  ASSERT_EQ(odontoscope({"reconstruct", "a.json", "-o", "dentine.stl", "-o", "enamel.ply", "-o", "dentine.obj"}).exit_code, 0);
+  ASSERT_EQ(
+      odontoscope({"reconstruct", "a.json", "-o", "dentine.stl", "-o", "enamel.ply", "-o", "dentine.obj"}).exit_code,
+      0);
   const Ending both = odontoscope({"contours", "dentine.stl", "enamel.ply", "--spacing-z", "0.25", "-o", "both.json"});
   EXPECT_EQ(both.exit_code, 0) << both.err;
   EXPECT_TRUE(both.says("4 slices from z = 0.125 to 0.875 mm, 8 contours")) << both.out;
@@ -54,7 +61,8 @@ TEST_F(ForeignInput, RepairIsOfferedAndTellsWhatItDid) {
   EXPECT_FALSE(exists("a.glb"));
   const Ending repaired = odontoscope({"reconstruct", "crossed.csl", "--repair", "-o", "a.glb"});
   EXPECT_EQ(repaired.exit_code, 0) << repaired.err;
-  EXPECT_TRUE(repaired.says("slice 1 (z = 1), contour 0, tooth: crossed itself at (2, 2): 1 contour became 2")) << repaired.out;
+  EXPECT_TRUE(repaired.says("slice 1 (z = 1), contour 0, tooth: crossed itself at (2, 2): 1 contour became 2"))
+      << repaired.out;
 }
 
 TEST_F(ForeignInput, OtherSubcommandsReadThemToo) {
@@ -95,7 +103,8 @@ TEST_F(ForeignInput, UsageThatMakesNoSenseIsSaid) {
   EXPECT_EQ(odontoscope({"contours", "a.stl", "--at", "nan", "-o", "b.json"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"contours", "cube.json", "--spacing-z", "0.1", "-o", "b.json"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"contours", "a.stl", "--iso", "1", "--repair", "-o", "b.json"}).exit_code, 2);
-  const Ending unknown = odontoscope({"contours", "a.stl", "--spacing-z", "0.1", "--structure", "pulp", "-o", "b.json"});
+  const Ending unknown =
+      odontoscope({"contours", "a.stl", "--spacing-z", "0.1", "--structure", "pulp", "-o", "b.json"});
   EXPECT_EQ(unknown.exit_code, 3);
   EXPECT_TRUE(unknown.complains("[unknown-structure]")) << unknown.err;
   EXPECT_FALSE(exists("b.json"));

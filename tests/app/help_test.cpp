@@ -12,7 +12,8 @@ TEST_F(Help, OfTheProgramTellsFirstStepsAndExitCodes) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_TRUE(help.says("First steps"));
   EXPECT_TRUE(help.says("Exit codes"));
-  for (const char* subcommand : {"sample", "contours", "reconstruct", "check", "render"}) EXPECT_TRUE(help.says(subcommand));
+  for (const char* subcommand : {"sample", "contours", "reconstruct", "check", "render"})
+    EXPECT_TRUE(help.says(subcommand));
   EXPECT_EQ(help.err, "");
 }
 
@@ -46,15 +47,19 @@ TEST_P(HelpOf, TeachesByExample) {
   EXPECT_TRUE(help.says(std::string("odontoscope ") + GetParam()));
   EXPECT_TRUE(help.says("--threads") || help.says("--help"));
   std::size_t start = 0;
-  while (start < help.out.size()) {   // fits a terminal that is not too narrow
+  while (start < help.out.size()) {  // fits a terminal that is not too narrow
     const std::size_t end = std::min(help.out.find('\n', start), help.out.size());
     EXPECT_LE(end - start, 110u) << help.out.substr(start, end - start);
     start = end + 1;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HelpOf, ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare", "canal", "anatomy", "figures", "corpus", "batch", "compare-images"),
-                         [](const auto& test) { return std::string(test.param) == "compare-images" ? "compare_images" : test.param; });
+INSTANTIATE_TEST_SUITE_P(Each, HelpOf,
+                         ::testing::Values("sample", "contours", "reconstruct", "check", "render", "web", "compare",
+                                           "canal", "anatomy", "figures", "corpus", "batch", "compare-images"),
+                         [](const auto& test) {
+                           return std::string(test.param) == "compare-images" ? "compare_images" : test.param;
+                         });
 
 }  // namespace
 }  // namespace odontoscope::testing_support

@@ -18,7 +18,8 @@ std::string long_work(int slices, int corners) {
     text += "{\"z\":" + std::to_string(slice) + ",\"contours\":[{\"points\":[";
     for (int i = 0; i < corners; ++i) {
       const double turn = 2 * 3.14159265358979 * (i + 0.37 * (slice % 3)) / corners;
-      text += (i == 0 ? "[" : ",[") + std::to_string(100 * std::cos(turn)) + "," + std::to_string(100 * std::sin(turn)) + "]";
+      text += (i == 0 ? "[" : ",[") + std::to_string(100 * std::cos(turn)) + "," +
+              std::to_string(100 * std::sin(turn)) + "]";
     }
     text += "]}]}";
   }
@@ -42,9 +43,14 @@ TEST_P(Interrupted, ReconstructionWritesNothing) {
 /// Nobody writes to it: a pipe is waited for, but not against a signal.
 TEST_P(Interrupted, WaitingForAPipeIsGivenUpAtTheFirstSignal) {
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"reconstruct", "pipe", "-o", "new.glb"}, {"contours", "pipe", "-o", "new.json"}, {"check", "pipe"}, {"render", "pipe", "-o", "new.png"}, {"web", "pipe", "-o", "new.html"}}) {
-    const Ending ending = run({.arguments = arguments, .folder = folder.path().string(), .signals = {GetParam()}, .says_nothing = true});
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"reconstruct", "pipe", "-o", "new.glb"},
+                                             {"contours", "pipe", "-o", "new.json"},
+                                             {"check", "pipe"},
+                                             {"render", "pipe", "-o", "new.png"},
+                                             {"web", "pipe", "-o", "new.html"}}) {
+    const Ending ending =
+        run({.arguments = arguments, .folder = folder.path().string(), .signals = {GetParam()}, .says_nothing = true});
     EXPECT_EQ(ending.exit_code, 130) << arguments[0] << ": " << ending.err;
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"pipe"}));
   }

@@ -19,7 +19,8 @@ class Outputs : public ProgramTest {
     EXPECT_EQ(ending.exit_code, 4) << ending.err;
     EXPECT_TRUE(ending.complains(output)) << ending.err;
     EXPECT_EQ(folder.names(), before);
-    EXPECT_FALSE(ending.complains("certify")) << "the long work was done before the output was looked at: " << ending.err;
+    EXPECT_FALSE(ending.complains("certify"))
+        << "the long work was done before the output was looked at: " << ending.err;
   }
 };
 
@@ -71,23 +72,30 @@ TEST_F(Outputs, InputThroughAHardLinkIsRefused) {
 }
 
 TEST_F(Outputs, FullStandardOutputIsAFileError) {
-  const Ending ending = run({.arguments = {"check", "cube.json"}, .folder = folder.path().string(), .out_to = "/dev/full"});
+  const Ending ending =
+      run({.arguments = {"check", "cube.json"}, .folder = folder.path().string(), .out_to = "/dev/full"});
   EXPECT_EQ(ending.exit_code, 4) << ending.err;
   EXPECT_TRUE(ending.complains("standard output")) << ending.err;
 }
 
 TEST_F(Outputs, FullStandardOutputHidesNoFileThatWasWritten) {
-  const Ending ending = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"}, .folder = folder.path().string(), .out_to = "/dev/full"});
+  const Ending ending = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"},
+                             .folder = folder.path().string(),
+                             .out_to = "/dev/full"});
   EXPECT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_TRUE(ending.complains("the files are written")) << ending.err;
   EXPECT_TRUE(exists("a.stl"));
 }
 
 TEST_F(Outputs, FullStandardErrorEndsNothing) {
-  const Ending good = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"}, .folder = folder.path().string(), .err_to = "/dev/full"});
+  const Ending good = run({.arguments = {"reconstruct", "cube.json", "-o", "a.stl"},
+                           .folder = folder.path().string(),
+                           .err_to = "/dev/full"});
   EXPECT_EQ(good.exit_code, 0) << good.out;
   EXPECT_TRUE(exists("a.stl"));
-  const Ending bad = run({.arguments = {"reconstruct", "nothing.json", "-o", "b.stl"}, .folder = folder.path().string(), .err_to = "/dev/full"});
+  const Ending bad = run({.arguments = {"reconstruct", "nothing.json", "-o", "b.stl"},
+                          .folder = folder.path().string(),
+                          .err_to = "/dev/full"});
   EXPECT_EQ(bad.exit_code, 4) << bad.out;
   EXPECT_EQ(run({.arguments = {}, .folder = folder.path().string(), .err_to = "/dev/full"}).exit_code, 2);
 }

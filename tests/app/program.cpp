@@ -45,7 +45,8 @@ struct Pipe {
   if (::chdir(call.folder.c_str()) == 0 && ::dup2(nothing, 0) == 0 && ::dup2(out, 1) == 1 && ::dup2(err, 2) == 2) {
     // Whoever started the tests may ignore them (nohup), and what is ignored stays ignored.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_DFL);
-    for (const auto& [variable, value] : call.environment) value.empty() ? ::unsetenv(variable.c_str()) : ::setenv(variable.c_str(), value.c_str(), 1);
+    for (const auto& [variable, value] : call.environment)
+      value.empty() ? ::unsetenv(variable.c_str()) : ::setenv(variable.c_str(), value.c_str(), 1);
     ::execv(argv[0], argv.data());
   }
   ::_exit(127);
@@ -61,12 +62,15 @@ bool take(int descriptor, std::string& to) {
   return true;
 }
 
-/// Has the program taken that signal into its own hands (caught, or blocked and waited for)? On a busy machine it takes a while to get so far.
+/// Has the program taken that signal into its own hands (caught, or blocked and waited for)? On a busy machine it takes
+/// a while to get so far.
 bool handles(pid_t process, int signal) {
   std::ifstream status("/proc/" + std::to_string(process) + "/status");
-  if (!status) return true;   // no Linux: the pause must do
+  if (!status) return true;  // no Linux: the pause must do
   for (std::string line; std::getline(status, line);)
-    if ((line.starts_with("SigCgt:") || line.starts_with("SigBlk:")) && (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0) return true;
+    if ((line.starts_with("SigCgt:") || line.starts_with("SigBlk:")) &&
+        (std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1) != 0)
+      return true;
   return false;
 }
 
@@ -131,7 +135,8 @@ Ending run(const Call& call) {
 std::string cube_stack(const std::string& points) {
   return R"({"format":"odontoscope.contours","version":1,"unit":"mm","slices":[)"
          R"({"z":0,"contours":[{"structure":"tooth","points":[[0,0],[1,0],[1,1],[0,1]]}]},)"
-         R"({"z":1,"contours":[{"structure":"tooth","points":)" + points + "}]}]}\n";
+         R"({"z":1,"contours":[{"structure":"tooth","points":)" +
+         points + "}]}]}\n";
 }
 
 }  // namespace odontoscope::testing_support

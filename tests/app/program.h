@@ -14,7 +14,7 @@
 namespace odontoscope::testing_support {
 
 struct Ending {
-  int exit_code = -1;      // -1 if a signal ended it
+  int exit_code = -1;  // -1 if a signal ended it
   int signal = 0;
   std::string out, err;
 

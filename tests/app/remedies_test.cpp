@@ -1,4 +1,5 @@
-// What an error or a warning advises is done, and must give the right model: the very contours that the input gives whose fault was never made.
+// What an error or a warning advises is done, and must give the right model: the very contours that the input gives
+// whose fault was never made.
 
 #include <cmath>
 #include <functional>
@@ -30,14 +31,14 @@ struct Files {
 struct Remedy {
   const char* name;
   std::function<void(const Files&)> files;
-  Words wrong;             // what is tried first, -o left to the test
-  const char* advice;      // part of what is said then, on either output
-  Words followed;          // as it advises
-  Words right;             // of an input without the fault
+  Words wrong;         // what is tried first, -o left to the test
+  const char* advice;  // part of what is said then, on either output
+  Words followed;      // as it advises
+  Words right;         // of an input without the fault
 };
 
 const std::string spaced = "space: left-posterior-superior\nspace directions: (0.5,0,0) (0,0.25,0) (0,0,2)\n";
-const Words iso{"--iso", "30.5"}, middle{"--iso", "11.5"};   // of 1 to 60, and of 0 to 35
+const Words iso{"--iso", "30.5"}, middle{"--iso", "11.5"};  // of 1 to 60, and of 0 to 35
 
 Words contours(const std::string& file, const Words& more = {}, const Words& level = iso) {
   Words words{"contours", file};
@@ -53,7 +54,8 @@ void put_series(const Files& put, const std::string& folder, const std::function
     const std::string number = std::to_string(n + 1);
     slice.position = "0\\0\\" + std::to_string(2 * n);
     slice.instance = slice.series + "." + number;
-    for (int pixel = 0; pixel < 12; ++pixel) slice.pixels[static_cast<std::size_t>(pixel)] = static_cast<std::int16_t>(12 * n + pixel);
+    for (int pixel = 0; pixel < 12; ++pixel)
+      slice.pixels[static_cast<std::size_t>(pixel)] = static_cast<std::int16_t>(12 * n + pixel);
     if (change) change(slice);
     slice.more = test::dicom_element(0x20, 0x13, "IS", number) + slice.more;
     put(folder + "/IM" + number, slice.bytes());
@@ -76,11 +78,14 @@ std::string labels() {
 std::string box_stl(double side, std::size_t missing) {
   const double s = side;
   const double corner[8][3] = {{0, 0, 0}, {s, 0, 0}, {s, s, 0}, {0, s, 0}, {0, 0, 3}, {s, 0, 3}, {s, s, 3}, {0, s, 3}};
-  const int faces[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  const int faces[12][3] = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                            {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
   std::string text = "solid box\n";
   for (std::size_t n = 0; n + missing < 12; ++n) {
     text += "facet normal 0 0 0\nouter loop\n";
-    for (const int c : faces[n]) text += "vertex " + std::to_string(corner[c][0]) + " " + std::to_string(corner[c][1]) + " " + std::to_string(corner[c][2]) + "\n";
+    for (const int c : faces[n])
+      text += "vertex " + std::to_string(corner[c][0]) + " " + std::to_string(corner[c][1]) + " " +
+              std::to_string(corner[c][2]) + "\n";
     text += "endloop\nendfacet\n";
   }
   return text + "endsolid box\n";
@@ -88,36 +93,57 @@ std::string box_stl(double side, std::size_t missing) {
 
 std::vector<Remedy> of_volumes() {
   return {
-      {"NrrdWithoutSpacing", [](const Files& put) { put("a.nrrd", Nrrd{}.bytes()); put("b.nrrd", Nrrd{.more = spaced}.bytes()); }, contours("a.nrrd"),
-       "1 mm is assumed; --spacing X,Y,Z gives the true one", contours("a.nrrd", {"--spacing", "0.5,0.25,2"}), contours("b.nrrd")},
+      {"NrrdWithoutSpacing",
+       [](const Files& put) {
+         put("a.nrrd", Nrrd{}.bytes());
+         put("b.nrrd", Nrrd{.more = spaced}.bytes());
+       },
+       contours("a.nrrd"), "1 mm is assumed; --spacing X,Y,Z gives the true one",
+       contours("a.nrrd", {"--spacing", "0.5,0.25,2"}), contours("b.nrrd")},
       {"NrrdOfUnknownUnit",
-       [](const Files& put) { put("a.nrrd", Nrrd{.more = "space units: \"foot\" \"foot\" \"foot\"\n" + spaced}.bytes()); put("b.nrrd", Nrrd{.more = spaced}.bytes()); },
-       contours("a.nrrd"), "(--spacing X,Y,Z). [unknown-unit]", contours("a.nrrd", {"--spacing", "0.5,0.25,2"}), contours("b.nrrd")},
+       [](const Files& put) {
+         put("a.nrrd", Nrrd{.more = "space units: \"foot\" \"foot\" \"foot\"\n" + spaced}.bytes());
+         put("b.nrrd", Nrrd{.more = spaced}.bytes());
+       },
+       contours("a.nrrd"), "(--spacing X,Y,Z). [unknown-unit]", contours("a.nrrd", {"--spacing", "0.5,0.25,2"}),
+       contours("b.nrrd")},
       {"MetaImageOfUnknownUnit",
        [](const Files& put) {
          put("a.mha", MetaImage{.more = "ElementSpacing = 1 1 1\nDistanceUnits = foot\n"}.bytes());
          put("b.mha", MetaImage{.more = "ElementSpacing = 0.5 0.25 2\n"}.bytes());
        },
-       contours("a.mha"), "(--spacing X,Y,Z). [unknown-unit]", contours("a.mha", {"--spacing", "0.5,0.25,2"}), contours("b.mha")},
-      {"MetaImageWithoutSpacing", [](const Files& put) { put("a.mha", MetaImage{}.bytes()); put("b.mha", MetaImage{.more = "ElementSpacing = 0.5 0.25 2\n"}.bytes()); },
-       contours("a.mha"), "--spacing X,Y,Z gives the true one", contours("a.mha", {"--spacing", "0.5,0.25,2"}), contours("b.mha")},
+       contours("a.mha"), "(--spacing X,Y,Z). [unknown-unit]", contours("a.mha", {"--spacing", "0.5,0.25,2"}),
+       contours("b.mha")},
+      {"MetaImageWithoutSpacing",
+       [](const Files& put) {
+         put("a.mha", MetaImage{}.bytes());
+         put("b.mha", MetaImage{.more = "ElementSpacing = 0.5 0.25 2\n"}.bytes());
+       },
+       contours("a.mha"), "--spacing X,Y,Z gives the true one", contours("a.mha", {"--spacing", "0.5,0.25,2"}),
+       contours("b.mha")},
       {"NiftiWithoutSpacing",
-       [](const Files& put) { put("a.nii", Nifti{.pixdim = {1, 0, 0, 0}}.bytes()); put("b.nii", Nifti{.pixdim = {1, 0.5f, 0.25f, 2}}.bytes()); },
-       contours("a.nii"), "(--spacing X,Y,Z). [bad-spacing]", contours("a.nii", {"--spacing", "0.5,0.25,2"}), contours("b.nii")},
+       [](const Files& put) {
+         put("a.nii", Nifti{.pixdim = {1, 0, 0, 0}}.bytes());
+         put("b.nii", Nifti{.pixdim = {1, 0.5f, 0.25f, 2}}.bytes());
+       },
+       contours("a.nii"), "(--spacing X,Y,Z). [bad-spacing]", contours("a.nii", {"--spacing", "0.5,0.25,2"}),
+       contours("b.nii")},
       {"PixelsOutside",
        [](const Files& put) {
          put("pixels.raw", Nrrd{}.pixels);
          put("in/a.nhdr", Nrrd{.more = spaced + "data file: ../pixels.raw\n", .pixels = {}}.bytes());
          put("b.nrrd", Nrrd{.more = spaced}.bytes());
        },
-       contours("in/a.nhdr"), "or give --allow-outside", contours("in/a.nhdr", {"--allow-outside"}), contours("b.nrrd")},
+       contours("in/a.nhdr"), "or give --allow-outside", contours("in/a.nhdr", {"--allow-outside"}),
+       contours("b.nrrd")},
       {"SeveralSeriesByNumber",
        [](const Files& put) {
          put_series(put, "a");
          put_series(put, "b");
          put("a/other", DicomSlice{.series = "9.9"}.bytes());
        },
-       contours("a", {}, middle), "Choose one by its number (--series N), or give a file of it", contours("a", {"--series", "1"}, middle), contours("b", {}, middle)},
+       contours("a", {}, middle), "Choose one by its number (--series N), or give a file of it",
+       contours("a", {"--series", "1"}, middle), contours("b", {}, middle)},
       {"SeveralSeriesByFile",
        [](const Files& put) {
          put_series(put, "a");
@@ -130,44 +156,63 @@ std::vector<Remedy> of_volumes() {
          put_series(put, "a");
          put_series(put, "b");
        },
-       contours("a", {"--series", "7"}, middle), "Choose one by its number (--series N)", contours("a", {"--series", "1"}, middle), contours("b", {}, middle)},
+       contours("a", {"--series", "7"}, middle), "Choose one by its number (--series N)",
+       contours("a", {"--series", "1"}, middle), contours("b", {}, middle)},
       {"DamagedFileBeside",
        [](const Files& put) {
          put_series(put, "a");
          put_series(put, "b");
          put("a/odd", DicomSlice{}.bytes().substr(0, 330));
        },
-       contours("a", {}, middle), "give a file of that one, or --series 1", contours("a", {"--series", "1"}, middle), contours("b", {}, middle)},
+       contours("a", {}, middle), "give a file of that one, or --series 1", contours("a", {"--series", "1"}, middle),
+       contours("b", {}, middle)},
       {"DicomWithoutPlaces",
        [](const Files& put) {
          for (int n = 1; n <= 3; ++n) {
-           DicomSlice slice{.spacing = "1\\1", .instance = "1.2.3.4." + std::to_string(n), .more = test::dicom_element(0x20, 0x13, "IS", std::to_string(n))};
-           for (int pixel = 0; pixel < 12; ++pixel) slice.pixels[static_cast<std::size_t>(pixel)] = static_cast<std::int16_t>(12 * (n - 1) + pixel);
+           DicomSlice slice{.spacing = "1\\1",
+                            .instance = "1.2.3.4." + std::to_string(n),
+                            .more = test::dicom_element(0x20, 0x13, "IS", std::to_string(n))};
+           for (int pixel = 0; pixel < 12; ++pixel)
+             slice.pixels[static_cast<std::size_t>(pixel)] = static_cast<std::int16_t>(12 * (n - 1) + pixel);
            std::string bytes = slice.bytes();
            leave_out(bytes, "\x20\0\x32\0");
            leave_out(bytes, "\x18\0\x50\0");
-           put("a/IM" + std::to_string(4 - n), bytes);   // names run the other way
+           put("a/IM" + std::to_string(4 - n), bytes);  // names run the other way
          }
          put_series(put, "b");
        },
-       contours("a", {}, {"--iso", "20.5"}), "taken in the order of their numbers, upwards. [no-positions]", contours("a", {"--spacing", "0.25,0.5,2"}, {"--iso", "20.5"}),
-       contours("b", {}, {"--iso", "20.5"})},
-      {"IsoBeyondTheValues", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); }, contours("a.nrrd", {}, {"--iso", "1000"}), "values run from 1 to 60",
-       contours("a.nrrd"), contours("a.nrrd")},
-      {"NoLevel", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); }, {"contours", "a.nrrd"}, "Give --iso T (or --iso auto) for an image",
-       contours("a.nrrd", {}, {"--iso", "auto"}), contours("a.nrrd", {}, {"--iso", "31"})},
-      {"TooFewClasses", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); }, contours("a.nrrd", {}, {"--iso", "auto:5/4"}),
-       "Give a value (--iso T)", contours("a.nrrd", {}, {"--iso", "0.5"}), contours("a.nrrd", {}, {"--iso", "0.5"})},
-      {"ALabelMapTakenForAnImage", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); }, contours("a.nrrd", {}, {"--iso", "1"}),
-       "--label N[=NAME] takes one of them", contours("a.nrrd", {}, {"--label", "1=tooth"}), contours("a.nrrd", {}, {"--label", "1=tooth"})},
-      {"NoSuchLabel", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); }, contours("a.nrrd", {}, {"--label", "7"}),
-       "Give a label that is there (--label N[=NAME])", contours("a.nrrd", {}, {"--label", "1"}), contours("a.nrrd", {}, {"--label", "1"})},
-      {"MinAreaLeavesNothing", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); }, contours("a.nrrd", {"--min-area", "1000"}), "Give a smaller --min-area",
-       contours("a.nrrd", {"--min-area", "1"}), contours("a.nrrd")},
-      {"BoxBesideTheVolume", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); }, contours("a.nrrd", {"--crop", "50,60,0,1,0,4"}),
-       "the volume reaches from 0 to 2 mm", contours("a.nrrd", {"--crop", "0,2,-1,1,0,4"}), contours("a.nrrd")},
-      {"CheckOfAVolume", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); }, {"check", "a.nrrd"}, "odontoscope contours a.nrrd --iso T -o FILE.json",
-       contours("a.nrrd"), contours("a.nrrd")},
+       contours("a", {}, {"--iso", "20.5"}), "taken in the order of their numbers, upwards. [no-positions]",
+       contours("a", {"--spacing", "0.25,0.5,2"}, {"--iso", "20.5"}), contours("b", {}, {"--iso", "20.5"})},
+      {"IsoBeyondTheValues", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); },
+       contours("a.nrrd", {}, {"--iso", "1000"}), "values run from 1 to 60", contours("a.nrrd"), contours("a.nrrd")},
+      {"NoLevel",
+       [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); },
+       {"contours", "a.nrrd"},
+       "Give --iso T (or --iso auto) for an image",
+       contours("a.nrrd", {}, {"--iso", "auto"}),
+       contours("a.nrrd", {}, {"--iso", "31"})},
+      {"TooFewClasses", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); },
+       contours("a.nrrd", {}, {"--iso", "auto:5/4"}), "Give a value (--iso T)",
+       contours("a.nrrd", {}, {"--iso", "0.5"}), contours("a.nrrd", {}, {"--iso", "0.5"})},
+      {"ALabelMapTakenForAnImage",
+       [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); },
+       contours("a.nrrd", {}, {"--iso", "1"}), "--label N[=NAME] takes one of them",
+       contours("a.nrrd", {}, {"--label", "1=tooth"}), contours("a.nrrd", {}, {"--label", "1=tooth"})},
+      {"NoSuchLabel", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced, .pixels = labels()}.bytes()); },
+       contours("a.nrrd", {}, {"--label", "7"}), "Give a label that is there (--label N[=NAME])",
+       contours("a.nrrd", {}, {"--label", "1"}), contours("a.nrrd", {}, {"--label", "1"})},
+      {"MinAreaLeavesNothing", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); },
+       contours("a.nrrd", {"--min-area", "1000"}), "Give a smaller --min-area", contours("a.nrrd", {"--min-area", "1"}),
+       contours("a.nrrd")},
+      {"BoxBesideTheVolume", [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); },
+       contours("a.nrrd", {"--crop", "50,60,0,1,0,4"}), "the volume reaches from 0 to 2 mm",
+       contours("a.nrrd", {"--crop", "0,2,-1,1,0,4"}), contours("a.nrrd")},
+      {"CheckOfAVolume",
+       [](const Files& put) { put("a.nrrd", Nrrd{.more = spaced}.bytes()); },
+       {"check", "a.nrrd"},
+       "odontoscope contours a.nrrd --iso T -o FILE.json",
+       contours("a.nrrd"),
+       contours("a.nrrd")},
   };
 }
 
@@ -184,19 +229,41 @@ std::vector<Remedy> of_meshes_and_contours() {
     std::vector<made::RoiOfSet> rois{{"Heart", {}}, {"Lung", {}}};
     for (int z = 0; z < 3; ++z) rois[0].contours.push_back({made::square(0, 0, z, 4), "4"});
     put("b.dcm", made::rtstruct({rois[0]}));
-    rois[1].contours.push_back({"0\\0\\0\\4\\0\\1\\4\\4\\2\\0\\4\\3", "4"});   // tilted against the others
+    rois[1].contours.push_back({"0\\0\\0\\4\\0\\1\\4\\4\\2\\0\\4\\3", "4"});  // tilted against the others
     rois[1].contours.push_back({"0\\0\\5\\4\\0\\9\\4\\4\\5\\0\\4\\5", "4"});
     put("a.dcm", made::rtstruct(rois));
   };
   return {
-      {"MeshWithoutPlanes", boxes, {"contours", "b.stl"}, "Give --spacing-z D, or --at Z for each plane", {"contours", "b.stl", "--spacing-z", "1"},
+      {"MeshWithoutPlanes",
+       boxes,
+       {"contours", "b.stl"},
+       "Give --spacing-z D, or --at Z for each plane",
+       {"contours", "b.stl", "--spacing-z", "1"},
        {"contours", "b.stl", "--at", "0.5", "--at", "1.5", "--at", "2.5"}},
-      {"OpenMesh", boxes, {"contours", "a.stl", "--spacing-z", "1"}, "or give --repair. [open-surface]", {"contours", "a.stl", "--spacing-z", "1", "--repair", "--widest-gap", "5"},
+      {"OpenMesh",
+       boxes,
+       {"contours", "a.stl", "--spacing-z", "1"},
+       "or give --repair. [open-surface]",
+       {"contours", "a.stl", "--spacing-z", "1", "--repair", "--widest-gap", "5"},
        {"contours", "b.stl", "--spacing-z", "1"}},
-      {"GapTooWide", boxes, {"contours", "a.stl", "--spacing-z", "1", "--repair"}, "allow more with --widest-gap. [gap-too-wide]",
-       {"contours", "a.stl", "--spacing-z", "1", "--repair", "--widest-gap", "5"}, {"contours", "b.stl", "--spacing-z", "1"}},
-      {"DoubledPoint", doubled, {"contours", "a.json"}, "Or give --repair, which tells what it changes", {"contours", "a.json", "--repair"}, {"contours", "b.json"}},
-      {"RegionsOfOtherPlanes", two_regions, {"contours", "a.dcm"}, "choose regions with --structure", {"contours", "a.dcm", "--structure", "Heart"}, {"contours", "b.dcm"}},
+      {"GapTooWide",
+       boxes,
+       {"contours", "a.stl", "--spacing-z", "1", "--repair"},
+       "allow more with --widest-gap. [gap-too-wide]",
+       {"contours", "a.stl", "--spacing-z", "1", "--repair", "--widest-gap", "5"},
+       {"contours", "b.stl", "--spacing-z", "1"}},
+      {"DoubledPoint",
+       doubled,
+       {"contours", "a.json"},
+       "Or give --repair, which tells what it changes",
+       {"contours", "a.json", "--repair"},
+       {"contours", "b.json"}},
+      {"RegionsOfOtherPlanes",
+       two_regions,
+       {"contours", "a.dcm"},
+       "choose regions with --structure",
+       {"contours", "a.dcm", "--structure", "Heart"},
+       {"contours", "b.dcm"}},
   };
 }
 
@@ -218,7 +285,9 @@ TEST_P(Remedies, GiveTheRightModel) {
   const Ending right = with_output(remedy.right, "right.json");
   ASSERT_EQ(right.exit_code, 0) << right.err;
   EXPECT_EQ(bytes_of("followed.json"), bytes_of("right.json"));
-  if (wrong.exit_code == 0) EXPECT_NE(bytes_of("wrong.json"), bytes_of("right.json")) << "the fault makes no difference: the test shows nothing";
+  if (wrong.exit_code == 0)
+    EXPECT_NE(bytes_of("wrong.json"), bytes_of("right.json"))
+        << "the fault makes no difference: the test shows nothing";
 }
 
 const auto name_of = [](const auto& test) { return std::string(test.param.name); };
@@ -232,10 +301,14 @@ TEST_F(RemediesOfModels, ACanalThatFallsToPiecesIsWholeOnAFinerGrid) {
   std::string text = "NRRD0004\ntype: short\ndimension: 3\nsizes: 12 12 10\nencoding: text\n\n";
   for (int k = 0; k < 10; ++k)
     for (int j = 0; j < 12; ++j)
-      for (int i = 0; i < 12; ++i) text += i > 0 && j > 0 && i < 11 && j < 11 && !(k > 1 && k < 8 && i == 1 + k && j == 1 + k) ? "1 " : "0 ";
+      for (int i = 0; i < 12; ++i)
+        text += i > 0 && j > 0 && i < 11 && j < 11 && !(k > 1 && k < 8 && i == 1 + k && j == 1 + k) ? "1 " : "0 ";
   given("a.nrrd", text);
-  const Ending fallen = odontoscope({"reconstruct", "a.nrrd", "--iso", "0.5", "--correspondence", "medial", "--between", "delaunay", "-o", "a.glb"});
-  EXPECT_TRUE(fallen.says("--resample at a quarter of a voxel, with an --iso nearer to the values around it, keeps it whole")) << fallen.out;
+  const Ending fallen = odontoscope(
+      {"reconstruct", "a.nrrd", "--iso", "0.5", "--correspondence", "medial", "--between", "delaunay", "-o", "a.glb"});
+  EXPECT_TRUE(
+      fallen.says("--resample at a quarter of a voxel, with an --iso nearer to the values around it, keeps it whole"))
+      << fallen.out;
   EXPECT_TRUE(fallen.says("in 7 closed surfaces")) << fallen.out;
   const Ending whole = odontoscope({"reconstruct", "a.nrrd", "--iso", "0.9", "--resample", "0.25", "-o", "b.glb"});
   EXPECT_TRUE(whole.says("in 2 closed surfaces")) << whole.out << whole.err;
@@ -249,7 +322,8 @@ std::string leaning(double shift, int corners) {
     text += std::string(z == 0 ? "" : ",") + "{\"z\":" + std::to_string(z) + ",\"contours\":[{\"points\":[";
     for (int n = 0; n < corners; ++n) {
       const double turn = 2 * std::numbers::pi * n / corners;
-      text += (n == 0 ? "[" : ",[") + std::to_string(shift * z + std::cos(turn)) + "," + std::to_string(std::sin(turn)) + "]";
+      text += (n == 0 ? "[" : ",[") + std::to_string(shift * z + std::cos(turn)) + "," +
+              std::to_string(std::sin(turn)) + "]";
     }
     text += "]}]}";
   }
@@ -270,7 +344,9 @@ TEST_F(RemediesOfModels, ThinPlatesBecomeOnePieceWithLinks) {
   const Ending plates = odontoscope({"reconstruct", "a.json", "--correspondence", "overlap", "-o", "a.glb"});
   ASSERT_TRUE(plates.says("thin plates")) << plates.out;
   std::string links = R"({"format":"odontoscope.links","version":1,"links":[)";
-  for (int slice = 0; slice < 5; ++slice) links += std::string(slice == 0 ? "" : ",") + "{\"slice\":" + std::to_string(slice) + ",\"lower\":0,\"upper\":0,\"connect\":true}";
+  for (int slice = 0; slice < 5; ++slice)
+    links += std::string(slice == 0 ? "" : ",") + "{\"slice\":" + std::to_string(slice) +
+             ",\"lower\":0,\"upper\":0,\"connect\":true}";
   given("links.json", links + "]}");
   const Ending whole = odontoscope({"reconstruct", "a.json", "--links", "links.json", "-o", "b.glb"});
   EXPECT_TRUE(whole.says("in 1 closed surface")) << whole.out << whole.err;
@@ -279,9 +355,12 @@ TEST_F(RemediesOfModels, ThinPlatesBecomeOnePieceWithLinks) {
 TEST_F(RemediesOfModels, UsageErrorsNameOptionsThatWork) {
   given("cube.json", cube_stack());
   const std::vector<std::pair<Words, Words>> pairs{
-      {{"reconstruct", "cube.json", "--grid", "16", "-o", "a.glb"}, {"reconstruct", "cube.json", "--grid", "16", "--method", "db", "-o", "a.glb"}},
-      {{"reconstruct", "cube.json", "--method", "db", "--triangles", "9", "-o", "a.glb"}, {"reconstruct", "cube.json", "--method", "db", "--decimate", "9", "-o", "a.glb"}},
-      {{"reconstruct", "cube.json", "--compress", "-o", "a.stl"}, {"reconstruct", "cube.json", "--compress", "-o", "a.stl", "-o", "model.glb"}},
+      {{"reconstruct", "cube.json", "--grid", "16", "-o", "a.glb"},
+       {"reconstruct", "cube.json", "--grid", "16", "--method", "db", "-o", "a.glb"}},
+      {{"reconstruct", "cube.json", "--method", "db", "--triangles", "9", "-o", "a.glb"},
+       {"reconstruct", "cube.json", "--method", "db", "--decimate", "9", "-o", "a.glb"}},
+      {{"reconstruct", "cube.json", "--compress", "-o", "a.stl"},
+       {"reconstruct", "cube.json", "--compress", "-o", "a.stl", "-o", "model.glb"}},
   };
   for (const auto& [wrong, followed] : pairs) {
     EXPECT_EQ(odontoscope(wrong).exit_code, 2) << wrong[2];

@@ -12,11 +12,14 @@ namespace {
 
 using nlohmann::json;
 
-/// A rod of 4 x 3 mm, 16 mm long, leaning by 30 degrees in the plane of x and z; grey values fall off over a voxel, so that its surface is smooth.
+/// A rod of 4 x 3 mm, 16 mm long, leaning by 30 degrees in the plane of x and z; grey values fall off over a voxel, so
+/// that its surface is smooth.
 std::string leaning_rod(bool as_labels = false) {
   const double tilt = std::numbers::pi / 6;
-  std::string text = "NRRD0004\ntype: short\ndimension: 3\nsizes: 36 20 44\nspace: left-posterior-superior\nspace directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\n"
-                     "space origin: (-9,5,100)\nencoding: text\n\n";
+  std::string text =
+      "NRRD0004\ntype: short\ndimension: 3\nsizes: 36 20 44\nspace: left-posterior-superior\nspace directions: "
+      "(0.5,0,0) (0,0.5,0) (0,0,0.5)\n"
+      "space origin: (-9,5,100)\nencoding: text\n\n";
   for (int k = 0; k < 44; ++k)
     for (int j = 0; j < 20; ++j)
       for (int i = 0; i < 36; ++i) {
@@ -36,13 +39,16 @@ class Reshape : public ProgramTest {
 
 TEST_F(Reshape, UprightTurnsTheLongestAxisToZAndTellsItsMatrix) {
   given("rod.nrrd", leaning_rod());
-  const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "-o", "up.obj", "--report", "up.json"});
+  const Ending ending =
+      odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "-o", "up.obj", "--report", "up.json"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
-  EXPECT_TRUE(ending.says("stood upright: turned by 29.9")) << ending.out;   // its ends are cut across voxels
+  EXPECT_TRUE(ending.says("stood upright: turned by 29.9")) << ending.out;  // its ends are cut across voxels
   const json up = report("up.json");
   EXPECT_NEAR(up["volume"]["upright"]["degrees"], 30, 0.5);
   EXPECT_EQ(up["volume"]["upright"]["as_given"], false);
-  ASSERT_EQ(odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "-o", "plain.obj", "--report", "plain.json"}).exit_code, 0);
+  ASSERT_EQ(
+      odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "-o", "plain.obj", "--report", "plain.json"}).exit_code,
+      0);
   const double plain = report("plain.json")["surface"]["shells"][0]["volume"];
   EXPECT_NEAR(up["surface"]["shells"][0]["volume"], plain, 0.06 * plain) << "as large as it was";
   // Upright it is as high as long.
@@ -53,8 +59,11 @@ TEST_F(Reshape, UprightTurnsTheLongestAxisToZAndTellsItsMatrix) {
 
 TEST_F(Reshape, AsGivenPutsTheModelBackWhereTheFileHasIt) {
   given("rod.nrrd", leaning_rod());
-  ASSERT_EQ(odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "-o", "plain.obj", "--report", "plain.json"}).exit_code, 0);
-  const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "--as-given", "-o", "back.obj", "-o", "back.vtu", "--report", "back.json"});
+  ASSERT_EQ(
+      odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "-o", "plain.obj", "--report", "plain.json"}).exit_code,
+      0);
+  const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "--as-given", "-o",
+                                     "back.obj", "-o", "back.vtu", "--report", "back.json"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   const json back = report("back.json");
   EXPECT_EQ(back["volume"]["upright"]["as_given"], true);
@@ -72,7 +81,8 @@ TEST_F(Reshape, AsGivenPutsTheModelBackWhereTheFileHasIt) {
 
 TEST_F(Reshape, LabelsAreResampledByTheNearest) {
   given("rod.nrrd", leaning_rod(true));
-  const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--label", "7=rod", "--resample", "0.4", "--upright", "-o", "a.glb", "--report", "a.json"});
+  const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--label", "7=rod", "--resample", "0.4", "--upright",
+                                     "-o", "a.glb", "--report", "a.json"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_TRUE(ending.says("each with the label of the nearest")) << ending.out;
   EXPECT_NEAR(report("a.json")["surface"]["shells"][0]["volume"], 16 * 4 * 3, 0.1 * 192);
@@ -81,7 +91,8 @@ TEST_F(Reshape, LabelsAreResampledByTheNearest) {
 TEST_F(Reshape, ResampledGreyValuesKeepTheVolume) {
   given("rod.nrrd", leaning_rod());
   for (const char* spacing : {"0.25", "0.3", "0.7"}) {
-    const Ending ending = odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--resample", spacing, "-o", "a.glb", "--report", "a.json"});
+    const Ending ending = odontoscope(
+        {"reconstruct", "rod.nrrd", "--iso", "100", "--resample", spacing, "-o", "a.glb", "--report", "a.json"});
     ASSERT_EQ(ending.exit_code, 0) << ending.err;
     EXPECT_TRUE(ending.says("interpolated linearly")) << ending.out;
     EXPECT_NEAR(report("a.json")["surface"]["shells"][0]["volume"], 16 * 4 * 3, 0.08 * 192) << spacing;
@@ -90,8 +101,10 @@ TEST_F(Reshape, ResampledGreyValuesKeepTheVolume) {
 
 TEST_F(Reshape, CropKeepsPlacesAndTheHistogramTellsThem) {
   given("rod.nrrd", leaning_rod());
-  EXPECT_TRUE(odontoscope({"contours", "rod.nrrd", "--histogram"}).says("from -9 to 8.5 mm along x, 5 to 14.5 along y, 100 to 121.5 along z"));
-  const Ending ending = odontoscope({"contours", "rod.nrrd", "--iso", "100", "--crop", "-9,8.5,5,14.5,108,112", "-o", "part.json"});
+  EXPECT_TRUE(odontoscope({"contours", "rod.nrrd", "--histogram"})
+                  .says("from -9 to 8.5 mm along x, 5 to 14.5 along y, 100 to 121.5 along z"));
+  const Ending ending =
+      odontoscope({"contours", "rod.nrrd", "--iso", "100", "--crop", "-9,8.5,5,14.5,108,112", "-o", "part.json"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_TRUE(ending.says("cropped to 36 x 20 x 9 voxels")) << ending.out;
   ASSERT_EQ(odontoscope({"contours", "rod.nrrd", "--iso", "100", "-o", "whole.json"}).exit_code, 0);
@@ -106,19 +119,26 @@ TEST_F(Reshape, WhatMakesNoSenseIsSaid) {
   given("rod.nrrd", leaning_rod());
   given("cube.json", cube_stack());
   const std::vector<std::string> read{"contours", "rod.nrrd", "--iso", "100", "-o", "a.json"};
-  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
-           {"--crop", "1,2,3,4,5"}, {"--crop", "2,1,3,4,5,6"}, {"--crop", "a,b,c,d,e,f"}, {"--crop", "nan,1,0,1,0,1"}, {"--resample", "0"}, {"--resample", "-1"}, {"--resample", "nan"}}) {
+  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{{"--crop", "1,2,3,4,5"},
+                                                                                     {"--crop", "2,1,3,4,5,6"},
+                                                                                     {"--crop", "a,b,c,d,e,f"},
+                                                                                     {"--crop", "nan,1,0,1,0,1"},
+                                                                                     {"--resample", "0"},
+                                                                                     {"--resample", "-1"},
+                                                                                     {"--resample", "nan"}}) {
     std::vector<std::string> words = read;
     words.insert(words.end(), wrong.begin(), wrong.end());
     EXPECT_EQ(odontoscope(words).exit_code, 2) << wrong[0] << wrong[1];
   }
   EXPECT_EQ(odontoscope({"reconstruct", "cube.json", "--upright", "-o", "a.glb"}).exit_code, 2);
   EXPECT_EQ(odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--as-given", "-o", "a.glb"}).exit_code, 2);
-  EXPECT_EQ(odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "--as-given", "-o", "a.inp"}).exit_code, 2);
+  EXPECT_EQ(
+      odontoscope({"reconstruct", "rod.nrrd", "--iso", "100", "--upright", "--as-given", "-o", "a.inp"}).exit_code, 2);
   const Ending fine = odontoscope({"contours", "rod.nrrd", "--iso", "100", "--resample", "0.001", "-o", "a.json"});
   EXPECT_EQ(fine.exit_code, 3) << fine.err;
   EXPECT_TRUE(fine.complains("[too-many-voxels]")) << fine.err;
-  const Ending ball = odontoscope({"contours", "rod.nrrd", "--iso", "100", "--crop", "-0.5,0.5,9,10.5,110,111.5", "--upright", "-o", "a.json"});
+  const Ending ball = odontoscope(
+      {"contours", "rod.nrrd", "--iso", "100", "--crop", "-0.5,0.5,9,10.5,110,111.5", "--upright", "-o", "a.json"});
   EXPECT_EQ(ball.exit_code, 3) << ball.err;
   EXPECT_TRUE(ball.complains("[no-long-axis]")) << ball.err;
   EXPECT_FALSE(exists("a.json"));

@@ -29,8 +29,10 @@ TEST_F(Results, BytesDoNotDependOnThreads) {
   ASSERT_EQ(odontoscope({"sample", "incisor", "-o", "tooth.json"}).exit_code, 0);
   for (const char* threads : {"1", "2", "5"}) {
     const std::string name = std::string("with") + threads;
-    ASSERT_EQ(odontoscope({"--threads", threads, "reconstruct", "tooth.json", "--triangles", "4000", "-o", name + ".glb",
-                           "-o", name + ".stl", "-o", name + ".ply", "-o", name + ".vtu"}).exit_code, 0);
+    ASSERT_EQ(odontoscope({"--threads", threads, "reconstruct", "tooth.json", "--triangles", "4000", "-o",
+                           name + ".glb", "-o", name + ".stl", "-o", name + ".ply", "-o", name + ".vtu"})
+                  .exit_code,
+              0);
     for (const char* ending : {".glb", ".stl", ".ply", ".vtu"}) {
       EXPECT_GT(bytes_of(name + ending).size(), 1000u);
       EXPECT_TRUE(bytes_of(name + ending) == bytes_of(std::string("with1") + ending)) << name << ending;

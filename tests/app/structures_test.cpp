@@ -1,8 +1,7 @@
 // Contours and solids written for viewers of images, and read again.
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
 
@@ -44,11 +43,13 @@ TEST_F(Structures, ComeBackFromALabelMapByName) {
   EXPECT_EQ(bytes_of("d.json"), bytes_of("b.json"));
   must({"contours", "b.json", "--voxels", "0.1,0.1,1", "--voxel-origin", "-0.1,-0.1,0", "-o", "c.seg.nrrd"});
   must({"contours", "c.seg.nrrd", "--label", "tooth", "-o", "c.json"});
-  EXPECT_EQ(nlohmann::json::parse(bytes_of("c.json"))["slices"][0]["contours"][0]["points"].size(), nlohmann::json::parse(bytes_of("b.json"))["slices"][0]["contours"][0]["points"].size());
+  EXPECT_EQ(nlohmann::json::parse(bytes_of("c.json"))["slices"][0]["contours"][0]["points"].size(),
+            nlohmann::json::parse(bytes_of("b.json"))["slices"][0]["contours"][0]["points"].size());
 }
 
 TEST_F(Structures, OfSolidsFillTheSpaceBetweenSlices) {
-  const Ending ending = must({"reconstruct", "cube.json", "--voxels", "0.1,0.1,0.1", "--voxel-origin", "0.05,0.05,0.05", "-o", "a.seg.nrrd", "-o", "a.seg.dcm", "-o", "a.stl"});
+  const Ending ending = must({"reconstruct", "cube.json", "--voxels", "0.1,0.1,0.1", "--voxel-origin", "0.05,0.05,0.05",
+                              "-o", "a.seg.nrrd", "-o", "a.seg.dcm", "-o", "a.stl"});
   EXPECT_TRUE(ending.says("tooth: 1,000 voxels (1 mm^3)")) << ending.out;
   EXPECT_TRUE(exists("a.seg.dcm"));
   EXPECT_TRUE(exists("a.stl"));
@@ -58,9 +59,11 @@ TEST_F(Structures, AreRefusedBeforeTheWork) {
   expect_misuse({"contours", "cube.json", "-o", "a.seg.nrrd"}, "nothing says how large its voxels are");
   expect_misuse({"reconstruct", "cube.json", "-o", "a.seg.dcm"}, "nothing says how large its voxels are");
   expect_misuse({"reconstruct", "cube.json", "--voxels", "1,1", "-o", "a.seg.dcm"}, "1,1");
-  expect_misuse({"reconstruct", "cube.json", "--voxels", "1,1,1", "--voxel-origin", "1,x,1", "-o", "a.seg.dcm"}, "--voxel-origin");
+  expect_misuse({"reconstruct", "cube.json", "--voxels", "1,1,1", "--voxel-origin", "1,x,1", "-o", "a.seg.dcm"},
+                "--voxel-origin");
   expect_misuse({"reconstruct", "cube.json", "--voxels", "1,1,1", "-o", "a.stl"}, "files of voxels");
-  expect_misuse({"reconstruct", "cube.json", "--method", "db", "--voxels", "1,1,1", "-o", "a.seg.nrrd"}, "have no inside");
+  expect_misuse({"reconstruct", "cube.json", "--method", "db", "--voxels", "1,1,1", "-o", "a.seg.nrrd"},
+                "have no inside");
   expect_misuse({"contours", "cube.json", "-o", "a.txt"}, ".seg.dcm");
 }
 
@@ -70,9 +73,11 @@ TEST_F(Structures, OfContoursAreAsThickAsSlicesAreApart) {
 }
 
 TEST_F(Structures, TooThinForAVoxelAreWarnedAbout) {
-  const Ending ending = must({"reconstruct", "cube.json", "--voxels", "4,4,4", "--voxel-origin", "-1,-1,-1", "-o", "a.seg.nrrd"});
+  const Ending ending =
+      must({"reconstruct", "cube.json", "--voxels", "4,4,4", "--voxel-origin", "-1,-1,-1", "-o", "a.seg.nrrd"});
   EXPECT_TRUE(ending.complains("no voxel's centre lies in tooth")) << ending.err;
-  expect_misuse({"reconstruct", "cube.json", "--voxels", "4,4,4", "--voxel-origin", "-1,-1,-1", "-o", "a.seg.dcm"}, "nothing to write as a segmentation");
+  expect_misuse({"reconstruct", "cube.json", "--voxels", "4,4,4", "--voxel-origin", "-1,-1,-1", "-o", "a.seg.dcm"},
+                "nothing to write as a segmentation");
 }
 
 }  // namespace

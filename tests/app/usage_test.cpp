@@ -8,7 +8,7 @@ namespace {
 struct Mistake {
   const char* name;
   std::vector<std::string> arguments;
-  const char* answer;   // part of the message
+  const char* answer;  // part of the message
 };
 
 class Usage : public ProgramTest, public ::testing::WithParamInterface<Mistake> {};

@@ -24,7 +24,8 @@ class Scripts : public ProgramTest {
 
 TEST_F(Scripts, SavePicturesThatRenderDrawsAgainToThePixel) {
   const Ending ending = played(
-      "shot:first.png 1 shot:buccal.png s format:200,150,4 picture:cut.png scene:cut.json s drag:350,150,400,190 scroll:2 w picture:turned.png scene:turned.json "
+      "shot:first.png 1 shot:buccal.png s format:200,150,4 picture:cut.png scene:cut.json s drag:350,150,400,190 "
+      "scroll:2 w picture:turned.png scene:turned.json "
       "shot:last.png format:120,120,1 c hold:w,0.2 picture:inside.png scene:inside.json");
   if (ending.exit_code == 5) GTEST_SKIP() << ending.err;
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
@@ -32,9 +33,11 @@ TEST_F(Scripts, SavePicturesThatRenderDrawsAgainToThePixel) {
   EXPECT_EQ(picture("first.png").width, 480);
   EXPECT_EQ(picture("cut.png").width, 200);
   EXPECT_EQ(picture("cut.png").height, 150);
-  for (const auto& [one, other] : {std::pair{"first.png", "buccal.png"}, {"buccal.png", "last.png"}, {"first.png", "last.png"}})
+  for (const auto& [one, other] :
+       {std::pair{"first.png", "buccal.png"}, {"buccal.png", "last.png"}, {"first.png", "last.png"}})
     EXPECT_NE(picture(one), picture(other)) << one << " " << other;
-  for (const char* name : {"cut.png", "turned.png", "inside.png"}) EXPECT_TRUE(content_of(picture(name)).shows_something()) << name;
+  for (const char* name : {"cut.png", "turned.png", "inside.png"})
+    EXPECT_TRUE(content_of(picture(name)).shows_something()) << name;
   EXPECT_NE(picture("cut.png").pixel(100, 75), picture("cut.png").pixel(2, 2));
   for (const char* name : {"cut", "turned", "inside"}) expect_drawn_again(name);
 }
@@ -53,10 +56,23 @@ TEST_F(Scripts, DoTheSameEachTime) {
 }
 
 TEST_F(Scripts, AreRefusedBeforeAnythingIsDone) {
-  for (const auto& [script, words] : std::vector<std::pair<std::string, std::string>>{{"dance", "is no step"}, {"click:5", "is no step"}, {"click:5,x", "is no step"}, {"drag:1,2,3", "is no step"},
-                                                                                     {"wait:-1", "Wait from 0 to 600"}, {"wait:1e9", "Wait from 0 to 600"}, {"hold:w", "is no step"}, {"hold:,1", "is no step"},
-                                                                                     {"shot:a.jpg", ".png"}, {"scene:a.png", ".json"}, {"shot:", "is no step"}, {"", "no step in it"}, {"'x", "quote"},
-                                                                                     {"format:0,5,4", "Write width and height"}, {"format:10,10,5", "1, 4, 9 or 16"}, {"s shot:none/a.png", "none"}}) {
+  for (const auto& [script, words] :
+       std::vector<std::pair<std::string, std::string>>{{"dance", "is no step"},
+                                                        {"click:5", "is no step"},
+                                                        {"click:5,x", "is no step"},
+                                                        {"drag:1,2,3", "is no step"},
+                                                        {"wait:-1", "Wait from 0 to 600"},
+                                                        {"wait:1e9", "Wait from 0 to 600"},
+                                                        {"hold:w", "is no step"},
+                                                        {"hold:,1", "is no step"},
+                                                        {"shot:a.jpg", ".png"},
+                                                        {"scene:a.png", ".json"},
+                                                        {"shot:", "is no step"},
+                                                        {"", "no step in it"},
+                                                        {"'x", "quote"},
+                                                        {"format:0,5,4", "Write width and height"},
+                                                        {"format:10,10,5", "1, 4, 9 or 16"},
+                                                        {"s shot:none/a.png", "none"}}) {
     const Ending ending = played(script);
     EXPECT_TRUE(ending.exit_code == 2 || ending.exit_code == 4) << script << ": " << ending.exit_code;
     EXPECT_TRUE(ending.complains(words)) << script << ": " << ending.err;

@@ -9,7 +9,9 @@ namespace {
 
 /// A lump of dentine with an enamel cap, in air.
 std::string nrrd(const std::string& value = "") {
-  std::string text = "NRRD0004\ntype: short\ndimension: 3\nsizes: 16 14 18\nspace: left-posterior-superior\nspace directions: (0.5,0,0) (0,0.5,0) (0,0,0.5)\nencoding: text\n\n";
+  std::string text =
+      "NRRD0004\ntype: short\ndimension: 3\nsizes: 16 14 18\nspace: left-posterior-superior\nspace directions: "
+      "(0.5,0,0) (0,0.5,0) (0,0,0.5)\nencoding: text\n\n";
   for (int k = 0; k < 18; ++k)
     for (int j = 0; j < 14; ++j)
       for (int i = 0; i < 16; ++i) {
@@ -59,15 +61,28 @@ TEST_F(VolumeLooks, ColourSurfacesByTheCt) {
   }
   EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "hue"}).complains("there is nothing called \"hue\""));
   EXPECT_TRUE(shown({"--iso", "500", "--colour-by", "distance=-1"}).complains("no number above 0"));
-  EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"}).complains("there is no value of a CT at which the surface was taken"));
-  EXPECT_TRUE(shown({"--radiograph", "--iso", "500", "--colour-by", "distance"}).complains("a film has no surfaces to colour"));
+  EXPECT_TRUE(shown({"--show", "volume", "--colour-by", "distance"})
+                  .complains("there is no value of a CT at which the surface was taken"));
+  EXPECT_TRUE(
+      shown({"--radiograph", "--iso", "500", "--colour-by", "distance"}).complains("a film has no surfaces to colour"));
 }
 
 TEST_F(VolumeLooks, DifferInEveryWayToCast) {
   given("a.nrrd", nrrd());
   std::vector<Image> seen;
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{}, {"--cast", "maximum"}, {"--cast", "maximum=0,4000"}, {"--cast", "average"}, {"--cast", "radiograph"}, {"--cast", "radiograph", "--grey", "10,3000"},
-                                                                                      {"--cast", "surface=500"}, {"--transfer", "enamel"}, {"--transfer", "pulp"}, {"--slopes", "100,700"}, {"--transfer", "500:#ff0000:0,900:#ff0000:9"}, {"--grey", "10,500"}}) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{},
+                                             {"--cast", "maximum"},
+                                             {"--cast", "maximum=0,4000"},
+                                             {"--cast", "average"},
+                                             {"--cast", "radiograph"},
+                                             {"--cast", "radiograph", "--grey", "10,3000"},
+                                             {"--cast", "surface=500"},
+                                             {"--transfer", "enamel"},
+                                             {"--transfer", "pulp"},
+                                             {"--slopes", "100,700"},
+                                             {"--transfer", "500:#ff0000:0,900:#ff0000:9"},
+                                             {"--grey", "10,500"}}) {
     std::vector<std::string> all{"--show", "volume"};
     all.insert(all.end(), words.begin(), words.end());
     const Ending ending = shown(all);
@@ -85,7 +100,8 @@ TEST_F(VolumeLooks, StandBesideSurfaces) {
   const Image alone = image();
   EXPECT_EQ(shown({"--iso", "500", "--show", "surfaces"}).exit_code, 0);
   EXPECT_EQ(image(), alone);
-  const Ending both = shown({"--iso", "500", "--show", "both", "--section", "buccal", "--cap", "ct", "--save-scene", "s.json"});
+  const Ending both =
+      shown({"--iso", "500", "--show", "both", "--section", "buccal", "--cap", "ct", "--save-scene", "s.json"});
   EXPECT_EQ(both.exit_code, 0) << both.err;
   const Image with_volume = image();
   EXPECT_NE(with_volume, alone);
@@ -107,12 +123,36 @@ TEST_F(VolumeLooks, RefuseWhatMakesNoSense) {
     return ending.exit_code;
   };
   if (code({"--show", "volume"}, "cube.json") == 5) GTEST_SKIP() << "no picture can be drawn here";
-  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
-           {"--show", "all"}, {"--cast", "shaded"}, {"--transfer", "tooth"}, {"--show", "both"}, {"--show", "surfaces", "--cast", "maximum"}, {"--show", "volume", "--cast", "net"},
-           {"--show", "volume", "--cast", "maximum=5,5"}, {"--show", "volume", "--cast", "maximum=nan,5"}, {"--show", "volume", "--cast", "surface"}, {"--show", "volume", "--cast", "surface=inf"},
-           {"--show", "volume", "--cast", "shaded=4"}, {"--show", "volume", "--slopes", "9,5"}, {"--show", "volume", "--slopes", "5"}, {"--show", "volume", "--slopes", "0,0"}, {"--show", "volume", "--slopes", "-1,5"}, {"--show", "volume", "--cast", "maximum", "--slopes", "5,9"}, {"--slopes", "5,9"}, {"--show", "volume", "--transfer", "bone"}, {"--show", "volume", "--transfer", "5:#ff0000"}, {"--show", "volume", "--transfer", "5:red:4"},
-           {"--show", "volume", "--transfer", "5:#ff0000:-1"}, {"--show", "volume", "--transfer", "9:#ff0000:1,5:#ff0000:1"}, {"--show", "volume", "--transfer", ":"}, {"--show", "volume", "--grey", "9,5"},
-           {"--grey", "5,9", "--iso", "500"}, {"--show", "both", "--iso", "500", "--cast", "average"}, {"--show", "volume", "--upright"}, {"--show", "volume", "--links", "x.json"}, {"--radiograph", "--show", "volume"}})
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"--show", "all"},
+                                             {"--cast", "shaded"},
+                                             {"--transfer", "tooth"},
+                                             {"--show", "both"},
+                                             {"--show", "surfaces", "--cast", "maximum"},
+                                             {"--show", "volume", "--cast", "net"},
+                                             {"--show", "volume", "--cast", "maximum=5,5"},
+                                             {"--show", "volume", "--cast", "maximum=nan,5"},
+                                             {"--show", "volume", "--cast", "surface"},
+                                             {"--show", "volume", "--cast", "surface=inf"},
+                                             {"--show", "volume", "--cast", "shaded=4"},
+                                             {"--show", "volume", "--slopes", "9,5"},
+                                             {"--show", "volume", "--slopes", "5"},
+                                             {"--show", "volume", "--slopes", "0,0"},
+                                             {"--show", "volume", "--slopes", "-1,5"},
+                                             {"--show", "volume", "--cast", "maximum", "--slopes", "5,9"},
+                                             {"--slopes", "5,9"},
+                                             {"--show", "volume", "--transfer", "bone"},
+                                             {"--show", "volume", "--transfer", "5:#ff0000"},
+                                             {"--show", "volume", "--transfer", "5:red:4"},
+                                             {"--show", "volume", "--transfer", "5:#ff0000:-1"},
+                                             {"--show", "volume", "--transfer", "9:#ff0000:1,5:#ff0000:1"},
+                                             {"--show", "volume", "--transfer", ":"},
+                                             {"--show", "volume", "--grey", "9,5"},
+                                             {"--grey", "5,9", "--iso", "500"},
+                                             {"--show", "both", "--iso", "500", "--cast", "average"},
+                                             {"--show", "volume", "--upright"},
+                                             {"--show", "volume", "--links", "x.json"},
+                                             {"--radiograph", "--show", "volume"}})
     EXPECT_NE(code(words, "a.nrrd"), 0) << words[0] << " " << words.back();
   EXPECT_EQ(code({"--show", "volume"}, "constant.nrrd"), 3);
   EXPECT_EQ(code({"--show", "volume"}, "labels.nrrd"), 2);

@@ -32,7 +32,8 @@ TEST_F(Web, GivesTheSameBytesOnAnyNumberOfThreads) {
 
 TEST_F(Web, TakesMeshesBackAsTheyWereWritten) {
   given("cube.json", cube_stack());
-  ASSERT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "cube.glb", "-o", "cube.stl", "-o", "cube.ply"}).exit_code, 0);
+  ASSERT_EQ(odontoscope({"reconstruct", "cube.json", "-o", "cube.glb", "-o", "cube.stl", "-o", "cube.ply"}).exit_code,
+            0);
   for (const char* mesh : {"cube.glb", "cube.stl", "cube.ply"}) {
     const Ending made = web({mesh, "-o", "cube.html"});
     if (without_page_) GTEST_SKIP() << made.err;
@@ -61,7 +62,7 @@ TEST_F(Web, IsOnePageThatKnowsNoOtherPlace) {
   for (const char* from_elsewhere : {"<script src", "<link rel=\"stylesheet", "@import", "<img src", "<iframe"})
     EXPECT_EQ(html.find(from_elsewhere), std::string::npos) << from_elsewhere;
   EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
-  EXPECT_NE(html.find("Permission is hereby granted"), std::string::npos);   // three.js's licence
+  EXPECT_NE(html.find("Permission is hereby granted"), std::string::npos);  // three.js's licence
 }
 
 constexpr const char* lesson =
@@ -81,10 +82,12 @@ TEST_F(Web, OpensWithALessonOnTheModelThatItNames) {
   ASSERT_NE(tour, std::string::npos);
   EXPECT_EQ(html.substr(tour, html.find("</script>", tour) - tour).find("\"<b>\""), std::string::npos);
   given("cube.json", cube_stack());
-  ASSERT_EQ(web({"cube.json", "--lesson", "lessons/two.tour.json", "-o", "other.html", "--title", "Mine"}).exit_code, 0);
+  ASSERT_EQ(web({"cube.json", "--lesson", "lessons/two.tour.json", "-o", "other.html", "--title", "Mine"}).exit_code,
+            0);
   EXPECT_NE(bytes_of("other.html").find("<title>Mine</title>"), std::string::npos);
   EXPECT_NE(bytes_of("other.html").find("id=\"tour\">"), std::string::npos);
-  ASSERT_EQ(web({"cube.json", "--lesson", "Find your way", "-o", "other.html"}).exit_code, 0);   // it comes with the program
+  ASSERT_EQ(web({"cube.json", "--lesson", "Find your way", "-o", "other.html"}).exit_code,
+            0);  // it comes with the program
   EXPECT_NE(bytes_of("other.html").find("<title>Find your way</title>"), std::string::npos);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What any implementation on CGAL would pay at least: the 3D Delaunay triangulation of every slab's points, and nothing else.
+// What any implementation on CGAL would pay at least: the 3D Delaunay triangulation of every slab's points, and nothing
+// else.
 
 #include <array>
 #include <cstddef>

@@ -60,12 +60,15 @@ void BareProgram::draw(const GpuModel& model, const View& view, bool culled) con
   gl_->DepthFunc(GL_LESS);
   gl_->Disable(GL_BLEND);
   gl_->CullFace(GL_BACK);
-  if (culled) gl_->Enable(GL_CULL_FACE);
-  else gl_->Disable(GL_CULL_FACE);
+  if (culled)
+    gl_->Enable(GL_CULL_FACE);
+  else
+    gl_->Disable(GL_CULL_FACE);
   gl_->UseProgram(program_.id());
   const glm::mat4 to_clip = view.eye_to_clip * view.world_to_eye;
   gl_->UniformMatrix4fv(gl_->GetUniformLocation(program_.id(), "world_to_clip"), 1, GL_FALSE, glm::value_ptr(to_clip));
-  gl_->UniformMatrix4fv(gl_->GetUniformLocation(program_.id(), "world_to_eye"), 1, GL_FALSE, glm::value_ptr(view.world_to_eye));
+  gl_->UniformMatrix4fv(gl_->GetUniformLocation(program_.id(), "world_to_eye"), 1, GL_FALSE,
+                        glm::value_ptr(view.world_to_eye));
   for (const GpuPart& part : model.parts) part.draw();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The least that draws a lit mesh: one program, one light, one target of 8 bits with depth. What our renderer is measured against.
+// The least that draws a lit mesh: one program, one light, one target of 8 bits with depth. What our renderer is
+// measured against.
 
 #include "engine/gpu/framebuffer.h"
 #include "engine/gpu/program.h"

@@ -1,9 +1,10 @@
-// Is the engine as fast as it should be? Bare Delaunay triangulation of all slabs against everything from contours in memory
-// to the certified surface, in one run on one machine, and the ratios; DT against DB (distance field and marching cubes), with how far DB stays off
-// the contours at each grid; then peak memory for each contour point.
+// Is the engine as fast as it should be? Bare Delaunay triangulation of all slabs against everything from contours in
+// memory to the certified surface, in one run on one machine, and the ratios; DT against DB (distance field and
+// marching cubes), with how far DB stays off the contours at each grid; then peak memory for each contour point.
 //
 //   odontoscope_benchmark              the molar; Google Benchmark's own options apply
-//   odontoscope_benchmark --large      also a made-up stack of 2,000 slices with 2,000 points each (minutes, and gigabytes)
+//   odontoscope_benchmark --large      also a made-up stack of 2,000 slices with 2,000 points each (minutes, and
+//   gigabytes)
 
 #include <benchmark/benchmark.h>
 #include <unistd.h>
@@ -59,7 +60,8 @@ void bare_delaunay(benchmark::State& state, const ContourStack& stack) {
 
 void contours_to_certified(benchmark::State& state, const ContourStack& stack, int threads) {
   for (auto _ : state) {
-    const Reconstruction result = reconstruct(stack, {.correspondence = Correspondence::medial, .links = {}, .threads = threads});
+    const Reconstruction result =
+        reconstruct(stack, {.correspondence = Correspondence::medial, .links = {}, .threads = threads});
     if (!result.certified) state.SkipWithError("not certified");
     state.counters["tetrahedra"] = double(result.counts.kept);
     for (const StageTime& stage : result.seconds) state.counters[stage.stage + "_ms"] = stage.seconds * 1e3;
@@ -70,7 +72,8 @@ struct Seconds {
   double wall = 0, processor = 0;
 };
 
-/// Shows what Google Benchmark shows, and keeps the least of all repetitions for the ratios: others' work on the machine only adds.
+/// Shows what Google Benchmark shows, and keeps the least of all repetitions for the ratios: others' work on the
+/// machine only adds.
 class Reporter : public benchmark::ConsoleReporter {
  public:
   Reporter() : ConsoleReporter(isatty(STDOUT_FILENO) != 0 ? OO_Defaults : OO_Tabular) {}
@@ -114,15 +117,19 @@ ContourFit fit_of_db(const ContourStack& stack, std::size_t grid) {
   return joined(fits);
 }
 
-/// DT passes through the contours; no grid does, so there is no equal distance: what a grid costs in time is set beside what it lacks.
+/// DT passes through the contours; no grid does, so there is no equal distance: what a grid costs in time is set beside
+/// what it lacks.
 void print_dt_against_db(const Reporter& reporter, const ContourStack& stack) {
   const Seconds dt = reporter.least(whole_1);
   for (const std::size_t grid : db_grids) {
     const Seconds db = reporter.least(db_name(grid));
     if (dt.wall == 0 || db.wall == 0) continue;
     const ContourFit fit = fit_of_db(stack, grid);
-    std::printf("DB on %zu x %zu takes %.2f times as long as DT, %.2f in processor time; contours to surface %.4f mm on average, %.3f at most (DT: 0)\n",
-                grid, grid, db.wall / dt.wall, db.processor / dt.processor, fit.contours_to_surface.mean, fit.contours_to_surface.largest);
+    std::printf(
+        "DB on %zu x %zu takes %.2f times as long as DT, %.2f in processor time; contours to surface %.4f mm on "
+        "average, %.3f at most (DT: 0)\n",
+        grid, grid, db.wall / dt.wall, db.processor / dt.processor, fit.contours_to_surface.mean,
+        fit.contours_to_surface.largest);
   }
 }
 
@@ -132,15 +139,14 @@ void print_memory(const char* name, const PeakMemory& memory, std::size_t points
     return;
   }
   const double mebi = 1024.0 * 1024.0;
-  std::printf("%s: peak %.1f MiB, %.0f bytes a contour point (bar: below 2048) over the %.1f MiB before it; %.2f s\n", name,
-              double(memory.peak) / mebi, double(memory.peak - memory.contours) / double(points),
+  std::printf("%s: peak %.1f MiB, %.0f bytes a contour point (bar: below 2048) over the %.1f MiB before it; %.2f s\n",
+              name, double(memory.peak) / mebi, double(memory.peak - memory.contours) / double(points),
               double(memory.contours) / mebi, memory.seconds);
 }
 
 void large(int threads) {
   constexpr std::size_t slices = 2000, points = 2000;
-  const PeakMemory memory =
-      peak_memory([] { return benchmark_inputs::made_up(slices, points); }, threads);
+  const PeakMemory memory = peak_memory([] { return benchmark_inputs::made_up(slices, points); }, threads);
   print_memory("2,000 slices of 2,000 points", memory, slices * points);
   if (memory.measured)
     std::printf("that is %.2f GiB in all (bar: within 12)\n", double(memory.peak) / (1024.0 * 1024.0 * 1024.0));
@@ -165,13 +171,18 @@ int main(int argc, char** argv) {
   const benchmark_inputs::Molar molar = benchmark_inputs::molar();
   std::printf("%s: %zu slices, %zu points\n", molar.name.c_str(), molar.stack.slices.size(), points_of(molar.stack));
   const auto add = [](const char* name, auto run) {
-    benchmark::RegisterBenchmark(name, run)->Unit(benchmark::kMillisecond)->UseRealTime()->MeasureProcessCPUTime()->Repetitions(5);
+    benchmark::RegisterBenchmark(name, run)
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime()
+        ->MeasureProcessCPUTime()
+        ->Repetitions(5);
   };
   add(bare, [&](benchmark::State& state) { bare_delaunay(state, molar.stack); });
   add(whole_1, [&](benchmark::State& state) { contours_to_certified(state, molar.stack, 1); });
   add(whole_2, [&](benchmark::State& state) { contours_to_certified(state, molar.stack, 2); });
   for (const std::size_t grid : db_grids)
-    add(db_name(grid).c_str(), [&molar, grid](benchmark::State& state) { contours_by_distance(state, molar.stack, grid); });
+    add(db_name(grid).c_str(),
+        [&molar, grid](benchmark::State& state) { contours_by_distance(state, molar.stack, grid); });
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   Reporter reporter;

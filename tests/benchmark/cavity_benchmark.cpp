@@ -1,4 +1,5 @@
-// How long until the centre lines are there, once the model is? (Bar: 200 ms for the CT molar.) And what a question to the wall costs.
+// How long until the centre lines are there, once the model is? (Bar: 200 ms for the CT molar.) And what a question to
+// the wall costs.
 
 #include <benchmark/benchmark.h>
 #include <tbb/task_arena.h>

@@ -1,6 +1,7 @@
-// What does the second eye cost? Draw time of two eyes over one, taken in turns in one run on EGL: 960 x 960 pixels an eye, fields of view as headsets have them.
-// The bar is that of docs/testing.md. The one word it takes is how often each is drawn (25). Besides: how much processor time one eye and two take on the thread
-// that calls OpenGL, where a driver in software does the vertices, and on all threads.
+// What does the second eye cost? Draw time of two eyes over one, taken in turns in one run on EGL: 960 x 960 pixels an
+// eye, fields of view as headsets have them. The bar is that of docs/testing.md. The one word it takes is how often
+// each is drawn (25). Besides: how much processor time one eye and two take on the thread that calls OpenGL, where a
+// driver in software does the vertices, and on all threads.
 
 #include <time.h>
 
@@ -64,7 +65,8 @@ struct Case {
 /// Two eyes over one.
 double measure(const Gl& gl, const Case& one, int rounds) {
   const Pickable pickable(*one.model);
-  const std::vector<FlightSpace> cavities = one.inside ? flight_spaces(small_molar_surfaces(), *one.model).cavities : std::vector<FlightSpace>{};
+  const std::vector<FlightSpace> cavities =
+      one.inside ? flight_spaces(small_molar_surfaces(), *one.model).cavities : std::vector<FlightSpace>{};
   const VisitWorld world{*one.model, pickable, one.scene, cavities};
   HeadsetInput input = person();
   input.hands = {};
@@ -74,18 +76,20 @@ double measure(const Gl& gl, const Case& one, int rounds) {
     visit.stage = inside(cavities.at(0), input.head, *one.model, {});
   }
   EyePainter painter(gl, ShaderLibrary{}, *one.model);
-  const Framebuffer left(gl, {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F}), right(gl, {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
+  const Framebuffer left(gl, {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F}),
+      right(gl, {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
   const Target targets[2] = {{left.id(), 0, 0, size, true, true}, {right.id(), 0, 0, size, true, true}};
   const std::vector<EyeView> eyes = eyes_of(input.head);
   Times alone, both;
   for (int i = 0; i < rounds; ++i) {
-    const std::size_t eye = static_cast<std::size_t>(i) % 2;   // left and right do not see the same, nor cost the same
+    const std::size_t eye = static_cast<std::size_t>(i) % 2;  // left and right do not see the same, nor cost the same
     alone.measure(gl, [&] { painter.draw(visit, input, world, {&eyes[eye], 1}, {&targets[eye], 1}); });
     both.measure(gl, [&] { painter.draw(visit, input, world, eyes, targets); });
   }
   const double ratio = both.middle(0) / alone.middle(0);
-  std::printf("%-32s one eye %6.1f ms (processor: %6.1f calling, %6.1f in all), two %6.1f ms (%6.1f, %6.1f): %.2f\n", one.name, alone.middle(0), alone.middle(1), alone.middle(2),
-              both.middle(0), both.middle(1), both.middle(2), ratio);
+  std::printf("%-32s one eye %6.1f ms (processor: %6.1f calling, %6.1f in all), two %6.1f ms (%6.1f, %6.1f): %.2f\n",
+              one.name, alone.middle(0), alone.middle(1), alone.middle(2), both.middle(0), both.middle(1),
+              both.middle(2), ratio);
   return ratio;
 }
 
@@ -96,7 +100,9 @@ int benchmark(int rounds) {
   Scene usual = usual_scene(molar, 1), opaque = usual;
   for (Look& look : opaque.looks) look.opacity = 1;
   const Model many = make_model({{"tooth", ball({{}, 11, 500})}});
-  const std::vector<Case> cases = {{"small molar, translucent", &molar, usual}, {"small molar, opaque", &molar, opaque}, {"inside its pulp", &molar, usual, true},
+  const std::vector<Case> cases = {{"small molar, translucent", &molar, usual},
+                                   {"small molar, opaque", &molar, opaque},
+                                   {"inside its pulp", &molar, usual, true},
                                    {"a ball of a million triangles", &many, usual_scene(many, 1)}};
   double worst = 0;
   for (const Case& one : cases) worst = std::max(worst, measure(context->gl(), one, rounds));

@@ -1,4 +1,5 @@
-// What flying costs: the nearest wall, the exact side, and a frame's flight, in the pulp of the CT molar (of the sample molar where that data set is not there).
+// What flying costs: the nearest wall, the exact side, and a frame's flight, in the pulp of the CT molar (of the sample
+// molar where that data set is not there).
 //
 //   odontoscope_navigation_benchmark     Google Benchmark's own options apply
 
@@ -18,7 +19,7 @@ struct Pulp {
   Walls walls;
   FlightRules rules;
   glm::dvec3 middle{0};
-  std::vector<glm::dvec3> places;   // where flights come by
+  std::vector<glm::dvec3> places;  // where flights come by
 
   Pulp() {
     const SurfaceMesh* ct = test::ct_molar_pulp();
@@ -30,7 +31,8 @@ struct Pulp {
     Flight flight = looking(middle, {0, 0, -1});
     FlightWish wish{{0, 0, 1}, {}};
     for (int i = 0; i < 20'000; ++i) {
-      if (random.chance(0.03)) wish = {{random.between(-1, 1), random.between(-1, 1), 1}, {random.between(-1, 1), random.between(-1, 1)}};
+      if (random.chance(0.03))
+        wish = {{random.between(-1, 1), random.between(-1, 1), 1}, {random.between(-1, 1), random.between(-1, 1)}};
       flight = flown(flight, wish, walls, rules, 1.0 / 60);
       places.push_back(flight.eye);
     }

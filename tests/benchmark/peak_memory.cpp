@@ -23,10 +23,11 @@ std::size_t status(const std::string& key) {
 PeakMemory measure(const std::function<ContourStack()>& make, int threads) {
   PeakMemory memory;
   const ContourStack stack = make();
-  std::ofstream("/proc/self/clear_refs") << "5";   // from here on VmHWM counts anew
+  std::ofstream("/proc/self/clear_refs") << "5";  // from here on VmHWM counts anew
   memory.contours = status("VmRSS");
   const auto start = std::chrono::steady_clock::now();
-  const Reconstruction result = reconstruct(stack, {.correspondence = Correspondence::medial, .links = {}, .threads = threads});
+  const Reconstruction result =
+      reconstruct(stack, {.correspondence = Correspondence::medial, .links = {}, .threads = threads});
   memory.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   memory.peak = status("VmHWM");
   memory.measured = result.certified && memory.peak > 0;

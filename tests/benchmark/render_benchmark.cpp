@@ -1,4 +1,5 @@
-// How fast are pictures? One run on EGL, 1280 x 720, one sample a pixel; every figure that is compared is taken in turns with the other.
+// How fast are pictures? One run on EGL, 1280 x 720, one sample a pixel; every figure that is compared is taken in
+// turns with the other.
 //
 //   odontoscope_render_benchmark [FOLDER [F3D WORD...]]
 //
@@ -7,9 +8,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -53,7 +54,8 @@ Milliseconds middle(std::vector<Milliseconds> times) {
   Milliseconds result;
   std::nth_element(times.begin(), at, times.end(), [](const auto& a, const auto& b) { return a.wall < b.wall; });
   result.wall = at->wall;
-  std::nth_element(times.begin(), at, times.end(), [](const auto& a, const auto& b) { return a.processor < b.processor; });
+  std::nth_element(times.begin(), at, times.end(),
+                   [](const auto& a, const auto& b) { return a.processor < b.processor; });
   result.processor = at->processor;
   return result;
 }
@@ -76,7 +78,8 @@ std::size_t triangles_in(const Model& model) {
 
 class FrameTimes {
  public:
-  FrameTimes(const Gl& gl, Renderer& renderer) : gl_(gl), renderer_(renderer), bare_(gl, size), pixels_(gl, {size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F}) {}
+  FrameTimes(const Gl& gl, Renderer& renderer)
+      : gl_(gl), renderer_(renderer), bare_(gl, size), pixels_(gl, {size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F}) {}
 
   /// True if the bar is met.
   bool measure(int rings, bool judged) {
@@ -89,8 +92,9 @@ class FrameTimes {
         scene.back_faces = culled ? BackFaces::cull : BackFaces::show;
         scene.occlusion.on = occlusion;
         const auto [ours, bare] = in_turns(gpu_model, model, scene, culled);
-        std::printf("%7zu triangles, %-11s %-20s ours %6.1f ms, bare program %6.1f ms: %5.2f (processor time %5.2f)\n", triangles_in(model),
-                    culled ? "culled," : "not culled,", occlusion ? "ambient occlusion" : "no ambient occlusion", ours.wall, bare.wall,
+        std::printf("%7zu triangles, %-11s %-20s ours %6.1f ms, bare program %6.1f ms: %5.2f (processor time %5.2f)\n",
+                    triangles_in(model), culled ? "culled," : "not culled,",
+                    occlusion ? "ambient occlusion" : "no ambient occlusion", ours.wall, bare.wall,
                     ours.wall / bare.wall, ours.processor / bare.processor);
         if (judged && culled && !occlusion) met = ours.wall <= most_over_bare * bare.wall;
       }
@@ -98,7 +102,8 @@ class FrameTimes {
   }
 
  private:
-  std::pair<Milliseconds, Milliseconds> in_turns(const GpuModel& gpu_model, const Model& model, const Scene& scene, bool culled) {
+  std::pair<Milliseconds, Milliseconds> in_turns(const GpuModel& gpu_model, const Model& model, const Scene& scene,
+                                                 bool culled) {
     const View view = view_of(scene.camera, model, double(size.width) / size.height);
     const Pane pane{view, {pixels_.id(), 0, 0, size, true}};
     std::vector<Milliseconds> ours, bare;
@@ -132,7 +137,8 @@ bool measure_first_picture(const std::string& folder, std::vector<std::string> f
     std::printf("could not make %s\n", mesh.c_str());
     return false;
   }
-  const std::vector<std::string> words = {ODONTOSCOPE_PROGRAM, "-q", "render", mesh, "-o", picture, "--size", "1280x720", "--samples", "1"};
+  const std::vector<std::string> words = {ODONTOSCOPE_PROGRAM, "-q",        "render", mesh, "-o", picture, "--size",
+                                          "1280x720",          "--samples", "1"};
   std::vector<std::string> as_usual = words;
   as_usual.back() = "4";
   const auto ours = seconds_to_run(words, 9), usual = seconds_to_run(as_usual, 9);
@@ -145,7 +151,8 @@ bool measure_first_picture(const std::string& folder, std::vector<std::string> f
     std::printf("f3d could not be run\n");
     return false;
   }
-  std::printf("f3d: %.3f s; ours take %.2f and %.2f of that; bar %.1f\n", *theirs, *ours / *theirs, *usual / *theirs, most_of_f3d);
+  std::printf("f3d: %.3f s; ours take %.2f and %.2f of that; bar %.1f\n", *theirs, *ours / *theirs, *usual / *theirs,
+              most_of_f3d);
   return *ours <= most_of_f3d * *theirs;
 }
 
@@ -154,7 +161,8 @@ int benchmark(const std::vector<std::string>& words) {
   std::printf("%s\n", context->in_words().c_str());
   const Gl& gl = context->gl();
   std::unique_ptr<Renderer> renderer;
-  std::printf("all programs compiled in %.1f ms\n", milliseconds(gl, [&] { renderer = std::make_unique<Renderer>(gl, shaders_from_environment()); }).wall);
+  std::printf("all programs compiled in %.1f ms\n",
+              milliseconds(gl, [&] { renderer = std::make_unique<Renderer>(gl, shaders_from_environment()); }).wall);
   FrameTimes frames(gl, *renderer);
   frames.measure(45, false);
   bool met = frames.measure(154, true);

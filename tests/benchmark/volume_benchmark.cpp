@@ -1,10 +1,13 @@
-// Casts rays through a volume as often as it is asked: for volume_against_vtk.py, which times another program in turns with it.
+// Casts rays through a volume as often as it is asked: for volume_against_vtk.py, which times another program in turns
+// with it.
 //
 //   odontoscope_volume_benchmark FILE AIR DENTINE PICTURE.png
 //
-// For each line that comes in one picture is drawn, 1280 x 720 on EGL, lit, and its milliseconds go out: by the wall clock, and of all processors. The line "draw" asks for one ray a
-// pixel; "still" for four samples a pixel, as many rays as they need; "full" for a ray through each of the four, and how far the still is off that: by how much of 255 at worst, and in how many pixels by more than two.
-// The first answer is the camera (position, target, up, angle), the length of a step in mm, and the transfer function.
+// For each line that comes in one picture is drawn, 1280 x 720 on EGL, lit, and its milliseconds go out: by the wall
+// clock, and of all processors. The line "draw" asks for one ray a pixel; "still" for four samples a pixel, as many
+// rays as they need; "full" for a ray through each of the four, and how far the still is off that: by how much of 255
+// at worst, and in how many pixels by more than two. The first answer is the camera (position, target, up, angle), the
+// length of a step in mm, and the transfer function.
 
 #include <time.h>
 
@@ -32,10 +35,13 @@ double milliseconds_of(clockid_t clock) {
 }
 
 SurfaceMesh box_of(const ValueGrid& grid) {
-  const glm::dvec3 low = grid.first_mm, high = low + grid.step_mm * (glm::dvec3(grid.size[0], grid.size[1], grid.size[2]) - 1.0);
+  const glm::dvec3 low = grid.first_mm,
+                   high = low + grid.step_mm * (glm::dvec3(grid.size[0], grid.size[1], grid.size[2]) - 1.0);
   SurfaceMesh mesh;
-  for (unsigned i = 0; i < 8; ++i) mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
 }
 
@@ -67,12 +73,15 @@ int benchmark(char** words) {
   const GpuValueGrid values = upload(gl, grid, gpu_model);
   GpuVolume gpu_volume(gl, grid, values.field());
   const Framebuffer pixels(gl, {size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
-  const Pane pane{view_of(scene.camera, model, static_cast<double>(size.width) / size.height), {pixels.id(), 0, 0, size, true}};
+  const Pane pane{view_of(scene.camera, model, static_cast<double>(size.width) / size.height),
+                  {pixels.id(), 0, 0, size, true}};
   const PictureOptions picture{.size = size, .render = {.side = 1}};
-  std::ofstream(words[4], std::ios::binary) << png_bytes(picture_of(gl, renderer, gpu_model, model, scene, picture, nullptr, &values, &gpu_volume));
+  std::ofstream(words[4], std::ios::binary)
+      << png_bytes(picture_of(gl, renderer, gpu_model, model, scene, picture, nullptr, &values, &gpu_volume));
   const Camera& camera = scene.camera;
-  std::printf("[[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g],%.9g,%.9g,[", camera.position.x, camera.position.y, camera.position.z, camera.target.x, camera.target.y, camera.target.z,
-              camera.up.x, camera.up.y, camera.up.z, camera.field_of_view_deg, 1000 * static_cast<double>(gpu_volume.stride()));
+  std::printf("[[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g],[%.9g,%.9g,%.9g],%.9g,%.9g,[", camera.position.x, camera.position.y,
+              camera.position.z, camera.target.x, camera.target.y, camera.target.z, camera.up.x, camera.up.y,
+              camera.up.z, camera.field_of_view_deg, 1000 * static_cast<double>(gpu_volume.stride()));
   for (std::size_t i = 0; i < scene.volume.transfer.size(); ++i) {
     const TransferPoint& point = scene.volume.transfer[i];
     std::printf("%s[%.9g,%.9g,%.9g,%.9g,%.9g]", i > 0 ? "," : "", point.value, static_cast<double>(point.colour.red),
@@ -82,13 +91,17 @@ int benchmark(char** words) {
   std::fflush(stdout);
   Image still;
   for (std::string line; std::getline(std::cin, line);) {
-    const RenderOptions options{.side = line == "draw" ? 1 : 2, .rays = line == "still" ? RenderOptions::Rays::as_usual : RenderOptions::Rays::every};
+    const RenderOptions options{.side = line == "draw" ? 1 : 2,
+                                .rays = line == "still" ? RenderOptions::Rays::as_usual : RenderOptions::Rays::every};
     const double wall = milliseconds_of(CLOCK_MONOTONIC), processor = milliseconds_of(CLOCK_PROCESS_CPUTIME_ID);
     renderer.draw(gpu_model, scene, {&pane, 1}, options, nullptr, &values, &gpu_volume);
     gl.Finish();
-    std::printf("%.3f %.3f", milliseconds_of(CLOCK_MONOTONIC) - wall, milliseconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor);
+    std::printf("%.3f %.3f", milliseconds_of(CLOCK_MONOTONIC) - wall,
+                milliseconds_of(CLOCK_PROCESS_CPUTIME_ID) - processor);
     if (line == "still") still = read_pixels(gl, pixels.id(), size);
-    if (std::getenv("DUMP")) std::ofstream(std::string(std::getenv("DUMP")) + line + ".png", std::ios::binary) << png_bytes(read_pixels(gl, pixels.id(), size));
+    if (std::getenv("DUMP"))
+      std::ofstream(std::string(std::getenv("DUMP")) + line + ".png", std::ios::binary)
+          << png_bytes(read_pixels(gl, pixels.id(), size));
     if (line == "full" && !still.rgba.empty()) {
       const auto [most, unlike] = difference(still, read_pixels(gl, pixels.id(), size));
       std::printf(" %d %d", most, unlike);

@@ -261,16 +261,20 @@ TEST(Blend, CarriesABeadIntoTheChamberThatItDoesNotOverlap) {
   const Ring chamber = circle(1), bead = circle(0.2, {1.6, 0});
   EXPECT_TRUE(carried_at({{chamber, bead}, {chamber}, {{{0, 0}, {1, 0}}, {}}, {}, {}}, {1.2, 0}, false));
   EXPECT_FALSE(carried_at({{chamber, bead}, {chamber}, {{{0, 0}}, {}}, {}, {}}, {1.2, 0}, false)) << "not linked";
-  EXPECT_TRUE(carried_at({{circle(3), hole(chamber), hole(bead)}, {circle(3), hole(chamber)}, {{{0, 0}}, {{1, 1}, {2, 1}}}, {}, {}}, {1.2, 0}, true));
+  EXPECT_TRUE(carried_at(
+      {{circle(3), hole(chamber), hole(bead)}, {circle(3), hole(chamber)}, {{{0, 0}}, {{1, 1}, {2, 1}}}, {}, {}},
+      {1.2, 0}, true));
 }
 
 TEST(Blend, CarriesAHoleOutThroughTheWallBesideIt) {
   const Ring bead = circle(0.2, {2.6, 0});
-  EXPECT_TRUE(carried_at({{circle(3), hole(bead)}, {circle(2.95)}, {{{0, 0}}, {{1, between::outside}}}, {}, {}}, {2.85, 0}, true));
+  EXPECT_TRUE(carried_at({{circle(3), hole(bead)}, {circle(2.95)}, {{{0, 0}}, {{1, between::outside}}}, {}, {}},
+                         {2.85, 0}, true));
 }
 
 TEST(Blend, AFinerGridKeepsAWallThinnerThanAStep) {
-  const Outline walled{rectangle({0, 0}, {12, 12}), hole(rectangle({1, 1}, {5.98, 11})), hole(rectangle({6.02, 1}, {11, 11}))};
+  const Outline walled{rectangle({0, 0}, {12, 12}), hole(rectangle({1, 1}, {5.98, 11})),
+                       hole(rectangle({6.02, 1}, {11, 11}))};
   const Links links = overlap_links(walled, walled);
   Surroundings s{nullptr, &walled, &walled, nullptr, 0, 0, 1, 0, links.material, links.voids};
   constexpr std::array middle{0.5};
@@ -344,7 +348,7 @@ TEST(Blend, TakesTheNearerSliceWhereDoublesAreTooCoarse) {
 }
 
 TEST(Blend, TakesTheNearerSliceWhereAreasAreNoNumbers) {
-  for (const double size : {1e-155, 1e-162, 1e-300, 1e-320}) {   // squared they are denormal, or nothing
+  for (const double size : {1e-155, 1e-162, 1e-300, 1e-320}) {  // squared they are denormal, or nothing
     const Outline lower{circle(size)}, upper{circle(2 * size)};
     const Slab slab{lower, upper, {{{0, 0}}, {}}, {}, {}};
     EXPECT_EQ(slab.blended()[0], lower);
@@ -358,7 +362,7 @@ TEST(Blend, TellsRegionsFromHolesHoweverSmall) {
     const Outline lower{circle(2, {5, 0}), circle(size), hole(circle(size / 2))}, upper = lower;
     EXPECT_NO_THROW((Slab{lower, upper, {{{0, 0}, {1, 1}}, {{2, 2}}}, {}, {}}.blended()));
   }
-  const Outline needle{{{0, 0}, {3, 1}, {1.5, 0.5000000000000001}}};   // its area is less than its rounding
+  const Outline needle{{{0, 0}, {3, 1}, {1.5, 0.5000000000000001}}};  // its area is less than its rounding
   EXPECT_NO_THROW((Slab{needle, needle, {{{0, 0}}, {}}, {}, {}}.blended()));
 }
 

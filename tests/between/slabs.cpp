@@ -115,8 +115,10 @@ Links overlap_links(const Outline& lower, const Outline& upper) {
   for (std::size_t p = 0; p < below.innermost.size(); ++p) {
     const std::size_t a = below.innermost[p], b = above.innermost[p];
     if (is_void(lower, a) != is_void(upper, b)) continue;
-    if (!is_void(lower, a)) material.insert({a, b});
-    else if (a != between::outside || b != between::outside) voids.insert({a, b});
+    if (!is_void(lower, a))
+      material.insert({a, b});
+    else if (a != between::outside || b != between::outside)
+      voids.insert({a, b});
   }
   Links links;
   for (const auto& [a, b] : material) links.material.push_back({a, b});
@@ -136,7 +138,8 @@ double area(const Outline& outline) {
   return sum;
 }
 
-double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns) {
+double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side,
+                     int columns) {
   const Picture made = picture(outline, low, side, columns);
   std::size_t wrong = 0;
   for (int j = 0; j < columns; ++j) {

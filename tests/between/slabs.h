@@ -19,7 +19,8 @@ Outline moved(Outline outline, Point2 by);
 /// The outline of one structure, outer contours counter-clockwise, holes clockwise.
 Outline outline_of(const Slice& slice, const std::string& structure);
 
-/// For each point of a lattice of `columns` x `columns` over the box the innermost contour that it lies in, or `outside`.
+/// For each point of a lattice of `columns` x `columns` over the box the innermost contour that it lies in, or
+/// `outside`.
 struct Picture {
   Point2 low;
   double step = 0;
@@ -43,7 +44,8 @@ double distance(const Outline& outline, Point2 at);
 double area(const Outline& outline);
 
 /// Area in which the outline and a shape (true inside) differ, counted on a lattice of points.
-double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side, int columns);
+double area_in_wrong(const Outline& outline, const std::function<bool(Point2)>& shape, Point2 low, double side,
+                     int columns);
 
 std::size_t points_in(const Outline& outline);
 

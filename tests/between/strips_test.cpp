@@ -1,5 +1,5 @@
-// What juts out as a strip, as the end of an open ring does, must grow along its length, and leave no ledge in the plane
-// of the slice.
+// What juts out as a strip, as the end of an open ring does, must grow along its length, and leave no ledge in the
+// plane of the slice.
 
 #include <gtest/gtest.h>
 

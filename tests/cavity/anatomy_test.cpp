@@ -39,7 +39,8 @@ TEST(Anatomy, OfAStraightTubeInABlock) {
   EXPECT_NEAR(made.structures[0].area, 6 * 400, 1e-6);
   EXPECT_NEAR(made.structures[0].volume + made.cavity_volume, 8000, 1e-6);
   const double pi = std::numbers::pi;
-  EXPECT_NEAR(made.cavity_volume, pi * radius * radius * tube + 4 * pi * std::pow(radius, 3) / 3, 2 * percent * made.cavity_volume);
+  EXPECT_NEAR(made.cavity_volume, pi * radius * radius * tube + 4 * pi * std::pow(radius, 3) / 3,
+              2 * percent * made.cavity_volume);
   EXPECT_NEAR(made.cavity_area, 2 * pi * radius * tube + 4 * pi * radius * radius, 2 * percent * made.cavity_area);
   ASSERT_EQ(made.canals.size(), 1u);
   const MeasuredCanal& canal = made.canals[0];
@@ -49,13 +50,15 @@ TEST(Anatomy, OfAStraightTubeInABlock) {
   EXPECT_EQ(canal.schneider_deg, 0);
   EXPECT_TRUE(std::isinf(canal.smallest_bend));
   ASSERT_TRUE(canal.thinnest_wall);
-  EXPECT_NEAR(canal.thinnest_wall->width, 14 - tube - radius, percent * 14);   // straight down
+  EXPECT_NEAR(canal.thinnest_wall->width, 14 - tube - radius, percent * 14);  // straight down
   ASSERT_EQ(made.roots.size(), 1u);
   EXPECT_EQ(made.roots[0].vertucci, "I");
 }
 
-/// A block of 10 mm round and 12 mm tall with one canal from z = 1 to 11, as contours: sections of a round tube are ellipses.
-ContourStack canal_in_slices(double spacing, double radius, const std::function<Point2(double)>& centre, const std::function<double(double)>& stretch) {
+/// A block of 10 mm round and 12 mm tall with one canal from z = 1 to 11, as contours: sections of a round tube are
+/// ellipses.
+ContourStack canal_in_slices(double spacing, double radius, const std::function<Point2(double)>& centre,
+                             const std::function<double(double)>& stretch) {
   constexpr int corners = 60;
   ContourStack stack;
   const auto steps = static_cast<int>(std::lround(12 / spacing));
@@ -66,7 +69,8 @@ ContourStack canal_in_slices(double spacing, double radius, const std::function<
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * std::numbers::pi * i / corners;
       outer.points.push_back({1.5 + 5 * std::cos(angle), 5 * std::sin(angle)});
-      hole.points.push_back({centre(z).x + stretch(z) * radius * std::cos(angle), centre(z).y - radius * std::sin(angle)});
+      hole.points.push_back(
+          {centre(z).x + stretch(z) * radius * std::cos(angle), centre(z).y - radius * std::sin(angle)});
     }
     slice.contours.push_back(outer);
     if (z > 1 && z < 11) slice.contours.push_back(hole);
@@ -88,7 +92,11 @@ TEST_P(Arcs, HaveTheRadiusWidthAndLengthThatTheyWereMadeWith) {
   const auto& [bend, spacing, radius] = GetParam();
   const auto rest = [bend = bend](double z) { return std::sqrt(bend * bend - (z - 6) * (z - 6)); };
   const Anatomy made = anatomy_of(canal_in_slices(
-      spacing, radius, [&, bend = bend](double z) { return Point2{bend - rest(z), 0}; }, [&, bend = bend](double z) { return bend / rest(z); }));
+      spacing, radius,
+      [&, bend = bend](double z) {
+        return Point2{bend - rest(z), 0};
+      },
+      [&, bend = bend](double z) { return bend / rest(z); }));
   ASSERT_EQ(made.canals.size(), 1u);
   const MeasuredCanal& canal = made.canals[0];
   EXPECT_NEAR(canal.smallest_bend, bend, 0.02 * bend);
@@ -101,7 +109,9 @@ TEST_P(Arcs, HaveTheRadiusWidthAndLengthThatTheyWereMadeWith) {
   EXPECT_LT(canal.length, (1 + percent) * from_to(5));
 }
 
-INSTANTIATE_TEST_SUITE_P(Canals, Arcs, ::testing::Values(std::tuple{8.0, 0.25, 0.5}, std::tuple{15.0, 0.1, 0.35}, std::tuple{30.0, 0.25, 0.35}));
+INSTANTIATE_TEST_SUITE_P(Canals, Arcs,
+                         ::testing::Values(std::tuple{8.0, 0.25, 0.5}, std::tuple{15.0, 0.1, 0.35},
+                                           std::tuple{30.0, 0.25, 0.35}));
 
 TEST(Anatomy, OfStraightCanalsHasNoBend) {
   const auto upright = [](double) { return Point2{0, 0}; };
@@ -113,7 +123,8 @@ TEST(Anatomy, OfStraightCanalsHasNoBend) {
 
 TEST(Anatomy, OfATaperHasNoBendAndTheWidthOfItsMiddle) {
   const auto made = anatomy_in_block(test::void_of(
-      [](const Point3& p) { return std::max(std::hypot(p.x, p.y) - (0.5 + 0.03 * p.z), std::abs(p.z + 5) - 5); }, {-0.7, -0.7, -10.2}, {0.7, 0.7, 0.2}, 0.06));
+      [](const Point3& p) { return std::max(std::hypot(p.x, p.y) - (0.5 + 0.03 * p.z), std::abs(p.z + 5) - 5); },
+      {-0.7, -0.7, -10.2}, {0.7, 0.7, 0.2}, 0.06));
   ASSERT_EQ(made.canals.size(), 1u);
   EXPECT_TRUE(std::isinf(made.canals[0].smallest_bend)) << made.canals[0].smallest_bend;
   EXPECT_NEAR(made.canals[0].mean_width, 0.7, 0.03 * 0.7);
@@ -149,7 +160,8 @@ TEST(Anatomy, OfACanalThatForksIsVertucciFive) {
   // A chamber, one canal, two ends.
   const Cavity forked = test::void_of(
       [](const Point3& p) {
-        return std::min({test::ball_distance(p, {}, 1.4), test::tube_distance(p, {{0, 0, 0}, {0, 0, -5}, {-2, 0, -9}}, 0.4),
+        return std::min({test::ball_distance(p, {}, 1.4),
+                         test::tube_distance(p, {{0, 0, 0}, {0, 0, -5}, {-2, 0, -9}}, 0.4),
                          test::tube_distance(p, {{0, 0, -5}, {2, 0, -9}}, 0.4)});
       },
       {-3, -2, -10}, {3, 2, 2}, 0.08);
@@ -164,7 +176,9 @@ TEST(Anatomy, OfACanalThatForksIsVertucciFive) {
 /// A canal of 11 mm that parts at a depth of 9, `far` aside on each side, down to `low`.
 Anatomy parts_late(double far, double low, double second = 0.25) {
   const auto late = [=](const Point3& p) {
-    return std::min({test::ball_distance(p, {}, 1.4), test::tube_distance(p, {{0, 0, 0}, {0, 0, -9}, {-far, 0, low}}, 0.25), test::tube_distance(p, {{0, 0, -9}, {far, 0, low + 0.2}}, second)});
+    return std::min({test::ball_distance(p, {}, 1.4),
+                     test::tube_distance(p, {{0, 0, 0}, {0, 0, -9}, {-far, 0, low}}, 0.25),
+                     test::tube_distance(p, {{0, 0, -9}, {far, 0, low + 0.2}}, second)});
   };
   return anatomy_in_block(test::void_of(late, {-2, -2, -12}, {2, 2, 2}, 0.08));
 }
@@ -189,7 +203,8 @@ TEST(Anatomy, TellsThatAForkTooShortOrThinIsNotCounted) {
 TEST(Anatomy, OfAFinWithTwoTipsIsOneCanal) {
   // A flat wing beside the canal, a third as thick, with a notch in its lower edge.
   const auto finned = [](const Point3& p) {
-    const double wing = std::max({std::abs(p.y) - 0.15, -p.x, p.x - 1.6, p.z + 3, -8.5 - p.z, 0.35 - std::hypot(p.x - 0.8, p.z + 8.5)});
+    const double wing =
+        std::max({std::abs(p.y) - 0.15, -p.x, p.x - 1.6, p.z + 3, -8.5 - p.z, 0.35 - std::hypot(p.x - 0.8, p.z + 8.5)});
     return std::min({test::ball_distance(p, {}, 1.4), test::tube_distance(p, {{0, 0, 0}, {0, 0, -11}}, 0.45), wing});
   };
   const Anatomy made = anatomy_in_block(test::void_of(finned, {-2, -2, -12}, {2.2, 2, 2}, 0.08));
@@ -200,7 +215,11 @@ TEST(Anatomy, OfAFinWithTwoTipsIsOneCanal) {
 
 TEST(Anatomy, OfACanalThatComesOutTellsAnOpeningAndNoWall) {
   // A body of pulp whose canal ends in the plane where the block ends, too.
-  const Cavity tube = test::void_of([](const Point3& p) { return std::max(test::tube_distance(p, {{0, 0, 0}, {0, 0, -12}}, 0.5), -10 - p.z); }, {-1, -1, -10.6}, {1, 1, 1}, 0.08);
+  const Cavity tube = test::void_of(
+      [](const Point3& p) {
+        return std::max(test::tube_distance(p, {{0, 0, 0}, {0, 0, -12}}, 0.5), -10 - p.z);
+      },
+      {-1, -1, -10.6}, {1, 1, 1}, 0.08);
   SurfaceMesh pulp = tube.wall;
   for (Triangle& t : pulp.triangles) std::swap(t[1], t[2]);
   double low = 0;
@@ -227,7 +246,9 @@ TEST(Anatomy, TellsLoosePieces) {
 }
 
 TEST(Anatomy, OfACanalThatIsAllEndTellsNoNarrowestPlace) {
-  const auto ellipse = [](const Point3& p) { return std::max(1.5 * (std::hypot(p.x / 2.2, p.y / 1.5) - 1), std::abs(p.z) - 1.2); };
+  const auto ellipse = [](const Point3& p) {
+    return std::max(1.5 * (std::hypot(p.x / 2.2, p.y / 1.5) - 1), std::abs(p.z) - 1.2);
+  };
   const Anatomy made = anatomy_in_block(test::void_of(ellipse, {-3, -2, -2}, {3, 2, 2}, 0.1));
   ASSERT_EQ(made.canals.size(), 1u);
   EXPECT_LT(made.canals[0].length, 2 * made.canals[0].mean_width);
@@ -236,7 +257,8 @@ TEST(Anatomy, OfACanalThatIsAllEndTellsNoNarrowestPlace) {
 
 /// Turned about the x axis.
 SurfaceMesh leaning(SurfaceMesh surface, double angle) {
-  for (Point3& p : surface.points) p = {p.x, std::cos(angle) * p.y - std::sin(angle) * p.z, std::sin(angle) * p.y + std::cos(angle) * p.z};
+  for (Point3& p : surface.points)
+    p = {p.x, std::cos(angle) * p.y - std::sin(angle) * p.z, std::sin(angle) * p.y + std::cos(angle) * p.z};
   return surface;
 }
 
@@ -256,7 +278,8 @@ TEST(Anatomy, OfALeaningToothIsThatOfTheUprightOne) {
     ASSERT_EQ(made.roots.size(), 1u);
     EXPECT_EQ(made.roots[0].vertucci, "III");
     ASSERT_EQ(made.canals.size(), upright.canals.size());
-    for (std::size_t c = 0; c < made.canals.size(); ++c) EXPECT_NEAR(made.canals[c].length, upright.canals[c].length, 2 * percent * made.canals[c].length);
+    for (std::size_t c = 0; c < made.canals.size(); ++c)
+      EXPECT_NEAR(made.canals[c].length, upright.canals[c].length, 2 * percent * made.canals[c].length);
   }
 }
 
@@ -286,13 +309,14 @@ TEST(Anatomy, OfTheSampleMolarIsWhatItWasMadeTo) {
   EXPECT_EQ(made.horns, facts.horns.size());
   ASSERT_EQ(made.canals.size(), facts.canals.size());
   for (const CanalFact& fact : facts.canals) {
-    const auto canal = std::find_if(made.canals.begin(), made.canals.end(), [&](const MeasuredCanal& c) { return c.name == fact.name + " canal"; });
+    const auto canal = std::find_if(made.canals.begin(), made.canals.end(),
+                                    [&](const MeasuredCanal& c) { return c.name == fact.name + " canal"; });
     ASSERT_NE(canal, made.canals.end()) << fact.name;
     const double known = test::ending_at(test::fine_lines(ToothKind::molar).canals, fact.axis.front()).length_to_wall();
     EXPECT_NEAR(canal->length, known, 0.02 * known) << fact.name;
     EXPECT_TRUE(canal->thinnest_wall);
   }
-  ASSERT_EQ(made.roots.size(), 2u);   // mesial with two canals, distal with one
+  ASSERT_EQ(made.roots.size(), 2u);  // mesial with two canals, distal with one
   for (const MeasuredRoot& root : made.roots) EXPECT_EQ(root.vertucci, root.canals.size() == 2 ? "IV" : "I");
 }
 
@@ -311,7 +335,9 @@ ContourStack closed_canal(int corners, double radius, double spacing) {
     for (const double r : {4.0, radius}) {
       if (r == radius && (k < 2 || k > 18)) continue;
       Contour contour;
-      for (int i = 0; i < corners; ++i) contour.points.push_back({r * std::cos(2 * std::numbers::pi * i / corners), r * std::sin(2 * std::numbers::pi * i / corners)});
+      for (int i = 0; i < corners; ++i)
+        contour.points.push_back(
+            {r * std::cos(2 * std::numbers::pi * i / corners), r * std::sin(2 * std::numbers::pi * i / corners)});
       slice.contours.push_back(std::move(contour));
     }
     stack.slices.push_back(std::move(slice));
@@ -330,16 +356,19 @@ TEST(Anatomy, OfAClosedCanalHasTheWidthOfItsPolygons) {
     ASSERT_TRUE(made.canals[0].narrowest);
     EXPECT_LE(made.canals[0].narrowest->width, made.canals[0].mean_width);
     EXPECT_NEAR(made.slice_spacing, 0.5, 1e-9);
-    EXPECT_NEAR(made.canals[0].mean_width, 2 * radius, made.uncertainties[0].mean_width);   // the circle's, too
+    EXPECT_NEAR(made.canals[0].mean_width, 2 * radius, made.uncertainties[0].mean_width);  // the circle's, too
   }
 }
 
 /// A tube of 10 mm that is pinched over a part of its length.
 Anatomy of_pinched(double part) {
-  const auto pinched = [=](const Point3& p) { return test::tube_distance(p, {{0, 0, 0}, {0, 0, -10}}, 0.5) + 0.15 * std::max(0.0, 1 - std::abs(p.z + 5) / (part / 2)); };
+  const auto pinched = [=](const Point3& p) {
+    return test::tube_distance(p, {{0, 0, 0}, {0, 0, -10}}, 0.5) +
+           0.15 * std::max(0.0, 1 - std::abs(p.z + 5) / (part / 2));
+  };
   const Cavity tube = test::void_of(pinched, {-1, -1, -11}, {1, 1, 1}, 0.06);
   const SurfaceMesh block = block_round(tube);
-  constexpr std::size_t slices = 41;   // of the block's 20 mm: 0.5 mm apart
+  constexpr std::size_t slices = 41;  // of the block's 20 mm: 0.5 mm apart
   return measure_anatomy({{"block", &block}}, {}, slices);
 }
 
@@ -349,7 +378,7 @@ TEST(Anatomy, TellsNoNarrowPlaceThatIsShorterThanSlicesAreApart) {
   EXPECT_NEAR(between_slices.canals[0].narrowest->width, 1, 0.03);
   EXPECT_LE(between_slices.canals[0].narrowest->width, between_slices.canals[0].mean_width);
   ASSERT_TRUE(seen.canals.at(0).narrowest);
-  EXPECT_NEAR(seen.canals[0].narrowest->width, 0.7, 0.12);   // half a spacing away it is that much wider
+  EXPECT_NEAR(seen.canals[0].narrowest->width, 0.7, 0.12);  // half a spacing away it is that much wider
   EXPECT_NEAR(seen.canals[0].narrowest->at.z, -5, 0.3);
 }
 
@@ -364,13 +393,16 @@ TEST(Anatomy, KnowsTheGivenSlicesWhateverLiesBetween) {
   for (const Solid& solid : model.solids) parts.push_back({solid.structure, &solid.surface});
   const Anatomy made = measure_anatomy(parts, {}, stack.slices.size());
   EXPECT_NEAR(made.slice_spacing, 0.35, 1e-6);
-  EXPECT_LT(measure_anatomy(parts).slice_spacing, 0.3);   // the wall's own heights are those of interpolated slices, too
+  EXPECT_LT(measure_anatomy(parts).slice_spacing, 0.3);  // the wall's own heights are those of interpolated slices, too
 }
 
 TEST(SlicesGiven, AreReadFromTheCertificateOfAGltfFile) {
-  const auto given = [](const std::string& extras) { return slices_given(R"({"asset":{"version":"2.0","extras":)" + extras + "}}", "a.gltf"); };
+  const auto given = [](const std::string& extras) {
+    return slices_given(R"({"asset":{"version":"2.0","extras":)" + extras + "}}", "a.gltf");
+  };
   EXPECT_EQ(given(R"({"slices_checked":57})"), 57u);
-  for (const char* other : {R"({})", R"([57])", R"({"slices_checked":1})", R"({"slices_checked":-3})", R"({"slices_checked":2.5})", R"({"slices_checked":1e9})", R"({"slices_checked":"57"})"})
+  for (const char* other : {R"({})", R"([57])", R"({"slices_checked":1})", R"({"slices_checked":-3})",
+                            R"({"slices_checked":2.5})", R"({"slices_checked":1e9})", R"({"slices_checked":"57"})"})
     EXPECT_FALSE(given(other)) << other;
 }
 

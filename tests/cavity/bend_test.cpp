@@ -1,4 +1,5 @@
-// Bends of canals that are known: arcs in part or whole, oval, flattened, tapering, tilted; and straight canals of the same kinds.
+// Bends of canals that are known: arcs in part or whole, oval, flattened, tapering, tilted; and straight canals of the
+// same kinds.
 
 #include "recon/cavity/bend.h"
 
@@ -20,10 +21,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 struct Bent {
   std::string kind;
   double bend = infinite;
-  double across = 1, aside = 1;   // times as wide as thick: across the plane that it bends in, and within it
-  double below = 0.28;            // radius at its end; 0.28 above
+  double across = 1, aside = 1;  // times as wide as thick: across the plane that it bends in, and within it
+  double below = 0.28;           // radius at its end; 0.28 above
   double tilt_deg = 0;
-  double before = 2.5, after = 0; // straight, mm
+  double before = 2.5, after = 0;  // straight, mm
 };
 
 /// Straight, an arc of up to 5 mm or 40 degrees, straight.
@@ -37,7 +38,8 @@ test::KnownRoot root_of(const Bent& bent) {
     canal.axis.push_back({bent.bend * (1 - std::cos(angle)), 0, -bent.before - bent.bend * std::sin(angle)});
   }
   const Point3 last = canal.axis.back();
-  if (bent.after > 0) canal.axis.push_back({last.x + bent.after * std::sin(turn), 0, last.z - bent.after * std::cos(turn)});
+  if (bent.after > 0)
+    canal.axis.push_back({last.x + bent.after * std::sin(turn), 0, last.z - bent.after * std::cos(turn)});
   root.canals = {canal};
   root.chamber = 1.2;
   return root;
@@ -67,7 +69,9 @@ std::vector<Bent> all_kinds() {
     kinds.push_back({"Round" + arc, bend});
     kinds.push_back({"WideAcross" + arc, bend, 1.7, 1, 0.28, 15});
     kinds.push_back({"WideAside" + arc, bend, 1, 1.7, 0.28, 20});
-    if (bend < 30) kinds.push_back({"Ribbon" + arc, bend, 2.6, 1, 0.28, 10});   // 30 mm is told as 0.4: docs/navigation.md, known gaps
+    if (bend < 30)
+      kinds.push_back(
+          {"Ribbon" + arc, bend, 2.6, 1, 0.28, 10});  // 30 mm is told as 0.4: docs/navigation.md, known gaps
     kinds.push_back({"Tapering" + arc, bend, 1.3, 1, 0.2, 15});
     kinds.push_back({"Part" + arc, bend, 1.5, 1, 0.28, 10, 2.5, 3});
   }
@@ -79,7 +83,8 @@ std::vector<Bent> all_kinds() {
   return kinds;
 }
 
-INSTANTIATE_TEST_SUITE_P(Canals, Bends, ::testing::ValuesIn(all_kinds()), [](const auto& one) { return one.param.kind; });
+INSTANTIATE_TEST_SUITE_P(Canals, Bends, ::testing::ValuesIn(all_kinds()),
+                         [](const auto& one) { return one.param.kind; });
 
 }  // namespace
 }  // namespace odontoscope

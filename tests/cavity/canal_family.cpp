@@ -48,7 +48,12 @@ KnownRoot of_type(const std::string& type, Dice& dice) {
 }
 
 KnownRoot straight(const std::string& kind, double above, double below, double deep) {
-  return {.kind = kind, .vertucci = "I", .sections = {1}, .canals = {{{{0, 0, 0}, {0, 0, -deep}}, above, below}}, .bend = infinite, .alone = true};
+  return {.kind = kind,
+          .vertucci = "I",
+          .sections = {1},
+          .canals = {{{{0, 0, 0}, {0, 0, -deep}}, above, below}},
+          .bend = infinite,
+          .alone = true};
 }
 
 /// Straight for a while, then round.
@@ -66,7 +71,8 @@ KnownRoot arc_of(double bend, Dice& dice) {
   const double radius = dice.between(0.22, 0.36);
   KnownRoot root = straight(fmt::format("arc {} mm", bend), radius, radius, 1);
   const double above = dice.between(2, 4.5);
-  root.canals[0].axis = arc_axis(above, bend, above + std::min(0.7 * bend, dice.between(7.5, 9.5)));   // within the block
+  root.canals[0].axis =
+      arc_axis(above, bend, above + std::min(0.7 * bend, dice.between(7.5, 9.5)));  // within the block
   root.block = 4.2;
   root.bend = bend;
   root.oval = dice.between(0, 1) < 0.5 ? dice.between(1.1, 1.8) : 1;
@@ -76,7 +82,8 @@ KnownRoot arc_of(double bend, Dice& dice) {
 /// Two canals at x = -1 and 1, down to -11 and -10.5.
 KnownRoot two(const std::string& kind, double radius) {
   KnownRoot root{.kind = kind, .vertucci = "IV", .sections = {2}};
-  root.canals = {{{{0, 0, 0}, {-1, 0, -3}, {-1, 0, -11}}, radius, radius}, {{{0, 0, 0}, {1, 0, -3}, {1, 0, -10.5}}, radius, radius}};
+  root.canals = {{{{0, 0, 0}, {-1, 0, -3}, {-1, 0, -11}}, radius, radius},
+                 {{{0, 0, 0}, {1, 0, -3}, {1, 0, -10.5}}, radius, radius}};
   return root;
 }
 
@@ -91,10 +98,12 @@ KnownRoot isthmus(const std::string& type, Dice& dice) {
 }
 
 KnownRoot short_fork(Dice& dice) {
-  const double radius = dice.between(0.17, 0.22), turn = dice.between(35, 42) * std::numbers::pi / 180, high = dice.between(9, 9.4);
+  const double radius = dice.between(0.17, 0.22), turn = dice.between(35, 42) * std::numbers::pi / 180,
+               high = dice.between(9, 9.4);
   KnownRoot root{.kind = "short fork", .vertucci = "V", .sections = {1, 2}};
   const double far = dice.between(2.3, 2.5), main = high + dice.between(2.4, 2.7);
-  root.canals = {{{{0, 0, 0}, {0, 0, -high}, {0, 0, -main}}, radius, radius}, {{{0, 0, 0}, {0, 0, -high}, {far * std::sin(turn), 0, -high - far * std::cos(turn)}}, radius, radius}};
+  root.canals = {{{{0, 0, 0}, {0, 0, -high}, {0, 0, -main}}, radius, radius},
+                 {{{0, 0, 0}, {0, 0, -high}, {far * std::sin(turn), 0, -high - far * std::cos(turn)}}, radius, radius}};
   return root;
 }
 
@@ -156,8 +165,9 @@ std::vector<Point3> double_curve(double above, double first, double second, doub
   const Point3 from = axis.back();
   constexpr int pieces = 120;
   for (int i = 1; i <= pieces; ++i) {
-    const double gone = 1.6 * turn * i / pieces;   // beyond upright again
-    axis.push_back({from.x + second * (std::cos(turn - gone) - std::cos(turn)), 0, from.z - second * (std::sin(turn) - std::sin(turn - gone))});
+    const double gone = 1.6 * turn * i / pieces;  // beyond upright again
+    axis.push_back({from.x + second * (std::cos(turn - gone) - std::cos(turn)), 0,
+                    from.z - second * (std::sin(turn) - std::sin(turn - gone))});
   }
   return axis;
 }
@@ -173,14 +183,17 @@ KnownRoot bent(const std::string& kind, double bend, std::vector<Point3> axis, d
 KnownRoot three_in_a_row(Dice& dice) {
   const double radius = dice.between(0.28, 0.34);
   KnownRoot root{.kind = "isthmus III", .vertucci = "VIII", .sections = {3}};
-  root.canals = {{{{0, 0, 0}, {0, 0, -11}}, radius, radius}, {{{0, 0, 0}, {-1.3, 0, -3}, {-1.3, 0, -11}}, radius, radius}, {{{0, 0, 0}, {1.3, 0, -3}, {1.3, 0, -10.8}}, radius, radius}};
+  root.canals = {{{{0, 0, 0}, {0, 0, -11}}, radius, radius},
+                 {{{0, 0, 0}, {-1.3, 0, -3}, {-1.3, 0, -11}}, radius, radius},
+                 {{{0, 0, 0}, {1.3, 0, -3}, {1.3, 0, -10.8}}, radius, radius}};
   root.wing = Wing{dice.between(0.12, 0.2) * 2 * radius, -1.3, 1.3, dice.between(-9.2, -8.5), dice.between(-6, -5)};
   root.isthmus = "III";
   return root;
 }
 
 KnownRoot rare_kind(std::uint64_t kind, double bend, Dice& dice) {
-  const double radius = dice.between(0.22, 0.36), above = dice.between(2.5, 4), turn = std::min(dice.between(3.5, 5) / bend, 0.5);
+  const double radius = dice.between(0.22, 0.36), above = dice.between(2.5, 4),
+               turn = std::min(dice.between(3.5, 5) / bend, 0.5);
   const double whole = above + std::min(0.7 * bend, dice.between(7, 8.5));
   KnownRoot root;
   switch (kind) {
@@ -188,15 +201,17 @@ KnownRoot rare_kind(std::uint64_t kind, double bend, Dice& dice) {
       root = bent("arc, wide to where it bends,", bend, arc_axis(above, bend, whole), radius);
       root.canals[0].aside = dice.between(1.3, 2);
       return root;
-    case 1: return bent("part of an arc", bend, part_arc(above, bend, turn, dice.between(2.5, 3.5)), radius);
+    case 1:
+      return bent("part of an arc", bend, part_arc(above, bend, turn, dice.between(2.5, 3.5)), radius);
     case 2:
       root = bent("tapering arc", bend, arc_axis(above, bend, whole), radius);
       root.canals[0].radius_above = dice.between(0.38, 0.45);
       root.canals[0].radius_below = dice.between(0.15, 0.2);
       root.oval = dice.between(1, 1.8);
       return root;
-    case 3: return bent("double curve", bend, double_curve(2.5, 1.25 * bend, bend, std::min(0.6, 4.5 / bend)), radius);
-    case 4:   // out at the root's side
+    case 3:
+      return bent("double curve", bend, double_curve(2.5, 1.25 * bend, bend, std::min(0.6, 4.5 / bend)), radius);
+    case 4:  // out at the root's side
       root = bent("to the side", 4, arc_axis(dice.between(5, 6), 4, 12), radius);
       root.block = 2;
       return root;
@@ -217,7 +232,9 @@ KnownRoot rare_kind(std::uint64_t kind, double bend, Dice& dice) {
       const double high = dice.between(9.6, 10.1), turned = dice.between(0, 1);
       for (int i = 0; i < 3; ++i) {
         const double angle = turned + 2 * std::numbers::pi * i / 3, far = dice.between(1.3, 1.6);
-        root.accessory.push_back({{0, 0, -high}, {far * std::cos(angle), far * std::sin(angle), -high - dice.between(0.7, 1.1)}, dice.between(0.1, 0.13)});
+        root.accessory.push_back({{0, 0, -high},
+                                  {far * std::cos(angle), far * std::sin(angle), -high - dice.between(0.7, 1.1)},
+                                  dice.between(0.1, 0.13)});
       }
       root.alone = false;
       return root;
@@ -236,30 +253,40 @@ KnownRoot rare_kind(std::uint64_t kind, double bend, Dice& dice) {
       root.oval = dice.between(2, 2.8);
       root.chamber = 1.15;
       return root;
-    default: return three_in_a_row(dice);
+    default:
+      return three_in_a_row(dice);
   }
 }
 
 std::string counts_of(const Anatomy& made) {
-  std::string told = made.roots.size() == 1 ? made.roots[0].vertucci + " [" : fmt::format("{} roots [", made.roots.size());
+  std::string told =
+      made.roots.size() == 1 ? made.roots[0].vertucci + " [" : fmt::format("{} roots [", made.roots.size());
   for (const MeasuredRoot& one : made.roots)
     for (const std::size_t n : one.sections) told += fmt::format(" {}", n);
-  told += fmt::format(" ], {} canals, {} horns, {} branches, {} accessory", made.canals.size(), made.horns, made.other_branches, made.accessory_canals.size());
+  told += fmt::format(" ], {} canals, {} horns, {} branches, {} accessory", made.canals.size(), made.horns,
+                      made.other_branches, made.accessory_canals.size());
   for (const MeasuredRoot& one : made.roots)
-    for (const Isthmus& way : one.isthmuses) told += fmt::format(", isthmus {} {:.2f}-{:.2f}", way.type, way.from_apex, way.to_apex);
+    for (const Isthmus& way : one.isthmuses)
+      told += fmt::format(", isthmus {} {:.2f}-{:.2f}", way.type, way.from_apex, way.to_apex);
   return told;
 }
 
 /// Also that no other is told.
 bool beside_right(const KnownRoot& root, const Anatomy& made) {
   if (made.accessory_canals.size() != root.accessory.size() || made.roots.size() != 1) return false;
-  if (std::any_of(made.accessory_canals.begin(), made.accessory_canals.end(), [](const AccessoryCanal& one) { return one.third != 2; })) return false;
+  if (std::any_of(made.accessory_canals.begin(), made.accessory_canals.end(),
+                  [](const AccessoryCanal& one) { return one.third != 2; }))
+    return false;
   const std::vector<Isthmus>& told = made.roots[0].isthmuses;
   if (root.isthmus.empty()) return told.empty();
-  if (told.empty() || std::any_of(told.begin(), told.end(), [&](const Isthmus& one) { return one.type != root.isthmus; })) return false;
-  if (root.isthmus != "III" && told.size() != 1) return false;   // among three canals one is told for each two that it joins
+  if (told.empty() ||
+      std::any_of(told.begin(), told.end(), [&](const Isthmus& one) { return one.type != root.isthmus; }))
+    return false;
+  if (root.isthmus != "III" && told.size() != 1)
+    return false;  // among three canals one is told for each two that it joins
   const double apex = 11 + root.canals[0].radius_below;
-  return std::abs(told[0].from_apex - apex - root.wing->low) < 0.4 && std::abs(told[0].to_apex - apex - root.wing->high) < 0.4;
+  return std::abs(told[0].from_apex - apex - root.wing->low) < 0.4 &&
+         std::abs(told[0].to_apex - apex - root.wing->high) < 0.4;
 }
 
 /// Of the known axis from the line that was found.
@@ -274,12 +301,16 @@ double mean_distance(const KnownRoot& root, const KnownCanal& canal, const Centr
   return sum;
 }
 
-void judge_canal(const KnownRoot& root, const KnownFigures& known, const MeasuredCanal& canal, const CanalShape& shape, const CanalUncertainty& off, FamilyVerdict& verdict) {
-  const auto tell = [&](const std::string& name, double is, double told, double may) { verdict.figures.push_back({name, is, told, may}); };
+void judge_canal(const KnownRoot& root, const KnownFigures& known, const MeasuredCanal& canal, const CanalShape& shape,
+                 const CanalUncertainty& off, FamilyVerdict& verdict) {
+  const auto tell = [&](const std::string& name, double is, double told, double may) {
+    verdict.figures.push_back({name, is, told, may});
+  };
   tell("length", known.length, canal.length, off.length);
   tell("narrowest width", known.narrowest, canal.narrowest ? canal.narrowest->width : canal.mean_width, off.narrowest);
   verdict.orifice_off = std::max(verdict.orifice_off, length(canal.orifice - known.orifice));
-  if (known.thinnest_wall > 0 && canal.thinnest_wall && root.accessory.empty() && !root.wing && !root.gutter) tell("thinnest wall", known.thinnest_wall, canal.thinnest_wall->width, off.thinnest_wall);
+  if (known.thinnest_wall > 0 && canal.thinnest_wall && root.accessory.empty() && !root.wing && !root.gutter)
+    tell("thinnest wall", known.thinnest_wall, canal.thinnest_wall->width, off.thinnest_wall);
   if (!root.alone) return;
   tell("mean width", known.mean_width, canal.mean_width, off.mean_width);
   if (known.schneider_deg > 5) tell("Schneider's angle", known.schneider_deg, canal.schneider_deg, off.schneider_deg);
@@ -324,11 +355,16 @@ KnownRoot rare_root(std::uint64_t seed) {
 
 FamilyVerdict judge(const KnownRoot& root, const Anatomy& made) {
   FamilyVerdict verdict;
-  verdict.counted = made.roots.size() == 1 && made.canals.size() == root.canals.size() && made.roots[0].vertucci == root.vertucci && made.roots[0].sections == root.sections;
+  verdict.counted = made.roots.size() == 1 && made.canals.size() == root.canals.size() &&
+                    made.roots[0].vertucci == root.vertucci && made.roots[0].sections == root.sections;
   verdict.beside = beside_right(root, made);
-  verdict.told = fmt::format("{}, oval {:.2f}, tilt {:.0f}: told {}", root.kind, root.oval, root.tilt_deg, counts_of(made));
+  verdict.told =
+      fmt::format("{}, oval {:.2f}, tilt {:.0f}: told {}", root.kind, root.oval, root.tilt_deg, counts_of(made));
   for (const MeasuredCanal& canal : made.canals)
-    if (!verdict.counted) verdict.told += fmt::format(", {} {:.2f} long from {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f}", canal.name, canal.length, canal.orifice.x, canal.orifice.y, canal.orifice.z, canal.end.x, canal.end.y, canal.end.z);
+    if (!verdict.counted)
+      verdict.told +=
+          fmt::format(", {} {:.2f} long from {:.2f} {:.2f} {:.2f} to {:.2f} {:.2f} {:.2f}", canal.name, canal.length,
+                      canal.orifice.x, canal.orifice.y, canal.orifice.z, canal.end.x, canal.end.y, canal.end.z);
   if (made.canals.size() != root.canals.size()) return verdict;
   std::vector<std::size_t> left(made.canals.size());
   for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
@@ -336,7 +372,8 @@ FamilyVerdict judge(const KnownRoot& root, const Anatomy& made) {
   for (const KnownCanal& canal : root.canals) known.push_back(figures_of(root, canal));
   for (std::size_t c = 0; c < known.size(); ++c) {
     const auto away = [&](std::size_t m) { return mean_distance(root, root.canals[c], made.lines.canals[m]); };
-    const auto own = std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
+    const auto own =
+        std::min_element(left.begin(), left.end(), [&](std::size_t a, std::size_t b) { return away(a) < away(b); });
     judge_canal(root, known[c], made.canals[*own], made.shapes[*own], made.uncertainties[*own], verdict);
     left.erase(own);
   }

@@ -29,9 +29,12 @@ TEST(CanalShape, OfARodWithRoundEnds) {
   const CanalShape& shape = made.shapes[0];
   EXPECT_NEAR(shape.thirds[1].volume, pi * radius * radius * whole / 3, 0.02 * shape.thirds[1].volume);
   EXPECT_NEAR(shape.thirds[1].area, 2 * pi * radius * whole / 3, 0.03 * shape.thirds[1].area);
-  EXPECT_NEAR(shape.thirds[0].volume + shape.thirds[1].volume + shape.thirds[2].volume, made.cavity_volume, 0.02 * made.cavity_volume);
-  EXPECT_NEAR(shape.thirds[0].area + shape.thirds[1].area + shape.thirds[2].area, made.cavity_area, 0.001 * made.cavity_area);
-  const double volume = pi * radius * radius * tube + 4 * pi * std::pow(radius, 3) / 3, area = 2 * pi * radius * tube + 4 * pi * radius * radius, growth = 2 * pi * tube + 8 * pi * radius;
+  EXPECT_NEAR(shape.thirds[0].volume + shape.thirds[1].volume + shape.thirds[2].volume, made.cavity_volume,
+              0.02 * made.cavity_volume);
+  EXPECT_NEAR(shape.thirds[0].area + shape.thirds[1].area + shape.thirds[2].area, made.cavity_area,
+              0.001 * made.cavity_area);
+  const double volume = pi * radius * radius * tube + 4 * pi * std::pow(radius, 3) / 3,
+               area = 2 * pi * radius * tube + 4 * pi * radius * radius, growth = 2 * pi * tube + 8 * pi * radius;
   ASSERT_TRUE(shape.structure_model_index);
   EXPECT_NEAR(*shape.structure_model_index, 6 * growth * volume / (area * area), 0.03 * 3.17);
   ASSERT_EQ(shape.apical.size(), 4u);
@@ -44,9 +47,14 @@ TEST(CanalShape, OfARodWithRoundEnds) {
 TEST(CanalShape, CountsNoFloorAndNoMouthAsItsWall) {
   // From a chamber's ball to where the block ends, 9 mm below the chamber's middle.
   const double radius = 0.4, chamber = 1.4, low = -9;
-  const auto open = [=](const Point3& p) { return std::min(test::ball_distance(p, {}, chamber), test::tube_distance(p, {{0, 0, 0}, {0, 0, -12}}, radius)); };
-  const auto block = [=](const Point3& p) { return std::max({std::hypot(p.x, p.y) - 3, p.z - 3, low - p.z, -open(p)}); };
-  const Cavity solid = test::void_of(block, {-3.2, -3.2, low - 0.2}, {3.2, 3.2, 3.2}, 0.08);   // turned inside out: a body
+  const auto open = [=](const Point3& p) {
+    return std::min(test::ball_distance(p, {}, chamber), test::tube_distance(p, {{0, 0, 0}, {0, 0, -12}}, radius));
+  };
+  const auto block = [=](const Point3& p) {
+    return std::max({std::hypot(p.x, p.y) - 3, p.z - 3, low - p.z, -open(p)});
+  };
+  const Cavity solid =
+      test::void_of(block, {-3.2, -3.2, low - 0.2}, {3.2, 3.2, 3.2}, 0.08);  // turned inside out: a body
   SurfaceMesh surface = solid.wall;
   for (Triangle& t : surface.triangles) std::swap(t[1], t[2]);
   const Anatomy made = measure_anatomy({{"block", &surface}});
@@ -54,14 +62,17 @@ TEST(CanalShape, CountsNoFloorAndNoMouthAsItsWall) {
   ASSERT_EQ(made.shapes.size(), 1u);
   const double whole = made.canals[0].length;
   EXPECT_NEAR(whole, -low - std::sqrt(chamber * chamber - radius * radius), 0.2);
-  for (const CanalThird& third : made.shapes[0].thirds) EXPECT_NEAR(third.area, 2 * pi * radius * whole / 3, 0.05 * third.area);
+  for (const CanalThird& third : made.shapes[0].thirds)
+    EXPECT_NEAR(third.area, 2 * pi * radius * whole / 3, 0.05 * third.area);
 }
 
 /// Two canals with a wing between them, so thick, from x = -1 to `reach`.
 Anatomy two_canals_with_a_wing(double thick, double reach) {
   const auto winged = [=](const Point3& p) {
     const double wing = std::max({std::abs(p.y) - thick / 2, -1 - p.x, p.x - reach, p.z + 5.5, -9 - p.z});
-    return std::min({test::ball_distance(p, {}, 1.3), test::tube_distance(p, {{0, 0, 0}, {-1, 0, -3}, {-1, 0, -11}}, 0.35), test::tube_distance(p, {{0, 0, 0}, {1, 0, -3}, {1, 0, -10.5}}, 0.35), wing});
+    return std::min({test::ball_distance(p, {}, 1.3),
+                     test::tube_distance(p, {{0, 0, 0}, {-1, 0, -3}, {-1, 0, -11}}, 0.35),
+                     test::tube_distance(p, {{0, 0, 0}, {1, 0, -3}, {1, 0, -10.5}}, 0.35), wing});
   };
   return in_block(test::void_of(winged, {-2, -2, -12}, {2, 2, 2}, 0.06));
 }
@@ -87,7 +98,8 @@ TEST(Isthmuses, AreToldByHsuAndKimsTypes) {
 
 TEST(AccessoryCanals, AreToldWithTheThirdThatTheyLeave) {
   const auto sided = [](const Point3& p) {
-    return std::min({test::ball_distance(p, {}, 1.3), test::tube_distance(p, {{0, 0, 0}, {0, 0, -11}}, 0.4), test::tube_distance(p, {{0, 0, -9}, {1.8, 0, -9.3}}, 0.13)});
+    return std::min({test::ball_distance(p, {}, 1.3), test::tube_distance(p, {{0, 0, 0}, {0, 0, -11}}, 0.4),
+                     test::tube_distance(p, {{0, 0, -9}, {1.8, 0, -9.3}}, 0.13)});
   };
   const Anatomy made = in_block(test::void_of(sided, {-2, -2, -12}, {2.2, 2, 2}, 0.06));
   EXPECT_EQ(made.canals.size(), 1u);
@@ -122,7 +134,9 @@ Anatomy of_incisor(double spacing, double without_above) {
       }
       return twice < 0;
     };
-    std::erase_if(slice.contours, [&](const Contour& contour) { return contour.structure != "dentine" || (slice.z > without_above && is_hole(contour)); });
+    std::erase_if(slice.contours, [&](const Contour& contour) {
+      return contour.structure != "dentine" || (slice.z > without_above && is_hole(contour));
+    });
   }
   std::erase_if(stack.slices, [](const Slice& slice) { return slice.contours.empty(); });
   const Reconstruction tooth = reconstruct(stack);

@@ -64,8 +64,9 @@ TEST(Cavities, ThatAreSpecksBesideABodyOfPulpAreNone) {
     for (Triangle& t : bubble.triangles) std::swap(t[1], t[2]);
     return together(cube(0, 0, 0, 20), bubble);
   };
-  const SurfaceMesh pulp = cube(1, 1, 1, 5);   // 125 mm^3
-  const SurfaceMesh speck = block_with_bubble(0.49), bubble = block_with_bubble(0.51);   // a thousandth has edges of 0.5 mm
+  const SurfaceMesh pulp = cube(1, 1, 1, 5);  // 125 mm^3
+  const SurfaceMesh speck = block_with_bubble(0.49),
+                    bubble = block_with_bubble(0.51);  // a thousandth has edges of 0.5 mm
   const std::vector<Cavity> from_body = cavities_in({{"dentine", &speck}, {"pulp", &pulp}});
   ASSERT_EQ(from_body.size(), 1u);
   EXPECT_EQ(from_body[0].structure, "pulp");
@@ -105,11 +106,11 @@ TEST(WallTree, KnowsTheDistanceThatAllTrianglesTellAndTheSide) {
 }
 
 TEST(WallTree, KnowsTheSideBesideSharpEdgesAndCorners) {
-  const SurfaceMesh wall = cube();   // fronts outside
+  const SurfaceMesh wall = cube();  // fronts outside
   const WallTree tree(wall);
   EXPECT_LT(tree.clearance({0.1, 0.1, 0.1}), 0);
-  EXPECT_GT(tree.clearance({-0.1, -0.1, -0.1}), 0);   // a corner is nearest
-  EXPECT_GT(tree.clearance({-0.1, -0.1, 0.5}), 0);    // an edge is nearest
+  EXPECT_GT(tree.clearance({-0.1, -0.1, -0.1}), 0);  // a corner is nearest
+  EXPECT_GT(tree.clearance({-0.1, -0.1, 0.5}), 0);   // an edge is nearest
   EXPECT_GT(tree.clearance({1.1, 1.1, 0.3}), 0);
   EXPECT_GT(tree.clearance({0.5, 0.2, 1.3}), 0);
 }

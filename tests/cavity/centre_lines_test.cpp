@@ -18,7 +18,9 @@ namespace {
 constexpr double percent = 0.01;
 
 /// From the start to the wall at the end.
-double whole_length(const CentreLine& line) { return line.points.back().along + length(line.end - line.points.back().at); }
+double whole_length(const CentreLine& line) {
+  return line.points.back().along + length(line.end - line.points.back().at);
+}
 
 /// Of a tube from wall to wall: its first point lies on the way from the ball before it to the wall.
 double length_of_tube(const CentreLine& line) { return line.points.front().radius + whole_length(line); }
@@ -119,10 +121,11 @@ TEST(CentreLines, OfAChamberWithThreeCanalsKnowEachOne) {
   EXPECT_NEAR(lines.chamber_radius, shape.chamber, 0.05 * shape.chamber);
   ASSERT_EQ(lines.canals.size(), 3u);
   EXPECT_TRUE(lines.horns.empty() && lines.others.empty() && lines.loops.empty());
-  for (std::size_t i = 0; i < 3; ++i) {   // the shape has its longest first, too
+  for (std::size_t i = 0; i < 3; ++i) {  // the shape has its longest first, too
     const CentreLine& line = lines.canals[i];
     expect_sound(line);
-    const double radius = shape.radii[i], far = length(shape.ends[i] - Point3{}), leaves = std::sqrt(shape.chamber * shape.chamber - radius * radius);
+    const double radius = shape.radii[i], far = length(shape.ends[i] - Point3{}),
+                 leaves = std::sqrt(shape.chamber * shape.chamber - radius * radius);
     EXPECT_NEAR(length(line.end - Point3{}), far + radius, percent * far);
     const double canal = whole_length(line) - line.points[line.orifice].along;
     EXPECT_NEAR(length(line.points[line.orifice].at - Point3{}), leaves, radius);
@@ -144,7 +147,7 @@ TEST(CentreLines, OfABallAreNone) {
 
 TEST(CentreLines, OfTheSmallestVoidDoNotCrash) {
   const CentreLines lines = centre_lines(voids_filled_by("tetrahedron", shapes::tetrahedron()).at(0));
-  EXPECT_NEAR(lines.chamber_radius, 1 / (3 + std::sqrt(3.0)), 1e-3);   // the insphere of the corner of a unit cube
+  EXPECT_NEAR(lines.chamber_radius, 1 / (3 + std::sqrt(3.0)), 1e-3);  // the insphere of the corner of a unit cube
   for (const CentreLine& line : lines.canals) expect_sound(line);
 }
 

@@ -27,7 +27,8 @@ Contour circle(double radius, const Point2& centre = {}, const std::string& stru
   return made;
 }
 
-/// A round tooth of radius 4 with slices half a millimetre apart, from z = 0 to 12; the radius of its hole at each height, 0 for none.
+/// A round tooth of radius 4 with slices half a millimetre apart, from z = 0 to 12; the radius of its hole at each
+/// height, 0 for none.
 ContourStack drilled(const std::function<double(double)>& hole) {
   ContourStack stack;
   for (int i = 0; i <= 24; ++i) {
@@ -82,11 +83,11 @@ TEST(OpenCanals, OfACutOffRootEndInTheLastSlicesPlane) {
   ASSERT_EQ(anatomy.canals.size(), 1u);
   EXPECT_EQ(anatomy.mouths.size(), 1u);
   EXPECT_NEAR(anatomy.canals[0].end.z, 0, 0.02);
-  EXPECT_NEAR(anatomy.canals[0].length, 8, 0.5);   // the floor lies between two slices
+  EXPECT_NEAR(anatomy.canals[0].length, 8, 0.5);  // the floor lies between two slices
   ASSERT_TRUE(anatomy.canals[0].narrowest);
   EXPECT_NEAR(anatomy.canals[0].narrowest->width, 1.2, 0.012);
   ASSERT_TRUE(anatomy.canals[0].thinnest_wall);
-  EXPECT_NEAR(anatomy.canals[0].thinnest_wall->width, 2, 0.02);   // beside the chamber's floor
+  EXPECT_NEAR(anatomy.canals[0].thinnest_wall->width, 2, 0.02);  // beside the chamber's floor
   ASSERT_EQ(anatomy.roots.size(), 1u);
   EXPECT_EQ(anatomy.roots[0].vertucci, "I");
 }
@@ -105,9 +106,10 @@ TEST(OpenCanals, WithAnAccessCavityHaveAMouthAtEitherEnd) {
 TEST(OpenCanals, OfASampleMolarWithoutItsRootTipsKeepTheirNumbers) {
   ContourStack stack = only(sample_tooth(ToothKind::molar), 4, 100);
   const double cut = stack.slices.front().z;
-  const Anatomy filled = measure_anatomy(model_of(stack).parts());   // its pulp is a body
+  const Anatomy filled = measure_anatomy(model_of(stack).parts());  // its pulp is a body
   EXPECT_EQ(filled.cavity_of, "pulp");
-  for (Slice& slice : stack.slices) std::erase_if(slice.contours, [](const Contour& contour) { return contour.structure == "pulp"; });
+  for (Slice& slice : stack.slices)
+    std::erase_if(slice.contours, [](const Contour& contour) { return contour.structure == "pulp"; });
   const Model model = model_of(stack);
   const std::vector<Cavity> cavities = cavities_in(model.parts());
   ASSERT_EQ(cavities.size(), 1u);
@@ -121,9 +123,12 @@ TEST(OpenCanals, OfASampleMolarWithoutItsRootTipsKeepTheirNumbers) {
   for (const CanalFact& fact : sample_facts(ToothKind::molar).canals) {
     const CentreLine& fine = test::ending_at(test::fine_lines(ToothKind::molar).canals, fact.axis.front());
     const double known = test::length_down_to(fine, cut);
-    const Point3 end = std::find_if(fine.points.begin(), fine.points.end() - 1, [&](const CentrePoint& point) { return point.at.z < cut; })->at;
-    const auto canal = std::min_element(anatomy.canals.begin(), anatomy.canals.end(),
-                                        [&](const MeasuredCanal& a, const MeasuredCanal& b) { return length(a.end - end) < length(b.end - end); });
+    const Point3 end = std::find_if(fine.points.begin(), fine.points.end() - 1, [&](const CentrePoint& point) {
+                         return point.at.z < cut;
+                       })->at;
+    const auto canal = std::min_element(
+        anatomy.canals.begin(), anatomy.canals.end(),
+        [&](const MeasuredCanal& a, const MeasuredCanal& b) { return length(a.end - end) < length(b.end - end); });
     EXPECT_NEAR(canal->length, known, 0.03 * known) << fact.name;
   }
   ASSERT_EQ(filled.canals.size(), 3u);
@@ -151,7 +156,8 @@ TEST(OpenCanals, AreNotWhatIsShallowOrFilled) {
 }
 
 TEST(OpenCanals, AreLeftOutWhereARealVoidIsLarger) {
-  const SurfaceMesh hollow = shapes::together(shapes::cube(0, 0, 20, 40), shapes::inside_out(shapes::cube(5, 5, 25, 30)));
+  const SurfaceMesh hollow =
+      shapes::together(shapes::cube(0, 0, 20, 40), shapes::inside_out(shapes::cube(5, 5, 25, 30)));
   const Model model = model_of(drilled([](double) { return 0.6; }));
   std::vector<StructureSurface> parts = model.parts();
   ASSERT_EQ(cavities_in(parts).size(), 1u);

@@ -1,5 +1,6 @@
 #pragma once
-// What a sample tooth's canals are, by another way than the engine's: contours cut finely, and a field of distances with marching cubes over them.
+// What a sample tooth's canals are, by another way than the engine's: contours cut finely, and a field of distances
+// with marching cubes over them.
 
 #include <vector>
 

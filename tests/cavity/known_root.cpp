@@ -15,7 +15,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Point3 on(const Point3& a, const Point3& b, double t) { return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)}; }
+Point3 on(const Point3& a, const Point3& b, double t) {
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
 
 double length_of(const std::vector<Point3>& axis) {
   double sum = 0;
@@ -26,7 +28,8 @@ double length_of(const std::vector<Point3>& axis) {
 Point3 place(const std::vector<Point3>& axis, double along) {
   for (std::size_t i = 1; i < axis.size(); ++i) {
     const double piece = length(axis[i] - axis[i - 1]);
-    if (along <= piece || i + 1 == axis.size()) return on(axis[i - 1], axis[i], along / piece);   // straight on beyond the end
+    if (along <= piece || i + 1 == axis.size())
+      return on(axis[i - 1], axis[i], along / piece);  // straight on beyond the end
     along -= piece;
   }
   return axis.back();
@@ -63,7 +66,9 @@ double distance_to(const Point3& p, const KnownCanal& canal) {
   return far - (canal.radius_above + (canal.radius_below - canal.radius_above) * at / along);
 }
 
-double distance_to(const Point3& p, const SideCanal& canal) { return length(p - on(canal.from, canal.end, foot(p, canal.from, canal.end))) - canal.radius; }
+double distance_to(const Point3& p, const SideCanal& canal) {
+  return length(p - on(canal.from, canal.end, foot(p, canal.from, canal.end))) - canal.radius;
+}
 
 double distance_to(const Point3& p, const Wing& wing) {
   return std::max({std::abs(p.y) - wing.thick / 2, wing.left - p.x, p.x - wing.right, p.z - wing.high, wing.low - p.z});
@@ -71,7 +76,8 @@ double distance_to(const Point3& p, const Wing& wing) {
 
 double distance_to(const Point3& p, const Gutter& gutter) {
   const double most = gutter.half_angle_deg * pi / 180, angle = std::clamp(std::atan2(p.y, p.x), -most, most);
-  const Point3 middle{gutter.radius * std::cos(angle), gutter.radius * std::sin(angle), std::clamp(p.z, gutter.low, 0.0)};
+  const Point3 middle{gutter.radius * std::cos(angle), gutter.radius * std::sin(angle),
+                      std::clamp(p.z, gutter.low, 0.0)};
   return length(p - middle) - gutter.thick / 2;
 }
 
@@ -111,19 +117,22 @@ std::vector<double> values_on(const KnownRoot& root, const sample::Grid& grid, d
       const double middle = value(column + block / 2, row + block / 2);
       const bool near = std::abs(middle) < 1.5 * block * grid.step;
       for (std::size_t r = row; r < std::min(row + block, grid.rows); ++r)
-        for (std::size_t c = column; c < std::min(column + block, grid.columns); ++c) values[r * grid.columns + c] = near ? value(c, r) : middle;
+        for (std::size_t c = column; c < std::min(column + block, grid.columns); ++c)
+          values[r * grid.columns + c] = near ? value(c, r) : middle;
     }
   return values;
 }
 
-/// Marching squares put a point on a chord: onto the wall itself, so that contours are as narrow as their sides make them and no narrower.
+/// Marching squares put a point on a chord: onto the wall itself, so that contours are as narrow as their sides make
+/// them and no narrower.
 void onto_wall(const KnownRoot& root, double z, sample::Loop& loop) {
   constexpr double reach = 1e-4;
   for (Point2& p : loop) {
     const auto at = [&](double x, double y) { return void_at(root, own_of(root, {x, y, z})); };
-    const double value = at(p.x, p.y), dx = (at(p.x + reach, p.y) - at(p.x - reach, p.y)) / (2 * reach), dy = (at(p.x, p.y + reach) - at(p.x, p.y - reach)) / (2 * reach);
+    const double value = at(p.x, p.y), dx = (at(p.x + reach, p.y) - at(p.x - reach, p.y)) / (2 * reach),
+                 dy = (at(p.x, p.y + reach) - at(p.x, p.y - reach)) / (2 * reach);
     const double square = dx * dx + dy * dy;
-    if (square < 0.1) continue;   // about an end
+    if (square < 0.1) continue;  // about an end
     p = {p.x - value * dx / square, p.y - value * dy / square};
   }
 }
@@ -147,7 +156,9 @@ double wall_area(const KnownCanal& canal, double stretch, double whole, double f
     const double r = canal.radius_above + (canal.radius_below - canal.radius_above) * std::min(s / axis, 1.0);
     return s <= axis ? r : std::sqrt(std::max(0.0, canal.radius_below * canal.radius_below - (s - axis) * (s - axis)));
   };
-  const auto at = [&](double s, double turn) { return Point3{radius(s) * std::cos(turn), stretch * radius(s) * std::sin(turn), s}; };
+  const auto at = [&](double s, double turn) {
+    return Point3{radius(s) * std::cos(turn), stretch * radius(s) * std::sin(turn), s};
+  };
   double sum = 0;
   for (int i = 0; i < along; ++i) {
     const double s = from + (to - from) * i / along, t = std::min(from + (to - from) * (i + 1) / along, whole);
@@ -178,7 +189,7 @@ double thinnest_wall(const KnownRoot& root, const KnownCanal& canal, double begi
   const double axis = length_of(canal.axis);
   double least = std::numeric_limits<double>::infinity();
   constexpr int along = 400, round = 60;
-  begin += 0.5 * canal.radius_above;   // above, the wall is as much the chamber's
+  begin += 0.5 * canal.radius_above;  // above, the wall is as much the chamber's
   for (int i = 0; i <= along; ++i) {
     const double s = begin + (whole - begin) * i / along, t = std::min(s, axis);
     const double r = canal.radius_above + (canal.radius_below - canal.radius_above) * t / axis;
@@ -215,29 +226,38 @@ Cavity void_of(const KnownRoot& root, double grid) {
       high = {std::max(high.x, p.x + room), std::max(high.y, p.y + room), std::max(high.z, p.z + room)};
     }
   }
-  Point3 from = as_it_lies(root, low), to = from;   // of the box's corners
+  Point3 from = as_it_lies(root, low), to = from;  // of the box's corners
   for (int corner = 1; corner < 8; ++corner) {
-    const Point3 p = as_it_lies(root, {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
+    const Point3 p =
+        as_it_lies(root, {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
     from = {std::min(from.x, p.x), std::min(from.y, p.y), std::min(from.z, p.z)};
     to = {std::max(to.x, p.x), std::max(to.y, p.y), std::max(to.z, p.z)};
   }
   const double room = 3 * grid;
-  return void_of([&](const Point3& p) { return void_at(root, own_of(root, p)); }, {from.x - room, from.y - room, from.z - room}, {to.x + room, to.y + room, to.z + room}, grid);
+  return void_of([&](const Point3& p) { return void_at(root, own_of(root, p)); },
+                 {from.x - room, from.y - room, from.z - room}, {to.x + room, to.y + room, to.z + room}, grid);
 }
 
 ContourStack slices_of(const KnownRoot& root, double spacing) {
-  constexpr double step = 0.05, off = 0.0137;   // off symmetries
+  constexpr double step = 0.05, off = 0.0137;  // off symmetries
   const Point3 low = as_it_lies(root, {0, 0, root.block_low}), high = as_it_lies(root, {0, 0, root.block_high});
   ContourStack stack;
   for (double z = low.z - root.block + spacing / 2 + off; z < high.z + root.block; z += spacing) {
     // Where the block's middle line is nearest to this height, and all about it.
-    const double y_low = std::min(low.y, high.y) - root.block - 1, y_high = std::max(low.y, high.y) + root.block + 1, wide = root.block + 1;
-    sample::Grid grid{{-wide + off, y_low + off}, step, static_cast<std::size_t>(2 * wide / step), static_cast<std::size_t>((y_high - y_low) / step), {}};
+    const double y_low = std::min(low.y, high.y) - root.block - 1, y_high = std::max(low.y, high.y) + root.block + 1,
+                 wide = root.block + 1;
+    sample::Grid grid{{-wide + off, y_low + off},
+                      step,
+                      static_cast<std::size_t>(2 * wide / step),
+                      static_cast<std::size_t>((y_high - y_low) / step),
+                      {}};
     grid.values = values_on(root, grid, z);
     Slice slice{z, {}};
-    std::vector<sample::Loop> outer, holes;   // the block's outside needs no such fineness
-    for (sample::Loop& loop : sample::trace(grid, 1e-4)) (sample::signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
-    for (sample::Loop& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6})) slice.contours.push_back({"dentine", std::move(loop)});
+    std::vector<sample::Loop> outer, holes;  // the block's outside needs no such fineness
+    for (sample::Loop& loop : sample::trace(grid, 1e-4))
+      (sample::signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
+    for (sample::Loop& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6}))
+      slice.contours.push_back({"dentine", std::move(loop)});
     for (sample::Loop& loop : fine_holes(root, z, holes)) slice.contours.push_back({"dentine", std::move(loop)});
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
@@ -246,9 +266,13 @@ ContourStack slices_of(const KnownRoot& root, double spacing) {
 
 KnownFigures figures_of(const KnownRoot& root, const KnownCanal& canal) {
   const double axis = length_of(canal.axis);
-  const auto radius = [&](double s) { return canal.radius_above + (canal.radius_below - canal.radius_above) * std::min(s / axis, 1.0); };
+  const auto radius = [&](double s) {
+    return canal.radius_above + (canal.radius_below - canal.radius_above) * std::min(s / axis, 1.0);
+  };
   double begin = 0, whole = axis + canal.radius_below;
-  const auto leaves_chamber = [&](double s) { return std::hypot(length(place(canal.axis, s) - Point3{}), radius(s)) >= root.chamber; };
+  const auto leaves_chamber = [&](double s) {
+    return std::hypot(length(place(canal.axis, s) - Point3{}), radius(s)) >= root.chamber;
+  };
   while (!leaves_chamber(begin)) begin += 1e-3;
   for (double s = begin; s < axis; s += 1e-3)
     if (block_at(root, place(canal.axis, s)) > 0) {
@@ -274,7 +298,10 @@ KnownFigures figures_of(const KnownRoot& root, const KnownCanal& canal) {
   known.mean_width = sum / count;
   known.schneider_deg = schneider(canal, begin, whole);
   known.thinnest_wall = open ? 0 : thinnest_wall(root, canal, begin, whole);
-  const auto half_width = [&](double s) { return s <= axis ? radius(s) : std::sqrt(std::max(0.0, canal.radius_below * canal.radius_below - (s - axis) * (s - axis))); };
+  const auto half_width = [&](double s) {
+    return s <= axis ? radius(s)
+                     : std::sqrt(std::max(0.0, canal.radius_below * canal.radius_below - (s - axis) * (s - axis)));
+  };
   for (const double far : {1.0, 2.0, 3.0, 4.0}) {
     known.apical_width.push_back(2 * half_width(whole - far));
     known.apical_area.push_back(pi * root.oval * canal.aside * half_width(whole - far) * half_width(whole - far));
@@ -283,7 +310,9 @@ KnownFigures figures_of(const KnownRoot& root, const KnownCanal& canal) {
     const double from = begin + third * known.length / 3, to = from + known.length / 3;
     double volume = 0;
     constexpr int parts = 2000;
-    for (int i = 0; i < parts; ++i) volume += (to - from) / parts * pi * root.oval * canal.aside * std::pow(half_width(from + (to - from) * (i + 0.5) / parts), 2);
+    for (int i = 0; i < parts; ++i)
+      volume += (to - from) / parts * pi * root.oval * canal.aside *
+                std::pow(half_width(from + (to - from) * (i + 0.5) / parts), 2);
     known.third_volume.push_back(volume);
     known.third_area.push_back(wall_area(canal, root.oval * canal.aside, whole, from, to));
   }

@@ -28,7 +28,8 @@ double length_of(const std::vector<Point3>& axis, double radius) {
 /// More than a width away from chamber and end, and from where canals part or join, which is in the middle.
 bool in_one_tube(const CentreLine& line, const CentrePoint& p, const test::RootShape& shape) {
   const double width = 2 * shape.radius;
-  const bool meets = shape.canals.size() > 1 && std::abs(p.at.x) < width / 2 && std::any_of(shape.canals[0].begin(), shape.canals[0].end(), [&](const Point3& corner) {
+  const bool meets = shape.canals.size() > 1 && std::abs(p.at.x) < width / 2 &&
+                     std::any_of(shape.canals[0].begin(), shape.canals[0].end(), [&](const Point3& corner) {
                        return corner.x == 0 && std::abs(p.at.z - corner.z) < 2 * width;
                      });
   return !meets && length(p.at - Point3{}) > shape.chamber + width && length(line.end - p.at) > width;
@@ -39,8 +40,9 @@ void expect_graph(const Anatomy& made, const test::RootShape& shape) {
   struct Known {
     std::size_t parts, ends, forks, joins;
   };
-  static const std::map<std::string, Known> types = {{"I", {1, 1, 0, 0}},  {"II", {3, 1, 0, 1}}, {"III", {4, 1, 1, 1}}, {"IV", {2, 2, 0, 0}},
-                                                     {"V", {3, 2, 1, 0}},  {"VI", {5, 2, 1, 1}}, {"VII", {6, 2, 2, 1}}, {"VIII", {3, 3, 0, 0}}};
+  static const std::map<std::string, Known> types = {
+      {"I", {1, 1, 0, 0}}, {"II", {3, 1, 0, 1}}, {"III", {4, 1, 1, 1}}, {"IV", {2, 2, 0, 0}},
+      {"V", {3, 2, 1, 0}}, {"VI", {5, 2, 1, 1}}, {"VII", {6, 2, 2, 1}}, {"VIII", {3, 3, 0, 0}}};
   const Known& known = types.at(shape.type);
   EXPECT_EQ(made.graph.parts.size(), known.parts);
   std::map<std::string, std::size_t> kinds;
@@ -79,14 +81,16 @@ TEST_P(RootTypes, AreToldWithTheirCanalsLengthsAndWidths) {
   for (const MeasuredCanal& canal : made.canals) {
     found.push_back(length(canal.orifice - Point3{}) + canal.length);
     EXPECT_NEAR(length(canal.orifice - Point3{}), shape.chamber, shape.radius) << canal.name;
-    // A search for the widest ball finds most of what a smooth line loses where canals meet at an angle: type III comes to 2 %.
+    // A search for the widest ball finds most of what a smooth line loses where canals meet at an angle: type III comes
+    // to 2 %.
     ASSERT_TRUE(canal.narrowest);
     EXPECT_NEAR(canal.narrowest->width, 2 * shape.radius, 3 * percent * 2 * shape.radius) << canal.name;
   }
   for (const CentreLine& line : made.lines.canals)
     for (std::size_t i = line.orifice; i < line.points.size(); ++i)
       if (in_one_tube(line, line.points[i], shape)) {
-        EXPECT_NEAR(line.points[i].radius, shape.radius, percent * shape.radius) << line.name << " at " << line.points[i].at.z;
+        EXPECT_NEAR(line.points[i].radius, shape.radius, percent * shape.radius)
+            << line.name << " at " << line.points[i].at.z;
       }
   expect_graph(made, shape);
   std::sort(known.begin(), known.end());
@@ -110,8 +114,9 @@ TEST_P(RootTypes, AreTheSameWithTheApexUp) {
 
 // Where both ways round are of one length, which is the second is chance.
 INSTANTIATE_TEST_SUITE_P(Vertucci, RootTypes,
-                         ::testing::Values(std::pair{"I", 1.15}, std::pair{"II", 1.15}, std::pair{"III", 1.15}, std::pair{"IV", 1.15}, std::pair{"V", 1.15},
-                                           std::pair{"VI", 1.15}, std::pair{"VII", 1.15}, std::pair{"VIII", 1.15}, std::pair{"VI", 1.0}),
+                         ::testing::Values(std::pair{"I", 1.15}, std::pair{"II", 1.15}, std::pair{"III", 1.15},
+                                           std::pair{"IV", 1.15}, std::pair{"V", 1.15}, std::pair{"VI", 1.15},
+                                           std::pair{"VII", 1.15}, std::pair{"VIII", 1.15}, std::pair{"VI", 1.0}),
                          [](const auto& shape) { return shape.param.first + (shape.param.second == 1 ? "Even" : ""); });
 
 }  // namespace

@@ -14,7 +14,9 @@ struct Vector {
 };
 Vector minus(const Point3& a, const Point3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double scalar(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vector vector_product(const Vector& a, const Vector& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Vector vector_product(const Vector& a, const Vector& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 double to_edge(const Point3& p, const Point3& a, const Point3& b) {
   const Vector ab = minus(b, a), ap = minus(p, a);
@@ -26,7 +28,9 @@ double to_edge(const Point3& p, const Point3& a, const Point3& b) {
 double to_triangle(const Point3& p, const Point3& a, const Point3& b, const Point3& c) {
   const Vector n = vector_product(minus(b, a), minus(c, a));
   const double size = std::sqrt(scalar(n, n));
-  const auto inner = [&](const Point3& u, const Point3& v) { return scalar(vector_product(minus(v, u), minus(p, u)), n) >= 0; };
+  const auto inner = [&](const Point3& u, const Point3& v) {
+    return scalar(vector_product(minus(v, u), minus(p, u)), n) >= 0;
+  };
   if (size > 0 && inner(a, b) && inner(b, c) && inner(c, a)) return std::abs(scalar(minus(p, a), n)) / size;
   return std::min({to_edge(p, a, b), to_edge(p, b, c), to_edge(p, c, a)});
 }
@@ -35,7 +39,8 @@ double to_triangle(const Point3& p, const Point3& a, const Point3& b, const Poin
 
 double brute_distance(const SurfaceMesh& wall, const Point3& from) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Triangle& t : wall.triangles) nearest = std::min(nearest, to_triangle(from, wall.points[t[0]], wall.points[t[1]], wall.points[t[2]]));
+  for (const Triangle& t : wall.triangles)
+    nearest = std::min(nearest, to_triangle(from, wall.points[t[0]], wall.points[t[1]], wall.points[t[2]]));
   return nearest;
 }
 
@@ -46,7 +51,9 @@ double widest_in_section(const SurfaceMesh& wall, const Point3& from, const Poin
   for (const Triangle& t : wall.triangles) {
     double low = std::numeric_limits<double>::infinity(), longest = 0;
     for (int k = 0; k < 3; ++k) {
-      const Vector d = minus(wall.points[t[static_cast<std::size_t>(k)]], from), e = minus(wall.points[t[static_cast<std::size_t>((k + 1) % 3)]], wall.points[t[static_cast<std::size_t>(k)]]);
+      const Vector d = minus(wall.points[t[static_cast<std::size_t>(k)]], from),
+                   e = minus(wall.points[t[static_cast<std::size_t>((k + 1) % 3)]],
+                             wall.points[t[static_cast<std::size_t>(k)]]);
       low = std::min(low, std::sqrt(scalar(d, d)));
       longest = std::max(longest, std::sqrt(scalar(e, e)));
     }
@@ -65,9 +72,10 @@ double widest_in_section(const SurfaceMesh& wall, const Point3& from, const Poin
   const auto enter = [&](int i, int j) {
     if (known.contains({i, j}) || std::hypot(i * step, j * step) > reach) return;
     const double a = i * step, b = j * step;
-    const double clear = brute_distance(near, {from.x + a * u.x + b * v.x, from.y + a * u.y + b * v.y, from.z + a * u.z + b * v.z});
+    const double clear =
+        brute_distance(near, {from.x + a * u.x + b * v.x, from.y + a * u.y + b * v.y, from.z + a * u.z + b * v.z});
     known[{i, j}] = clear;
-    if (clear < step) return;   // a wall may lie between this place and the next
+    if (clear < step) return;  // a wall may lie between this place and the next
     widest = std::max(widest, clear);
     waiting.emplace_back(i, j);
   };

@@ -11,8 +11,9 @@ namespace odontoscope::test {
 /// Distance to the nearest triangle, by trying all.
 double brute_distance(const SurfaceMesh& wall, const Point3& from);
 
-/// The largest distance to the wall in the plane through `from` at right angles to `along`, among all places that can be reached from
-/// `from` in that plane without crossing the wall; looked for on a grid of `step`, no farther than `reach`.
+/// The largest distance to the wall in the plane through `from` at right angles to `along`, among all places that can
+/// be reached from `from` in that plane without crossing the wall; looked for on a grid of `step`, no farther than
+/// `reach`.
 double widest_in_section(const SurfaceMesh& wall, const Point3& from, const Point3& along, double step, double reach);
 
 }  // namespace odontoscope::test

@@ -35,14 +35,16 @@ struct ThreeCanals {
 };
 Cavity three_canals(const ThreeCanals& shape = {});
 
-/// A round chamber about the origin and one root below it, with canals of one width as Vertucci's types have them. Canals that meet share the rest.
+/// A round chamber about the origin and one root below it, with canals of one width as Vertucci's types have them.
+/// Canals that meet share the rest.
 struct RootShape {
-  std::string type;                         // "I" to "VIII"
+  std::string type;  // "I" to "VIII"
   std::vector<std::size_t> sections;
   std::vector<std::vector<Point3>> canals;  // axes, from the chamber's centre
   double chamber = 1.3, radius = 0.35;
 };
-/// Precondition: one of the eight types. `uneven`: second canals bulge farther out than first ones, so that no way is as long as another.
+/// Precondition: one of the eight types. `uneven`: second canals bulge farther out than first ones, so that no way is
+/// as long as another.
 RootShape root_of_type(const std::string& type, double uneven = 1.15);
 Cavity void_of_root(const RootShape& shape);
 

@@ -11,8 +11,7 @@ TEST(Errors, TellWhatIsWrongAndWhatToDoApart) {
   const InputError error("too-few-points", place, "a contour of 2 points. Three are the least", "give it more");
   EXPECT_EQ(error.wrong(), "a contour of 2 points. Three are the least");
   EXPECT_EQ(error.remedy(), "Give it more.");
-  EXPECT_STREQ(error.what(),
-               "tooth.json: a contour of 2 points. Three are the least. Give it more. [too-few-points]");
+  EXPECT_STREQ(error.what(), "tooth.json: a contour of 2 points. Three are the least. Give it more. [too-few-points]");
 }
 
 TEST(Errors, WithoutRemedyEndInAFullStop) {

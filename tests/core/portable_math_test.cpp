@@ -14,7 +14,8 @@ namespace {
 /// How many units in the last place of `right` the two are apart.
 double units_apart(double found, double right) {
   if (found == right) return 0;
-  return std::abs(found - right) / (std::nextafter(std::abs(right), std::numeric_limits<double>::infinity()) - std::abs(right));
+  return std::abs(found - right) /
+         (std::nextafter(std::abs(right), std::numeric_limits<double>::infinity()) - std::abs(right));
 }
 
 // These bits are what every processor, compiler and C library must give: a change of them changes models.
@@ -37,7 +38,8 @@ TEST(PortableMath, IsOffByAFewUnitsInTheLastPlace) {
     ASSERT_LE(units_apart(portable::pow(p, 1.5), std::pow(p, 1.5)), 24) << p;
     ASSERT_LE(units_apart(portable::atan2(a, b), std::atan2(a, b)), 6) << a << ' ' << b;
     ASSERT_LE(units_apart(portable::asin(s), std::asin(s)), 6) << s;
-    ASSERT_LE(units_apart(portable::cbrt(a), static_cast<double>(std::cbrt(static_cast<long double>(a)))), 2) << a;   // that of doubles is off by more
+    ASSERT_LE(units_apart(portable::cbrt(a), static_cast<double>(std::cbrt(static_cast<long double>(a)))), 2)
+        << a;  // that of doubles is off by more
     ASSERT_LE(units_apart(portable::hypot(a, b), std::hypot(a, b)), 1) << a << ' ' << b;
     ASSERT_LE(units_apart(portable::hypot(a, b, s), std::hypot(a, b, s)), 2) << a << ' ' << b << ' ' << s;
     // Near their zeros a relative measure says nothing.

@@ -34,15 +34,20 @@ TEST(Threads, DoNotChangeAByte) {
   EXPECT_EQ(difference(one, with(tube, 1)), "") << "not even with one";
   for (std::uint64_t seed = 0; seed < random_stacks_of(60); ++seed) {
     const ContourStack stack = random_stack(seed).stack;
-    const auto by = [&](int threads) {   // interpolated slices take as long as all the others
-      return seed % 4 == 0 ? with(stack, threads) : reconstruct(stack, {.correspondence = Correspondence::medial, .between = Between::delaunay, .links = {}, .threads = threads});
+    const auto by = [&](int threads) {  // interpolated slices take as long as all the others
+      return seed % 4 == 0 ? with(stack, threads)
+                           : reconstruct(stack, {.correspondence = Correspondence::medial,
+                                                 .between = Between::delaunay,
+                                                 .links = {},
+                                                 .threads = threads});
     };
     EXPECT_EQ(difference(by(1), by(2)), "") << "seed " << seed;
   }
 }
 
 TEST(Threads, AreCountedInTheResult) {
-  EXPECT_EQ(reconstruct(long_tube(4), {.correspondence = Correspondence::medial, .links = {}, .threads = 2}).threads, 2);
+  EXPECT_EQ(reconstruct(long_tube(4), {.correspondence = Correspondence::medial, .links = {}, .threads = 2}).threads,
+            2);
   EXPECT_GE(reconstruct(long_tube(4)).threads, 1);
 }
 
@@ -72,7 +77,8 @@ TEST(Cancellation, FromAnotherThreadInTheMiddle) {
                               changed.wait(lock, [&] { return source.stop_requested(); });
                             },
                             source.get_token()};
-    EXPECT_THROW(reconstruct(long_tube(200), {.correspondence = Correspondence::medial, .links = {}, .threads = threads}, progress),
+    EXPECT_THROW(reconstruct(long_tube(200),
+                             {.correspondence = Correspondence::medial, .links = {}, .threads = threads}, progress),
                  Cancelled);
     user.join();
     EXPECT_TRUE(started) << "no progress was ever told";
@@ -83,11 +89,13 @@ TEST(Progress, RunsFromNothingToAllInEveryStage) {
   std::mutex mutex;
   std::map<std::string, std::vector<double>> told;
   certified(long_tube(40), {}, {});
-  reconstruct(long_tube(40), {}, {.report = [&](std::string_view stage, double fraction) {
-                                    const std::lock_guard lock(mutex);
-                                    told[std::string(stage)].push_back(fraction);
-                                  },
-                                  .stop = {}});
+  reconstruct(long_tube(40), {},
+              {.report =
+                   [&](std::string_view stage, double fraction) {
+                     const std::lock_guard lock(mutex);
+                     told[std::string(stage)].push_back(fraction);
+                   },
+               .stop = {}});
   ASSERT_FALSE(told.empty());
   for (const auto& [stage, fractions] : told)
     for (double fraction : fractions) {

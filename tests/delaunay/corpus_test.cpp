@@ -1,4 +1,5 @@
-// Every failure that was ever found, and small instructive stacks: tests/corpus/engine/*.json, each with a line in expected.json.
+// Every failure that was ever found, and small instructive stacks: tests/corpus/engine/*.json, each with a line in
+// expected.json.
 
 #include <gtest/gtest.h>
 
@@ -23,11 +24,12 @@ json lines() { return json::parse(std::ifstream(folder / "expected.json")); }
 ReconstructOptions options_of(const json& line) {
   ReconstructOptions options;
   const std::string criterion = line.value("correspondence", "medial");
-  for (Correspondence c : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked})
+  for (Correspondence c :
+       {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked})
     if (criterion == name(c)) options.correspondence = c;
   for (const json& link : line.value("links", json::array()))
-    options.links.push_back({link.value("structure", "tooth"), link.at("slice"), link.at("lower"), link.at("upper"),
-                             link.at("connect")});
+    options.links.push_back(
+        {link.value("structure", "tooth"), link.at("slice"), link.at("lower"), link.at("upper"), link.at("connect")});
   return options;
 }
 
@@ -47,7 +49,7 @@ TEST(Corpus, IsCertifiedFromEverySide) {
     const ContourStack stack = read_stack_file((folder / file).string());
     ReconstructOptions options = options_of(line);
     if (!line.contains("refused")) EXPECT_EQ(outcome_of(stack, options).failure, "") << "blended";
-    options.between = Between::delaunay;   // a raster between slices does not turn with them
+    options.between = Between::delaunay;  // a raster between slices does not turn with them
     if (line.contains("refused")) {
       try {
         reconstruct(stack, options);
@@ -62,7 +64,7 @@ TEST(Corpus, IsCertifiedFromEverySide) {
     if (line.contains("shells")) {
       EXPECT_EQ(usual.topology, shells(line.at("shells").get<std::vector<std::string>>()));
     }
-    if (!options.links.empty()) continue;   // links name slices and contours by number
+    if (!options.links.empty()) continue;  // links name slices and contours by number
     for (const Variant& variant : variants_of(stack, line.value("seed", 1u))) {
       const Outcome seen = outcome_of(variant.stack, options);
       EXPECT_EQ(seen.failure, "") << variant.name;

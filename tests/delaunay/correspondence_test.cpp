@@ -25,8 +25,8 @@ std::size_t pieces(double radii, Correspondence criterion) {
   return certified(shifted_circles(radii), by(criterion)).solids.at(0).report.shells.size();
 }
 
-// A circle's medial axis is its centre. So two circles have no reverse tetrahedron unless concentric (to within rounding);
-// a circumcentre of one lies in the other up to a shift of one radius; and they overlap up to two.
+// A circle's medial axis is its centre. So two circles have no reverse tetrahedron unless concentric (to within
+// rounding); a circumcentre of one lies in the other up to a shift of one radius; and they overlap up to two.
 TEST(Correspondence, ShiftedCirclesByReverseTetrahedra) {
   for (double radii : {0.2, 0.5, 0.9, 1.5, 2.5}) EXPECT_EQ(pieces(radii, Correspondence::reverse), 2u) << radii;
 }
@@ -132,7 +132,7 @@ std::string cause_of(const std::vector<Link>& links, const ContourStack& stack) 
 }
 
 TEST(Links, ThatMakeNoSenseAreRefused) {
-  const ContourStack stack = annulus_over_disc();   // slice 0: outer 0, hole 1
+  const ContourStack stack = annulus_over_disc();  // slice 0: outer 0, hole 1
   EXPECT_EQ(cause_of({{"tooth", 0, 0, 0, true}}, stack), "accepted");
   EXPECT_EQ(cause_of({{"tooth", 0, 0, 0, true}, {"tooth", 0, 0, 0, false}}, stack), "link-contradiction");
   EXPECT_EQ(cause_of({{"nobody", 0, 0, 0, true}}, stack), "link-unknown-structure");
@@ -170,8 +170,8 @@ std::string ignored_wish(const Reconstruction& result, const std::vector<Link>& 
     if (link.criterion == LinkCriterion::user) by_user.insert(pair_of(link.link));
   }
   for (const Link& wish : wishes) {
-    const std::string where = " slice " + std::to_string(wish.slice) + " " + std::to_string(wish.lower) + "-" +
-                              std::to_string(wish.upper);
+    const std::string where =
+        " slice " + std::to_string(wish.slice) + " " + std::to_string(wish.lower) + "-" + std::to_string(wish.upper);
     if (wish.connect && !by_user.contains(pair_of(wish))) return "not forced:" + where;
     if (!wish.connect && made.contains(pair_of(wish))) return "not forbidden:" + where;
   }
@@ -194,7 +194,7 @@ TEST(Links, WinOnRandomStacks) {
     const ContourStack stack = sorted(random_stack(seed).stack);
     const std::vector<Link> wishes = random_wishes(stack, seed);
     try {
-      const bool interpolated = seed % 4 == 0;   // it takes as long as all the others
+      const bool interpolated = seed % 4 == 0;  // it takes as long as all the others
       const ReconstructOptions options = by(Correspondence::medial, wishes);
       const Reconstruction result = reconstruct(stack, interpolated ? options : alone(options));
       for (const std::string& fault : faults_of(result, stack)) ADD_FAILURE() << "seed " << seed << ": " << fault;

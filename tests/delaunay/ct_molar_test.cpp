@@ -55,8 +55,8 @@ TEST_F(CtMolar, HasOnePulpOfTheSizeThatTheVoxelsSay) {
     if (shell.kind == Shell::Kind::cavity) cavities.push_back(shell);
   ASSERT_FALSE(cavities.empty());
   std::sort(cavities.begin(), cavities.end(), [](const Shell& a, const Shell& b) { return a.volume < b.volume; });
-  EXPECT_NEAR(-cavities[0].volume, 17432, 17432 * 0.01);   // voxels below the threshold in its place
-  EXPECT_LE(cavities[0].genus, 1);                         // "at most one small loop"
+  EXPECT_NEAR(-cavities[0].volume, 17432, 17432 * 0.01);  // voxels below the threshold in its place
+  EXPECT_LE(cavities[0].genus, 1);                        // "at most one small loop"
   for (std::size_t i = 1; i < cavities.size(); ++i) EXPECT_LT(-cavities[i].volume, 174) << "a speck, one in a hundred";
 }
 

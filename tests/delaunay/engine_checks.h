@@ -11,9 +11,10 @@
 namespace odontoscope::test {
 
 struct Outcome {
-  /// Empty if the stack was reconstructed and the oracle finds no fault; else the fault, or the message of what was thrown.
+  /// Empty if the stack was reconstructed and the oracle finds no fault; else the fault, or the message of what was
+  /// thrown.
   std::string failure;
-  std::vector<std::string> topology;   // as topology_of
+  std::vector<std::string> topology;  // as topology_of
 };
 Outcome outcome_of(const ContourStack& stack, const ReconstructOptions& options = {}, OracleOptions oracle = {});
 

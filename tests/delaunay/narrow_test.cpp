@@ -1,10 +1,9 @@
-// Gaps narrower than the places of Gabriel edges can be told: there contour edges are only made Delaunay, or, where that cannot be had either, taken as
-// they are: the slabs beside such a slice are blocks.
+// Gaps narrower than the places of Gabriel edges can be told: there contour edges are only made Delaunay, or, where
+// that cannot be had either, taken as they are: the slabs beside such a slice are blocks.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <cmath>
 
 #include "tests/delaunay/engine_checks.h"
@@ -29,17 +28,28 @@ std::vector<ContourStack> around(const std::vector<Contour>& narrow) {
           ContourStack{{flat(0), Slice{1, narrow}, flat(1.5)}, ""}};
 }
 
-/// Three triangles within each other whose long edges lie on each other to within 1e-14, slanted: the middle one's edges cannot be Delaunay towards both
-/// neighbours at once, since points that should lie opposite each other are rounded.
+/// Three triangles within each other whose long edges lie on each other to within 1e-14, slanted: the middle one's
+/// edges cannot be Delaunay towards both neighbours at once, since points that should lie opposite each other are
+/// rounded.
 std::vector<Contour> three_abreast() {
-  return {{"tooth", {{1.15546154025391, 1.632454786202075}, {0.8360165452535284, -1.8168864400568197}, {0.7106058636055081, -0.06580951887815445}}},
-          {"tooth", {{1.1554615402538984, 1.6324547862020589}, {-1.9914780855074325, 0.18443165385474275}, {0.8360165452535201, -1.8168864400568014},
-                     {0.710605863605501, -0.0658095188781538}}},
-          {"tooth", {{-0.41229564696205645, -0.5824979705214615}, {0.8360165452535118, -1.8168864400567832}, {0.7106058636054939, -0.06580951887815314}}}};
+  return {{"tooth",
+           {{1.15546154025391, 1.632454786202075},
+            {0.8360165452535284, -1.8168864400568197},
+            {0.7106058636055081, -0.06580951887815445}}},
+          {"tooth",
+           {{1.1554615402538984, 1.6324547862020589},
+            {-1.9914780855074325, 0.18443165385474275},
+            {0.8360165452535201, -1.8168864400568014},
+            {0.710605863605501, -0.0658095188781538}}},
+          {"tooth",
+           {{-0.41229564696205645, -0.5824979705214615},
+            {0.8360165452535118, -1.8168864400567832},
+            {0.7106058636054939, -0.06580951887815314}}}};
 }
 
 void expect_certified(const std::vector<Contour>& narrow, std::size_t most_added) {
-  const ReconstructOptions options{.correspondence = Correspondence::overlap, .between = Between::delaunay, .links = {}, .threads = 1};
+  const ReconstructOptions options{
+      .correspondence = Correspondence::overlap, .between = Between::delaunay, .links = {}, .threads = 1};
   for (const ContourStack& stack : around(narrow)) {
     const Reconstruction made = certified(stack, options);
     EXPECT_LE(made.counts.steiner_points, most_added);
@@ -59,10 +69,15 @@ TEST(Narrow, WhatCannotBeConformedIsTakenAsItIs) {
   for (const Between between : {Between::delaunay, Between::blended})
     for (const Correspondence criterion : {Correspondence::tracked, Correspondence::reverse})
       for (const ContourStack& stack : around(three_abreast())) {
-        const Reconstruction made = certified(stack, {.correspondence = criterion, .between = between, .links = {}, .threads = 1});
+        const Reconstruction made =
+            certified(stack, {.correspondence = criterion, .between = between, .links = {}, .threads = 1});
         EXPECT_EQ(made.counts.constrained_slices, 1u);
-        const auto& shells = made.solids[0].report.shells;   // blocks on both sides shut the hollow between the triangles
-        EXPECT_EQ(std::count_if(shells.begin(), shells.end(), [](const Shell& shell) { return shell.kind == Shell::Kind::external; }), 1) << "they lie over the square, so all is one piece";
+        const auto& shells =
+            made.solids[0].report.shells;  // blocks on both sides shut the hollow between the triangles
+        EXPECT_EQ(std::count_if(shells.begin(), shells.end(),
+                                [](const Shell& shell) { return shell.kind == Shell::Kind::external; }),
+                  1)
+            << "they lie over the square, so all is one piece";
       }
 }
 
@@ -94,11 +109,15 @@ TEST(Narrow, BlocksFitBetweenSlicesAFewUnitsInTheLastPlaceApart) {
 
 /// A bead in the hollow of a ring, all of 1e-162 mm: products of three such lengths are 0.
 TEST(Narrow, MinuteCavitiesAreFilledOrHollowAsTheyAre) {
-  const auto box = [](double half) { return Contour{"tooth", {{-half, -half}, {half, -half}, {half, half}, {-half, half}}}; };
+  const auto box = [](double half) {
+    return Contour{"tooth", {{-half, -half}, {half, -half}, {half, half}, {-half, half}}};
+  };
   const double unit = 1e-162;
-  const Reconstruction made = certified({{Slice{0, {box(2 * unit)}}, Slice{unit, {box(2 * unit), box(unit)}}, Slice{2 * unit, {box(2 * unit)}}}, ""});
+  const Reconstruction made = certified(
+      {{Slice{0, {box(2 * unit)}}, Slice{unit, {box(2 * unit), box(unit)}}, Slice{2 * unit, {box(2 * unit)}}}, ""});
   ASSERT_EQ(made.solids[0].report.shells.size(), 2u);
-  EXPECT_EQ(made.solids[0].report.shells[0].kind == Shell::Kind::cavity, made.solids[0].report.shells[1].kind != Shell::Kind::cavity);
+  EXPECT_EQ(made.solids[0].report.shells[0].kind == Shell::Kind::cavity,
+            made.solids[0].report.shells[1].kind != Shell::Kind::cavity);
 }
 
 }  // namespace

@@ -20,8 +20,10 @@ void finish(Solid& solid) {
       Triangle face{t[std::size_t(f[0])], t[std::size_t(f[1])], t[std::size_t(f[2])]};
       std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
       const auto twin = std::find(faces.begin(), faces.end(), Triangle{face[0], face[2], face[1]});
-      if (twin != faces.end()) faces.erase(twin);
-      else faces.push_back(face);
+      if (twin != faces.end())
+        faces.erase(twin);
+      else
+        faces.push_back(face);
     }
   std::vector<PointIndex> number(solid.tetrahedra.points.size(), 0);
   for (const Triangle& face : faces)
@@ -148,8 +150,9 @@ TEST(Oracle, SeesASharedEdge) {
 
 TEST(Oracle, SeesASharedVertex) {
   // Sheared after turning, so that only the point at the origin of the lower slice is shared.
-  const Solid solid =
-      two_prisms([](Point3 p) { return Point3{-p.x - 0.1 * p.z, p.y == 0 ? 0 : -p.y, p.z == 0 ? 0.0 : p.z}; });
+  const Solid solid = two_prisms([](Point3 p) {
+    return Point3{-p.x - 0.1 * p.z, p.y == 0 ? 0 : -p.y, p.z == 0 ? 0.0 : p.z};
+  });
   EXPECT_TRUE(finds(solid, prism_stack, "a vertex whose tetrahedra form more than one cone"));
   EXPECT_TRUE(finds(solid, prism_stack, "a surface vertex with more than one fan"));
 }
@@ -161,8 +164,7 @@ TEST(Oracle, SeesOverlappingPieces) {
 
 TEST(Oracle, SeesOnePieceInsideAnother) {
   // No faces meet, but the small prism's space is covered twice.
-  const Solid solid =
-      two_prisms([](Point3 p) { return Point3{0.5 + p.x / 8, 0.5 + p.y / 8, spacing / 4 + p.z / 4}; });
+  const Solid solid = two_prisms([](Point3 p) { return Point3{0.5 + p.x / 8, 0.5 + p.y / 8, spacing / 4 + p.z / 4}; });
   EXPECT_TRUE(finds(solid, prism_stack, "shells that are not nested"));
 }
 
@@ -192,8 +194,9 @@ TEST(Oracle, ComparesLinksWithPieces) {
   result.solids = {prism()};
   result.certified = true;
   result.topology = {{"tooth", 0, {2, 0, 0}, {1, 0, 0}, 0}};
-  EXPECT_EQ(faults_of(result, prism_stack), (std::vector<std::string>{
-      "tooth: regions that no link joins lie in one piece, 1 times, first: slices 0, 1, contours 0, 0"}));
+  EXPECT_EQ(faults_of(result, prism_stack),
+            (std::vector<std::string>{
+                "tooth: regions that no link joins lie in one piece, 1 times, first: slices 0, 1, contours 0, 0"}));
   result.links = {{{"tooth", 0, 0, 0, true}, LinkCriterion::medial}};
   result.topology[0].implied.pieces = 1;
   EXPECT_EQ(faults_of(result, prism_stack), std::vector<std::string>{});
@@ -205,9 +208,11 @@ TEST(Oracle, ComparesTopologyWithWhatIsTold) {
   result.certified = true;
   result.links = {{{"tooth", 0, 0, 0, true}, LinkCriterion::medial}};
   const auto untrue = [&] { return faults_of(result, prism_stack); };
-  EXPECT_EQ(untrue(), std::vector<std::string>{"untrue topology, tooth, slab 0: the result does not tell its topology"});
+  EXPECT_EQ(untrue(),
+            std::vector<std::string>{"untrue topology, tooth, slab 0: the result does not tell its topology"});
   result.topology = {{"tooth", 0, {1, 0, 0}, {1, 1, 0}, 0}};
-  EXPECT_EQ(untrue(), std::vector<std::string>{"untrue topology, tooth, slab 0: found 1 pieces, 0 handles, 0 bubbles, told are 1 pieces, 1 handles, 0 bubbles"});
+  EXPECT_EQ(untrue(), std::vector<std::string>{"untrue topology, tooth, slab 0: found 1 pieces, 0 handles, 0 bubbles, "
+                                               "told are 1 pieces, 1 handles, 0 bubbles"});
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // Named shapes: what their topology must be, and that the oracle certifies each in every orientation.
 
+#include "tests/support/shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <map>
 
 #include "tests/delaunay/engine_checks.h"
-#include "tests/support/shapes.h"
 #include "tests/support/variants.h"
 
 namespace odontoscope::test {
@@ -15,8 +16,8 @@ namespace {
 
 const std::string ball = "tooth external genus 0", ring = "tooth external genus 1", pretzel = "tooth external genus 2";
 
-/// Topology with the default criterion (medial). Every contour in its plane is met exactly (the oracle proves it), so only what
-/// joins the slices is asked here.
+/// Topology with the default criterion (medial). Every contour in its plane is met exactly (the oracle proves it), so
+/// only what joins the slices is asked here.
 const std::map<std::string, std::vector<std::string>> expected{
     // Circumcentres of a circle are its centre, which lies in the other circle up to one radius of shift.
     {"shifted_circles_0.2", {ball}},
@@ -83,7 +84,8 @@ TEST_P(Shape, KeepsItWhenSeenDifferently) {
 }
 
 TEST_P(Shape, IsCertifiedUnderEachCriterion) {
-  for (Correspondence criterion : {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked}) {
+  for (Correspondence criterion :
+       {Correspondence::reverse, Correspondence::medial, Correspondence::overlap, Correspondence::tracked}) {
     SCOPED_TRACE(name(criterion));
     certified(GetParam().stack, {.correspondence = criterion, .links = {}, .threads = 1});
   }
@@ -115,17 +117,20 @@ TEST(Shapes, IdenticalSlicesGiveTheExactPrism) {
 }
 
 TEST(Shapes, CupIsHollowAlmostToTheNextSlice) {
-  // The hole closes just beyond its own slice or anywhere up to the next: some void must be there, and not all of the slab.
+  // The hole closes just beyond its own slice or anywhere up to the next: some void must be there, and not all of the
+  // slab.
   const double full = certified(stack_of({{circle(3)}, {circle(3, {0.2, 0})}})).solids[0].report.shells[0].volume;
   const double cup = certified(annulus_over_disc()).solids[0].report.shells[0].volume;
   EXPECT_LT(cup, full);
-  EXPECT_GT(cup, full - 4 * spacing);   // the hole's whole column would be pi * spacing
+  EXPECT_GT(cup, full - 4 * spacing);  // the hole's whole column would be pi * spacing
 }
 
 TEST(Shapes, NarrowGapsAreSplitOppositeEachOther) {
   // Halving would need a point for each gap's width on either side: 200,000 already for a gap of 1e-5.
-  for (double gap : {1e-3, 1e-5, 1e-8}) EXPECT_LT(certified(turned(close_neighbours(gap), 0.3)).counts.steiner_points, 100u) << gap;
-  EXPECT_LT(certified(turned(close_neighbours(1e-9), 0.3)).counts.steiner_points, 5000u) << "near the precision of a double";
+  for (double gap : {1e-3, 1e-5, 1e-8})
+    EXPECT_LT(certified(turned(close_neighbours(gap), 0.3)).counts.steiner_points, 100u) << gap;
+  EXPECT_LT(certified(turned(close_neighbours(1e-9), 0.3)).counts.steiner_points, 5000u)
+      << "near the precision of a double";
 }
 
 /// How far from the ring of radii 3.7 and 4 a tetrahedron's middle lies, seen along z.
@@ -150,7 +155,7 @@ TEST(Shapes, WhatHangsOverNothingDoesNotLeanAcrossTheVoid) {
 }
 
 TEST(Shapes, WhatHangsFreeOnBothSidesKeepsOne) {
-  const Reconstruction result = certified(crescent_between_stubs());   // its section is proven there
+  const Reconstruction result = certified(crescent_between_stubs());  // its section is proven there
   EXPECT_GT(result.counts.trimmed, 0u);
 }
 
@@ -168,7 +173,8 @@ TEST(Shapes, ASlantedThinWallIsNotTrimmedAway) {
   for (std::size_t k = 0; k < 3; ++k) options.links.push_back({"tooth", k, 0, 0, true});
   const Reconstruction result = certified(stack, options);
   EXPECT_EQ(topology_of(result), shells({ball}));
-  EXPECT_NEAR(result.solids[0].report.shells[0].volume, 3 * 5 * 0.1 * spacing, 0.05 * 3 * 5 * 0.1 * spacing) << "thinner than the wall";
+  EXPECT_NEAR(result.solids[0].report.shells[0].volume, 3 * 5 * 0.1 * spacing, 0.05 * 3 * 5 * 0.1 * spacing)
+      << "thinner than the wall";
 }
 
 TEST(Shapes, NeighboursAPicometreApartAreBuilt) { certified(turned(close_neighbours(1e-9), 0.3)); }

@@ -23,11 +23,14 @@ constexpr std::size_t judged_triangles = 4000;
 
 double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program, saying for which stack.
+/// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program,
+/// saying for which stack.
 class Patience {
  public:
   Patience(double seconds, const LinkedStack& linked)
-      : end_(processor_seconds() + seconds), hard_end_(end_ + 2 * seconds), thread_([this, &linked](std::stop_token done) { watch(done, linked); }) {}
+      : end_(processor_seconds() + seconds),
+        hard_end_(end_ + 2 * seconds),
+        thread_([this, &linked](std::stop_token done) { watch(done, linked); }) {}
   std::stop_token token() const { return stop_.get_token(); }
 
  private:
@@ -35,10 +38,12 @@ class Patience {
     std::mutex mutex;
     std::condition_variable_any wake;
     std::unique_lock lock(mutex);
-    while (!wake.wait_for(lock, done, std::chrono::milliseconds(500), [&] { return done.stop_requested(); }) && !done.stop_requested()) {
+    while (!wake.wait_for(lock, done, std::chrono::milliseconds(500), [&] { return done.stop_requested(); }) &&
+           !done.stop_requested()) {
       if (processor_seconds() > end_) stop_.request_stop();
       if (processor_seconds() < hard_end_) continue;
-      std::fprintf(stderr, "hangs, and heeds no stop:\n%s\n%s\n", to_text(linked.stack).c_str(), to_text(linked.links).c_str());
+      std::fprintf(stderr, "hangs, and heeds no stop:\n%s\n%s\n", to_text(linked.stack).c_str(),
+                   to_text(linked.links).c_str());
       std::_Exit(1);
     }
   }
@@ -54,23 +59,28 @@ std::size_t largest_surface(const Reconstruction& result) {
   return largest;
 }
 
-void judge_result(const Reconstruction& result, const LinkedStack& linked, ReconstructOptions options, StrangeOutcome& outcome) {
+void judge_result(const Reconstruction& result, const LinkedStack& linked, ReconstructOptions options,
+                  StrangeOutcome& outcome) {
   options.threads = 2;
   if (const std::string what = difference(result, reconstruct(linked.stack, options)); !what.empty()) {
     outcome.end = StrangeEnd::depends_on_threads;
     outcome.message = what;
     return;
   }
-  for (const std::string& fault : faults_of(result, linked.stack, {.self_intersections = largest_surface(result) < judged_triangles}))
+  for (const std::string& fault :
+       faults_of(result, linked.stack, {.self_intersections = largest_surface(result) < judged_triangles}))
     outcome.message += fault + "\n";
-  if (!outcome.message.empty()) outcome.end = StrangeEnd::faulty;
-  else outcome.not_as_implied = judge_topology(result, linked.stack).not_as_implied;
+  if (!outcome.message.empty())
+    outcome.end = StrangeEnd::faulty;
+  else
+    outcome.not_as_implied = judge_topology(result, linked.stack).not_as_implied;
 }
 
 }  // namespace
 
 const char* name(StrangeEnd end) {
-  constexpr const char* names[] = {"certified", "refused", "false refusal", "internal error", "faulty", "depends on threads", "too slow"};
+  constexpr const char* names[] = {"certified",          "refused", "false refusal", "internal error", "faulty",
+                                   "depends on threads", "too slow"};
   return names[int(end)];
 }
 
@@ -80,7 +90,8 @@ std::string StrangeOutcome::sort() const {
   for (char c : message) {
     if (c == '\n' || letters.size() > 90) break;
     const char before = letters.back();
-    if (std::isalpha(static_cast<unsigned char>(c)) || (c == ' ' && before != ' ') || (c == '-' && before != ' ')) letters += c;
+    if (std::isalpha(static_cast<unsigned char>(c)) || (c == ' ' && before != ' ') || (c == '-' && before != ' '))
+      letters += c;
   }
   return letters;
 }
@@ -91,16 +102,18 @@ std::string in_words(const StrangeWay& way) {
 
 StrangeWay way_of(std::uint64_t seed) {
   constexpr StrangeWay ways[] = {
-      {Correspondence::tracked, Between::blended},  {Correspondence::tracked, Between::delaunay}, {Correspondence::medial, Between::delaunay},
-      {Correspondence::overlap, Between::blended},  {Correspondence::tracked, Between::blended},  {Correspondence::overlap, Between::delaunay},
-      {Correspondence::tracked, Between::delaunay}, {Correspondence::reverse, Between::blended},  {Correspondence::reverse, Between::delaunay},
-      {Correspondence::medial, Between::blended}};
+      {Correspondence::tracked, Between::blended},  {Correspondence::tracked, Between::delaunay},
+      {Correspondence::medial, Between::delaunay},  {Correspondence::overlap, Between::blended},
+      {Correspondence::tracked, Between::blended},  {Correspondence::overlap, Between::delaunay},
+      {Correspondence::tracked, Between::delaunay}, {Correspondence::reverse, Between::blended},
+      {Correspondence::reverse, Between::delaunay}, {Correspondence::medial, Between::blended}};
   return ways[seed / strange_kinds().size() % std::size(ways)];
 }
 
 StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience, bool judged) {
   StrangeOutcome outcome;
-  const ReconstructOptions options{.correspondence = way.criterion, .between = way.between, .links = linked.links, .threads = 1};
+  const ReconstructOptions options{
+      .correspondence = way.criterion, .between = way.between, .links = linked.links, .threads = 1};
   const double start = processor_seconds();
   const auto ends = [&](StrangeEnd end, const std::string& message) {
     outcome.end = end;

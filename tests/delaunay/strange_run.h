@@ -23,8 +23,8 @@ std::string in_words(const StrangeWay& way);
 
 struct StrangeOutcome {
   StrangeEnd end = StrangeEnd::certified;
-  std::string message;    // empty if certified; the cause if refused
-  double seconds = 0;     // processor time of the first run, with one thread
+  std::string message;  // empty if certified; the cause if refused
+  double seconds = 0;   // processor time of the first run, with one thread
   /// Slabs with other topology than the links imply: no failure, since plain Delaunay does not promise it, but counted.
   std::vector<std::string> not_as_implied;
   bool failed() const { return end != StrangeEnd::certified && end != StrangeEnd::refused; }
@@ -32,9 +32,9 @@ struct StrangeOutcome {
   std::string sort() const;
 };
 
-/// Reconstructs with one thread and with two, compares the bytes, and asks the oracle, or, if refused, whether that is true.
-/// Stopped (too_slow) after `patience` seconds of processor time.
-/// Unless `judged`, it is only timed: neither the oracle nor two threads are asked.
+/// Reconstructs with one thread and with two, compares the bytes, and asks the oracle, or, if refused, whether that is
+/// true. Stopped (too_slow) after `patience` seconds of processor time. Unless `judged`, it is only timed: neither the
+/// oracle nor two threads are asked.
 StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience = 60, bool judged = true);
 
 /// By the seed: every criterion with and without interpolated slices, most often `tracked`, the default.

@@ -1,7 +1,5 @@
-// The oracle's topological certificate on solids of cubes, whose topology is known: it must pass what the links imply, and see planted handles,
-// sheets, beads and bubbles.
-
-#include "tests/support/oracle_topology.h"
+// The oracle's topological certificate on solids of cubes, whose topology is known: it must pass what the links imply,
+// and see planted handles, sheets, beads and bubbles.
 
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include <set>
 
 #include "tests/support/cube_solids.h"
+#include "tests/support/oracle_topology.h"
 #include "tests/support/random_numbers.h"
 
 namespace odontoscope::test {
@@ -32,16 +31,19 @@ std::string words(const JudgedSlab& slab) {
 
 void expect_green(const JudgedSlab& slab, SlabCount count) {
   EXPECT_EQ(words(slab), "");
-  EXPECT_EQ(slab.found, count) << slab.found.pieces << " pieces, " << slab.found.handles << " handles, " << slab.found.bubbles << " bubbles";
+  EXPECT_EQ(slab.found, count) << slab.found.pieces << " pieces, " << slab.found.handles << " handles, "
+                               << slab.found.bubbles << " bubbles";
   EXPECT_EQ(slab.expected, count);
 }
 
-void expect_red(const JudgedSlab& slab, const std::string& fault) { EXPECT_NE(words(slab).find(fault), std::string::npos) << words(slab); }
+void expect_red(const JudgedSlab& slab, const std::string& fault) {
+  EXPECT_NE(words(slab).find(fault), std::string::npos) << words(slab);
+}
 
 const Picture full{"#####", "#####", "#####", "#####", "#####"};
 const Picture ring{"#####", "#...#", "#...#", "#...#", "#####"};
 const Picture empty{".....", ".....", ".....", ".....", "....."};
-const Picture open_ring{"#####", "#...#", "#....", "#...#", "#####"};   // a C
+const Picture open_ring{"#####", "#...#", "#....", "#...#", "#####"};  // a C
 const Picture corner{"##...", "##...", ".....", ".....", "....."};
 /// A ring's hole is contour 1: outlines are numbered from the left.
 const VoidLink canal{"tooth", 0, 1, 1};
@@ -57,7 +59,8 @@ TEST(Topology, PassesAHoleThatOpensIntoAGap) {
 }
 
 TEST(Topology, PassesBarsLaidCrosswise) {
-  const Picture lying{"#####", ".....", ".....", ".....", "#####"}, standing{"#...#", "#...#", "#...#", "#...#", "#...#"};
+  const Picture lying{"#####", ".....", ".....", ".....", "#####"},
+      standing{"#...#", "#...#", "#...#", "#...#", "#...#"};
   const Picture both{"#...#", ".....", ".....", ".....", "#...#"};
   std::vector<Link> links;
   for (std::size_t a : {0, 1})
@@ -74,20 +77,22 @@ TEST(Topology, PassesPlatesAndTheirAbsence) {
   expect_green(judged({ring, empty, empty}, {}, {}), {1, 1, 0});
   // The lower region has its plate below: its contours mean nothing here.
   const std::vector<Picture> above{empty, empty, full}, with_lower{ring, empty, full};
-  const auto slab = slab_topology(cubes(above), stack_of_cubes(with_lower, {0, 3}), {}, Voids{{"tooth", 0, 1, std::nullopt}})[0];
+  const auto slab =
+      slab_topology(cubes(above), stack_of_cubes(with_lower, {0, 3}), {}, Voids{{"tooth", 0, 1, std::nullopt}})[0];
   expect_green(slab, {1, 0, 0});
 }
 
 TEST(Topology, TellsSlabsApart) {
   const std::vector<Picture> layers{full, full, full, ring, full};
-  const auto slabs = slab_topology(cubes(layers), stack_of_cubes(layers, {0, 2, 5}), {joined, {"tooth", 1, 0, 0, true}}, Voids{});
+  const auto slabs =
+      slab_topology(cubes(layers), stack_of_cubes(layers, {0, 2, 5}), {joined, {"tooth", 1, 0, 0, true}}, Voids{});
   ASSERT_EQ(slabs.size(), 2u);
   EXPECT_EQ(words(slabs[0]), "");
   expect_red(slabs[1], "has a bubble");
 }
 
 TEST(Topology, SeesAHandle) {
-  const Picture pierced{"#####", "#####", ".....", "#####", "#####"};   // a tunnel from side to side
+  const Picture pierced{"#####", "#####", ".....", "#####", "#####"};  // a tunnel from side to side
   expect_red(judged({full, pierced, full}, {joined}, {}), "a handle too many");
 }
 
@@ -116,7 +121,8 @@ TEST(Topology, SeesABridge) {
 TEST(Topology, SeesABubbleAndAGhost) {
   expect_red(judged({full, ring, full}, {joined}, {}), "has a bubble");
   const Picture speck{".....", ".....", "..#..", ".....", "....."};
-  expect_red(judged({ring, ring, Picture{"#####", "#...#", "#.#.#", "#...#", "#####"}, ring, ring}, {joined}, {canal}), "a piece that holds no region");
+  expect_red(judged({ring, ring, Picture{"#####", "#...#", "#.#.#", "#...#", "#####"}, ring, ring}, {joined}, {canal}),
+             "a piece that holds no region");
   expect_red(judged({corner, empty, speck, empty, corner}, {}, {}), "a piece that holds no region");
 }
 
@@ -130,7 +136,9 @@ TEST(Topology, SeesARegionCarriedInPart) {
   Solid solid = cubes(layers);
   const ContourStack stack = stack_of_cubes(layers, {0, 3});
   std::erase_if(solid.tetrahedra.tetrahedra, [&](const Tetrahedron& t) {
-    return std::all_of(t.begin(), t.end(), [&](PointIndex v) { return solid.tetrahedra.points[v].x >= 3 && solid.tetrahedra.points[v].z <= 1; });
+    return std::all_of(t.begin(), t.end(), [&](PointIndex v) {
+      return solid.tetrahedra.points[v].x >= 3 && solid.tetrahedra.points[v].z <= 1;
+    });
   });
   expect_red(slab_topology(solid, stack, {joined}, Voids{})[0], "carries a region in part");
 }
@@ -151,14 +159,18 @@ TEST(Topology, ComparesWithWhatTheResultSays) {
   const auto untrue = [&] { return judge_topology(result, stack_of_cubes(layers, {0, 3})).untrue; };
   EXPECT_EQ(untrue(), std::vector<std::string>{});
   result.topology[0].found.handles = 0;
-  EXPECT_EQ(untrue(), std::vector<std::string>{"tooth, slab 0: found 1 pieces, 1 handles, 0 bubbles, told are 1 pieces, 0 handles, 0 bubbles"});
+  EXPECT_EQ(untrue(),
+            std::vector<std::string>{
+                "tooth, slab 0: found 1 pieces, 1 handles, 0 bubbles, told are 1 pieces, 0 handles, 0 bubbles"});
   result.topology[0] = {"tooth", 0, {1, 0, 0}, {1, 1, 0}, 0};
-  EXPECT_EQ(untrue(), std::vector<std::string>{"tooth, slab 0: implied are 1 pieces, 1 handles, 0 bubbles, told are 1 pieces, 0 handles, 0 bubbles"});
+  EXPECT_EQ(untrue(),
+            std::vector<std::string>{
+                "tooth, slab 0: implied are 1 pieces, 1 handles, 0 bubbles, told are 1 pieces, 0 handles, 0 bubbles"});
   result.topology.clear();
   EXPECT_EQ(untrue(), std::vector<std::string>{"tooth, slab 0: the result does not tell its topology"});
 }
 
-// --- pictures at random, laid on each other ---------------------------------------------------------------------------
+// --- pictures at random, laid on each other --------------------------------------------------------------------------
 
 Picture random_picture(RandomNumbers& random) {
   for (;;) {
@@ -166,10 +178,11 @@ Picture random_picture(RandomNumbers& random) {
     const double share = random.between(0.4, 0.9);
     for (auto& row : picture)
       for (char& cell : row) cell = random.chance(share) ? '#' : '.';
-    for (std::size_t i = 0; i < 60 && !has_plain_corners(picture); ++i)   // smooth what meets across corners
+    for (std::size_t i = 0; i < 60 && !has_plain_corners(picture); ++i)  // smooth what meets across corners
       for (std::size_t y = 0; y + 1 < 7; ++y)
         for (std::size_t x = 0; x + 1 < 7; ++x)
-          if (picture[y][x] == picture[y + 1][x + 1] && picture[y + 1][x] == picture[y][x + 1] && picture[y][x] != picture[y][x + 1])
+          if (picture[y][x] == picture[y + 1][x + 1] && picture[y + 1][x] == picture[y][x + 1] &&
+              picture[y][x] != picture[y][x + 1])
             picture[y][x] = picture[y][x + 1];
     if (has_plain_corners(picture) && !Outlines(picture).rings().empty()) return picture;
   }
@@ -185,7 +198,8 @@ Picture common(const Picture& a, const Picture& b) {
 
 /// What a middle layer joins, counted on the pictures: regions of both slices and void regions, and how often.
 struct Truth {
-  std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>> overlaps;   // of linked regions: the middle's pieces
+  std::map<std::pair<std::size_t, std::size_t>, std::set<std::size_t>>
+      overlaps;  // of linked regions: the middle's pieces
   Voids voids;
 };
 
@@ -194,10 +208,11 @@ Truth truth_of(const Picture& lower, const Picture& middle, const Picture& upper
   std::size_t count = 0;
   const auto pieces = pieces_of(middle, count);
   Truth truth;
-  std::map<std::size_t, std::set<std::optional<std::size_t>>> below_of, above_of;   // void regions by the middle's void
+  std::map<std::size_t, std::set<std::optional<std::size_t>>> below_of, above_of;  // void regions by the middle's void
   for (std::size_t y = 0; y < middle.size(); ++y)
     for (std::size_t x = 0; x < middle[y].size(); ++x) {
-      if (middle[y][x] == '#') truth.overlaps[{*below.contour_round(x, y), *above.contour_round(x, y)}].insert(pieces[y][x]);
+      if (middle[y][x] == '#')
+        truth.overlaps[{*below.contour_round(x, y), *above.contour_round(x, y)}].insert(pieces[y][x]);
       else {
         if (lower[y][x] != '#') below_of[pieces[y][x]].insert(below.contour_round(x, y));
         if (upper[y][x] != '#') above_of[pieces[y][x]].insert(above.contour_round(x, y));
@@ -226,8 +241,10 @@ TEST(Topology, CountsRandomPicturesRight) {
     }
     const JudgedSlab slab = judged({lower, middle, upper}, links, truth.voids);
     EXPECT_EQ(slab.found.handles - slab.expected.handles, spare);
-    if (spare == 0) EXPECT_EQ(words(slab), "");
-    else expect_red(slab, "a handle too many");
+    if (spare == 0)
+      EXPECT_EQ(words(slab), "");
+    else
+      expect_red(slab, "a handle too many");
     (spare == 0 ? plain : with_handles) += 1;
   }
   EXPECT_GE(plain, 40);

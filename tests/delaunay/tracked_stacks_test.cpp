@@ -1,4 +1,5 @@
-// Whole stacks by the default criterion: what is one thing over several slices is one solid, what stands side by side is not joined.
+// Whole stacks by the default criterion: what is one thing over several slices is one solid, what stands side by side
+// is not joined.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +12,7 @@
 namespace odontoscope::test {
 namespace {
 
-constexpr double cut = 0.5;   // mm between slices
+constexpr double cut = 0.5;  // mm between slices
 
 ReconstructOptions by_default() {
   ReconstructOptions options;
@@ -29,7 +30,8 @@ std::size_t tracked_links(const Reconstruction& made) {
 /// Circles of radius 1 that shift by so many radii a slice.
 ContourStack leaning_column(double radii, int slices, double height) {
   ContourStack stack;
-  for (int k = 0; k < slices; ++k) stack.slices.push_back({height * k, {{"tooth", regular_polygon(40, 1, {radii * k, 0})}}});
+  for (int k = 0; k < slices; ++k)
+    stack.slices.push_back({height * k, {{"tooth", regular_polygon(40, 1, {radii * k, 0})}}});
   return stack;
 }
 
@@ -40,21 +42,25 @@ ContourStack islands(int columns, int rows, int slices) {
   for (int k = 0; k < slices; ++k) {
     stack.slices.push_back({cut * k, {}});
     for (int i = 0; i < columns * rows; ++i) {
-      const Point2 at{0.5 * (i % columns) + random.between(-0.04, 0.04), 0.5 * (i / columns) + random.between(-0.04, 0.04)};
+      const Point2 at{0.5 * (i % columns) + random.between(-0.04, 0.04),
+                      0.5 * (i / columns) + random.between(-0.04, 0.04)};
       stack.slices.back().contours.push_back({"tooth", regular_polygon(8, 0.15, at, 0.2)});
     }
   }
   return stack;
 }
 
-/// Two roots that taper to their apices, not equally long, and nothing below them: what ends beside a root is no part of it.
+/// Two roots that taper to their apices, not equally long, and nothing below them: what ends beside a root is no part
+/// of it.
 ContourStack two_roots() {
   ContourStack stack;
   for (int k = 0; k < 9; ++k) {
     stack.slices.push_back({-cut * (8 - k), {}});
     for (const double side : {-1.0, 1.0}) {
       const double radius = 0.12 * (k - (side < 0 ? 0 : 3)) + 0.1;
-      if (radius > 0) stack.slices.back().contours.push_back({"tooth", regular_polygon(24, radius, {side * (1.25 + 0.03 * (8 - k)), 0}, 0.1)});
+      if (radius > 0)
+        stack.slices.back().contours.push_back(
+            {"tooth", regular_polygon(24, radius, {side * (1.25 + 0.03 * (8 - k)), 0}, 0.1)});
     }
   }
   return stack;
@@ -66,7 +72,9 @@ ContourStack bristles(double gap, double step) {
   for (int k = 0; k < 8; ++k) {
     stack.slices.push_back({cut * k, {}});
     for (int i = 0; i < 6; ++i)
-      if (k >= i % 2 && k < 8 - i % 3) stack.slices.back().contours.push_back({"tooth", regular_polygon(12, 0.1, {gap * i + step * k, 0.02 * i}, 0.1)});
+      if (k >= i % 2 && k < 8 - i % 3)
+        stack.slices.back().contours.push_back(
+            {"tooth", regular_polygon(12, 0.1, {gap * i + step * k, 0.02 * i}, 0.1)});
   }
   return stack;
 }
@@ -83,7 +91,8 @@ TEST(TrackedStacks, CirclesThatShiftByMoreThanARadiusAreOnePieceByDefault) {
 TEST(TrackedStacks, AreOnOneThreadAsOnMany) {
   ReconstructOptions many = by_default();
   many.threads = 4;
-  const Reconstruction one = certified(leaning_column(1.5, 6, 1), by_default()), four = certified(leaning_column(1.5, 6, 1), many);
+  const Reconstruction one = certified(leaning_column(1.5, 6, 1), by_default()),
+                       four = certified(leaning_column(1.5, 6, 1), many);
   EXPECT_EQ(one.solids[0].surface.triangles, four.solids[0].surface.triangles);
   EXPECT_EQ(one.doubts, four.doubts);
 }
@@ -100,7 +109,8 @@ ContourStack cone(const std::vector<double>& radii) {
   ContourStack stack;
   stack.slices.push_back({0, {}});
   for (const double radius : radii)
-    stack.slices.push_back({static_cast<double>(stack.slices.size()), {{"tooth", regular_polygon(40, radius, {0, 0})}}});
+    stack.slices.push_back(
+        {static_cast<double>(stack.slices.size()), {{"tooth", regular_polygon(40, radius, {0, 0})}}});
   stack.slices.push_back({static_cast<double>(stack.slices.size()), {}});
   return stack;
 }
@@ -111,7 +121,8 @@ double highest(const Reconstruction& made) {
   return z;
 }
 
-// Where the slice before tells how it narrows, a structure ends between its last slice and the empty one; where it does not narrow, in its slice.
+// Where the slice before tells how it narrows, a structure ends between its last slice and the empty one; where it does
+// not narrow, in its slice.
 TEST(TrackedStacks, AStructureEndsWhereItsNarrowingRunsOut) {
   const auto top = [](const std::vector<double>& radii, Between between) {
     ReconstructOptions options;
@@ -147,7 +158,8 @@ TEST(TrackedStacks, WhatLeansByHalfItsSpacingIsAskedAbout) {
   // Each section lies halfway between two others of the slice below: nothing tells which of the two it goes on from.
   const Reconstruction made = certified(bristles(0.8, 0.4), by_default());
   std::size_t open = 0;
-  for (const Doubt& doubt : made.doubts) open += doubt.kind == DoubtKind::may_connect || doubt.kind == DoubtKind::may_part;
+  for (const Doubt& doubt : made.doubts)
+    open += doubt.kind == DoubtKind::may_connect || doubt.kind == DoubtKind::may_part;
   EXPECT_GT(open + tracked_links(made), 0u);
   for (const MadeLink& link : made.links) EXPECT_NE(link.criterion, LinkCriterion::crossing);
 }
@@ -179,7 +191,8 @@ TEST(TrackedStacks, AnAdvisedLinkJoinsWhatItIsAdvisedFor) {
   const Reconstruction joined = certified(stack, advised);
   EXPECT_EQ(joined.counts.isolated_regions, 0u);
   EXPECT_EQ(joined.solids.at(0).report.shells.size(), 1u);
-  EXPECT_TRUE(certified(stack_of({{circle(1)}, {}, {circle(1)}}), by_default()).remedies.empty()) << "there is nothing to link it with";
+  EXPECT_TRUE(certified(stack_of({{circle(1)}, {}, {circle(1)}}), by_default()).remedies.empty())
+      << "there is nothing to link it with";
 }
 
 }  // namespace

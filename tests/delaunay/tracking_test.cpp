@@ -23,8 +23,7 @@ namespace {
 
 using namespace delaunay;
 
-// ---- scenes
-// ---------------------------------------------------------------------------------------------------------------
+// --- scenes ----------------------------------------------------------------------------------------------------------
 
 struct Disc {
   Point2 at;
@@ -155,8 +154,7 @@ Scene strewn(std::uint64_t seed, int slices = 8, int islands = 15) {
   return scene;
 }
 
-// ---- what tracking makes of them
-// --------------------------------------------------------------------------------------------
+// --- what tracking makes of them -------------------------------------------------------------------------------------
 
 struct Tracked {
   std::vector<ShapeSlice> slices;
@@ -250,8 +248,7 @@ void expect_one_chain(const Tracked& made, std::size_t slices) {
   EXPECT_EQ(bounded, slices - 1);
 }
 
-// ---- one thing
-// ----------------------------------------------------------------------------------------------------------
+// --- one thing -------------------------------------------------------------------------------------------------------
 
 TEST(Tracking, CirclesThatShiftSteadilyAreOnePiece) {
   for (double radii : {0.5, 1.0, 1.5, 2.0, 3.0}) {
@@ -290,8 +287,7 @@ TEST(Tracking, SlicesNeedNotBeEvenlySpaced) {
   expect_one_chain(tracked(stack), 7);
 }
 
-// ---- several
-// ------------------------------------------------------------------------------------------------------------
+// --- several ---------------------------------------------------------------------------------------------------------
 
 TEST(Tracking, ParallelCanalsDoNotSwap) {
   for (double gap : {0.7, 0.8, 1.0 + cut / 3}) {
@@ -333,8 +329,7 @@ TEST(Tracking, AnAccessoryCanalJoinsTheChamber) {
   }
 }
 
-// ---- bits beside a body
-// ---------------------------------------------------------------------------------------------------
+// --- bits beside a body ----------------------------------------------------------------------------------------------
 
 /// A chamber through ten slices, and a canal so flat that only two sections show, `gap` mm from it and from each other.
 Scene flat_canal(double gap) {
@@ -350,9 +345,10 @@ TEST(Tracking, BeadsBesideABodyAreItsPartsAndAreAskedAbout) {
        {tracked(stack_of_discs(flat_canal(0.2), cut)), tracked_voids(stack_of_holes(flat_canal(0.2), cut))}) {
     EXPECT_EQ(made.pieces(), 1u);
     EXPECT_EQ(made.count(TrackedBy::beside), 2u);
-    EXPECT_EQ(std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
-                            [](const DoubtfulLink& d) { return d.by == TrackedBy::beside && d.choice == Choice::may_part; }),
-              2);
+    EXPECT_EQ(
+        std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                      [](const DoubtfulLink& d) { return d.by == TrackedBy::beside && d.choice == Choice::may_part; }),
+        2);
   }
 }
 
@@ -369,13 +365,12 @@ TEST(Tracking, BeadsThatTheUserKeepsApartAreLeftAlone) {
 
 TEST(Tracking, OfManyBitsNoneIsToldFromNoise) {
   Scene scene = flat_canal(0.2);
-  for (int i = 0; i < 60; ++i)
-    scene[2 * (i % 4) + 1].push_back({{3 + 0.5 * (i / 4), 0.5 * (i % 4)}, 0.05});
+  for (int i = 0; i < 60; ++i) scene[2 * (i % 4) + 1].push_back({{3 + 0.5 * (i / 4), 0.5 * (i % 4)}, 0.05});
   EXPECT_EQ(tracked(stack_of_discs(scene, cut)).count(TrackedBy::beside), 0u);
 }
 
-/// A root with a canal in its middle and, in slice 5, a bead beside it that hangs on the canal of slice 6. In slice 4 the root is 1.4 mm wide
-/// or as wide as is asked for, and has a notch where the bead's canal would leave, or none.
+/// A root with a canal in its middle and, in slice 5, a bead beside it that hangs on the canal of slice 6. In slice 4
+/// the root is 1.4 mm wide or as wide as is asked for, and has a notch where the bead's canal would leave, or none.
 ContourStack bead_beside_surface(bool notch, double radius_below = 1.4) {
   ContourStack stack;
   for (int k = 0; k < 10; ++k) {
@@ -401,7 +396,8 @@ TEST(Tracking, ACanalLeavesThroughANotchOfTheSurface) {
   EXPECT_EQ(opens(bead_beside_surface(false, 0.95)), 0) << "the root ends, and its canal may close";
 }
 
-/// A root of 1.4 mm with a canal of 0.4 mm all the way. In slice 5 the canal has a lobe up to x = `lobe`, in slice 4 the root a notch down to x = `notch`.
+/// A root of 1.4 mm with a canal of 0.4 mm all the way. In slice 5 the canal has a lobe up to x = `lobe`, in slice 4
+/// the root a notch down to x = `notch`.
 ContourStack lobe_over_notch(double lobe, double canal = 0.4, double notch = 0.7) {
   ContourStack stack;
   for (int k = 0; k < 10; ++k) {
@@ -419,8 +415,9 @@ ContourStack lobe_over_notch(double lobe, double canal = 0.4, double notch = 0.7
 
 long asked_of_lobe(const ContourStack& stack) {
   const Tracked made = tracked_voids(stack);
-  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
-                       [](const DoubtfulLink& d) { return d.choice == Choice::may_connect && d.slab == 4 && d.lower == outside; });
+  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulLink& d) {
+    return d.choice == Choice::may_connect && d.slab == 4 && d.lower == outside;
+  });
 }
 
 TEST(Tracking, AnAccessoryCanalLeavesFromALobeOfTheCanalThroughANotchBeyond) {
@@ -444,7 +441,10 @@ ContourStack short_root(double last, double last_but_one) {
     stack.slices.push_back({cut * k, {{"tooth", disc_ring({{5, 0}, 1})}}});
     if (k < 2) continue;
     stack.slices.back().contours.push_back({"tooth", disc_ring({{0, 0}, 1})});
-    stack.slices.back().contours.push_back({"tooth", disc_ring({{0, 0}, k == 2 ? last : k == 3 ? last_but_one : 0.35})});
+    stack.slices.back().contours.push_back({"tooth", disc_ring({{0, 0},
+                                                                k == 2   ? last
+                                                                : k == 3 ? last_but_one
+                                                                         : 0.35})});
   }
   return stack;
 }
@@ -460,20 +460,23 @@ TEST(Doubts, ACanalThatIsRunningOutMayCloseWhereItsRootEnds) {
   EXPECT_EQ(closing(short_root(0.3, 0.32)), 0) << "as wide as before";
 }
 
-/// A canal that leans by 0.2 mm a slice and is running out at x = -0.8 in slice 1; the tip of the root, in slice 0, lies where it is asked for.
+/// A canal that leans by 0.2 mm a slice and is running out at x = -0.8 in slice 1; the tip of the root, in slice 0,
+/// lies where it is asked for.
 ContourStack leaning_canal_over_tip(double tip) {
   ContourStack stack;
   stack.slices.push_back({0, {{"tooth", disc_ring({{tip, 0}, 0.25})}}});
   for (int k = 1; k < 6; ++k) {
     const double radius = k == 1 ? 0.15 : k == 2 ? 0.25 : 0.3;
-    stack.slices.push_back({cut * k, {{"tooth", disc_ring({{0, 0}, 2})}, {"tooth", disc_ring({{-0.2 * (5 - k), 0}, radius})}}});
+    stack.slices.push_back(
+        {cut * k, {{"tooth", disc_ring({{0, 0}, 2})}, {"tooth", disc_ring({{-0.2 * (5 - k), 0}, radius})}}});
   }
   return stack;
 }
 
 long asked_in_lowest_slab(const Tracked& made, Choice choice) {
-  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
-                       [choice](const DoubtfulLink& d) { return d.choice == choice && d.slab == 0 && d.lower == outside; });
+  return std::count_if(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [choice](const DoubtfulLink& d) {
+    return d.choice == choice && d.slab == 0 && d.lower == outside;
+  });
 }
 
 TEST(Tracking, ACanalThatRunsOutTowardsTheTipOfItsRootCloses) {
@@ -486,11 +489,11 @@ TEST(Tracking, ACanalThatRunsOutTowardsTheTipOfItsRootCloses) {
 
 TEST(Doubts, ACanalThatRunsOutTowardsTheSurfaceMayOpen) {
   EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.65)), Choice::may_connect), 1);
-  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.9)), Choice::may_connect), 0) << "it stays within";
+  EXPECT_EQ(asked_in_lowest_slab(tracked_voids(leaning_canal_over_tip(-0.9)), Choice::may_connect), 0)
+      << "it stays within";
 }
 
-// ---- what is two things
-// ---------------------------------------------------------------------------------------------------
+// --- what is two things ----------------------------------------------------------------------------------------------
 
 TEST(Tracking, CuspTipsAreNotLinked) {
   const Tracked made = tracked(stack_of_discs(leaning_cusps(), cut));
@@ -540,8 +543,7 @@ TEST(Tracking, ACanalIsFoundAmongStrewnIslands) {
   }
 }
 
-// ---- overlap, and the user's word
-// -----------------------------------------------------------------------------------------
+// --- overlap, and the user's word ------------------------------------------------------------------------------------
 
 TEST(Tracking, AFreeEndTakesWhatItOverlapsMost) {
   const Tracked made = tracked(stack_of({{circle(1)}, {circle(1, {1.5, 0}), circle(1, {-1.6, 0})}}));
@@ -584,8 +586,7 @@ TEST(Tracking, ClosesNoLoopByItself) {
                           [](const DoubtfulLink& d) { return d.choice == Choice::may_connect; }));
 }
 
-// ---- doubts
-// ---------------------------------------------------------------------------------------------------------------
+// --- doubts ----------------------------------------------------------------------------------------------------------
 
 TEST(Doubts, AClearCanalHasNone) {
   EXPECT_TRUE(tracked(stack_of_discs(straight(8, cut, thin), cut)).tracking.doubtful.empty());
@@ -613,11 +614,13 @@ TEST(Doubts, ASmallOverlapMayClose) {
 // A sliver in the last slice of a wall, as at enamel's margin.
 TEST(Doubts, AnEndThatLiesOverNothingElseIsNoChoice) {
   EXPECT_TRUE(tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0})}, {circle(1, {1.6, 0})}})).tracking.doubtful.empty());
-  const Tracked two = tracked(stack_of({{circle(1)}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}}));
+  const Tracked two = tracked(stack_of(
+      {{circle(1)}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}, {circle(1, {1.6, 0}), circle(1, {-1.6, 0})}}));
   EXPECT_FALSE(two.tracking.doubtful.empty()) << "it lies over two";
 }
 
-/// A canal, and a branch that comes down towards it by 0.3 mm a slice and would lie `off` its middle in the slice where it is gone.
+/// A canal, and a branch that comes down towards it by 0.3 mm a slice and would lie `off` its middle in the slice where
+/// it is gone.
 ContourStack fork(double off) {
   ContourStack stack;
   for (int k = 0; k < 9; ++k) {
@@ -635,7 +638,8 @@ TEST(Doubts, AForkOfWhichAQuarterMeetsTheCanalIsJoinedAndTold) {
   EXPECT_EQ(tracked(fork(0.46)).count(TrackedBy::entry), 0u) << "less than a tenth";
 }
 
-/// Two canals that begin over one, like it in size but narrowing towards it; the second lies less over it, by so much aside.
+/// Two canals that begin over one, like it in size but narrowing towards it; the second lies less over it, by so much
+/// aside.
 ContourStack two_over_one(double aside) {
   ContourStack stack;
   for (int k = 0; k < 7; ++k) {
@@ -653,8 +657,10 @@ TEST(Doubts, ACanalThatNarrowsTowardsItsForkIsAskedAbout) {
   const auto settled = [](double aside) {
     const Tracked made = tracked(two_over_one(aside));
     const auto joined = made.links();
-    const bool linked = std::any_of(joined.begin(), joined.end(), [](const auto& link) { return link == std::tuple(2u, 0u, 1u); });
-    return linked || std::any_of(made.tracking.doubtful.begin(), made.tracking.doubtful.end(), [](const DoubtfulLink& d) { return d.slab == 2 && d.upper == 1; });
+    const bool linked =
+        std::any_of(joined.begin(), joined.end(), [](const auto& link) { return link == std::tuple(2u, 0u, 1u); });
+    return linked || std::any_of(made.tracking.doubtful.begin(), made.tracking.doubtful.end(),
+                                 [](const DoubtfulLink& d) { return d.slab == 2 && d.upper == 1; });
   };
   EXPECT_TRUE(settled(0.42));
   EXPECT_FALSE(settled(0.7)) << "beside it";
@@ -686,8 +692,7 @@ TEST(Doubts, AnOverlapThatDriftPassesOverIsAskedAbout) {
   }));
 }
 
-// ---- the same seen differently
-// --------------------------------------------------------------------------------------------
+// --- the same seen differently ---------------------------------------------------------------------------------------
 
 /// Links by place, as they were before the stack was changed by `back`'s inverse.
 std::set<std::vector<long>> places(const Tracked& made, const std::function<Point3(Point3)>& back) {
@@ -745,8 +750,7 @@ TEST(Tracking, LooksTheSameFromEverySide) {
     }
 }
 
-// ---- overlapping areas
-// ------------------------------------------------------------------------------------------------------
+// --- overlapping areas -----------------------------------------------------------------------------------------------
 
 TrackedShape shape_of(const std::vector<Ring>& rings) {
   return region_shapes(conformed(stack_of({rings, {}})).front()).shapes.at(0);

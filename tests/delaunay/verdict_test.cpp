@@ -156,7 +156,8 @@ TEST(LookHere, AVoidThatIsShutInBesideALargerOne) {
 
 /// A fissure that narrows downwards, `last` wide where it is seen last, and a chamber below that lies partly under it.
 ContourStack fissure_over_chamber(double last) {
-  const Ring block = rectangle({-6, -6}, {6, 6}), chamber = rectangle({-4, -4}, {-0.1, 4}), above = rectangle({-4, -4}, {-1, 4});
+  const Ring block = rectangle({-6, -6}, {6, 6}), chamber = rectangle({-4, -4}, {-0.1, 4}),
+             above = rectangle({-4, -4}, {-1, 4});
   ContourStack stack = storeys({{block, chamber}, {block}});
   for (std::size_t k = 0; k < tall; ++k) {
     Slice& slice = stack.slices[tall + k];

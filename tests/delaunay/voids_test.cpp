@@ -27,7 +27,8 @@ Ring ring_of(const ConformedSlice& slice, std::uint32_t contour) {
 double area_of(const Ring& ring) {
   double twice = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 o = ring.front(), a = ring[i], b = ring[(i + 1) % ring.size()];   // about its first point: far from the origin nothing is lost
+    const Point2 o = ring.front(), a = ring[i],
+                 b = ring[(i + 1) % ring.size()];  // about its first point: far from the origin nothing is lost
     twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
   }
   return std::abs(twice) / 2;

@@ -26,7 +26,7 @@
 namespace odontoscope::test {
 namespace {
 
-// --- an independent look at the result ------------------------------------------------------------------------------------
+// --- an independent look at the result -------------------------------------------------------------------------------
 
 using Face = std::array<PointIndex, 3>;
 
@@ -35,7 +35,9 @@ Face sorted(Face face) {
   return face;
 }
 
-std::array<double, 3> between(const Point3& from, const Point3& to) { return {to.x - from.x, to.y - from.y, to.z - from.z}; }
+std::array<double, 3> between(const Point3& from, const Point3& to) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
 
 /// Six times the volume.
 double six_volumes(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
@@ -79,7 +81,9 @@ bool inside(const SurfaceMesh& surface, const Point3& from) {
   bool in = false;
   for (const Triangle& t : surface.triangles) {
     const Point3 &a = surface.points[t[0]], &b = surface.points[t[1]], &c = surface.points[t[2]];
-    const auto side = [&](const Point3& p, const Point3& q) { return (q.x - p.x) * (from.y - p.y) - (q.y - p.y) * (from.x - p.x); };
+    const auto side = [&](const Point3& p, const Point3& q) {
+      return (q.x - p.x) * (from.y - p.y) - (q.y - p.y) * (from.x - p.x);
+    };
     const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
     if (!((ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0))) continue;
     if ((bc * a.z + ca * b.z + ab * c.z) / (ab + bc + ca) > from.z) in = !in;
@@ -87,7 +91,8 @@ bool inside(const SurfaceMesh& surface, const Point3& from) {
   return in;
 }
 
-/// Places taken at random lie in one element of the material that they lay in before, or none, but for those near its surface.
+/// Places taken at random lie in one element of the material that they lay in before, or none, but for those near its
+/// surface.
 void expect_same_places(const LabelledComplex& made, const LabelledComplex& exact, double near) {
   std::vector<SurfaceMesh> was;
   for (Label l = 1; l <= exact.structures.size(); ++l) was.push_back(surface_of(exact, l));
@@ -97,7 +102,9 @@ void expect_same_places(const LabelledComplex& made, const LabelledComplex& exac
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
   std::mt19937 random(7);
-  const auto any = [&](double from, double to) { return from + (to - from) * static_cast<double>(random()) / 4294967296.0; };
+  const auto any = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
+  };
   std::size_t differing = 0;
   constexpr std::size_t places = 120;
   for (std::size_t n = 0; n < places; ++n) {
@@ -106,7 +113,8 @@ void expect_same_places(const LabelledComplex& made, const LabelledComplex& exac
     for (std::size_t t = 0; t < made.mesh.tetrahedra.size(); ++t) {
       const auto& [a, b, c, d] = made.mesh.tetrahedra[t];
       const auto& p = made.mesh.points;
-      if (six_volumes(at, p[b], p[c], p[d]) > 0 && six_volumes(p[a], at, p[c], p[d]) > 0 && six_volumes(p[a], p[b], at, p[d]) > 0 && six_volumes(p[a], p[b], p[c], at) > 0)
+      if (six_volumes(at, p[b], p[c], p[d]) > 0 && six_volumes(p[a], at, p[c], p[d]) > 0 &&
+          six_volumes(p[a], p[b], at, p[d]) > 0 && six_volumes(p[a], p[b], p[c], at) > 0)
         held.push_back(made.mesh.labels[t]);
     }
     ASSERT_LE(held.size(), 1u) << "elements overlap";
@@ -133,7 +141,8 @@ std::vector<std::pair<int, long>> shells(const SurfaceMesh& surface) {
 void expect_good(const elements::Elements& made, const LabelledComplex& exact) {
   expect_one_mesh(made.complex);
   ASSERT_FALSE(::testing::Test::HasFatalFailure());
-  for (Label l = 0; l <= exact.structures.size(); ++l) EXPECT_EQ(shells(surface_of(made.complex, l)), shells(surface_of(exact, l))) << l;
+  for (Label l = 0; l <= exact.structures.size(); ++l)
+    EXPECT_EQ(shells(surface_of(made.complex, l)), shells(surface_of(exact, l))) << l;
   for (const elements::MaterialElements& one : made.materials) {
     EXPECT_NEAR(one.shape.volume, one.exact_volume, 0.025 * one.exact_volume) << one.structure;
     EXPECT_LT(one.distance.largest(), 0.35 * made.size) << one.structure;
@@ -149,10 +158,11 @@ class Elements : public ::testing::Test {
   }
 };
 
-// --- teeth ----------------------------------------------------------------------------------------------------------------
+// --- teeth -----------------------------------------------------------------------------------------------------------
 
 TEST_F(Elements, OfTheIncisorFillWhatItFills) {
-  const LabelledComplex exact = partition_of(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.8, .walls = SampleWalls::filled}));
+  const LabelledComplex exact = partition_of(
+      sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.8, .walls = SampleWalls::filled}));
   const elements::Elements made = elements::make_elements(exact, 1.5);
   expect_good(made, exact);
   expect_same_places(made.complex, exact, 0.35);
@@ -175,13 +185,14 @@ TEST_F(Elements, ComeFinerIfAskedFor) {
 
 TEST_F(Elements, AreTheSameEachTime) {
   const LabelledComplex exact = partition_of(canal_through_the_apex());
-  const LabelledComplex one = elements::make_elements(exact, 0.4).complex, two = elements::make_elements(exact, 0.4).complex;
+  const LabelledComplex one = elements::make_elements(exact, 0.4).complex,
+                        two = elements::make_elements(exact, 0.4).complex;
   EXPECT_EQ(one.mesh.points, two.mesh.points);
   EXPECT_EQ(one.mesh.tetrahedra, two.mesh.tetrahedra);
   EXPECT_EQ(one.mesh.labels, two.mesh.labels);
 }
 
-// --- awkward shapes ---------------------------------------------------------------------------------------------------------
+// --- awkward shapes --------------------------------------------------------------------------------------------------
 
 struct Shape {
   const char* name;
@@ -201,13 +212,17 @@ TEST_P(ElementsOf, KeepTheShape) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, ElementsOf,
-                         ::testing::Values(Shape{"DriftingLine", three_in_a_drifting_line, 0.8}, Shape{"OneBetweenTwo", one_between_two_in_one_slice, 0.8},
-                                           Shape{"ThinShell", thin_shell_that_drifts, 1.0}, Shape{"Checkerboard", checkerboard_corner, 0.4},
-                                           Shape{"CanalThroughApex", canal_through_the_apex, 0.3}, Shape{"Tube", annulus_over_shifted_annulus, 0.5},
-                                           Shape{"Cup", annulus_over_disc, 0.5}, Shape{"Crosswise", two_over_two_crosswise, 1.0}),
+                         ::testing::Values(Shape{"DriftingLine", three_in_a_drifting_line, 0.8},
+                                           Shape{"OneBetweenTwo", one_between_two_in_one_slice, 0.8},
+                                           Shape{"ThinShell", thin_shell_that_drifts, 1.0},
+                                           Shape{"Checkerboard", checkerboard_corner, 0.4},
+                                           Shape{"CanalThroughApex", canal_through_the_apex, 0.3},
+                                           Shape{"Tube", annulus_over_shifted_annulus, 0.5},
+                                           Shape{"Cup", annulus_over_disc, 0.5},
+                                           Shape{"Crosswise", two_over_two_crosswise, 1.0}),
                          [](const auto& shape) { return shape.param.name; });
 
-// --- ends, and structures by themselves ---------------------------------------------------------------------------------------
+// --- ends, and structures by themselves ------------------------------------------------------------------------------
 
 double flat_area(const LabelledComplex& complex, double z) {
   double sum = 0;

@@ -8,13 +8,13 @@
 #include "recon/core/error.h"
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/input/character_set.h"
 #include "recon/exchange/contour_file.h"
 #include "recon/exchange/read_csl.h"
 #include "recon/exchange/read_jser.h"
 #include "recon/exchange/read_rtstruct.h"
 #include "recon/exchange/read_series.h"
 #include "recon/exchange/repair_contours.h"
+#include "recon/input/character_set.h"
 #include "recon/input/validate.h"
 #include "tests/exchange/made_files.h"
 #include "tests/output/temporary_folder.h"
@@ -50,16 +50,22 @@ void truncate(const std::string& bytes, Parse parse) {
   }
 }
 
-// --- Reconstruct -------------------------------------------------------------------------------------------------------
+// --- Reconstruct -----------------------------------------------------------------------------------------------------
 
-std::vector<Point2> points_of(const made::Section& what) { return parse_series_section(made::section(what), "s.1").contours.at(0).points; }
-std::string section_cause(const std::string& text) { return cause_of([&] { parse_series_section(text, "s.1"); }); }
+std::vector<Point2> points_of(const made::Section& what) {
+  return parse_series_section(made::section(what), "s.1").contours.at(0).points;
+}
+std::string section_cause(const std::string& text) {
+  return cause_of([&] { parse_series_section(text, "s.1"); });
+}
 
 TEST(Series, SectionsBecomeSlices) {
   TemporaryFolder folder;
   testing_support::put(folder / "s.ser", made::series("microns"));
-  for (const int i : {1, 2, 4, 10}) testing_support::put(folder / ("s." + std::to_string(i)), made::section({.index = i}));
-  for (const char* other : {"s.x", "s.1x", "s.x.123", "s.", "t.3", "s.one"}) testing_support::put(folder / other, "nonsense");
+  for (const int i : {1, 2, 4, 10})
+    testing_support::put(folder / ("s." + std::to_string(i)), made::section({.index = i}));
+  for (const char* other : {"s.x", "s.1x", "s.x.123", "s.", "t.3", "s.one"})
+    testing_support::put(folder / other, "nonsense");
   const std::string file = (folder / "s.ser").string();
   const std::string bytes = read_file(file);
   ASSERT_EQ(contour_file_kind(bytes), ContourFileKind::series);
@@ -72,7 +78,8 @@ TEST(Series, SectionsBecomeSlices) {
   EXPECT_EQ(read.stack.slices[0].contours.at(0).structure, "Cell");
   EXPECT_EQ(read.stack.slices[0].contours[0].points[2], (Point2{4e-3, 4e-3}));
   EXPECT_NO_THROW(validate(read.stack));
-  EXPECT_EQ(cause_of([&] { read_contour_file(ContourFileKind::series, bytes, file, {"domain1"}); }), "unknown-structure");
+  EXPECT_EQ(cause_of([&] { read_contour_file(ContourFileKind::series, bytes, file, {"domain1"}); }),
+            "unknown-structure");
 }
 
 TEST(Series, TransformsAreInverted) {
@@ -120,17 +127,23 @@ TEST(Series, WrongFilesAreNamed) {
 
 TEST(Series, NoEntityIsExpandedAndNothingHangs) {
   std::string laughs = "<!DOCTYPE Section [<!ENTITY a \"ha\">";
-  for (char c = 'b'; c <= 'z'; ++c) laughs += std::string("<!ENTITY ") + c + " \"&" + static_cast<char>(c - 1) + ";&" + static_cast<char>(c - 1) + ";\">";
-  EXPECT_NE(section_cause(laughs + "]>" + replaced(made::section({.name = "&z;"}), "<!DOCTYPE Section SYSTEM \"section.dtd\">", "")), "nothing");
+  for (char c = 'b'; c <= 'z'; ++c)
+    laughs +=
+        std::string("<!ENTITY ") + c + " \"&" + static_cast<char>(c - 1) + ";&" + static_cast<char>(c - 1) + ";\">";
+  EXPECT_NE(section_cause(laughs + "]>" +
+                          replaced(made::section({.name = "&z;"}), "<!DOCTYPE Section SYSTEM \"section.dtd\">", "")),
+            "nothing");
   std::string deep;
   for (int i = 0; i < 100'000; ++i) deep += "<a>";
   EXPECT_EQ(section_cause(deep), "unparsable");
   truncate(made::section({}), [](const std::string& bytes) { parse_series_section(bytes, "s.1"); });
 }
 
-// --- CSL ---------------------------------------------------------------------------------------------------------------
+// --- CSL -------------------------------------------------------------------------------------------------------------
 
-std::string csl_cause(const std::string& text) { return cause_of([&] { parse_csl(text, "file"); }); }
+std::string csl_cause(const std::string& text) {
+  return cause_of([&] { parse_csl(text, "file"); });
+}
 
 TEST(Csl, PlanesBecomeSlicesAndHolesStayTheirs) {
   ASSERT_EQ(contour_file_kind(made::csl()), ContourFileKind::csl);
@@ -153,7 +166,7 @@ TEST(Csl, PlanesMayLieAnyWay) {
       "CSLC\n2 2\n1 3 1 0 1 0 -1\n0 1 0\n0 1 4\n4 1 0\n3 1 0 2 1\n2 3 1 0 -1 0 2\n0 2 0\n0 2 4\n4 2 0\n3 1 0 2 1\n";
   const FileContours turned = parse_csl(across_y, "file");
   EXPECT_EQ(turned.stack.slices[0].z, 1);
-  EXPECT_EQ(turned.stack.slices[1].z, 2);  // its normal points the other way
+  EXPECT_EQ(turned.stack.slices[1].z, 2);                                      // its normal points the other way
   EXPECT_EQ(turned.stack.slices[0].contours.at(0).points[2], (Point2{4, 0}));  // (z, x)
   // Slanted: distances stay.
   const std::string slanted =
@@ -191,18 +204,21 @@ TEST(Csl, LyingCountsEndSoon) {
   truncate(good, [](const std::string& bytes) { parse_csl(bytes, "file"); });
 }
 
-// --- RTSTRUCT ----------------------------------------------------------------------------------------------------------
+// --- RTSTRUCT --------------------------------------------------------------------------------------------------------
 
 std::string set_cause(const std::string& bytes, const std::vector<std::string>& wanted = {}) {
   return cause_of([&] { parse_rtstruct(bytes, "file", wanted); });
 }
 
-made::RoiContour square(double z, double side = 4) { return {.data = made::square(0, 0, z, side), .count = "4", .type = "CLOSED_PLANAR"}; }
+made::RoiContour square(double z, double side = 4) {
+  return {.data = made::square(0, 0, z, side), .count = "4", .type = "CLOSED_PLANAR"};
+}
 
 TEST(Rtstruct, PlanesComeInOrderAndTypesAreToldApart) {
-  const std::string bytes = made::rtstruct({{"Heart", {square(6), square(0), square(3), {.data = "1\\1\\3", .count = "1", .type = "POINT"}}},
-                                            {"Lung", {square(3.0004, 2), square(9)}},
-                                            {"Lung", {square(0)}}});
+  const std::string bytes =
+      made::rtstruct({{"Heart", {square(6), square(0), square(3), {.data = "1\\1\\3", .count = "1", .type = "POINT"}}},
+                      {"Lung", {square(3.0004, 2), square(9)}},
+                      {"Lung", {square(0)}}});
   ASSERT_EQ(contour_file_kind(bytes), ContourFileKind::rtstruct);
   const FileContours read = parse_rtstruct(bytes, "file");
   ASSERT_EQ(read.stack.slices.size(), 4u);
@@ -218,19 +234,23 @@ TEST(Rtstruct, PlanesComeInOrderAndTypesAreToldApart) {
 }
 
 TEST(Rtstruct, PlanesAcrossAnotherAxis) {
-  const std::string sagittal = made::rtstruct({{"Heart", {{.data = "5\\0\\0\\5\\4\\0\\5\\4\\3", .count = "3", .type = "CLOSED_PLANAR"},
-                                                          {.data = "7\\0\\0\\7\\4\\0\\7\\4\\3", .count = "3", .type = "CLOSED_PLANAR"}}}});
+  const std::string sagittal =
+      made::rtstruct({{"Heart",
+                       {{.data = "5\\0\\0\\5\\4\\0\\5\\4\\3", .count = "3", .type = "CLOSED_PLANAR"},
+                        {.data = "7\\0\\0\\7\\4\\0\\7\\4\\3", .count = "3", .type = "CLOSED_PLANAR"}}}});
   const FileContours read = parse_rtstruct(sagittal, "file");
   EXPECT_EQ(read.stack.slices.at(1).z, 7);
   EXPECT_EQ(read.stack.slices[1].contours.at(0).points[2], (Point2{4, 3}));
 }
 
 TEST(Rtstruct, AKeyholeIsPartedAndSaid) {
-  const std::string keyhole = "0\\0\\0\\8\\0\\0\\8\\8\\0\\0\\8\\0\\0\\4\\0\\2\\4\\0\\2\\6\\0\\6\\6\\0\\6\\2\\0\\2\\2\\0\\2\\4\\0\\0\\4\\0";
-  const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", {{keyhole, "12", "CLOSED_PLANAR"}, square(3, 8)}}}), "file");
+  const std::string keyhole =
+      "0\\0\\0\\8\\0\\0\\8\\8\\0\\0\\8\\0\\0\\4\\0\\2\\4\\0\\2\\6\\0\\6\\6\\0\\6\\2\\0\\2\\2\\0\\2\\4\\0\\0\\4\\0";
+  const FileContours read =
+      parse_rtstruct(made::rtstruct({{"Heart", {{keyhole, "12", "CLOSED_PLANAR"}, square(3, 8)}}}), "file");
   EXPECT_NO_THROW(validate(read.stack));
   ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
-  EXPECT_EQ(read.stack.slices[0].contours[0].points.size(), 5u);   // the bridge began in a point of its own
+  EXPECT_EQ(read.stack.slices[0].contours[0].points.size(), 5u);  // the bridge began in a point of its own
   EXPECT_EQ(read.stack.slices[0].contours[1].points.size(), 5u);
   ASSERT_FALSE(read.remarks.empty());
   EXPECT_NE(read.remarks[0].find("1 contour that goes along a bridge"), std::string::npos) << read.remarks[0];
@@ -264,7 +284,9 @@ TEST(Rtstruct, TruncatedAnywhereItIsNamed) {
   const std::string bytes = made::rtstruct({{"Heart", {square(0), square(3)}}});
   for (std::size_t n = 0; n < bytes.size(); ++n) {
     const std::string cause = set_cause(bytes.substr(0, n));
-    EXPECT_TRUE(cause == "truncated" || cause == "unreadable-structure-set" || (cause == "accepted" && n > bytes.size() / 3)) << n << cause;
+    EXPECT_TRUE(cause == "truncated" || cause == "unreadable-structure-set" ||
+                (cause == "accepted" && n > bytes.size() / 3))
+        << n << cause;
   }
 }
 
@@ -282,16 +304,19 @@ TEST(Rtstruct, AnyByteMayBeWrong) {
 TEST(Rtstruct, SequencesWithoutLengthAndImplicitCoding) {
   const auto tag = [](std::uint32_t group, std::uint32_t element) {
     std::string bytes;
-    for (const std::uint32_t half : {group, element}) bytes += {static_cast<char>(half & 0xff), static_cast<char>(half >> 8)};
+    for (const std::uint32_t half : {group, element})
+      bytes += {static_cast<char>(half & 0xff), static_cast<char>(half >> 8)};
     return bytes;
   };
   const std::string open("\xff\xff\xff\xff", 4), none(4, '\0');
-  const std::string item = tag(0xfffe, 0xe000) + open, item_end = tag(0xfffe, 0xe00d) + none, end = tag(0xfffe, 0xe0dd) + none;
+  const std::string item = tag(0xfffe, 0xe000) + open, item_end = tag(0xfffe, 0xe00d) + none,
+                    end = tag(0xfffe, 0xe0dd) + none;
   const auto plain = [&](std::uint32_t element, std::string value) {
     if (value.size() % 2 != 0) value += ' ';
     return tag(0x3006, element) + std::string{static_cast<char>(value.size()), '\0', '\0', '\0'} + value;
   };
-  const std::string contour = item + plain(0x42, "CLOSED_PLANAR") + plain(0x46, "3") + plain(0x50, "0\\0\\1\\4\\0\\1\\4\\4\\1") + item_end;
+  const std::string contour =
+      item + plain(0x42, "CLOSED_PLANAR") + plain(0x46, "3") + plain(0x50, "0\\0\\1\\4\\0\\1\\4\\4\\1") + item_end;
   std::string bytes = made::rtstruct({});
   bytes.resize(bytes.find("RTSTRUCT") + 8);
   const std::size_t syntax = bytes.find("1.2.840.10008.1.2.1");
@@ -299,7 +324,8 @@ TEST(Rtstruct, SequencesWithoutLengthAndImplicitCoding) {
   bytes.resize(syntax + 20);  // the class again, implicit
   bytes += tag(8, 0x16) + std::string("\x1e\0\0\0", 4) + std::string("1.2.840.10008.5.1.4.1.1.481.3\0", 30);
   bytes += tag(0x3006, 0x20) + open + item + plain(0x22, "7") + plain(0x26, "Heart") + item_end + end;
-  bytes += tag(0x3006, 0x39) + open + item + tag(0x3006, 0x40) + open + contour + end + plain(0x84, "7") + item_end + end;
+  bytes +=
+      tag(0x3006, 0x39) + open + item + tag(0x3006, 0x40) + open + contour + end + plain(0x84, "7") + item_end + end;
   ASSERT_EQ(contour_file_kind(bytes), ContourFileKind::rtstruct);
   const FileContours read = parse_rtstruct(bytes, "file");
   ASSERT_EQ(read.stack.slices.size(), 1u);
@@ -307,14 +333,16 @@ TEST(Rtstruct, SequencesWithoutLengthAndImplicitCoding) {
   for (std::size_t n = 0; n < bytes.size(); ++n) EXPECT_NE(set_cause(bytes.substr(0, n)), "accepted") << n;
 }
 
-// --- real data ---------------------------------------------------------------------------------------------------------
+// --- real data -------------------------------------------------------------------------------------------------------
 
 FileContours real(const std::string& name, const std::vector<std::string>& structures) {
   const std::string file = std::string(ODONTOSCOPE_DATA) + "/" + name, bytes = read_file(file);
   return read_contour_file(contour_file_kind(bytes).value(), bytes, file, structures);
 }
 
-bool is_missing(const std::string& name) { return std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(std::string(ODONTOSCOPE_DATA) + "/" + name); }
+bool is_missing(const std::string& name) {
+  return std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(std::string(ODONTOSCOPE_DATA) + "/" + name);
+}
 
 double enclosed(const Contour& contour) {
   double twice = 0;
@@ -327,7 +355,8 @@ double enclosed(const Contour& contour) {
 
 TEST(Rtstruct, AContourThereTwiceIsKeptOnce) {
   const std::string data = made::square(0, 0, 1, 10), other_way = "0\\10\\1\\10\\10\\1\\10\\0\\1\\0\\0\\1";
-  const FileContours read = parse_rtstruct(made::rtstruct({{"Heart", {{data}, {other_way}, {made::square(20, 0, 1, 10)}}}}), "file");
+  const FileContours read =
+      parse_rtstruct(made::rtstruct({{"Heart", {{data}, {other_way}, {made::square(20, 0, 1, 10)}}}}), "file");
   ASSERT_EQ(read.stack.slices.size(), 1u);
   ASSERT_EQ(read.stack.slices[0].contours.size(), 2u);
   EXPECT_EQ(enclosed(read.stack.slices[0].contours[0]), 100);
@@ -360,7 +389,8 @@ TEST(Rtstruct, ObliquePlanesAreReadInTheirOwnFrame) {
     // Across (0, -0.6, 0.8), in the directions (1, 0, 0) and (0, 0.8, 0.6).
     std::string data;
     for (const auto& [u, v] : {std::pair{0.0, 0.0}, {10.0, 0.0}, {10.0, 10.0}, {0.0, 10.0}}) {
-      data += (data.empty() ? "" : "\\") + std::to_string(u) + "\\" + std::to_string(0.8 * v - 0.6 * n) + "\\" + std::to_string(0.6 * v + 0.8 * n);
+      data += (data.empty() ? "" : "\\") + std::to_string(u) + "\\" + std::to_string(0.8 * v - 0.6 * n) + "\\" +
+              std::to_string(0.6 * v + 0.8 * n);
     }
     contours.push_back({data});
   }
@@ -397,14 +427,21 @@ TEST(Csl, AHoleMayComeBeforeItsOwner) {
   EXPECT_THROW(parse_csl(text + "4h2 0 4 7 6 5\n4 1 0 1 2 3\n", "file"), InputError);
 }
 
-// --- PyReconstruct -------------------------------------------------------------------------------------------------------
+// --- PyReconstruct ---------------------------------------------------------------------------------------------------
 
-/// Two sections, the second after one that is missing; a square of 4 um with a hole, an open trace, and a turn by 90 degrees as alignment.
+/// Two sections, the second after one that is missing; a square of 4 um with a hole, an open trace, and a turn by 90
+/// degrees as alignment.
 std::string jser(const std::string& alignment = "default") {
-  const std::string look = ",[255,0,0],true,false,false,[\"none\",\"none\"],[]]", open = ",[255,0,0],false,false,false,[\"none\",\"none\"],[]]";
-  const std::string contours = "{\"cell\":[[[0,4,4,0],[0,0,4,4]" + look + ",[[1,2,2,1],[1,1,2,2]" + look + "],\"line\":[[[0,1],[0,1]" + open + "]}";
-  const std::string section = "{\"src\":\"a.tif\",\"mag\":0.00254,\"thickness\":0.05,\"tforms\":{\"default\":[1,0,0,0,1,0],\"turned\":[0,-1,10,1,0,0]},\"contours\":" + contours + "}";
-  return "{\"sections\": [null," + section + ",null," + section + "], \"series\": {\"alignment\": \"" + alignment + "\"}, \"log\": \"\"}";
+  const std::string look = ",[255,0,0],true,false,false,[\"none\",\"none\"],[]]",
+                    open = ",[255,0,0],false,false,false,[\"none\",\"none\"],[]]";
+  const std::string contours = "{\"cell\":[[[0,4,4,0],[0,0,4,4]" + look + ",[[1,2,2,1],[1,1,2,2]" + look +
+                               "],\"line\":[[[0,1],[0,1]" + open + "]}";
+  const std::string section =
+      "{\"src\":\"a.tif\",\"mag\":0.00254,\"thickness\":0.05,\"tforms\":{\"default\":[1,0,0,0,1,0],\"turned\":[0,-1,10,"
+      "1,0,0]},\"contours\":" +
+      contours + "}";
+  return "{\"sections\": [null," + section + ",null," + section + "], \"series\": {\"alignment\": \"" + alignment +
+         "\"}, \"log\": \"\"}";
 }
 
 TEST(Jser, SectionsOfPyReconstruct) {
@@ -460,7 +497,8 @@ TEST(RealContours, StructureSet) {
   if (is_missing(name)) GTEST_SKIP() << "the structure set is not there; set the CMake variable ODONTOSCOPE_DATA";
   for (const std::string structure : {"BODY", "Lt Lung", "Heart"}) {
     const FileContours read = real(name, {structure});
-    for (std::size_t s = 1; s < read.stack.slices.size(); ++s) EXPECT_NEAR(read.stack.slices[s].z - read.stack.slices[s - 1].z, 3, 1e-9);
+    for (std::size_t s = 1; s < read.stack.slices.size(); ++s)
+      EXPECT_NEAR(read.stack.slices[s].z - read.stack.slices[s - 1].z, 3, 1e-9);
     const Reconstruction model = reconstruct(read.stack);
     EXPECT_TRUE(model.certified);
     EXPECT_EQ(model.slices_checked, read.stack.slices.size());
@@ -471,7 +509,8 @@ TEST(RealContours, StructureSet) {
 
 TEST(RealContours, TruncatedAtEveryKilobyte) {
   if (!is_missing("reconstruct_series/calibrated_organelle.12")) {
-    const std::string section = read_file(std::string(ODONTOSCOPE_DATA) + "/reconstruct_series/calibrated_organelle.12");
+    const std::string section =
+        read_file(std::string(ODONTOSCOPE_DATA) + "/reconstruct_series/calibrated_organelle.12");
     truncate(section, [](const std::string& bytes) { parse_series_section(bytes, "s.12"); });
   }
   if (is_missing("rtstruct/rtss.dcm")) GTEST_SKIP() << "the structure set is not there";

@@ -60,7 +60,8 @@ TEST(CutSurfaces, ATorusOnItsSideGivesHolesAndParts) {
   SurfaceMesh ring = shapes::torus(8, 2, 48, 24);  // round the z axis
   const auto flat = cut(ring, {-0.5, 0.7}).stack;
   EXPECT_EQ(flat.slices[0].contours.size(), 2u);
-  EXPECT_NEAR(area(flat.slices[0]), 3.14159265 * (std::pow(8 + std::sqrt(3.75), 2) - std::pow(8 - std::sqrt(3.75), 2)), 3);
+  EXPECT_NEAR(area(flat.slices[0]), 3.14159265 * (std::pow(8 + std::sqrt(3.75), 2) - std::pow(8 - std::sqrt(3.75), 2)),
+              3);
   for (Point3& p : ring.points) p = {p.x, -p.z, p.y};
   const auto upright = cut(ring, {-9, 0.3, 7, 9}).stack;
   EXPECT_EQ(upright.slices[0].contours.size(), 1u);
@@ -174,7 +175,8 @@ TEST(CutSurfaces, ReconstructedAgainItIsNear) {
 TEST(CutSurfaces, HeightsFitTheModel) {
   const std::vector<NamedMesh> cube{{"tooth", shapes::cube(0, 0, 5, 2)}};
   EXPECT_EQ(heights_at(cube, 0.5), (std::vector<double>{5.25, 5.75, 6.25, 6.75}));
-  for (const double wrong : {0.0, -1.0, 1.9, 1e-7, std::nan("")}) EXPECT_THROW(heights_at(cube, wrong), UsageError) << wrong;
+  for (const double wrong : {0.0, -1.0, 1.9, 1e-7, std::nan("")})
+    EXPECT_THROW(heights_at(cube, wrong), UsageError) << wrong;
 }
 
 TEST(CutSurfaces, FlatTrianglesAndLargeNumbersDoNoHarm) {

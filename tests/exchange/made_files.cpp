@@ -35,13 +35,14 @@ std::string series(const std::string& units, const std::string& more) {
 
 std::string section(const Section& what) {
   std::ostringstream text;
-  text << "<?xml version=\"1.0\"?>\n<!DOCTYPE Section SYSTEM \"section.dtd\">\n<Section index=\"" << what.index << "\" thickness=\""
-       << what.thickness << "\" alignLocked=\"false\">\n"
+  text << "<?xml version=\"1.0\"?>\n<!DOCTYPE Section SYSTEM \"section.dtd\">\n<Section index=\"" << what.index
+       << "\" thickness=\"" << what.thickness << "\" alignLocked=\"false\">\n"
        << "<Transform dim=\"0\" xcoef=\" 0 1 0 0 0 0\" ycoef=\" 0 0 1 0 0 0\">\n<Image mag=\"1\" src=\"x.jpg\"/>\n"
        << "<Contour name=\"domain1\" closed=\"true\" points=\"0 0, 9 0, 9 9, \"/>\n</Transform>\n"
-       << "<Transform dim=\"" << what.dimension << "\"\n xcoef=\"" << what.xcoef << "\"\n ycoef=\"" << what.ycoef << "\">\n"
-       << "<Contour name=\"" << what.name << "\" hidden=\"false\" closed=\"" << what.closed << "\" mode=\"13\"\n points=\"" << what.points
-       << ",\n\t\"/>\n</Transform>\n</Section>\n";
+       << "<Transform dim=\"" << what.dimension << "\"\n xcoef=\"" << what.xcoef << "\"\n ycoef=\"" << what.ycoef
+       << "\">\n"
+       << "<Contour name=\"" << what.name << "\" hidden=\"false\" closed=\"" << what.closed
+       << "\" mode=\"13\"\n points=\"" << what.points << ",\n\t\"/>\n</Transform>\n</Section>\n";
   return text.str();
 }
 
@@ -52,8 +53,8 @@ std::string csl() {
 
 std::string square(double x, double y, double z, double side) {
   std::ostringstream text;
-  text << x << '\\' << y << '\\' << z << '\\' << x + side << '\\' << y << '\\' << z << '\\' << x + side << '\\' << y + side << '\\' << z
-       << '\\' << x << '\\' << y + side << '\\' << z;
+  text << x << '\\' << y << '\\' << z << '\\' << x + side << '\\' << y << '\\' << z << '\\' << x + side << '\\'
+       << y + side << '\\' << z << '\\' << x << '\\' << y + side << '\\' << z;
   return text.str();
 }
 
@@ -67,13 +68,15 @@ std::string rtstruct(const std::vector<RoiOfSet>& rois) {
     names += item(dicom_element(0x3006, 0x22, "IS", number) + dicom_element(0x3006, 0x26, "LO", rois[r].name));
     std::string contours;
     for (const RoiContour& contour : rois[r].contours) {
-      contours += item(dicom_element(0x3006, 0x42, "CS", contour.type) + dicom_element(0x3006, 0x46, "IS", contour.count) +
-                       dicom_element(0x3006, 0x50, "DS", contour.data));
+      contours +=
+          item(dicom_element(0x3006, 0x42, "CS", contour.type) + dicom_element(0x3006, 0x46, "IS", contour.count) +
+               dicom_element(0x3006, 0x50, "DS", contour.data));
     }
     all_contours += item(long_element(0x3006, 0x40, "SQ", contours) + dicom_element(0x3006, 0x84, "IS", number));
   }
-  return std::string(128, '\0') + "DICM" + meta + dicom_element(8, 0x16, "UI", structure_set) + dicom_element(8, 0x60, "CS", "RTSTRUCT") +
-         long_element(0x3006, 0x20, "SQ", names) + long_element(0x3006, 0x39, "SQ", all_contours);
+  return std::string(128, '\0') + "DICM" + meta + dicom_element(8, 0x16, "UI", structure_set) +
+         dicom_element(8, 0x60, "CS", "RTSTRUCT") + long_element(0x3006, 0x20, "SQ", names) +
+         long_element(0x3006, 0x39, "SQ", all_contours);
 }
 
 }  // namespace odontoscope::made

@@ -20,7 +20,9 @@ class Incisor : public ::testing::Test {
       GTEST_SKIP() << "the incisor is not there; set the CMake variable ODONTOSCOPE_DATA";
     }
   }
-  static std::string file(const std::string& part) { return std::string(ODONTOSCOPE_DATA) + "/incisor_meshes/URI1_" + part + ".stl"; }
+  static std::string file(const std::string& part) {
+    return std::string(ODONTOSCOPE_DATA) + "/incisor_meshes/URI1_" + part + ".stl";
+  }
 
   struct Made {
     Reconstruction model;
@@ -32,8 +34,10 @@ class Incisor : public ::testing::Test {
     CutContours cut = cut_surfaces(surfaces, heights_at(surfaces, 0.2), file(part), options);
     Made made{reconstruct(cut.stack), {}, std::move(cut.changes)};
     made.off = distance_to_surface(surfaces[0].surface.points, made.model.solids.at(0).surface).value();
-    RecordProperty(part, "off by " + std::to_string(made.off.mean) + " mm on average, " + std::to_string(made.off.largest) + " at most");
-    std::printf("%s: off by %.4f mm on average, %.3f at most, %zu changes\n", part.c_str(), made.off.mean, made.off.largest, made.changes.size());
+    RecordProperty(part, "off by " + std::to_string(made.off.mean) + " mm on average, " +
+                             std::to_string(made.off.largest) + " at most");
+    std::printf("%s: off by %.4f mm on average, %.3f at most, %zu changes\n", part.c_str(), made.off.mean,
+                made.off.largest, made.changes.size());
     return made;
   }
   static std::string refusal(const std::string& part) {

@@ -36,7 +36,8 @@ double area(const std::vector<Contour>& contours) {
 }
 
 /// Repairs, checks that the result keeps the rules, and gives the slice.
-std::vector<Contour> repaired(const std::vector<Points>& contours, const RepairOptions& options = {}, std::size_t changes = 1) {
+std::vector<Contour> repaired(const std::vector<Points>& contours, const RepairOptions& options = {},
+                              std::size_t changes = 1) {
   const RepairedContours result = repair_contours(stack_of(contours), options);
   EXPECT_NO_THROW(validate(result.stack));
   EXPECT_EQ(result.changes.size(), changes);
@@ -45,7 +46,8 @@ std::vector<Contour> repaired(const std::vector<Points>& contours, const RepairO
 }
 
 TEST(RepairContours, LeavesWhatKeepsTheRulesAsItIs) {
-  const std::vector<Points> good{{{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{1, 1}, {2, 1}, {2, 2}}};  // clockwise and not: both are fine
+  const std::vector<Points> good{{{0, 0}, {0, 4}, {4, 4}, {4, 0}},
+                                 {{1, 1}, {2, 1}, {2, 2}}};  // clockwise and not: both are fine
   const std::vector<Contour> slice = repaired(good, {}, 0);
   ASSERT_EQ(slice.size(), 2u);
   EXPECT_EQ(slice[0].points, good[0]);
@@ -57,7 +59,8 @@ TEST(RepairContours, RepeatedPointsGo) {
   ASSERT_EQ(slice.size(), 1u);
   EXPECT_EQ(slice[0].points, (Points{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
   const RepairedContours told = repair_contours(stack_of({{{0, 0}, {0, 0}, {4, 0}, {4, 4}}}));
-  EXPECT_EQ(in_words(told.changes.at(0)), "file: slice 1 (z = 1), contour 0, tooth: 1 point repeated its neighbour and went");
+  EXPECT_EQ(in_words(told.changes.at(0)),
+            "file: slice 1 (z = 1), contour 0, tooth: 1 point repeated its neighbour and went");
 }
 
 TEST(RepairContours, WhatEnclosesNothingGoes) {
@@ -74,7 +77,8 @@ TEST(RepairContours, AFigureOfEightBecomesTwo) {
 
 TEST(RepairContours, AKeyholeBecomesARing) {
   // A square with a square hole, drawn in one line that goes in and comes back along (0, 4) - (2, 4).
-  const std::vector<Contour> slice = repaired({{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 4}, {2, 6}, {6, 6}, {6, 2}, {2, 2}, {2, 4}, {0, 4}}});
+  const std::vector<Contour> slice =
+      repaired({{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 4}, {2, 6}, {6, 6}, {6, 2}, {2, 2}, {2, 4}, {0, 4}}});
   ASSERT_EQ(slice.size(), 2u);
   EXPECT_NEAR(area(slice), 64 - 16, 1e-12);
 }
@@ -87,8 +91,8 @@ TEST(RepairContours, AHoleThatTouchesItsOuterContourLeavesAGap) {
 
 TEST(RepairContours, CrossingContoursAreDifferentByTheirRule) {
   const std::vector<Points> squares{{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{2, 2}, {6, 2}, {6, 6}, {2, 6}}};
-  EXPECT_NEAR(area(repaired(squares)), 16 + 16 - 2 * 4, 0.01);                               // odd: the overlap is a hole
-  EXPECT_NEAR(area(repaired(squares, {.inside = Inside::positive})), 16 + 16 - 4, 0.01);     // union
+  EXPECT_NEAR(area(repaired(squares)), 16 + 16 - 2 * 4, 0.01);                            // odd: the overlap is a hole
+  EXPECT_NEAR(area(repaired(squares, {.inside = Inside::positive})), 16 + 16 - 4, 0.01);  // union
 }
 
 TEST(RepairContours, AContourGivenTwiceIsKeptOnce) {
@@ -101,7 +105,8 @@ TEST(RepairContours, AContourGivenTwiceIsKeptOnce) {
 /// A square of 10 with a hole of 3, drawn in one line: in along a channel of the given width, and out again.
 Points keyhole(double width) {
   const double low = 5 - width / 2, high = 5 + width / 2;
-  return {{0, 0}, {10, 0}, {10, low}, {6.5, low}, {6.5, 3.5}, {3.5, 3.5}, {3.5, 6.5}, {6.5, 6.5}, {6.5, high}, {8, high}, {10, high}, {10, 10}, {0, 10}};
+  return {{0, 0},     {10, 0},     {10, low}, {6.5, low}, {6.5, 3.5}, {3.5, 3.5}, {3.5, 6.5},
+          {6.5, 6.5}, {6.5, high}, {8, high}, {10, high}, {10, 10},   {0, 10}};
 }
 
 TEST(RepairContours, AKeyholeWithAChannelOfAFewMicrometresBecomesAHole) {
@@ -121,7 +126,8 @@ TEST(RepairContours, AKeyholeWithAChannelOfAFewMicrometresBecomesAHole) {
 TEST(RepairContours, AChannelThatIsDrawnStays) {
   EXPECT_TRUE(repair_contours(stack_of({keyhole(0.05)})).changes.empty());
   // A notch that comes to a point is narrow there, too, but shuts nothing in.
-  EXPECT_TRUE(repair_contours(stack_of({{{0, 0}, {10, 0}, {10, 4.9}, {5, 5}, {10, 5.1}, {10, 10}, {0, 10}}})).changes.empty());
+  EXPECT_TRUE(
+      repair_contours(stack_of({{{0, 0}, {10, 0}, {10, 4.9}, {5, 5}, {10, 5.1}, {10, 10}, {0, 10}}})).changes.empty());
 }
 
 TEST(RepairContours, SharedEdgesMelt) {

@@ -29,7 +29,9 @@ const Figure& figure(int number) {
   return found != made.end() ? found->second : made.emplace(number, make_figure(number, tooth())).first->second;
 }
 
-SurfaceReport report(const Panel& panel, std::size_t surface = 0) { return inspect(panel.surfaces.at(surface).surface); }
+SurfaceReport report(const Panel& panel, std::size_t surface = 0) {
+  return inspect(panel.surfaces.at(surface).surface);
+}
 
 /// Closed surfaces of the panel's only structure; every one must be sound.
 std::size_t solids(const Panel& panel) {
@@ -45,7 +47,8 @@ std::size_t triangles(const Panel& panel) {
 }
 
 bool all_sound(const Panel& panel) {
-  return std::all_of(panel.surfaces.begin(), panel.surfaces.end(), [](const NamedSurface& named) { return inspect(named.surface).closed_oriented_manifold(); });
+  return std::all_of(panel.surfaces.begin(), panel.surfaces.end(),
+                     [](const NamedSurface& named) { return inspect(named.surface).closed_oriented_manifold(); });
 }
 
 double median_smallest_angle(const Panel& panel) { return report(panel).smallest_angle_deg.median; }
@@ -78,15 +81,19 @@ TEST(Figure1, HasAnOutsideAndAnInside) {
 
 TEST(Figure2, ReverseTetrahedraAreWhereContoursMatch) {
   const auto joining = [](const SlabSteps& steps) {
-    return std::count_if(steps.reverse.begin(), steps.reverse.end(), [](const ReverseTetrahedron& t) { return t.lower_inside && t.upper_inside; });
+    return std::count_if(steps.reverse.begin(), steps.reverse.end(),
+                         [](const ReverseTetrahedron& t) { return t.lower_inside && t.upper_inside; });
   };
   EXPECT_GT(joining(slab_steps(well_placed_pair())), 0);
   const SlabSteps branch = slab_steps(one_over_two());
-  EXPECT_TRUE(std::any_of(branch.reverse.begin(), branch.reverse.end(), [](const auto& t) { return !t.lower_inside && t.upper_inside; }));
+  EXPECT_TRUE(std::any_of(branch.reverse.begin(), branch.reverse.end(),
+                          [](const auto& t) { return !t.lower_inside && t.upper_inside; }));
   const SlabSteps apart = slab_steps(badly_placed_pair());
   EXPECT_FALSE(apart.delaunay.empty());
   EXPECT_EQ(apart.reverse.size(), 0u);
-  const auto marked = [](const Panel& panel) { return panel.surfaces.size() == 2 ? panel.surfaces[0].surface.triangles.size() : 0u; };
+  const auto marked = [](const Panel& panel) {
+    return panel.surfaces.size() == 2 ? panel.surfaces[0].surface.triangles.size() : 0u;
+  };
   EXPECT_EQ(marked(figure(2).panels[0]), 4u) << "one tetrahedron";
   EXPECT_EQ(marked(figure(2).panels[1]), 4u);
   EXPECT_EQ(marked(figure(2).panels[2]), 0u);
@@ -156,7 +163,8 @@ TEST(Figure11, DbConnectsSlightOverlapUnlessAnEmptyLayerParts) {
 
 TEST(Figure12, DbStaysConnectedAsOverlapShrinks) {
   for (const Panel& panel : figure(12).panels) EXPECT_EQ(solids(panel), 1u) << panel.caption;
-  for (const double shift : {1.68, 1.78, 1.88}) EXPECT_EQ(reconstruct(shifted_stumps(shift), papers_way()).solids[0].report.shells.size(), 2u) << "DT at " << shift;
+  for (const double shift : {1.68, 1.78, 1.88})
+    EXPECT_EQ(reconstruct(shifted_stumps(shift), papers_way()).solids[0].report.shells.size(), 2u) << "DT at " << shift;
 }
 
 TEST(Figures13And14, TheFurcationIsSingularAndBothCloseIt) {
@@ -172,7 +180,8 @@ TEST(Figures13And14, TheFurcationIsSingularAndBothCloseIt) {
 TEST(Figures15And16, DecimationLeavesFewAndUnevenTriangles) {
   const auto& panels = figure(15).panels;
   EXPECT_LT(triangles(panels[2]), triangles(panels[1]) / 4);
-  const double dt = median_smallest_angle(panels[0]), db = median_smallest_angle(panels[1]), decimated = median_smallest_angle(panels[2]);
+  const double dt = median_smallest_angle(panels[0]), db = median_smallest_angle(panels[1]),
+               decimated = median_smallest_angle(panels[2]);
   EXPECT_GT(dt, db);
   EXPECT_GT(dt, decimated);
   EXPECT_EQ(triangles(figure(16).panels[0]), triangles(panels[2]));
@@ -182,7 +191,8 @@ TEST(Figure17, StandsInTheCavityWhoseDtWallIsSoundAndDbWallIsNot) {
   const auto& panels = figure(17).panels;
   EXPECT_TRUE(all_sound(panels[1]));
   EXPECT_GT(report(panels[2]).misoriented_edges, 100u);
-  for (const Look& look : panels[1].scene.looks) EXPECT_FALSE(look.as_body) << "else the wall would be seen from its wrong side";
+  for (const Look& look : panels[1].scene.looks)
+    EXPECT_FALSE(look.as_body) << "else the wall would be seen from its wrong side";
   EXPECT_EQ(panels[1].scene.back_faces, BackFaces::cull);
   EXPECT_EQ(panels[2].scene.back_faces, BackFaces::cull);
   EXPECT_EQ(panels[3].scene.back_faces, BackFaces::show);
@@ -190,8 +200,9 @@ TEST(Figure17, StandsInTheCavityWhoseDtWallIsSoundAndDbWallIsNot) {
   // Inside the pulp by its own contours: below and above there are slices whose pulp holds the eye.
   const glm::dvec3 eye = panels[1].scene.camera.position;
   const ContourStack& stack = tooth().whole_contours();
-  const auto nearest = std::min_element(stack.slices.begin(), stack.slices.end(),
-                                        [&](const Slice& a, const Slice& b) { return std::abs(a.z - eye.z) < std::abs(b.z - eye.z); });
+  const auto nearest = std::min_element(stack.slices.begin(), stack.slices.end(), [&](const Slice& a, const Slice& b) {
+    return std::abs(a.z - eye.z) < std::abs(b.z - eye.z);
+  });
   bool inside = false;
   for (const Contour& contour : nearest->contours) {
     if (contour.structure != "pulp") continue;
@@ -208,7 +219,8 @@ TEST(Figure18, TheTetrahedraFillTheirBoundary) {
   const Reconstruction made = reconstruct(roots_and_trunk(), papers_way());
   EXPECT_EQ(panels[0].surfaces[0].surface.triangles.size(), 4 * made.solids[0].tetrahedra.tetrahedra.size());
   EXPECT_EQ(solids(panels[2]), 1u);
-  EXPECT_EQ(report(panels[2]).shells[0].genus, 3) << "two canals into one chamber, and the chamber open above: three handles";
+  EXPECT_EQ(report(panels[2]).shells[0].genus, 3)
+      << "two canals into one chamber, and the chamber open above: three handles";
 }
 
 }  // namespace

@@ -37,14 +37,16 @@ TEST_F(FiguresCommand, WritesPicturesAndAPageIntoANewFolder) {
 
 TEST_F(FiguresCommand, ShowsTheContoursThatItIsGiven) {
   given("cube.json", cube_stack());
-  const Ending ending = odontoscope({"figures", "cube.json", "-o", "made", "--only", "1", "--size", "80", "--grid", "16"});
+  const Ending ending =
+      odontoscope({"figures", "cube.json", "-o", "made", "--only", "1", "--size", "80", "--grid", "16"});
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_NE(bytes_of("made/index.html").find("cube.json"), std::string::npos);
 }
 
 TEST_F(FiguresCommand, WritesNothingIfAFigureCannotBeMade) {
   given("cube.json", cube_stack());
-  const Ending ending = odontoscope({"figures", "cube.json", "-o", "made", "--only", "1", "--only", "17", "--size", "80", "--grid", "16"});
+  const Ending ending = odontoscope(
+      {"figures", "cube.json", "-o", "made", "--only", "1", "--only", "17", "--size", "80", "--grid", "16"});
   EXPECT_EQ(ending.exit_code, 3);
   EXPECT_TRUE(ending.complains("no cavity")) << ending.err;
   EXPECT_FALSE(exists("made"));

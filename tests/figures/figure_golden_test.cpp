@@ -1,4 +1,5 @@
-// Does every figure still look as it did, and is it a picture of something? One golden a figure, its panels side by side.
+// Does every figure still look as it did, and is it a picture of something? One golden a figure, its panels side by
+// side.
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ namespace odontoscope::testing_support {
 namespace {
 
 constexpr int longer_side = 96;
-constexpr std::uintmax_t most_golden_bytes = 450'000;   // of all figures; all goldens of the project stay under 1 MiB
+constexpr std::uintmax_t most_golden_bytes = 450'000;  // of all figures; all goldens of the project stay under 1 MiB
 constexpr ImageTolerance tolerance{2, 0.02};
 
 figures::ToothModels& tooth() {
@@ -29,7 +30,8 @@ figures::ToothModels& tooth() {
 std::string golden_file(int number) { return fmt::format("{}/figure-{:02}.png", ODONTOSCOPE_GOLDENS, number); }
 
 bool only_lines(const figures::Panel& panel) {
-  return std::all_of(panel.scene.looks.begin(), panel.scene.looks.end(), [](const Look& look) { return !look.visible; });
+  return std::all_of(panel.scene.looks.begin(), panel.scene.looks.end(),
+                     [](const Look& look) { return !look.visible; });
 }
 
 class FigureGoldens : public DrawingTest, public ::testing::WithParamInterface<int> {};
@@ -41,7 +43,9 @@ TEST_P(FigureGoldens, LookTheSame) {
   const std::vector<Image> panels = figures::draw(gl(), renderer, figure, longer_side);
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const ImageContent content = content_of(panels[i]);
-    EXPECT_TRUE(only_lines(figure.panels[i]) ? content.coverage >= 0.01 && content.colours > 2 : content.shows_something()) << figures::picture_name(figure, i) << ": coverage " << content.coverage << ", colours " << content.colours;
+    EXPECT_TRUE(only_lines(figure.panels[i]) ? content.coverage >= 0.01 && content.colours > 2
+                                             : content.shows_something())
+        << figures::picture_name(figure, i) << ": coverage " << content.coverage << ", colours " << content.colours;
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(panels[i], panels[j]) << "two panels are one picture";
   }
   const Image drawn = figures::side_by_side(panels);
@@ -53,8 +57,9 @@ TEST_P(FigureGoldens, LookTheSame) {
     std::filesystem::create_directories(ODONTOSCOPE_FAILED_PICTURES);
     write_png(drawn, fmt::format("{}/figure-{:02}.png", ODONTOSCOPE_FAILED_PICTURES, GetParam()));
   }
-  EXPECT_TRUE(difference.within_tolerance) << fmt::format("{:.3f} % of the pixels differ, the most by {}; see {}", 100 * difference.share, difference.largest,
-                                                          ODONTOSCOPE_FAILED_PICTURES);
+  EXPECT_TRUE(difference.within_tolerance)
+      << fmt::format("{:.3f} % of the pixels differ, the most by {}; see {}", 100 * difference.share,
+                     difference.largest, ODONTOSCOPE_FAILED_PICTURES);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, FigureGoldens, ::testing::Range(1, 19));
@@ -88,7 +93,8 @@ TEST_F(FigurePixels, InsideTheToothDtHasNoHolesAndUnorientedDbHasMany) {
 double unrest(const Image& image, const Image& other, const Scene& scene) {
   const auto lit = [&](const Image& picture, int x, int y) {
     const auto pixel = picture.pixel(x, y);
-    return pixel[0] != std::lround(255 * scene.background.top.red) || pixel[2] != std::lround(255 * scene.background.top.blue);
+    return pixel[0] != std::lround(255 * scene.background.top.red) ||
+           pixel[2] != std::lround(255 * scene.background.top.blue);
   };
   double sum = 0;
   for (int x = 0; x < image.width; ++x)

@@ -1,18 +1,20 @@
 // The page names every picture, and nothing that is not there.
 
+#include "engine/figures/page.h"
+
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 
 #include "engine/figures/draw.h"
-#include "engine/figures/page.h"
 
 namespace odontoscope::figures {
 namespace {
 
 std::vector<Figure> two_figures() {
-  Figure one{1, "A <tooth>", "Caption & more", 0.75, std::vector<Panel>(2)}, two{12, "Another", "Words", 1, std::vector<Panel>(1)};
+  Figure one{1, "A <tooth>", "Caption & more", 0.75, std::vector<Panel>(2)},
+      two{12, "Another", "Words", 1, std::vector<Panel>(1)};
   one.panels[0].caption = "first \"panel\"";
   return {one, two};
 }
@@ -20,14 +22,16 @@ std::vector<Figure> two_figures() {
 TEST(IndexPage, ShowsEachPanelWithItsWords) {
   const std::vector<Figure> figures = two_figures();
   const std::string page = index_page(figures, "About <it>.");
-  for (const char* expected : {"src=\"figure-01a.png\"", "src=\"figure-01b.png\"", "src=\"figure-12.png\"", "A &lt;tooth&gt;", "Caption &amp; more",
-                               "first &quot;panel&quot;", "About &lt;it&gt;.", "id=\"figure-12\"", "name=\"viewport\"", "width=\"750\" height=\"1000\""})
+  for (const char* expected : {"src=\"figure-01a.png\"", "src=\"figure-01b.png\"", "src=\"figure-12.png\"",
+                               "A &lt;tooth&gt;", "Caption &amp; more", "first &quot;panel&quot;", "About &lt;it&gt;.",
+                               "id=\"figure-12\"", "name=\"viewport\"", "width=\"750\" height=\"1000\""})
     EXPECT_NE(page.find(expected), std::string::npos) << expected;
 }
 
 TEST(IndexPage, NeedsNothingFromElsewhere) {
   const std::string page = index_page(two_figures(), "");
-  for (const char* foreign : {"http:", "https:", "<script", "url(", "@import"}) EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
+  for (const char* foreign : {"http:", "https:", "<script", "url(", "@import"})
+    EXPECT_EQ(page.find(foreign), std::string::npos) << foreign;
 }
 
 TEST(PictureNames, DifferForEachPanel) {

@@ -13,7 +13,9 @@
 
 namespace odontoscope::fuzz {
 
-inline std::string_view text(const std::uint8_t* data, std::size_t size) { return {reinterpret_cast<const char*>(data), size}; }
+inline std::string_view text(const std::uint8_t* data, std::size_t size) {
+  return {reinterpret_cast<const char*>(data), size};
+}
 
 /// Ends the program, which is a find, unless `holds`.
 inline void require(bool holds) {

@@ -22,7 +22,9 @@ int mesh(Parse parse, const std::uint8_t* data, std::size_t size) {
     require(!surfaces.empty() && !surfaces.front().surface.points.empty());
     const double middle = surfaces.front().surface.points.front().z;
     for (const bool repair : {false, true}) {
-      refused_or_read([&] { cut_surfaces(surfaces, {middle - 0.1, middle, middle + 0.1}, "fuzz", {.repair = repair, .widest_gap = 10}); });
+      refused_or_read([&] {
+        cut_surfaces(surfaces, {middle - 0.1, middle, middle + 0.1}, "fuzz", {.repair = repair, .widest_gap = 10});
+      });
     }
   });
 }

@@ -1,6 +1,7 @@
-// Any bytes as a volume in one file (NRRD, MetaImage, NIfTI or DICOM), or as a DICOM folder of several: "FOLDER" and then files, each with its length in
-// two bytes before it; one that is a DICOMDIR is called so. All of it is code of ours but the decoders of compressed pixels, which run in a process of their own: GDCM comes compiled,
-// without counters and sanitizers.
+// Any bytes as a volume in one file (NRRD, MetaImage, NIfTI or DICOM), or as a DICOM folder of several: "FOLDER" and
+// then files, each with its length in two bytes before it; one that is a DICOMDIR is called so. All of it is code of
+// ours but the decoders of compressed pixels, which run in a process of their own: GDCM comes compiled, without
+// counters and sanitizers.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -40,7 +41,8 @@ class Folder {
     clear();
     for (const char* name : {"a", "b", "c", "d"}) {
       if (bytes.size() < 2) break;
-      const std::size_t length = static_cast<unsigned char>(bytes[0]) | static_cast<std::size_t>(static_cast<unsigned char>(bytes[1])) << 8;
+      const std::size_t length =
+          static_cast<unsigned char>(bytes[0]) | static_cast<std::size_t>(static_cast<unsigned char>(bytes[1])) << 8;
       bytes.remove_prefix(2);
       put(is_directory(bytes.substr(0, length)) ? "DICOMDIR" : name, bytes.substr(0, length));
       bytes.remove_prefix(std::min(length, bytes.size()));
@@ -70,6 +72,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static Folder folder;
   constexpr std::string_view several = "FOLDER";
   const std::string_view bytes = fuzz::text(data, size);
-  const std::string file = bytes.starts_with(several) ? folder.files_of(bytes.substr(several.size())) : folder.file_of(data, size);
+  const std::string file =
+      bytes.starts_with(several) ? folder.files_of(bytes.substr(several.size())) : folder.file_of(data, size);
   return fuzz::refused_or_read([&] { validate_volume(read_volume(file)); });
 }

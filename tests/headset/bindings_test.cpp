@@ -19,20 +19,26 @@ TEST(Bindings, EveryControllerHasWhatIsNeeded) {
     std::set<std::string> paths;
     std::set<HandAction> left, right;
     for (const Binding& binding : bindings.bindings) {
-      for (const auto& [path, actions, hand] : {std::tuple{binding.left, &left, "left "}, std::tuple{binding.right, &right, "right "}}) {
+      for (const auto& [path, actions, hand] :
+           {std::tuple{binding.left, &left, "left "}, std::tuple{binding.right, &right, "right "}}) {
         if (!path) continue;
         EXPECT_TRUE(actions->insert(binding.action).second) << bindings.profile << ": two for one action";
-        EXPECT_TRUE(paths.insert(hand + std::string(path)).second) << bindings.profile << ": " << path << " does two things";
+        EXPECT_TRUE(paths.insert(hand + std::string(path)).second)
+            << bindings.profile << ": " << path << " does two things";
         EXPECT_EQ(std::string(path).rfind(binding.action == HandAction::haptic ? "output/" : "input/", 0), 0u) << path;
       }
     }
     EXPECT_EQ(left, right) << bindings.profile;
-    for (const HandAction needed : {HandAction::grip, HandAction::aim, HandAction::trigger, HandAction::menu, HandAction::haptic}) EXPECT_TRUE(left.contains(needed)) << bindings.profile;
+    for (const HandAction needed :
+         {HandAction::grip, HandAction::aim, HandAction::trigger, HandAction::menu, HandAction::haptic})
+      EXPECT_TRUE(left.contains(needed)) << bindings.profile;
     // Without a button to grab with, the trigger does it.
     const bool one_button = std::string(bindings.profile) == "khr/simple_controller";
     EXPECT_EQ(left.contains(HandAction::grab), !one_button) << bindings.profile;
   }
-  EXPECT_EQ(profiles, (std::set<std::string>{"khr/simple_controller", "oculus/touch_controller", "valve/index_controller", "htc/vive_controller", "microsoft/motion_controller"}));
+  EXPECT_EQ(profiles,
+            (std::set<std::string>{"khr/simple_controller", "oculus/touch_controller", "valve/index_controller",
+                                   "htc/vive_controller", "microsoft/motion_controller"}));
 }
 
 TEST(NoHeadset, IsSaidAndOpenGlGoesOn) {

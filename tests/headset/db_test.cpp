@@ -32,18 +32,18 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   HeadsetLab lab(loaded_molar(), coarse());
   EXPECT_TRUE(lab.possible());
   lab.tend(false);
-  EXPECT_EQ(lab.in_words(), "");   // nobody asked
+  EXPECT_EQ(lab.in_words(), "");  // nobody asked
   const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   lab.tend(true);
   EXPECT_FALSE(lab.made());
   EXPECT_EQ(lab.in_words().rfind("Making DB", 0), 0u);
   while (!lab.made() && std::chrono::steady_clock::now() < until) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    lab.tend(false);   // looked away meanwhile
+    lab.tend(false);  // looked away meanwhile
   }
   ASSERT_TRUE(lab.made());
   EXPECT_EQ(lab.made()->options.grid, 24u);
-  EXPECT_GT(lab.made()->cracks() + lab.made()->misoriented(), 0u);   // what the mode is there to show
+  EXPECT_GT(lab.made()->cracks() + lab.made()->misoriented(), 0u);  // what the mode is there to show
   EXPECT_NE(lab.in_words().find("grid of 24"), std::string::npos) << lab.in_words();
   const auto made = lab.made();
   lab.tend(true);
@@ -81,7 +81,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   for (int y = 0; y < size.height; ++y)
     for (int x = 0; x < size.width; ++x) differ += with_dt.pixel(x, y) != with_db.pixel(x, y) ? 1u : 0u;
   EXPECT_GT(differ, 100u);
-  EXPECT_LT(differ, static_cast<std::size_t>(size.width * size.height) / 4);   // the same tooth
+  EXPECT_LT(differ, static_cast<std::size_t>(size.width * size.height) / 4);  // the same tooth
   painter.take(dt.model);
   EXPECT_EQ(seen(dt), with_dt);
   visit.todo = {VisitAction::show_dt};

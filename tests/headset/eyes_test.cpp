@@ -50,10 +50,13 @@ TEST_F(Eyes, SeeTheInsideOfThePulpAndNothingElse) {
     for (int y = 0; y < image.height; ++y)
       for (int x = 0; x < image.width; ++x) {
         const auto pixel = image.pixel(x, y);
-        empty += std::abs(pixel[0] - 255 * background.red) < 2 && std::abs(pixel[1] - 255 * background.green) < 2 && std::abs(pixel[2] - 255 * background.blue) < 2 ? 1 : 0;
+        empty += std::abs(pixel[0] - 255 * background.red) < 2 && std::abs(pixel[1] - 255 * background.green) < 2 &&
+                         std::abs(pixel[2] - 255 * background.blue) < 2
+                     ? 1
+                     : 0;
       }
-    EXPECT_EQ(empty, 0u);   // a closed wall all around
-    EXPECT_GT(content_of(image).colours, 4u);   // lit, though a lamp in the middle of a ball lights it evenly
+    EXPECT_EQ(empty, 0u);                      // a closed wall all around
+    EXPECT_GT(content_of(image).colours, 4u);  // lit, though a lamp in the middle of a ball lights it evenly
   }
 }
 
@@ -79,7 +82,9 @@ TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
     EXPECT_EQ(edged[eye].pixel(x, y), clear[eye].pixel(x, y));
     // As dark on one side of it as on the other.
     const int off = static_cast<int>(0.6 * size.width / (std::tan(field.right) - std::tan(field.left)));
-    const auto left_over = [&](int at) { return static_cast<double>(edged[eye].pixel(at, y)[1]) / clear[eye].pixel(at, y)[1]; };
+    const auto left_over = [&](int at) {
+      return static_cast<double>(edged[eye].pixel(at, y)[1]) / clear[eye].pixel(at, y)[1];
+    };
     EXPECT_NEAR(left_over(x - off), left_over(x + off), 0.04);
     EXPECT_NEAR(left_over(x - off), 0.5, 0.25);
   }
@@ -91,7 +96,8 @@ TEST_F(Eyes, SeeTheHandsRayUpToWhatItHits) {
   HeadsetInput input = handless();
   const Visit before = stepped({}, input, balls.world(), {}, 0.01);
   const Image without = seen(painter, before, input, balls.world())[0];
-  input.hands[1] = pointing_at(to_room(before.stage, balls.model.bounds_mm.centre()), input.head.position + glm::dvec3(0.15, -0.25, -0.3));
+  input.hands[1] = pointing_at(to_room(before.stage, balls.model.bounds_mm.centre()),
+                               input.head.position + glm::dvec3(0.15, -0.25, -0.3));
   const Visit pointing = stepped(before, input, balls.world(), {}, 0.01);
   ASSERT_TRUE(pointing.pointed[1]);
   EXPECT_EQ(pointing.pointed[1]->structure, "pulp");

@@ -32,7 +32,8 @@ TEST(FreeWay, EndsWhereTheBallTouchesTheWallAndNoSooner) {
     const double x = any(random), y = any(random), z = any(random);
     const glm::dvec3 direction = glm::normalize(glm::dvec3(x, y, z));
     const double way = visit_steps::free_way(canals.walls, canals.middle, direction, 10, 0.1);
-    for (int k = 0; k <= 40; ++k) ASSERT_GE(canals.walls.nearest(canals.middle + way * k / 40.0 * direction).distance, 0.1 * (1 - 1e-9));
+    for (int k = 0; k <= 40; ++k)
+      ASSERT_GE(canals.walls.nearest(canals.middle + way * k / 40.0 * direction).distance, 0.1 * (1 - 1e-9));
   }
 }
 
@@ -48,7 +49,8 @@ class Leap : public VisitingMolar {
   }
   void point(const glm::dvec3& direction) {
     const double trigger = input.hands[1].trigger;
-    input.hands[1] = pointing_at(input.head.position + 3.0 * direction, input.head.position + glm::dvec3(0.1, -0.2, -0.1));
+    input.hands[1] =
+        pointing_at(input.head.position + 3.0 * direction, input.head.position + glm::dvec3(0.1, -0.2, -0.1));
     input.hands[1].trigger = trigger;
     step();
   }
@@ -147,7 +149,7 @@ TEST_F(Leap, HandsFeelWhatTheyDidAndTheWallOnce) {
   EXPECT_EQ(knocks, 1) << "it knocks, it does not rattle";
   input.hands[1].trigger = 0;
   visit.tool = HandTool::distance;
-  point({-1, 0, 0});   // back: before it the hand may reach through the wall
+  point({-1, 0, 0});  // back: before it the hand may reach through the wall
   step(20);
   input.hands[1].trigger = 1;
   step();

@@ -23,13 +23,15 @@ TEST(RoomPanel, StandsBesideThePersonTiltedToTheEyes) {
     EXPECT_NEAR((panel.pose.turn * glm::dvec3(1, 0, 0)).y, 0, 1e-12);
     EXPECT_TRUE(within_sight(panel, head));
     EXPECT_FALSE(within_sight(panel, {head.position, head.turn * glm::angleAxis(3.0, glm::dvec3(0, 1, 0))}));
-    EXPECT_FALSE(within_sight(panel, {head.position + 1.5 * way, head.turn}));   // it is behind that head, and turned away
+    EXPECT_FALSE(
+        within_sight(panel, {head.position + 1.5 * way, head.turn}));  // it is behind that head, and turned away
   }
 }
 
 TEST(RoomPanel, KeepsItsAngleWhereThereIsLessRoomButNeverMakesTheEyesSquint) {
   const Pose head{{0, 1.6, 0}, {1, 0, 0, 0}};
-  const RoomPanel usual = summoned(head, 1), near = summoned(head, 1, 0.5), nearest = summoned(head, 1, 0.01), far = summoned(head, 1, 30);
+  const RoomPanel usual = summoned(head, 1), near = summoned(head, 1, 0.5), nearest = summoned(head, 1, 0.01),
+                  far = summoned(head, 1, 30);
   EXPECT_NEAR(near.size.y / 0.5, usual.size.y / panel_distance, 1e-12);
   EXPECT_NEAR(glm::length(nearest.pose.position - head.position), least_panel_distance, 1e-12);
   EXPECT_EQ(far, usual);
@@ -67,7 +69,8 @@ class PanelInVisit : public VisitingBalls {
   }
   void point(std::size_t hand, const glm::dvec2& at) {
     const HandInput before = input.hands[hand];
-    input.hands[hand] = pointing_at(place_of(*visit.panel, at), input.head.position + glm::dvec3(hand == 0 ? -0.2 : 0.2, -0.35, 0));
+    input.hands[hand] =
+        pointing_at(place_of(*visit.panel, at), input.head.position + glm::dvec3(hand == 0 ? -0.2 : 0.2, -0.35, 0));
     input.hands[hand].trigger = before.trigger;
     input.hands[hand].grab = before.grab;
     step();
@@ -86,7 +89,7 @@ TEST_F(PanelInVisit, IsThereAtFirstAndStaysInTheWorld) {
   input.head.turn = glm::angleAxis(0.4, glm::dvec3(0, 1, 0));
   step(20);
   EXPECT_EQ(*visit.panel, panel);
-  input.recentred = true;   // everything comes before the person again
+  input.recentred = true;  // everything comes before the person again
   step();
   EXPECT_EQ(*visit.panel, summoned(input.head, 1));
 }
@@ -94,7 +97,7 @@ TEST_F(PanelInVisit, IsThereAtFirstAndStaysInTheWorld) {
 TEST_F(PanelInVisit, MenuPutsItAwayAndFetchesItOnTheHandsSide) {
   press_menu(1);
   EXPECT_FALSE(visit.panel);
-  EXPECT_EQ(visit.stage.magnification, usual_magnification);   // a press is not a hold
+  EXPECT_EQ(visit.stage.magnification, usual_magnification);  // a press is not a hold
   for (const std::size_t hand : {0u, 1u}) {
     press_menu(hand);
     ASSERT_TRUE(visit.panel);
@@ -121,7 +124,8 @@ TEST_F(PanelInVisit, HeldMenuDoesNotAlsoMoveThePanel) {
 
 TEST_F(PanelInVisit, ARayOnItIsItsMouseAndMeetsNothingElse) {
   // Before the tooth, so that the ray would go on to the pulp.
-  const glm::dvec3 centre = to_room(visit.stage, balls.model.bounds_mm.centre()), hand = input.head.position + glm::dvec3(0.2, -0.35, 0);
+  const glm::dvec3 centre = to_room(visit.stage, balls.model.bounds_mm.centre()),
+                   hand = input.head.position + glm::dvec3(0.2, -0.35, 0);
   const RoomPanel panel{{0.5 * (hand + centre), {1, 0, 0, 0}}};
   visit.panel.reset();
   input.hands[1] = pointing_at(centre, hand);

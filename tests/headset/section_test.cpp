@@ -1,11 +1,10 @@
 // The section plane in the hand: its frame, who takes hold of it, and that it stays where it is let go.
-#include "engine/headset/section_frame.h"
-
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "engine/headset/section_frame.h"
 #include "engine/navigate/section_handle.h"
 #include "tests/headset/visiting.h"
 
@@ -66,15 +65,20 @@ TEST_F(SectionInHand, AGrabOnTheFrameMovesThePlaneAndNotTheTooth) {
   input.hands[1].aim.position += by;
   step();
   EXPECT_EQ(visit.stage, stage);
-  EXPECT_NEAR(offset_of(*visit.scene.section, balls.model) - offset_of(before, balls.model), 2, 1e-9);   // 5 cm, 25 times enlarged
+  EXPECT_NEAR(offset_of(*visit.scene.section, balls.model) - offset_of(before, balls.model), 2,
+              1e-9);  // 5 cm, 25 times enlarged
   // Turned by the hand: about the hand, and by as much.
   const glm::dquat turn = glm::angleAxis(0.1, glm::normalize(glm::dvec3(1, 2, 0)));
-  const glm::dvec3 held = input.hands[1].grip.position, point_before = to_room(visit.stage, visit.scene.section->point_mm), normal_before = visit.stage.turn * visit.scene.section->normal;
+  const glm::dvec3 held = input.hands[1].grip.position,
+                   point_before = to_room(visit.stage, visit.scene.section->point_mm),
+                   normal_before = visit.stage.turn * visit.scene.section->normal;
   input.hands[1].grip.turn = glm::normalize(turn * input.hands[1].grip.turn);
   step();
   const glm::dvec3 normal_after = visit.stage.turn * visit.scene.section->normal;
   EXPECT_LT(glm::length(normal_after - turn * normal_before), 1e-9);
-  EXPECT_NEAR(glm::dot(normal_after, held + turn * (point_before - held) - to_room(visit.stage, visit.scene.section->point_mm)), 0, 1e-9);
+  EXPECT_NEAR(
+      glm::dot(normal_after, held + turn * (point_before - held) - to_room(visit.stage, visit.scene.section->point_mm)),
+      0, 1e-9);
   // It stays where it is let go.
   input.hands[1].grab = 0;
   step();
@@ -106,12 +110,12 @@ TEST_F(SectionInHand, AGrabBesideTheFrameIsTheTooths) {
   input.hands[1].grip.position.y += 0.1;
   step();
   EXPECT_NE(visit.stage, stage);
-  EXPECT_EQ(*visit.scene.section, before);   // it goes along, in the tooth
+  EXPECT_EQ(*visit.scene.section, before);  // it goes along, in the tooth
 }
 
 TEST_F(SectionInHand, AHandWithinReachTakesItAndSwitchingItOffLetsGo) {
   input.hands[1].grip.position = edge() + glm::dvec3(0.02, 0.03, 0.02);
-  input.hands[1].can_grab = false;   // one button: the trigger grabs
+  input.hands[1].can_grab = false;  // one button: the trigger grabs
   step();
   ASSERT_TRUE(visit.on_frame[1]);
   input.hands[1].trigger = 1;
@@ -125,7 +129,8 @@ TEST_F(SectionInHand, AHandWithinReachTakesItAndSwitchingItOffLetsGo) {
 }
 
 TEST_F(SectionInHand, WhatIsCutAwayIsNotPointedAt) {
-  const glm::dvec3 front = visit.stage.turn * visit.scene.section->normal;   // towards the person: the buccal half is gone
+  const glm::dvec3 front =
+      visit.stage.turn * visit.scene.section->normal;  // towards the person: the buccal half is gone
   EXPECT_GT(front.z, 0.8);
   point(to_room(visit.stage, balls.model.bounds_mm.centre()));
   ASSERT_TRUE(visit.pointed[1]);

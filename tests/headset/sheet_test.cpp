@@ -1,6 +1,4 @@
 // The panel as it is drawn and operated: a scripted hand finds its controls, and both eyes see it where it stands.
-#include "engine/ui/headset_sheet.h"
-
 #include <gtest/gtest.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -12,6 +10,7 @@
 
 #include "engine/headset/eye_painter.h"
 #include "engine/picture/png.h"
+#include "engine/ui/headset_sheet.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
@@ -30,7 +29,9 @@ class Sheet : public Drawing {
   const Model& model = molar.model;
   const VisitWorld world = molar.world();
   const ComfortRules rules;
-  const HeadsetPanelWords words{"Small molar", true, "DB on a grid of 64: 1 234 edges of cracks, 56 misoriented.", "", Certificate::Mark::good, true};
+  const HeadsetPanelWords words{
+      "Small molar",           true, "DB on a grid of 64: 1 234 edges of cracks, 56 misoriented.", "",
+      Certificate::Mark::good, true};
   HeadsetInput input = person();
   Visit visit;
 
@@ -38,9 +39,7 @@ class Sheet : public Drawing {
     sheet = std::make_unique<HeadsetSheet>(context->gl(), ShaderLibrary{});
     step(3);
   }
-  void finish() override {
-    sheet.reset();
-  }
+  void finish() override { sheet.reset(); }
   void step(int times = 1) {
     for (int i = 0; i < times; ++i) {
       visit = stepped(std::move(visit), input, world, rules, tick);
@@ -49,12 +48,14 @@ class Sheet : public Drawing {
   }
   /// Near the end of the control with this label, inside the ids given, as PanelPlace counts.
   glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {}, double share = 0.9) {
-    sheet->update(visit, input, world, words, 1);   // as after a while
+    sheet->update(visit, input, world, words, 1);  // as after a while
     ImGuiID id = ImHashStr("room panel");
     for (const std::string& part : inside) id = ImHashStr(part.c_str(), 0, id);
     id = ImHashStr(label.c_str(), 0, id);
     for (const Interface::Place& place : sheet->interface().places)
-      if (place.id == id) return HeadsetSheet::on_panel(place.left + share * (place.right - place.left), 0.5 * (place.top + place.bottom));
+      if (place.id == id)
+        return HeadsetSheet::on_panel(place.left + share * (place.right - place.left),
+                                      0.5 * (place.top + place.bottom));
     ADD_FAILURE() << "there is no control " << label;
     return {0.5, 0.5};
   }
@@ -76,7 +77,9 @@ class Sheet : public Drawing {
     Framebuffer pixels[2];
     for (Framebuffer& eye : pixels) eye = Framebuffer(context->gl(), {size, {GL_SRGB8_ALPHA8}, GL_DEPTH_COMPONENT32F});
     const Target targets[2] = {{pixels[0].id(), 0, 0, size, true}, {pixels[1].id(), 0, 0, size, true}};
-    painter.draw(visit, input, world, eyes_of(input.head), targets, with_panel ? [&](const EyeView& eye, const Target& target) { sheet->draw(eye, target); } : EyePainter::Over{});
+    painter.draw(
+        visit, input, world, eyes_of(input.head), targets,
+        with_panel ? [&](const EyeView& eye, const Target& target) { sheet->draw(eye, target); } : EyePainter::Over{});
     return {read_pixels(context->gl(), pixels[0].id(), size), read_pixels(context->gl(), pixels[1].id(), size)};
   }
   static void keep(const std::string& name, const Image& image) {
@@ -111,7 +114,7 @@ TEST_F(Sheet, AHandOperatesItsControls) {
   EXPECT_EQ(visit.stage.magnification, usual_magnification);
   const auto drawn = [&] { return read_pixels(context->gl(), sheet->pixels().id(), sheet->pixels().size()); };
   const Image tooth_page = drawn();
-  both_eyes();   // being looked at does not stop it from being drawn
+  both_eyes();  // being looked at does not stop it from being drawn
   click("Measure", {"page"});
   EXPECT_NE(drawn(), tooth_page);
   click("Measures", {"tool"});
@@ -190,21 +193,23 @@ TEST_F(Sheet, BothEyesSeeItWhereItStandsAndNothingElseChanges) {
     // Changed pixels fill what the corners span, but for the hand's ray.
     std::vector<glm::dvec2> corners;
     for (const glm::dvec2& corner : {glm::dvec2(0, 0), glm::dvec2(0, 1), glm::dvec2(1, 1), glm::dvec2(1, 0)}) {
-      const glm::dvec3 in_eye = glm::conjugate(eyes[e].pose.turn) * (place_of(*visit.panel, corner) - eyes[e].pose.position);
+      const glm::dvec3 in_eye =
+          glm::conjugate(eyes[e].pose.turn) * (place_of(*visit.panel, corner) - eyes[e].pose.position);
       const FieldOfView& field = eyes[e].field;
-      corners.emplace_back(size.width * (in_eye.x / -in_eye.z - std::tan(field.left)) / (std::tan(field.right) - std::tan(field.left)),
-                           size.height * (std::tan(field.up) - in_eye.y / -in_eye.z) / (std::tan(field.up) - std::tan(field.down)));
+      corners.emplace_back(
+          size.width * (in_eye.x / -in_eye.z - std::tan(field.left)) / (std::tan(field.right) - std::tan(field.left)),
+          size.height * (std::tan(field.up) - in_eye.y / -in_eye.z) / (std::tan(field.up) - std::tan(field.down)));
     }
     std::size_t inside = 0, inside_changed = 0, outside_changed = 0;
     for (int y = 0; y < size.height; ++y)
       for (int x = 0; x < size.width; ++x) {
-        double least = 1e9;   // pixels inside the nearest edge
+        double least = 1e9;  // pixels inside the nearest edge
         for (std::size_t k = 0; k < 4; ++k) {
           const glm::dvec2 edge = corners[(k + 1) % 4] - corners[k], to = glm::dvec2(x + 0.5, y + 0.5) - corners[k];
           least = std::min(least, (edge.y * to.x - edge.x * to.y) / glm::length(edge));
         }
         const bool changed = with.pixel(x, y) != without.pixel(x, y);
-        if (least > 12) {   // its corners are round
+        if (least > 12) {  // its corners are round
           ++inside;
           inside_changed += changed ? 1u : 0u;
         } else if (least < -1) {

@@ -1,20 +1,21 @@
 // Where the model stands in the room: similarities that keep what they promise.
 #include "engine/headset/stage.h"
 
-#include "engine/headset/scale_mark.h"
-
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <random>
 #include <set>
 
+#include "engine/headset/scale_mark.h"
 #include "tests/headset/worlds.h"
 
 namespace odontoscope::testing_support {
 namespace {
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-9) { EXPECT_LE(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z; }
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-9) {
+  EXPECT_LE(glm::length(a - b), tolerance) << a.x << ' ' << a.y << ' ' << a.z;
+}
 
 glm::dvec3 any_place(std::mt19937& random) {
   std::uniform_real_distribution<double> number(-2, 2);
@@ -35,7 +36,8 @@ TEST(Stage, GoesToTheRoomAndBack) {
     const Stage stage = any_stage(random);
     const glm::dvec3 point = 100.0 * any_place(random);
     expect_near(to_model(stage, to_room(stage, point)), point, 1e-9);
-    expect_near(to_room(stage, point + glm::dvec3(1, 0, 0)) - to_room(stage, point), 0.025 * (stage.turn * glm::dvec3(1, 0, 0)));
+    expect_near(to_room(stage, point + glm::dvec3(1, 0, 0)) - to_room(stage, point),
+                0.025 * (stage.turn * glm::dvec3(1, 0, 0)));
   }
 }
 
@@ -52,7 +54,8 @@ TEST(Stage, StandsUprightAtArmsLengthWithItsBuccalSideToTheEyes) {
   // Straight up or down there is a heading, too.
   for (const double tilt : {1.5707, -1.5707}) {
     head.turn = glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::angleAxis(tilt, glm::dvec3(1, 0, 0));
-    expect_near(heading_of(head) * glm::dvec3(0, 0, -1), glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::dvec3(0, 0, -1), 1e-3);
+    expect_near(heading_of(head) * glm::dvec3(0, 0, -1),
+                glm::angleAxis(0.7, glm::dvec3(0, 1, 0)) * glm::dvec3(0, 0, -1), 1e-3);
   }
 }
 
@@ -77,7 +80,8 @@ TEST(ScaleMark, IsWrittenBelowTheToothForWhoeverLooksAtIt) {
   std::set<std::size_t> lit;
   for (const char* digit : {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"}) {
     std::size_t code = 0;
-    for (const glm::dvec3& point : strokes(digit)) code = 31 * code + static_cast<std::size_t>(4 * point.x + 16 * point.y);
+    for (const glm::dvec3& point : strokes(digit))
+      code = 31 * code + static_cast<std::size_t>(4 * point.x + 16 * point.y);
     EXPECT_TRUE(lit.insert(code).second) << digit << " looks like another";
   }
   const std::vector<glm::dvec3> mark = scale_mark(stage, balls.model, head.position);
@@ -98,7 +102,8 @@ TEST(Stage, OneHandCarriesItRigidly) {
     EXPECT_DOUBLE_EQ(after.magnification, stage.magnification);
     // What the hand holds stays where it is in the hand.
     const glm::dvec3 point = 30.0 * any_place(random);
-    expect_near(glm::conjugate(to.turn) * (to_room(after, point) - to.position), glm::conjugate(from.turn) * (to_room(stage, point) - from.position));
+    expect_near(glm::conjugate(to.turn) * (to_room(after, point) - to.position),
+                glm::conjugate(from.turn) * (to_room(stage, point) - from.position));
   }
 }
 
@@ -108,7 +113,8 @@ TEST(Stage, TwoHandsHoldTheirPointsAndScale) {
     const Stage stage = any_stage(random);
     const glm::dvec3 middle = any_place(random), half = 0.2 * glm::normalize(any_place(random));
     const glm::dvec3 other_middle = any_place(random), other_half = 0.3 * glm::normalize(any_place(random));
-    const glm::dvec3 from[2] = {middle - half, middle + half}, to[2] = {other_middle - other_half, other_middle + other_half};
+    const glm::dvec3 from[2] = {middle - half, middle + half},
+                     to[2] = {other_middle - other_half, other_middle + other_half};
     const Stage after = carried(stage, from, to);
     EXPECT_NEAR(after.magnification, 1.5 * stage.magnification, 1e-9);
     for (int hand = 0; hand < 2; ++hand) expect_near(to_room(after, to_model(stage, from[hand])), to[hand]);
@@ -118,7 +124,8 @@ TEST(Stage, TwoHandsHoldTheirPointsAndScale) {
 TEST(Stage, TwoHandsStopAtTheLimitsOfMagnification) {
   Stage stage;
   stage.magnification = most_magnification / 2;
-  const glm::dvec3 near_each_other[2] = {{0, 0, 0}, {0.1, 0, 0}}, apart[2] = {{0, 0, 0}, {1, 0, 0}}, opposite[2] = {{0.1, 0, 0}, {0, 0, 0}}, together[2] = {{0, 0, 0}, {0, 0, 0}};
+  const glm::dvec3 near_each_other[2] = {{0, 0, 0}, {0.1, 0, 0}}, apart[2] = {{0, 0, 0}, {1, 0, 0}},
+                   opposite[2] = {{0.1, 0, 0}, {0, 0, 0}}, together[2] = {{0, 0, 0}, {0, 0, 0}};
   EXPECT_DOUBLE_EQ(carried(stage, near_each_other, apart).magnification, most_magnification);
   stage.magnification = 2 * least_magnification;
   EXPECT_DOUBLE_EQ(carried(stage, apart, near_each_other).magnification, least_magnification);
@@ -136,7 +143,8 @@ TEST(Stage, TurnsAboutTheVertical) {
   expect_near(to_room(turned_about(after, axis, -0.5), point), to_room(stage, point));
 }
 
-// The view that an eye gets is the one that geometry demands: where a point of the model appears between the tangents of the eye's field.
+// The view that an eye gets is the one that geometry demands: where a point of the model appears between the tangents
+// of the eye's field.
 TEST(Stage, EyesSeeThePointsWhereTheyAre) {
   const BallWorld& balls = BallWorld::once();
   std::mt19937 random(11);
@@ -145,12 +153,14 @@ TEST(Stage, EyesSeeThePointsWhereTheyAre) {
     stage.magnification = i % 2 == 0 ? 25 : 1400;
     const Pose head = any_pose(random);
     for (const EyeView& eye : eyes_of(head)) {
-      const glm::dvec3 in_eye{0.3, -0.2, -1.1};   // metres before the eye
+      const glm::dvec3 in_eye{0.3, -0.2, -1.1};  // metres before the eye
       const glm::dvec3 point = to_model(stage, eye.pose.position + eye.pose.turn * in_eye);
       const View view = view_of(stage, eye, balls.model);
-      const glm::dvec4 clip = glm::dmat4(view.eye_to_clip) * glm::dmat4(view.world_to_eye) * glm::dvec4(metres_per_mm * (point - balls.model.origin_mm), 1);
+      const glm::dvec4 clip = glm::dmat4(view.eye_to_clip) * glm::dmat4(view.world_to_eye) *
+                              glm::dvec4(metres_per_mm * (point - balls.model.origin_mm), 1);
       const FieldOfView& field = eye.field;
-      const double across = (in_eye.x / -in_eye.z - std::tan(field.left)) / (std::tan(field.right) - std::tan(field.left));
+      const double across =
+          (in_eye.x / -in_eye.z - std::tan(field.left)) / (std::tan(field.right) - std::tan(field.left));
       const double along = (in_eye.y / -in_eye.z - std::tan(field.down)) / (std::tan(field.up) - std::tan(field.down));
       EXPECT_NEAR(0.5 + 0.5 * clip.x / clip.w, across, 2e-4);
       EXPECT_NEAR(0.5 + 0.5 * clip.y / clip.w, along, 2e-4);

@@ -29,7 +29,7 @@ class Tools : public VisitingBalls {
 };
 
 TEST_F(Tools, ATriggerNamesWhatItMeets) {
-  pull_at(centre() + glm::dvec3(0.09, 0, 0));   // beside the pulp, on the translucent dentine
+  pull_at(centre() + glm::dvec3(0.09, 0, 0));  // beside the pulp, on the translucent dentine
   ASSERT_TRUE(visit.named);
   EXPECT_EQ(visit.named->structure, "dentine");
   EXPECT_FALSE(visit.way);
@@ -38,7 +38,8 @@ TEST_F(Tools, ATriggerNamesWhatItMeets) {
   EXPECT_EQ(written[0].words, "dentine");
   // At the spot, and before it.
   EXPECT_LT(glm::length(written[0].of - to_room(visit.stage, visit.named->point_mm)), 1e-12);
-  const double there = glm::length(written[0].of - input.head.position), label = glm::length(written[0].at - input.head.position);
+  const double there = glm::length(written[0].of - input.head.position),
+               label = glm::length(written[0].at - input.head.position);
   EXPECT_LT(label, there);
   EXPECT_LT(glm::length(written[0].at - written[0].of), 0.06 * there);
   // It goes along with the tooth.
@@ -63,7 +64,7 @@ TEST_F(Tools, TwoTriggersMeasureAStraightDistance) {
   ASSERT_EQ(written.size(), 1u);
   EXPECT_NEAR(std::stod(written[0].words), glm::length(between), 0.0051);
   EXPECT_NE(written[0].words.find(" mm"), std::string::npos);
-  pull_at(centre());   // the next one begins anew, and the pulp is no way in now
+  pull_at(centre());  // the next one begins anew, and the pulp is no way in now
   EXPECT_EQ(visit.ends.size(), 1u);
   EXPECT_FALSE(visit.way);
   EXPECT_FALSE(visit.cavity);
@@ -79,7 +80,7 @@ TEST_F(Tools, InsideItMeasuresFromWallToWallAndDoesNotGlide) {
   pull_at(input.head.position + glm::dvec3(4, -0.1, -0.05));
   pull_at(input.head.position + glm::dvec3(-4, -0.1, -0.05));
   ASSERT_EQ(visit.ends.size(), 2u);
-  EXPECT_NEAR(distance_between_mm(visit.ends[0], visit.ends[1]), 4, 0.1);   // across a ball of 2 mm
+  EXPECT_NEAR(distance_between_mm(visit.ends[0], visit.ends[1]), 4, 0.1);  // across a ball of 2 mm
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-9);
   visit.todo = {VisitAction::leave};
   step(80);

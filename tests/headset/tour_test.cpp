@@ -17,7 +17,7 @@ class HeadsetTour : public VisitingMolar {
  protected:
   void SetUp() override {
     ASSERT_GE(cavity.lines.canals.size(), 2u);
-    input.hands = {};   // nothing to point with: picking takes longer than all the rest
+    input.hands = {};  // nothing to point with: picking takes longer than all the rest
     step();
   }
   void begin(std::size_t line) {
@@ -68,8 +68,9 @@ TEST_F(HeadsetTour, LeadsToTheCanalsEndWithoutTurningTheView) {
     EXPECT_NEAR(visit.tour->along, visit.tour->track.points.back().along, 1e-9);
     // Nearly all of the canal: what is left out is narrower than the head's ball there.
     EXPECT_GT(visit.tour->along, 0.8 * cavity.lines.canals[line].points.back().along);
-    std::printf("measured: canal %zu, %.1f mm in %.0f s, at most %.2f m/s, walls at least %.2f m off, %.0f times enlarged\n", line + 1, visit.tour->along, frames * tick, fastest, least_wall,
-                magnification);
+    std::printf(
+        "measured: canal %zu, %.1f mm in %.0f s, at most %.2f m/s, walls at least %.2f m off, %.0f times enlarged\n",
+        line + 1, visit.tour->along, frames * tick, fastest, least_wall, magnification);
     EXPECT_LT(visit.vignette, 1);
   }
 }
@@ -85,7 +86,7 @@ TEST_F(HeadsetTour, ATriggerStopsItAndGoesOnAndAtTheEndLeadsBack) {
   const double along = visit.tour->along;
   step(30);
   EXPECT_NEAR(visit.tour->along, along, 1e-4);
-  pull(0);   // either hand
+  pull(0);  // either hand
   EXPECT_TRUE(visit.tour->playing);
   step(90);
   EXPECT_GT(visit.tour->along, along + 0.01);
@@ -157,7 +158,7 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
   EXPECT_FALSE(visit.cavity);
   EXPECT_FALSE(visit.tour);
   EXPECT_EQ(visit.stage, outside);
-  visit.tour_asked = 999;   // nothing to be led along: inside all the same, and no crash
+  visit.tour_asked = 999;  // nothing to be led along: inside all the same, and no crash
   step(80);
   EXPECT_FALSE(visit.tour);
 }
@@ -180,7 +181,9 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   for (const FlightLabel& label : labels) {
     const glm::dvec3 way = label.at - visit.eye_mm;
     if (!in_chamber.contains(label.words)) continue;
-    EXPECT_GT(cavity.walls.free_distance(visit.eye_mm, glm::normalize(way)), glm::length(way) - 0.31 * mm_per_metre(visit.stage)) << label.words;
+    EXPECT_GT(cavity.walls.free_distance(visit.eye_mm, glm::normalize(way)),
+              glm::length(way) - 0.31 * mm_per_metre(visit.stage))
+        << label.words;
   }
   visit.labels = false;
   EXPECT_TRUE(written().empty());
@@ -192,7 +195,8 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   begin(0);
   visit.tour->along = visit.tour->track.points.back().along;
   step(2);
-  for (const std::string& words : written()) EXPECT_EQ(words.find(cavity.lines.canals[1].name), std::string::npos) << words;
+  for (const std::string& words : written())
+    EXPECT_EQ(words.find(cavity.lines.canals[1].name), std::string::npos) << words;
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ namespace {
 class VisitTest : public VisitingBalls {
  protected:
   void SetUp() override { step(); }
-  double wall_metres() const { return balls.cavities[0].walls.nearest(visit.eye_mm).distance / mm_per_metre(visit.stage); }
+  double wall_metres() const {
+    return balls.cavities[0].walls.nearest(visit.eye_mm).distance / mm_per_metre(visit.stage);
+  }
   /// As a person does it: point at the pulp, pull the trigger, let go.
   void enter(bool one_button = false) {
     input.hands[1] = pointing_at(centre(), input.hands[1].grip.position);
@@ -75,7 +77,7 @@ TEST_F(VisitTest, NothingHappensWithoutAHeadOrFocus) {
 
 TEST_F(VisitTest, OneHandCarries) {
   const glm::dvec3 before = centre();
-  input.hands[0].grip.position.x += 0.3;   // empty-handed
+  input.hands[0].grip.position.x += 0.3;  // empty-handed
   step();
   EXPECT_EQ(centre(), before);
   input.hands[0].grab = 1;
@@ -100,7 +102,7 @@ TEST_F(VisitTest, TwoHandsScaleAndTrueSizeComesBack) {
   EXPECT_NEAR(visit.stage.magnification, 2 * usual_magnification, 1e-9);
   for (HandInput& hand : input.hands) hand.grab = 0;
   input.hands[0].menu = true;
-  seconds(3 * rules.menu_seconds);   // held on it does it once
+  seconds(3 * rules.menu_seconds);  // held on it does it once
   EXPECT_EQ(visit.stage.magnification, 1);
   input.hands[0].menu = false;
   step();
@@ -127,7 +129,7 @@ TEST_F(VisitTest, ASnapTurnIsSuddenAndSingle) {
   step(30);
   const glm::dvec3 turned = visit.stage.turn * glm::dvec3(0, 1, 0);
   EXPECT_NEAR(glm::degrees(std::acos(glm::dot(pole, turned))), rules.snap_turn_deg, 1e-6);
-  EXPECT_GT(turned.x, 0);   // what is near goes to the right, as the stick did
+  EXPECT_GT(turned.x, 0);  // what is near goes to the right, as the stick did
   EXPECT_NEAR(visit.vignette, 0, 1e-9);
 }
 
@@ -191,7 +193,8 @@ TEST_F(VisitTest, ItIsDarkWhileThePlaceChanges) {
 }
 
 TEST_F(VisitTest, ATriggerBesideThePulpDoesNothing) {
-  input.hands[1] = pointing_at(centre() + glm::dvec3(0.09, 0, 0), input.hands[1].grip.position);   // the pulp is 0.05 m here, the dentine 0.125
+  input.hands[1] = pointing_at(centre() + glm::dvec3(0.09, 0, 0),
+                               input.hands[1].grip.position);  // the pulp is 0.05 m here, the dentine 0.125
   step();
   input.hands[1].trigger = 1;
   const Stage stage = visit.stage;
@@ -222,7 +225,7 @@ TEST_F(VisitTest, NeitherTriggerNorStickNorHeadGetsThroughTheWall) {
     // The middle of the eyes is where the head is.
     ASSERT_LT(glm::length(to_room(visit.stage, visit.eye_mm) - input.head.position), 1e-9);
   };
-  input.hands[1].trigger = 1;   // glides where the hand points
+  input.hands[1].trigger = 1;  // glides where the hand points
   input.hands[1].aim.turn = glm::angleAxis(1.0, glm::dvec3(0, 1, 0));
   for (int i = 0; i < 400; ++i) {
     step();
@@ -236,7 +239,7 @@ TEST_F(VisitTest, NeitherTriggerNorStickNorHeadGetsThroughTheWall) {
     check_wall();
   }
   input.hands[0].stick = {0, 0};
-  input.head.position += glm::dvec3(3, 0, 0);   // a leap of the tracking
+  input.head.position += glm::dvec3(3, 0, 0);  // a leap of the tracking
   step();
   check_wall();
 }

@@ -12,7 +12,11 @@ std::vector<NamedSurface> balls() { return {{"dentine", ball({{1, 2, 30}, 5})}, 
 
 }  // namespace
 
-BallWorld::BallWorld() : model(make_model(balls())), pickable(model), scene(usual_scene(model, 1)), cavities(flight_spaces(balls(), model).cavities) {}
+BallWorld::BallWorld()
+    : model(make_model(balls())),
+      pickable(model),
+      scene(usual_scene(model, 1)),
+      cavities(flight_spaces(balls(), model).cavities) {}
 
 const BallWorld& BallWorld::once() {
   static const BallWorld balls;
@@ -20,7 +24,8 @@ const BallWorld& BallWorld::once() {
 }
 
 const MolarWorld& MolarWorld::once() {
-  static const MolarWorld molar{small_molar(), Pickable(small_molar()), usual_scene(small_molar(), 1), flight_spaces(small_molar_surfaces(), small_molar()).cavities};
+  static const MolarWorld molar{small_molar(), Pickable(small_molar()), usual_scene(small_molar(), 1),
+                                flight_spaces(small_molar_surfaces(), small_molar()).cavities};
   return molar;
 }
 
@@ -53,7 +58,9 @@ FieldOfView lopsided(bool left) {
 
 std::vector<EyeView> eyes_of(const Pose& head, double apart) {
   std::vector<EyeView> eyes;
-  for (const bool left : {true, false}) eyes.push_back({{head.position + head.turn * glm::dvec3(left ? -apart / 2 : apart / 2, 0, 0), head.turn}, lopsided(left)});
+  for (const bool left : {true, false})
+    eyes.push_back(
+        {{head.position + head.turn * glm::dvec3(left ? -apart / 2 : apart / 2, 0, 0), head.turn}, lopsided(left)});
   return eyes;
 }
 

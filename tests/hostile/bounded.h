@@ -14,8 +14,8 @@ struct Bounds {
   unsigned seconds = 10;
 };
 
-/// What became of it: "accepted", the cause of an InputError, "cannot be read" (FileError), "out of memory", "out of time", or what else it threw
-/// or was ended by.
+/// What became of it: "accepted", the cause of an InputError, "cannot be read" (FileError), "out of memory", "out of
+/// time", or what else it threw or was ended by.
 std::string outcome_within(const Bounds& bounds, const std::function<void()>& action);
 
 }  // namespace odontoscope::hostile

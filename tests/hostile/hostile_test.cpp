@@ -1,4 +1,5 @@
-// Every reader of anything from outside: cut short anywhere, numbers that are none, counts that lie. Each runs with bounded memory and time.
+// Every reader of anything from outside: cut short anywhere, numbers that are none, counts that lie. Each runs with
+// bounded memory and time.
 
 #include <gtest/gtest.h>
 
@@ -38,7 +39,8 @@ TEST_P(Hostile, CutShortAnywhere) {
         if (!is_accepted(reader, seed.bytes.substr(0, n), "cut to " + std::to_string(n))) ++refused;
       }
       // Settings are never refused, and some formats may end anywhere behind their first triangle.
-      if (refused < tried / 10 && reader.name != "settings" && reader.name != "sniff") throw std::logic_error("hardly anything was refused");
+      if (refused < tried / 10 && reader.name != "settings" && reader.name != "sniff")
+        throw std::logic_error("hardly anything was refused");
     });
     EXPECT_EQ(outcome, "accepted") << seed.name;
   }
@@ -47,7 +49,10 @@ TEST_P(Hostile, CutShortAnywhere) {
 /// Where numbers stand in a text, as first byte and length.
 std::vector<std::pair<std::size_t, std::size_t>> numbers_in(const std::string& text) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
-  const auto part = [&](std::size_t at) { return at < text.size() && (std::isdigit(static_cast<unsigned char>(text[at])) || text[at] == '.' || text[at] == '-'); };
+  const auto part = [&](std::size_t at) {
+    return at < text.size() &&
+           (std::isdigit(static_cast<unsigned char>(text[at])) || text[at] == '.' || text[at] == '-');
+  };
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at;
     while (part(end)) ++end;
@@ -58,14 +63,16 @@ std::vector<std::pair<std::size_t, std::size_t>> numbers_in(const std::string& t
 }
 
 /// Reads each seed with each of `words` in place of each number of a text, or written over each byte of another file.
-void with_replaced(const Reader& reader, const std::vector<std::string>& text_words, const std::vector<std::string>& binary_words) {
+void with_replaced(const Reader& reader, const std::vector<std::string>& text_words,
+                   const std::vector<std::string>& binary_words) {
   for (const Seed& seed : seeds_of(reader)) {
     if (seed.bytes.size() > 20'000) continue;
     const std::string outcome = outcome_within({.seconds = 60}, [&] {
       if (reader.text) {
         for (const auto& [at, length] : numbers_in(seed.bytes)) {
           for (const std::string& word : text_words) {
-            is_accepted(reader, std::string(seed.bytes).replace(at, length, word), word + " at byte " + std::to_string(at));
+            is_accepted(reader, std::string(seed.bytes).replace(at, length, word),
+                        word + " at byte " + std::to_string(at));
           }
         }
         return;
@@ -73,7 +80,8 @@ void with_replaced(const Reader& reader, const std::vector<std::string>& text_wo
       const std::size_t step = 1 + seed.bytes.size() / 4'000;
       for (std::size_t at = 0; at < seed.bytes.size(); at += step) {
         for (const std::string& word : binary_words) {
-          is_accepted(reader, std::string(seed.bytes).replace(at, word.size(), word), "changed from byte " + std::to_string(at));
+          is_accepted(reader, std::string(seed.bytes).replace(at, word.size(), word),
+                      "changed from byte " + std::to_string(at));
         }
       }
     });
@@ -86,7 +94,8 @@ std::string four(unsigned a, unsigned b, unsigned c, unsigned d) {
 }
 
 TEST_P(Hostile, NumbersThatAreNone) {
-  const std::string nan = four(0, 0, 0xc0, 0x7f), infinity = four(0, 0, 0x80, 0xff), double_nan = four(0, 0, 0, 0) + four(0, 0, 0xf8, 0x7f);
+  const std::string nan = four(0, 0, 0xc0, 0x7f), infinity = four(0, 0, 0x80, 0xff),
+                    double_nan = four(0, 0, 0, 0) + four(0, 0, 0xf8, 0x7f);
   with_replaced(GetParam(), {"nan", "-inf", "Infinity", "1e999", "-1e308", "1e-320"}, {nan, infinity, double_nan});
 }
 
@@ -103,10 +112,15 @@ std::string name_of(const ::testing::TestParamInfo<Reader>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Readers, Hostile, ::testing::ValuesIn(readers()), name_of);
 
-// --- the bounds themselves ---------------------------------------------------------------------------------------------
+// --- the bounds themselves -------------------------------------------------------------------------------------------
 
 TEST(Bounds, StopWhatTakesTooMuch) {
-  EXPECT_EQ(outcome_within({.seconds = 1}, [] { for (volatile bool endless = true; endless;) {} }), "out of time");
+  EXPECT_EQ(outcome_within({.seconds = 1},
+                           [] {
+                             for (volatile bool endless = true; endless;) {
+                             }
+                           }),
+            "out of time");
   EXPECT_EQ(outcome_within({}, [] { std::abort(); }), "ended by signal 6");
   EXPECT_EQ(outcome_within({}, [] { throw std::logic_error("x"); }), "threw x");
 #if !defined(__SANITIZE_ADDRESS__)

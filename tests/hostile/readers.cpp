@@ -100,9 +100,13 @@ void read_lesson(const std::string& bytes) {
 void read_tour_text(const std::string& bytes) {
   for (const TourNote& note : parse_tour(bytes, "file").notes) sound(note.camera);
 }
-void read_picture(const std::string& bytes) { from_file(bytes, "file", [](const std::string& file) { return read_png(file); }); }
+void read_picture(const std::string& bytes) {
+  from_file(bytes, "file", [](const std::string& file) { return read_png(file); });
+}
 void read_any_volume(const std::string& bytes) {
-  for (const float value : from_file(bytes, volume_name(bytes), [](const std::string& file) { return read_volume(file); }).values) finite({value});
+  for (const float value :
+       from_file(bytes, volume_name(bytes), [](const std::string& file) { return read_volume(file); }).values)
+    finite({value});
 }
 void sniffed(const std::string& bytes) {
   const app::FileKind kind = app::kind_of(bytes);
@@ -112,41 +116,62 @@ void sniffed(const std::string& bytes) {
 }  // namespace
 
 const std::vector<Reader>& readers() {
-  folder_of_files();   // made here, in the process that will remove it, before others are forked from it
+  folder_of_files();  // made here, in the process that will remove it, before others are forked from it
   static const std::vector<Reader> all{
       {"stack", {"good", "bad"}, true, [](const std::string& bytes) { sound(parse_stack(bytes, "file")); }},
-      {"stack file", {"good"}, true, [](const std::string& bytes) { sound(from_file(bytes, "file", [](const std::string& file) { return read_stack(file); })); }},
+      {"stack file",
+       {"good"},
+       true,
+       [](const std::string& bytes) {
+         sound(from_file(bytes, "file", [](const std::string& file) { return read_stack(file); }));
+       }},
       {"links", {"good_links", "bad_links"}, true, read_links_text},
       {"csl", {"exchange/csl"}, true, [](const std::string& bytes) { sound(parse_csl(bytes, "file").stack); }},
-      {"series", {"exchange/series"}, true, [](const std::string& bytes) {
+      {"series",
+       {"exchange/series"},
+       true,
+       [](const std::string& bytes) {
          const SeriesHeader header = parse_series_header(bytes, "file");
          finite({header.millimetres, header.default_thickness});
        }},
-      {"section", {"exchange/series"}, true, [](const std::string& bytes) {
+      {"section",
+       {"exchange/series"},
+       true,
+       [](const std::string& bytes) {
          const SeriesSection section = parse_series_section(bytes, "file");
          finite({section.thickness});
          sound(section.contours);
        }},
       {"jser", {"exchange/jser"}, true, [](const std::string& bytes) { sound(parse_jser(bytes, "file").stack); }},
-      {"rtstruct", {"exchange/rtstruct"}, false, [](const std::string& bytes) { sound(parse_rtstruct(bytes, "file").stack); }},
+      {"rtstruct",
+       {"exchange/rtstruct"},
+       false,
+       [](const std::string& bytes) { sound(parse_rtstruct(bytes, "file").stack); }},
       {"stl", {"fuzz/stl"}, false, [](const std::string& bytes) { sound(parse_stl(bytes, "file")); }},
       {"ply", {"fuzz/ply"}, false, [](const std::string& bytes) { sound(parse_ply(bytes, "file")); }},
       {"obj", {"fuzz/obj"}, true, [](const std::string& bytes) { sound(parse_obj(bytes, "file")); }},
       {"glb", {"fuzz/glb"}, false, [](const std::string& bytes) { sound(parse_glb(bytes, "file")); }},
-      {"gltf", {"fuzz/gltf"}, true, [](const std::string& bytes) { sound(parse_gltf(bytes, "no-such-folder/file.gltf")); }},
+      {"gltf",
+       {"fuzz/gltf"},
+       true,
+       [](const std::string& bytes) { sound(parse_gltf(bytes, "no-such-folder/file.gltf")); }},
       {"sniff", {"fuzz/sniff", "fuzz/stl", "fuzz/obj"}, false, sniffed},
       {"volume", {"fuzz/volume"}, false, read_any_volume},
       {"scene", {"fuzz/scene"}, true, [](const std::string& bytes) { sound(scene_from_json(bytes, Scene{}, "file")); }},
       {"notes", {"fuzz/notes"}, true, read_tour_text},
       {"lesson", {"fuzz/lesson"}, true, read_lesson},
-      {"settings", {"fuzz/settings"}, true, [](const std::string& bytes) { sound(settings_from_json(bytes).settings); }},
+      {"settings",
+       {"fuzz/settings"},
+       true,
+       [](const std::string& bytes) { sound(settings_from_json(bytes).settings); }},
       {"png", {"fuzz/png"}, false, read_picture},
   };
   return all;
 }
 
 const Reader& reader(const std::string& name) {
-  const auto found = std::find_if(readers().begin(), readers().end(), [&](const Reader& one) { return one.name == name; });
+  const auto found =
+      std::find_if(readers().begin(), readers().end(), [&](const Reader& one) { return one.name == name; });
   if (found == readers().end()) throw std::logic_error("there is no reader " + name);
   return *found;
 }
@@ -155,7 +180,8 @@ std::vector<Seed> seeds_of(const Reader& reader) {
   std::vector<Seed> seeds;
   for (const std::string& folder : reader.seeds) {
     std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ODONTOSCOPE_CORPUS) / folder)) files.push_back(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ODONTOSCOPE_CORPUS) / folder))
+      files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const auto& file : files) seeds.push_back({file.filename().string(), read_file(file.string())});
   }

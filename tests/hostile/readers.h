@@ -19,7 +19,8 @@ struct Reader {
   std::vector<std::string> seeds;
   /// Text formats have their numbers replaced by what is none; of others, any four bytes.
   bool text = true;
-  /// Throws what the reader throws, and Unsound if the result holds a number that is not finite or an index that leads nowhere.
+  /// Throws what the reader throws, and Unsound if the result holds a number that is not finite or an index that leads
+  /// nowhere.
   void (*read)(const std::string& bytes) = nullptr;
   friend void PrintTo(const Reader& reader, std::ostream* out) { *out << reader.name; }
 };

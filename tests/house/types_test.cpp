@@ -1,4 +1,5 @@
-// One name, one type: the linker takes the first of two types of one name, and what was compiled for the other reads it wrongly.
+// One name, one type: the linker takes the first of two types of one name, and what was compiled for the other reads it
+// wrongly.
 
 #include <gtest/gtest.h>
 
@@ -17,31 +18,37 @@ namespace {
 using Definitions = std::map<std::string, std::vector<std::string>>;
 
 void collect(std::istream& header, const std::string& file, Definitions& found) {
-  static const std::regex space(R"(namespace ([\w:]+) \{.*)"), type(R"((?:struct|class|enum class|enum) (\w+)\b[^;]*\{.*)");
+  static const std::regex space(R"(namespace ([\w:]+) \{.*)"),
+      type(R"((?:struct|class|enum class|enum) (\w+)\b[^;]*\{.*)");
   std::string line, inside;
   std::smatch words;
   while (std::getline(header, line)) {
-    if (std::regex_match(line, words, space)) inside = words[1];
-    else if (std::regex_match(line, words, type)) found[inside + "::" + words[1].str()].push_back(file);
+    if (std::regex_match(line, words, space))
+      inside = words[1];
+    else if (std::regex_match(line, words, type))
+      found[inside + "::" + words[1].str()].push_back(file);
   }
 }
 
 TEST(Types, AreDefinedOnceInAllRooms) {
   Definitions found;
   for (const char* part : {"recon", "engine"}) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(ODONTOSCOPE_SOURCE) / part)) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(ODONTOSCOPE_SOURCE) / part)) {
       if (entry.path().extension() != ".h") continue;
       std::ifstream header(entry.path());
       collect(header, entry.path().string(), found);
     }
   }
   EXPECT_GT(found.size(), 300u) << "no headers were found";
-  for (const auto& [name, files] : found) EXPECT_EQ(files.size(), 1u) << name << " is defined in " << files.front() << " and " << files.back();
+  for (const auto& [name, files] : found)
+    EXPECT_EQ(files.size(), 1u) << name << " is defined in " << files.front() << " and " << files.back();
 }
 
 TEST(Types, OfOneNameInTwoHeadersAreFound) {
   Definitions found;
-  std::istringstream one("namespace odontoscope {\nstruct Box {\n};\n"), other("namespace odontoscope {\nclass Box final {\n};\n"),
+  std::istringstream one("namespace odontoscope {\nstruct Box {\n};\n"),
+      other("namespace odontoscope {\nclass Box final {\n};\n"),
       apart("namespace odontoscope::between {\nstruct Box {\n};\n"), named("namespace odontoscope {\nstruct Box;\n");
   collect(one, "one.h", found);
   collect(other, "other.h", found);

@@ -38,8 +38,9 @@ std::string word_behind(std::string_view text, std::string_view open) {
 std::set<std::string> thrown_causes() {
   std::set<std::string> causes;
   std::vector<std::filesystem::path> sources;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "recon")) sources.push_back(entry.path());
-  sources.push_back(source_folder() / "engine/app/model.cpp");   // moves models by what is said on the command line
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(source_folder() / "recon"))
+    sources.push_back(entry.path());
+  sources.push_back(source_folder() / "engine/app/model.cpp");  // moves models by what is said on the command line
   sources.push_back(source_folder() / "engine/language/language_json.cpp");
   sources.push_back(source_folder() / "engine/navigate/notes.cpp");
   for (const std::filesystem::path& source : sources) {

@@ -301,7 +301,8 @@ TEST(Validate, ManySmallContoursAreCheap) {
     for (int i = 0; i < count; ++i) all.push_back(tooth(square(3.0 * (i % 100), 3.0 * (i / 100), 2)));
     return between_squares(all);
   };
-  EXPECT_LT(seconds_to_validate(islands(9'000)), 18 * seconds_to_validate(islands(500)) * 6 + 0.05);  // quadratic would be 324 times
+  EXPECT_LT(seconds_to_validate(islands(9'000)),
+            18 * seconds_to_validate(islands(500)) * 6 + 0.05);  // quadratic would be 324 times
 }
 
 // --- ordered -----------------------------------------------------------------------------------------------------

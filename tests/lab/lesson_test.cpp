@@ -13,9 +13,10 @@ namespace odontoscope::testing_support {
 namespace {
 
 std::string one_step(const std::string& changed = "", const std::string& by = "") {
-  std::string text = R"({"format":"odontoscope.lesson","version":1,"title":"T","steps":[{"title":"A","words":"B","layout":"db",)"
-                     R"("db":{"grid":24,"field":"sign","cases":"consistent","decimate":"half"},"claims":[{"quantity":"cracks","at_most":0}],)"
-                     R"("scene":{"format":"odontoscope.scene","version":1,"wire":true}}]})";
+  std::string text =
+      R"({"format":"odontoscope.lesson","version":1,"title":"T","steps":[{"title":"A","words":"B","layout":"db",)"
+      R"("db":{"grid":24,"field":"sign","cases":"consistent","decimate":"half"},"claims":[{"quantity":"cracks","at_most":0}],)"
+      R"("scene":{"format":"odontoscope.scene","version":1,"wire":true}}]})";
   if (!changed.empty()) {
     const std::size_t at = text.find(changed);
     EXPECT_NE(at, std::string::npos) << changed;
@@ -71,7 +72,8 @@ TEST(Lesson, BadOnesAreRefusedInWords) {
       {"odontoscope.scene", "odontoscope.scenery", "wrong-format"},
       {"\"wire\":true", "\"x\":" + std::string(40, '[') + std::string(40, ']'), "too-deep"},
       {"}]}", "", "unparsable"}};
-  for (const auto& [changed, by, cause] : cases) EXPECT_EQ(cause_of(one_step(changed, by)), cause) << changed << " -> " << by.substr(0, 60);
+  for (const auto& [changed, by, cause] : cases)
+    EXPECT_EQ(cause_of(one_step(changed, by)), cause) << changed << " -> " << by.substr(0, 60);
   EXPECT_EQ(cause_of(""), "unparsable");
   EXPECT_EQ(cause_of("[]"), "wrong-type");
   EXPECT_EQ(cause_of(std::string(lesson_limits::bytes + 1, ' ')), "file-too-large");
@@ -80,7 +82,8 @@ TEST(Lesson, BadOnesAreRefusedInWords) {
 
 TEST(Lesson, EveryPrefixIsRefused) {
   const std::string text = one_step();
-  for (std::size_t length = 0; length < text.size(); ++length) EXPECT_NE(cause_of(text.substr(0, length)), "none") << length;
+  for (std::size_t length = 0; length < text.size(); ++length)
+    EXPECT_NE(cause_of(text.substr(0, length)), "none") << length;
 }
 
 TEST(Lesson, WhatTheBuiltInOneClaimsIsTrue) {
@@ -91,7 +94,8 @@ TEST(Lesson, WhatTheBuiltInOneClaimsIsTrue) {
   for (const LessonStep& step : lesson.steps) {
     const auto made = pipeline.run(step.db);
     for (const Claim& claim : step.claims)
-      EXPECT_TRUE(holds(claim, *made)) << step.title << ": " << claim.quantity << " of " << (claim.structure.empty() ? "all" : claim.structure) << " is "
+      EXPECT_TRUE(holds(claim, *made)) << step.title << ": " << claim.quantity << " of "
+                                       << (claim.structure.empty() ? "all" : claim.structure) << " is "
                                        << quantity_of(*made, claim.quantity, claim.structure).value_or(-1);
     EXPECT_EQ(step.at_artefact && made->artefacts.empty(), false) << step.title;
   }
@@ -99,7 +103,8 @@ TEST(Lesson, WhatTheBuiltInOneClaimsIsTrue) {
 
 TEST(Lesson, WhatItSaysOfDtIsTrue) {
   const ContourStack stack = sample_tooth(ToothKind::molar);
-  const auto db = DbPipeline(std::make_shared<const ContourStack>(stack)).run({.grid = 64, .cases = CaseTable::consistent});
+  const auto db =
+      DbPipeline(std::make_shared<const ContourStack>(stack)).run({.grid = 64, .cases = CaseTable::consistent});
   std::size_t triangles = 0, points = 0;
   for (const Slice& slice : stack.slices)
     for (const Contour& contour : slice.contours) points += contour.points.size();
@@ -109,7 +114,7 @@ TEST(Lesson, WhatItSaysOfDtIsTrue) {
     EXPECT_TRUE(solid.report.closed_oriented_manifold());
     triangles += solid.report.triangles;
     if (solid.structure == "pulp") {
-      EXPECT_EQ(solid.report.shells.size(), 1u);   // its canals are in one piece
+      EXPECT_EQ(solid.report.shells.size(), 1u);  // its canals are in one piece
     }
     if (solid.structure == "dentine") {
       EXPECT_LT(ridges_mm(solid.surface), quantity_of(*db, "ridges_mm", "dentine"));

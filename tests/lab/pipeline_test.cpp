@@ -1,4 +1,5 @@
-// What runs again after a change, what a cancelled run leaves, and that the artefacts are those that the engine reports.
+// What runs again after a change, what a cancelled run leaves, and that the artefacts are those that the engine
+// reports.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -18,10 +19,12 @@ namespace odontoscope::testing_support {
 namespace {
 
 using Stages = std::vector<LabStage>;
-constexpr LabStage grid = LabStage::grid, field = LabStage::field, surface = LabStage::surface, decimation = LabStage::decimation, inspection = LabStage::inspection;
+constexpr LabStage grid = LabStage::grid, field = LabStage::field, surface = LabStage::surface,
+                   decimation = LabStage::decimation, inspection = LabStage::inspection;
 
 std::shared_ptr<const ContourStack> molar() {
-  static const auto stack = std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}));
+  static const auto stack =
+      std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}));
   return stack;
 }
 
@@ -106,7 +109,7 @@ TEST(DbWorker, TheNewestWishCounts) {
 TEST(DbWorker, AskingNeverWaits) {
   DbWorker worker(molar());
   worker.want({.grid = 192});
-  std::this_thread::sleep_for(std::chrono::milliseconds(100));   // in the middle of it
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // in the middle of it
   worker.want({.grid = 188});
   EXPECT_FALSE(worker.take());
   EXPECT_TRUE(worker.working());
@@ -133,8 +136,8 @@ TEST(DbWorker, TellsTrouble) {
 TEST(Artefacts, AreTheFacesOfTheDefects) {
   DbPipeline pipeline(molar());
   const auto made = pipeline.run({.grid = 64, .cases = CaseTable::classic});
-  EXPECT_EQ(made->cracks(), 112u);                 // docs/distance.md
-  EXPECT_EQ(made->artefacts.size(), 112u / 4);     // a crack is the four edges round a face
+  EXPECT_EQ(made->cracks(), 112u);              // docs/distance.md
+  EXPECT_EQ(made->artefacts.size(), 112u / 4);  // a crack is the four edges round a face
   for (const LabArtefact& artefact : made->artefacts) {
     EXPECT_EQ(artefact.kind, DefectKind::crack);
     ASSERT_TRUE(artefact.reason);
@@ -155,11 +158,13 @@ TEST(Artefacts, CracksComeFirstAndEachOnce) {
     places.insert({artefact.structure, static_cast<int>(artefact.kind), artefact.at.x, artefact.at.y, artefact.at.z});
   }
   EXPECT_TRUE(misoriented);
-  EXPECT_GT(places.size(), made->artefacts.size() * 9 / 10);   // faces of different cells may share a middle, where points fall together
+  EXPECT_GT(places.size(), made->artefacts.size() * 9 /
+                               10);  // faces of different cells may share a middle, where points fall together
   const auto& last = made->artefacts;
   double far = 0;
-  for (std::size_t i = 1; i <= 50; ++i) far += glm::distance(last[last.size() - i].at, last[last.size() - i - 1].at) / 50;
-  EXPECT_GT(far, 3);   // mm: one leads across the tooth, not to the neighbour
+  for (std::size_t i = 1; i <= 50; ++i)
+    far += glm::distance(last[last.size() - i].at, last[last.size() - i - 1].at) / 50;
+  EXPECT_GT(far, 3);  // mm: one leads across the tooth, not to the neighbour
 }
 
 TEST(Artefacts, AreSeenFromWhereTheCameraGoes) {
@@ -172,7 +177,7 @@ TEST(Artefacts, AreSeenFromWhereTheCameraGoes) {
     for (Look& look : scene.looks) look = {look.structure, look.colour, 1, look.structure == artefact.structure};
     const Camera camera = camera_at(artefact, made->spacing_mm, scene.camera, *made->pickable, scene);
     EXPECT_NO_THROW(validate(camera, "artefact"));
-    EXPECT_LT(glm::length(*place_of(camera, artefact.at)), 1e-6);   // in the middle
+    EXPECT_LT(glm::length(*place_of(camera, artefact.at)), 1e-6);  // in the middle
     const auto before = pick(*made->pickable, scene, {camera.position, -axes_of(camera).towards_eye});
     seen += !before || before->distance_mm > glm::distance(camera.position, artefact.at) - 2 * made->spacing_mm;
   }
@@ -186,7 +191,7 @@ TEST(Artefacts, DecimatedOnesHaveNoCellsToName) {
   std::size_t drawn = 0;
   for (const LineSet& set : made->faulty_edges) drawn += set.points.size() / 2;
   EXPECT_EQ(drawn, made->artefacts.size());
-  EXPECT_EQ(made->nonmanifold(), 2u);   // neighbours in the list of crowded edges
+  EXPECT_EQ(made->nonmanifold(), 2u);  // neighbours in the list of crowded edges
   ASSERT_FALSE(made->artefacts.empty());
   EXPECT_FALSE(made->artefacts[0].reason);
   EXPECT_NE(in_words(made->artefacts[0], CaseTable::classic).find("Decimation"), std::string::npos);
@@ -194,10 +199,21 @@ TEST(Artefacts, DecimatedOnesHaveNoCellsToName) {
 
 TEST(Ridges, OfABoxAreItsEdges) {
   const SurfaceMesh box{{{0, 0, 0}, {2, 0, 0}, {2, 3, 0}, {0, 3, 0}, {0, 0, 5}, {2, 0, 5}, {2, 3, 5}, {0, 3, 5}},
-                        {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}};
+                        {{0, 2, 1},
+                         {0, 3, 2},
+                         {4, 5, 6},
+                         {4, 6, 7},
+                         {0, 1, 5},
+                         {0, 5, 4},
+                         {1, 2, 6},
+                         {1, 6, 5},
+                         {2, 3, 7},
+                         {2, 7, 6},
+                         {3, 0, 4},
+                         {3, 4, 7}}};
   EXPECT_DOUBLE_EQ(ridges_mm(box), 4 * (2 + 3 + 5));
   SurfaceMesh turned = box;
-  std::swap(turned.triangles[0][0], turned.triangles[0][1]);   // flat is flat, whichever way it is wound
+  std::swap(turned.triangles[0][0], turned.triangles[0][1]);  // flat is flat, whichever way it is wound
   EXPECT_DOUBLE_EQ(ridges_mm(turned), 4 * (2 + 3 + 5));
   EXPECT_EQ(ridges_mm(box, 100), 0);
 }

@@ -10,7 +10,8 @@
 namespace odontoscope {
 namespace {
 
-std::string file_of(const std::string& texts, const std::string& head = R"("language":"xx","name":"Xish","decimal":",","group":".")") {
+std::string file_of(const std::string& texts,
+                    const std::string& head = R"("language":"xx","name":"Xish","decimal":",","group":".")") {
   return R"({"format":"odontoscope.language","version":1,)" + head + R"(,"texts":[)" + texts + "]}";
 }
 
@@ -24,8 +25,11 @@ std::string cause_of(const std::string& bytes) {
 }
 
 Language little() {
-  return parse_language(file_of(R"(["Fly","Fliegen"],["Step {step} of {steps}","{steps}: Schritt {step}"],["{count} triangles","{count} Dreiecke"],
-    ["canal","Kanal"],["pulp","Pulpa"],["cavity","Hohlraum"],["{structure}: {what} seen","{structure} zeigt {what}"],["dentine","Dentin"])"), "test.json");
+  return parse_language(
+      file_of(
+          R"(["Fly","Fliegen"],["Step {step} of {steps}","{steps}: Schritt {step}"],["{count} triangles","{count} Dreiecke"],
+    ["canal","Kanal"],["pulp","Pulpa"],["cavity","Hohlraum"],["{structure}: {what} seen","{structure} zeigt {what}"],["dentine","Dentin"])"),
+      "test.json");
 }
 
 TEST(Language, SaysWhatItHasAndEnglishElsewhere) {
@@ -40,7 +44,9 @@ TEST(Language, SaysWhatItHasAndEnglishElsewhere) {
 TEST(Language, WritesNumbersItsOwnWay) {
   const Language xish = little();
   EXPECT_EQ(xish.number(1234567.25, 2), "1.234.567,25");
-  EXPECT_EQ(xish.number(-0.5, 1), "\xE2\x88\x92" "0,5");
+  EXPECT_EQ(xish.number(-0.5, 1),
+            "\xE2\x88\x92"
+            "0,5");
   EXPECT_EQ(xish.number(-0.001, 1), "0,0") << "no zero below zero";
   EXPECT_EQ(xish.number(999, 0), "999");
   EXPECT_EQ(Language{}.whole(58312), "58,312");
@@ -87,7 +93,8 @@ TEST(Language, RefusesWhatIsNone) {
   EXPECT_EQ(cause_of(R"({"format":"odontoscope.language","version":1})"), "missing-key");
   EXPECT_EQ(cause_of(file_of("") + "x"), "unparsable");
   std::string many;
-  for (std::size_t i = 0; i <= most_language_texts; ++i) many += (i == 0 ? "" : ",") + std::string("[\"") + std::to_string(i) + "\",\"x\"]";
+  for (std::size_t i = 0; i <= most_language_texts; ++i)
+    many += (i == 0 ? "" : ",") + std::string("[\"") + std::to_string(i) + "\",\"x\"]";
   EXPECT_EQ(cause_of(file_of(many)), "too-many-texts");
 }
 

@@ -2,12 +2,11 @@
 
 #include <fstream>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <regex>
+#include <sstream>
 
 #include "engine/navigate/built_in_lessons.h"
-
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 namespace odontoscope::test {
 
@@ -19,7 +18,8 @@ std::string content_of(const std::filesystem::path& file) {
 std::set<std::string> marked_in_script(const std::string& script) {
   static const std::regex marked(R"((^|[^\w.])t\('((?:[^'\\]|\\.)*)')");
   std::set<std::string> texts;
-  for (std::sregex_iterator found(script.begin(), script.end(), marked), end; found != end; ++found) texts.insert(std::regex_replace((*found)[2].str(), std::regex(R"(\\(.))"), "$1"));
+  for (std::sregex_iterator found(script.begin(), script.end(), marked), end; found != end; ++found)
+    texts.insert(std::regex_replace((*found)[2].str(), std::regex(R"(\\(.))"), "$1"));
   return texts;
 }
 
@@ -56,7 +56,9 @@ std::set<std::string> texts_of_lessons() {
       add(note.tour);
       for (const TourMark& mark : note.marks) add(mark.label);
       if (!note.question) continue;
-      for (const std::string& text : {note.question->ask, note.question->explain, note.question->structure, note.question->part, note.question->unit}) add(text);
+      for (const std::string& text : {note.question->ask, note.question->explain, note.question->structure,
+                                      note.question->part, note.question->unit})
+        add(text);
       for (const std::string& choice : note.question->choices) add(choice);
     }
   }
@@ -73,26 +75,32 @@ namespace {
 /// What stands after a backslash; `at` is its place, and goes to the escape's last character.
 char unescaped(const std::string& cpp, std::size_t& at) {
   switch (cpp[at]) {
-    case 'n': return '\n';
-    case 't': return '\t';
-    case 'r': return '\r';
+    case 'n':
+      return '\n';
+    case 't':
+      return '\t';
+    case 'r':
+      return '\r';
     case 'x': {
       const char byte = static_cast<char>(std::stoi(cpp.substr(at + 1, 2), nullptr, 16));
       at += 2;
       return byte;
     }
-    default: return cpp[at];
+    default:
+      return cpp[at];
   }
 }
 
-bool only_space(const std::string& text, std::size_t from, std::size_t to) { return text.find_first_not_of(" \n", from) >= to; }
+bool only_space(const std::string& text, std::size_t from, std::size_t to) {
+  return text.find_first_not_of(" \n", from) >= to;
+}
 
 }  // namespace
 
 std::set<std::string> literals_in(const std::string& cpp) {
   std::set<std::string> found;
   std::string literal;
-  std::size_t behind = std::string::npos;   // the literal before, whose neighbour goes on with it
+  std::size_t behind = std::string::npos;  // the literal before, whose neighbour goes on with it
   for (std::size_t at = 0; at < cpp.size(); ++at) {
     if (cpp.compare(at, 2, "//") == 0 || cpp.compare(at, 8, "#include") == 0) {
       at = std::min(cpp.find('\n', at), cpp.size());
@@ -116,14 +124,17 @@ std::set<std::string> texts_of_viewer(const std::filesystem::path& source) {
   std::istringstream lines(content_of(source / "tests/language/no_texts.txt"));
   for (std::string line; std::getline(lines, line);) none.insert(line);
   std::vector<std::filesystem::path> files{source / "engine/lab/artefacts.cpp"};
-  const std::set<std::string> aside{"settings.cpp", "file_list.cpp"};   // names of keys and endings, and what is told on the terminal, too
+  const std::set<std::string> aside{
+      "settings.cpp", "file_list.cpp"};  // names of keys and endings, and what is told on the terminal, too
   for (const auto& entry : std::filesystem::directory_iterator(source / "engine/ui"))
-    if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string())) files.push_back(entry.path());
+    if (entry.path().extension() == ".cpp" && !aside.contains(entry.path().filename().string()))
+      files.push_back(entry.path());
   std::set<std::string> texts;
   static const std::regex words("[A-Za-z]{2}");
   for (const std::filesystem::path& file : files)
     for (const std::string& literal : literals_in(content_of(file)))
-      if (std::regex_search(with_bare_places(literal), words) && !none.contains(literal) && !literal.starts_with("##")) texts.insert(literal);
+      if (std::regex_search(with_bare_places(literal), words) && !none.contains(literal) && !literal.starts_with("##"))
+        texts.insert(literal);
   return texts;
 }
 

@@ -21,14 +21,17 @@ std::string missing_in(const Language& language, const std::set<std::string>& te
 
 std::vector<Language> others() {
   std::vector<Language> known = known_languages();
-  known.erase(known.begin());   // English
+  known.erase(known.begin());  // English
   return known;
 }
 
 TEST(Texts, AreFoundInTheSources) {
-  EXPECT_EQ(marked_in_script("t('It\\'s {n}', {n: 1}) + set('no') + a.t('no') + [t('b')]"), (std::set<std::string>{"It's {n}", "b"}));
-  EXPECT_EQ(marked_in_page("<a data-text href=x>To</a><i aria-label=\"no\">no</i><b data-text aria-label=\"Yes\"></b>"), (std::set<std::string>{"To", "Yes"}));
-  EXPECT_EQ(literals_in("#include \"no.h\"\nf(\"a\\x41\" \"b\", 'c', '\"');  // \"no\"\ng(\"d \\\"e\\\"\");"), (std::set<std::string>{"", "aAb", "d \"e\""}));
+  EXPECT_EQ(marked_in_script("t('It\\'s {n}', {n: 1}) + set('no') + a.t('no') + [t('b')]"),
+            (std::set<std::string>{"It's {n}", "b"}));
+  EXPECT_EQ(marked_in_page("<a data-text href=x>To</a><i aria-label=\"no\">no</i><b data-text aria-label=\"Yes\"></b>"),
+            (std::set<std::string>{"To", "Yes"}));
+  EXPECT_EQ(literals_in("#include \"no.h\"\nf(\"a\\x41\" \"b\", 'c', '\"');  // \"no\"\ng(\"d \\\"e\\\"\");"),
+            (std::set<std::string>{"", "aAb", "d \"e\""}));
   EXPECT_EQ(with_bare_places("{:.1f} of {n}"), "{} of {}");
   EXPECT_GT(texts_of_page(source).size(), 150u);
   EXPECT_GT(texts_of_lessons().size(), 100u);
@@ -64,8 +67,12 @@ TEST(Texts, OfTheLessonsStayApart) {
     for (const std::string& text : texts_of_lessons()) {
       if (text.size() > 60) continue;
       const auto [known, fresh] = english.emplace(language.of(text), text);
-      const auto lower = [](std::string words) { words[0] = static_cast<char>(std::tolower(words[0])); return words; };
-      EXPECT_TRUE(fresh || lower(known->second) == lower(text)) << text << " and " << known->second << " are both " << known->first;
+      const auto lower = [](std::string words) {
+        words[0] = static_cast<char>(std::tolower(words[0]));
+        return words;
+      };
+      EXPECT_TRUE(fresh || lower(known->second) == lower(text))
+          << text << " and " << known->second << " are both " << known->first;
     }
   }
 }
@@ -75,7 +82,8 @@ TEST(Texts, OfNumbersKeepTheirDecimals) {
     if (language.decimal == ".") continue;
     for (const auto& [text, words] : language.texts)
       for (std::size_t at = words.find('.'); at != words.npos; at = words.find('.', at + 1))
-        EXPECT_FALSE(at > 0 && at + 1 < words.size() && std::isdigit(words[at - 1]) && std::isdigit(words[at + 1])) << words;
+        EXPECT_FALSE(at > 0 && at + 1 < words.size() && std::isdigit(words[at - 1]) && std::isdigit(words[at + 1]))
+            << words;
   }
 }
 

@@ -1,11 +1,11 @@
 #include "engine/measure/pick.h"
-#include "engine/measure/wall_thickness.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "engine/measure/wall_thickness.h"
 #include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {
@@ -22,8 +22,10 @@ Scene from_buccal(const Model& model) {
 
 class Pick : public ::testing::Test {
  protected:
-  std::optional<Hit> at(double x, double y) const { return pick(pickable, scene, ray_through(scene.camera, {x, y}, size)); }
-  Model model = hollow_ball_model();      // radii 5 and 2
+  std::optional<Hit> at(double x, double y) const {
+    return pick(pickable, scene, ray_through(scene.camera, {x, y}, size));
+  }
+  Model model = hollow_ball_model();  // radii 5 and 2
   Pickable pickable{model};
   Scene scene = from_buccal(model);
 };
@@ -48,7 +50,8 @@ TEST_F(Pick, PerspectiveRaysRunThroughWhatTheyShow) {
   scene.camera = {Camera::Projection::perspective, {3, 40, 7}, {1, 0, 2}, {0, 0.2, 1}, 31, 20};
   const View view = view_of(scene.camera, model, size.x / size.y);
   for (const glm::dvec3 target : {glm::dvec3(1, 2, 3), glm::dvec3(-4, 1, -2), glm::dvec3(0, -3, 6)}) {
-    const glm::vec4 clip = view.eye_to_clip * view.world_to_eye * glm::vec4(glm::vec3(metres_per_mm * (target - model.origin_mm)), 1);
+    const glm::vec4 clip =
+        view.eye_to_clip * view.world_to_eye * glm::vec4(glm::vec3(metres_per_mm * (target - model.origin_mm)), 1);
     const glm::dvec2 pixel{0.5 * size.x * (1 + clip.x / clip.w), 0.5 * size.y * (1 - clip.y / clip.w)};
     const Ray ray = ray_through(scene.camera, pixel, size);
     const glm::dvec3 offset = target - ray.origin_mm;
@@ -63,7 +66,7 @@ TEST_F(Pick, WhatIsHiddenIsLookedThrough) {
   ASSERT_TRUE(hit);
   EXPECT_EQ(hit->structure, "shell cavity");
   EXPECT_NEAR(hit->point_mm.y, 2, 0.03);
-  scene.look_of("shell cavity")->as_body = false;    // its near wall now shows its back, its far wall its front
+  scene.look_of("shell cavity")->as_body = false;  // its near wall now shows its back, its far wall its front
   EXPECT_NEAR(at(100, 50)->point_mm.y, -2, 0.03);
   scene.back_faces = BackFaces::show;
   hit = at(100, 50);
@@ -85,9 +88,9 @@ TEST_F(Pick, FaintSurfacesCanBeLookedThrough) {
 TEST_F(Pick, TheSectionsCapIsHitAndTheHollowIsNot) {
   scene.section = Section{{0, 1, 0}, {0, 3, 0}};
   scene.look_of("shell cavity")->as_body = false;
-  const auto rim = at(135 - 0.2, 50);      // z = 0, x = 3.48: in the wall
+  const auto rim = at(135 - 0.2, 50);  // z = 0, x = 3.48: in the wall
   EXPECT_FALSE(at(151, 50));
-  const auto cap = at(100 - 17.5, 50);     // x = 3.5
+  const auto cap = at(100 - 17.5, 50);  // x = 3.5
   ASSERT_TRUE(cap);
   EXPECT_FALSE(cap->triangle) << "a cap";
   EXPECT_EQ(cap->structure, "shell");
@@ -112,7 +115,7 @@ TEST_F(Pick, CutOpenACavityIsItsWallWhateverItsLook) {
     EXPECT_TRUE(hit->front);
     EXPECT_NEAR(hit->point_mm.y, -2, 0.03);
   }
-  scene.look_of("shell")->visible = false;   // from the side that is left it is a body still
+  scene.look_of("shell")->visible = false;  // from the side that is left it is a body still
   scene.section = Section{{0, -1, 0}, {0, -3, 0}};
   EXPECT_NEAR(at(100, 50)->point_mm.y, 2, 0.03);
 }
@@ -127,7 +130,8 @@ TEST_F(Pick, FromTheSideThatIsLeftThereIsNoCap) {
 TEST_F(Pick, FarFromTheOriginItIsAsExact) {
   const Model far = make_model({{"ball", ball({{-90'000, 500'000, 250'000}, 5})}});
   Scene there = usual_scene(far, 2);
-  there.camera = {Camera::Projection::parallel, {-90'000, 500'060, 250'000}, {-90'000, 500'000, 250'000}, {0, 0, 1}, 24, 20};
+  there.camera = {
+      Camera::Projection::parallel, {-90'000, 500'060, 250'000}, {-90'000, 500'000, 250'000}, {0, 0, 1}, 24, 20};
   const auto hit = pick(Pickable(far), there, ray_through(there.camera, {100, 50}, size));
   ASSERT_TRUE(hit);
   EXPECT_NEAR(hit->point_mm.y, 500'005, 0.03);

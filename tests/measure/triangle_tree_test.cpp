@@ -76,8 +76,9 @@ TEST(TriangleTree, ClosedSurfacesArePassedInAsOftenAsOutThroughEdgesAndVertices)
   const Model model = make_model({{"box", box({-1024, -1024, -1024}, {1024, 1024, 1024})}});
   const TriangleTree tree(model);
   const double side = model.parts[0].positions[0].x;
-  for (const glm::dvec3& direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(1, 1, 0)),
-                                      glm::normalize(glm::dvec3(1, 1, 1)), glm::normalize(glm::dvec3(-1, 1, -1))})
+  for (const glm::dvec3& direction :
+       {glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1), glm::normalize(glm::dvec3(1, 1, 0)),
+        glm::normalize(glm::dvec3(1, 1, 1)), glm::normalize(glm::dvec3(-1, 1, -1))})
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y)
         for (int z = -1; z <= 1; ++z) {
@@ -101,7 +102,8 @@ TEST(TriangleTree, FindsTheNearestPointThatALoopFinds) {
   Rays rays;
   for (int i = 0; i < 300; ++i) {
     const glm::dvec3 place = rays.place(0.008);
-    // No nearer than the nearest vertex, no farther; and exactly the distance of the best of many points on the triangle found.
+    // No nearer than the nearest vertex, no farther; and exactly the distance of the best of many points on the
+    // triangle found.
     double vertex = 1;
     for (const glm::vec3& p : model.parts[0].positions) vertex = std::min(vertex, glm::distance(glm::dvec3(p), place));
     const auto nearest = tree.nearest_point(place, [](std::uint32_t) { return true; });
@@ -113,7 +115,8 @@ TEST(TriangleTree, FindsTheNearestPointThatALoopFinds) {
       for (int u = 0; u <= steps; ++u)
         for (int v = 0; u + v <= steps; ++v) {
           const double x = double(u) / steps, y = double(v) / steps;
-          const glm::dvec3 p = (1 - x - y) * corner(model.parts[0], t, 0) + x * corner(model.parts[0], t, 1) + y * corner(model.parts[0], t, 2);
+          const glm::dvec3 p = (1 - x - y) * corner(model.parts[0], t, 0) + x * corner(model.parts[0], t, 1) +
+                               y * corner(model.parts[0], t, 2);
           least = std::min(least, glm::distance(p, place));
         }
     EXPECT_LE(nearest->distance, least + 1e-12);

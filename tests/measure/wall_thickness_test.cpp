@@ -44,7 +44,8 @@ TEST(WallThickness, OfABallIsItsDiameter) {
 }
 
 TEST(WallThickness, OfAHollowBallIsThatOfItsShellFromBothSides) {
-  const Model model = make_model({{"shell", ball({{}, 5, 60}), "shell"}, {"shell cavity", reversed(ball({{}, 3.5, 60})), "shell", true}});
+  const Model model = make_model(
+      {{"shell", ball({{}, 5, 60}), "shell"}, {"shell cavity", reversed(ball({{}, 3.5, 60})), "shell", true}});
   const Pickable pickable(model);
   const auto outside = met(pickable, model, {20, 30, 10}, {0, 0, 0});
   ASSERT_TRUE(outside);
@@ -71,7 +72,8 @@ TEST(WallThickness, InAWedgeTheBallIsSmallerThanTheStraightLine) {
   // A triangular prism along x: right angle at the origin, legs of 4 along y and 3 along z. Incircle of radius 1.
   SurfaceMesh prism;
   for (const double x : {-50.0, 50.0})
-    for (const auto& [y, z] : {std::pair{0.0, 0.0}, std::pair{4.0, 0.0}, std::pair{0.0, 3.0}}) prism.points.push_back({x, y, z});
+    for (const auto& [y, z] : {std::pair{0.0, 0.0}, std::pair{4.0, 0.0}, std::pair{0.0, 3.0}})
+      prism.points.push_back({x, y, z});
   prism.triangles = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
   const Model model = make_model({{"prism", prism}});
   const Pickable pickable(model);
@@ -107,7 +109,8 @@ TEST(WallThickness, OfTheMolarIsBelowItsSizeEverywhere) {
   std::size_t measured = 0;
   for (int i = 0; i < 200; ++i) {
     const double angle = 0.1 * i, height = 0.05 * i;
-    const glm::dvec3 target = model.bounds_mm.low + glm::dvec3(0.5, 0.5, 0.1 + 0.08 * height) * (model.bounds_mm.high - model.bounds_mm.low);
+    const glm::dvec3 target =
+        model.bounds_mm.low + glm::dvec3(0.5, 0.5, 0.1 + 0.08 * height) * (model.bounds_mm.high - model.bounds_mm.low);
     const auto hit = met(pickable, model, target + 50.0 * glm::dvec3(std::cos(angle), std::sin(angle), 0.1), target);
     if (!hit) continue;
     const auto wall = wall_thickness(pickable, *hit);

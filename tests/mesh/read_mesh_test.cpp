@@ -157,7 +157,8 @@ TEST(ReadObj, ObjectsWithTheirOwnVertices) {
   EXPECT_EQ(meshes[1].surface.points.size(), 4u);
   const Triangle& relative = meshes[1].surface.triangles[1];  // the last three
   EXPECT_EQ(meshes[1].surface.points[relative[2]], (Point3{0, 0, 1}));
-  EXPECT_TRUE(inspect(parse_obj(replaced(obj_text, "o\tsecond\n", ""), "file").at(0).surface).closed_oriented_manifold());
+  EXPECT_TRUE(
+      inspect(parse_obj(replaced(obj_text, "o\tsecond\n", ""), "file").at(0).surface).closed_oriented_manifold());
 }
 
 TEST(ReadObj, WrongFilesAreNamed) {
@@ -363,13 +364,15 @@ std::vector<NamedMesh> quantized(int type, Number one, bool normalized, const st
     const auto number = static_cast<Number>(metres * static_cast<float>(one));
     std::memcpy(buffer.data() + 12 * (i / 3) + sizeof(Number) * (i % 3), &number, sizeof(number));
   }
-  std::string json = replaced(tetrahedron_json, "5126", std::to_string(type) + (normalized ? ",\"normalized\":true" : ""));
+  std::string json =
+      replaced(tetrahedron_json, "5126", std::to_string(type) + (normalized ? ",\"normalized\":true" : ""));
   json = replaced(json, "\"byteLength\":96", "\"byteLength\":96,\"byteStride\":12");
   return parse_glb(glb(replaced(json, "\"scene\":0", "\"scene\":0" + extensions), buffer), "f");
 }
 
 TEST(ReadGlb, QuantizedPlacesAreThoseMeant) {
-  const std::string used = ",\"extensionsUsed\":[\"KHR_mesh_quantization\"],\"extensionsRequired\":[\"KHR_mesh_quantization\"]";
+  const std::string used =
+      ",\"extensionsUsed\":[\"KHR_mesh_quantization\"],\"extensionsRequired\":[\"KHR_mesh_quantization\"]";
   const std::vector<Point3> wanted = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "f").at(0).surface.points;
   EXPECT_EQ(quantized<std::int8_t>(5120, 127, true, used).at(0).surface.points, wanted);
   EXPECT_EQ(quantized<std::uint8_t>(5121, 255, true, used).at(0).surface.points, wanted);
@@ -377,7 +380,8 @@ TEST(ReadGlb, QuantizedPlacesAreThoseMeant) {
   EXPECT_EQ(quantized<std::uint16_t>(5123, 65535, true, used).at(0).surface.points, wanted);
   EXPECT_EQ(quantized<std::uint16_t>(5123, 1, false, used).at(0).surface.points, wanted);
   EXPECT_EQ(quantized<std::int16_t>(5122, 3, false, used).at(0).surface.points.at(1), (Point3{3000, 0, 0}));
-  EXPECT_EQ(quantized<std::int8_t>(5120, -128, true, used).at(0).surface.points.at(1), (Point3{-1000, 0, 0})) << "the spec holds it to -1";
+  EXPECT_EQ(quantized<std::int8_t>(5120, -128, true, used).at(0).surface.points.at(1), (Point3{-1000, 0, 0}))
+      << "the spec holds it to -1";
   EXPECT_THROW(quantized<std::int16_t>(5122, 1, false, ""), InputError);
 }
 
@@ -504,8 +508,8 @@ TEST(ReadMesh, TheEndingDecides) {
 /// A box of 2 x 3 x 4 in OBJ; `ends` behind each line.
 std::string box_of_quads(const std::string& ends) {
   std::string text;
-  for (const char* line : {"v 0 0 0", "v 2 0 0", "v 2 3 0", "v 0 3 0", "v 0 0 4", "v 2 0 4", "v 2 3 4", "v 0 3 4", "f 1 4 3 2", "f 5 6 7 8",
-                           "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8"}) {
+  for (const char* line : {"v 0 0 0", "v 2 0 0", "v 2 3 0", "v 0 3 0", "v 0 0 4", "v 2 0 4", "v 2 3 4", "v 0 3 4",
+                           "f 1 4 3 2", "f 5 6 7 8", "f 1 2 6 5", "f 2 3 7 6", "f 3 4 8 7", "f 4 1 5 8"}) {
     text += line + ends;
   }
   return text;
@@ -539,7 +543,9 @@ TEST(ReadObj, APolygonThatTurnsInwardsKeepsItsShape) {
     for (const char* xy : {"v 2 1", "v 1 1", "v 1 2", "v 0 2", "v 0 0", "v 2 0"}) text += std::string(xy) + z;
   }
   text += "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n";
-  for (int i = 1; i <= 6; ++i) text += "f " + std::to_string(i) + " " + std::to_string(i % 6 + 1) + " " + std::to_string(i % 6 + 7) + " " + std::to_string(i + 6) + "\n";
+  for (int i = 1; i <= 6; ++i)
+    text += "f " + std::to_string(i) + " " + std::to_string(i % 6 + 1) + " " + std::to_string(i % 6 + 7) + " " +
+            std::to_string(i + 6) + "\n";
   const SurfaceMesh mesh = parse_obj(text, "file").front().surface;
   EXPECT_TRUE(inspect(mesh).closed_oriented_manifold());
   double area_above = 0;
@@ -560,7 +566,8 @@ TEST(ReadObj, SeamsAreJoinedAndSaidButTouchingCornersAreNot) {
     for (const Triangle& t : mesh.triangles) {
       for (const PointIndex v : t) {
         const Point3& p = mesh.points[v];
-        text += "v " + std::to_string(p.x + shift) + " " + std::to_string(p.y + shift) + " " + std::to_string(p.z + shift) + "\n";
+        text += "v " + std::to_string(p.x + shift) + " " + std::to_string(p.y + shift) + " " +
+                std::to_string(p.z + shift) + "\n";
       }
       text += "f -3 -2 -1\n";
     }
@@ -576,19 +583,28 @@ TEST(ReadObj, SeamsAreJoinedAndSaidButTouchingCornersAreNot) {
 
 TEST(ReadPly, PolygonsStripsAndFacesFirst) {
   const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-  const std::string header = "ply\nformat ascii 1.0\n", element = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
-  const std::string strips = header + element + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + vertices + "9 0 1 3 2 0 1 -1 2 2\n";
+  const std::string header = "ply\nformat ascii 1.0\n",
+                    element = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string strips = header + element +
+                             "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" + vertices +
+                             "9 0 1 3 2 0 1 -1 2 2\n";
   const auto stripped = parse_ply(strips, "file");
   EXPECT_EQ(stripped.front().surface.triangles.size(), 4u);
   EXPECT_TRUE(inspect(stripped.front().surface).closed_oriented_manifold());
-  const std::string faces = "element face 4\nproperty list uchar int vertex_indices\n", rows = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-  EXPECT_TRUE(inspect(parse_ply(header + faces + element + "end_header\n" + rows + vertices, "file").front().surface).closed_oriented_manifold());
-  EXPECT_EQ(cause_of(parse_ply, header + faces + element + "end_header\n" + replaced(rows, "3 2 0 3", "3 2 0 4") + vertices), "index-out-of-range");
+  const std::string faces = "element face 4\nproperty list uchar int vertex_indices\n",
+                    rows = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+  EXPECT_TRUE(inspect(parse_ply(header + faces + element + "end_header\n" + rows + vertices, "file").front().surface)
+                  .closed_oriented_manifold());
+  EXPECT_EQ(
+      cause_of(parse_ply, header + faces + element + "end_header\n" + replaced(rows, "3 2 0 3", "3 2 0 4") + vertices),
+      "index-out-of-range");
 }
 
 TEST(ReadGlb, ExtensionsThatSayNothingOfShapeMayBeRequired) {
   const auto cause = [](const std::string& name) {
-    return cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0", "\"scene\":0,\"extensionsRequired\":[\"" + name + "\"]"), tetrahedron_buffer()));
+    return cause_of(parse_glb, glb(replaced(tetrahedron_json, "\"scene\":0",
+                                            "\"scene\":0,\"extensionsRequired\":[\"" + name + "\"]"),
+                                   tetrahedron_buffer()));
   };
   EXPECT_EQ(cause("KHR_materials_unlit"), "accepted");
   EXPECT_EQ(cause("KHR_texture_transform"), "accepted");
@@ -600,13 +616,16 @@ TEST(ReadObj, AFaceWithAHoleDrawnInOneLineStaysOpenThere) {
   // A square frame of height 1: its top and bottom go round outside, in over a bridge, round the hole, and back.
   std::string text;
   for (const char* z : {" 0\n", " 1\n"}) {
-    for (const char* xy : {"v 0 0", "v 4 0", "v 4 4", "v 0 4", "v 1 1", "v 3 1", "v 3 3", "v 1 3"}) text += std::string(xy) + z;
+    for (const char* xy : {"v 0 0", "v 4 0", "v 4 4", "v 0 4", "v 1 1", "v 3 1", "v 3 3", "v 1 3"})
+      text += std::string(xy) + z;
   }
   text += "f 9 10 11 12 9 13 16 15 14 13\nf 1 5 6 7 8 5 1 4 3 2\n";
   for (int i = 1; i <= 4; ++i) {
     const int n = i % 4 + 1;
-    text += "f " + std::to_string(i) + " " + std::to_string(n) + " " + std::to_string(n + 8) + " " + std::to_string(i + 8) + "\n";
-    text += "f " + std::to_string(n + 4) + " " + std::to_string(i + 4) + " " + std::to_string(i + 12) + " " + std::to_string(n + 12) + "\n";
+    text += "f " + std::to_string(i) + " " + std::to_string(n) + " " + std::to_string(n + 8) + " " +
+            std::to_string(i + 8) + "\n";
+    text += "f " + std::to_string(n + 4) + " " + std::to_string(i + 4) + " " + std::to_string(i + 12) + " " +
+            std::to_string(n + 12) + "\n";
   }
   const SurfaceReport report = inspect(parse_obj(text, "file").front().surface);
   EXPECT_TRUE(report.closed_oriented_manifold());
@@ -620,7 +639,8 @@ TEST(ReadObj, TwoFacesOnTheSameFourCornersAreCutAlongDifferentDiagonals) {
   const SurfaceReport report = inspect(meshes.front().surface);
   EXPECT_TRUE(report.closed_oriented_manifold());
   EXPECT_EQ(report.triangles, 4u);
-  EXPECT_NE(meshes.front().remarks.at(0).find("2 are not flat, by up to 0.5 mm"), std::string::npos) << meshes.front().remarks[0];
+  EXPECT_NE(meshes.front().remarks.at(0).find("2 are not flat, by up to 0.5 mm"), std::string::npos)
+      << meshes.front().remarks[0];
 }
 
 /// A prism over any ring of places, both ends one face, from random numbers: bent, turning inwards, crossing itself.
@@ -632,7 +652,8 @@ TEST(ReadObj, WhateverItsFacesTheBoundaryStaysClosedAndOriented) {
     for (int ring = 0; ring < 2; ++ring) {
       for (int i = 0; i < n; ++i) {
         // Of a lattice, so that places repeat and lines are straight.
-        text += "v " + std::to_string(random() % 5) + " " + std::to_string(random() % 5) + " " + std::to_string(static_cast<int>(random() % 3) + 4 * ring) + "\n";
+        text += "v " + std::to_string(random() % 5) + " " + std::to_string(random() % 5) + " " +
+                std::to_string(static_cast<int>(random() % 3) + 4 * ring) + "\n";
       }
     }
     std::string low = "f", high = "f";
@@ -640,7 +661,8 @@ TEST(ReadObj, WhateverItsFacesTheBoundaryStaysClosedAndOriented) {
       const int next = i % n + 1;
       low += " " + std::to_string(n + 1 - i);
       high += " " + std::to_string(n + i);
-      text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + n) + " " + std::to_string(i + n) + "\n";
+      text += "f " + std::to_string(i) + " " + std::to_string(next) + " " + std::to_string(next + n) + " " +
+              std::to_string(i + n) + "\n";
     }
     const SurfaceReport report = inspect(parse_obj(text + low + "\n" + high + "\n", "file").front().surface);
     EXPECT_EQ(report.boundary_edges, 0u) << text;
@@ -680,7 +702,7 @@ TEST(ReadPly, BehindAHeaderOfOldLineEndsTheFirstByteIsANumber) {
   EXPECT_EQ(behind.front().remarks.size(), 1u);
 }
 
-// --- glTF: strips and fans, data beside and inside -----------------------------------------------------------------------
+// --- glTF: strips and fans, data beside and inside -------------------------------------------------------------------
 
 /// The tetrahedron's corners as those of the given primitive, and its vertices.
 std::string with_indices(const std::vector<std::uint16_t>& indices, int mode) {
@@ -695,7 +717,8 @@ std::string with_indices(const std::vector<std::uint16_t>& indices, int mode) {
 
 TEST(ReadGlb, StripsAndFansOfTriangles) {
   const Triangle t = shapes::tetrahedron().triangles[0];
-  const auto a = static_cast<std::uint16_t>(t[0]), b = static_cast<std::uint16_t>(t[1]), c = static_cast<std::uint16_t>(t[2]);
+  const auto a = static_cast<std::uint16_t>(t[0]), b = static_cast<std::uint16_t>(t[1]),
+             c = static_cast<std::uint16_t>(t[2]);
   const std::uint16_t d = static_cast<std::uint16_t>(6 - a - b - c);
   const SurfaceReport strip = inspect(parse_glb(with_indices({a, b, c, d, a, b}, 5), "f").front().surface);
   EXPECT_TRUE(strip.closed_oriented_manifold());
@@ -722,12 +745,15 @@ TEST(ReadGltf, DataBesideTheFileOrWithinItsText) {
   const std::string file = (folder / "tooth.gltf").string();
   std::filesystem::create_directory(folder / "parts");
   testing_support::put(folder / "parts/a b.bin", tetrahedron_buffer());
-  const auto with_uri = [](const std::string& uri) { return replaced(tetrahedron_json, "{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"" + uri + "\"}"); };
+  const auto with_uri = [](const std::string& uri) {
+    return replaced(tetrahedron_json, "{\"byteLength\":120}", "{\"byteLength\":120,\"uri\":\"" + uri + "\"}");
+  };
   const std::vector<Point3> wanted = parse_glb(glb(tetrahedron_json, tetrahedron_buffer()), "f").front().surface.points;
   EXPECT_EQ(parse_gltf(with_uri("parts/a%20b.bin"), file).front().surface.points, wanted);
   EXPECT_EQ(parse_glb(glb(with_uri("parts/a b.bin"), ""), file).front().surface.points, wanted);
   EXPECT_THROW(parse_gltf(with_uri("parts/none.bin"), file), FileError);
-  for (const char* elsewhere : {"../tooth.bin", "/etc/passwd", "file:///etc/passwd", "http://nobody/a.bin", "", "parts/../../x", "%2e%2e/x", "%2Fetc/passwd"}) {
+  for (const char* elsewhere : {"../tooth.bin", "/etc/passwd", "file:///etc/passwd", "http://nobody/a.bin", "",
+                                "parts/../../x", "%2e%2e/x", "%2Fetc/passwd"}) {
     EXPECT_EQ(cause_of(parse_gltf, with_uri(elsewhere)), "unsupported") << elsewhere;
   }
   std::filesystem::create_symlink("/etc/passwd", folder / "link.bin");

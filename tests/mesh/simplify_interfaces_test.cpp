@@ -1,4 +1,5 @@
-// Interfaces of several materials become fewer triangles and stay what they were: closed, shared, with the same pieces, handles, cavities and neighbours.
+// Interfaces of several materials become fewer triangles and stay what they were: closed, shared, with the same pieces,
+// handles, cavities and neighbours.
 
 #include "recon/mesh/simplify_interfaces.h"
 
@@ -17,10 +18,11 @@
 namespace odontoscope {
 namespace {
 
-constexpr int side = 12;   // cells of the block
+constexpr int side = 12;  // cells of the block
 using LabelAt = std::function<Label(int, int, int)>;
 
-/// A block of cells with labels, its points moved a little so that nothing is flat; interfaces only. Labels may not meet across an edge or a corner alone.
+/// A block of cells with labels, its points moved a little so that nothing is flat; interfaces only. Labels may not
+/// meet across an edge or a corner alone.
 LabelledComplex block(const LabelAt& label, int labels) {
   LabelledComplex made;
   for (int l = 1; l <= labels; ++l) made.structures.push_back("material " + std::to_string(l));
@@ -47,7 +49,7 @@ LabelledComplex block(const LabelAt& label, int labels) {
           Label inner = labelled(low), outer = labelled(high);
           if (inner == outer) continue;
           const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-          std::array<std::array<int, 3>, 4> corners{high, high, high, high};   // counter-clockwise seen from above
+          std::array<std::array<int, 3>, 4> corners{high, high, high, high};  // counter-clockwise seen from above
           ++corners[1][u], ++corners[2][u], ++corners[2][v], ++corners[3][v];
           std::array<PointIndex, 4> q{number(corners[0]), number(corners[1]), number(corners[2]), number(corners[3])};
           if (inner == void_label || (outer != void_label && outer < inner)) {
@@ -87,7 +89,7 @@ std::multiset<KindAndGenus> shells_of(const SurfaceReport& report) {
 
 double volume_of(const SurfaceReport& report) {
   double sum = 0;
-  for (const Shell& shell : report.shells) sum += shell.volume;   // of a cavity: negative
+  for (const Shell& shell : report.shells) sum += shell.volume;  // of a cavity: negative
   return sum;
 }
 
@@ -102,7 +104,8 @@ void expect_the_same_materials(const LabelledComplex& before, const LabelledComp
   double sum = 0;
   for (std::size_t l = 0; l <= before.structures.size(); ++l) {
     SCOPED_TRACE(l);
-    const SurfaceMesh full = surface_of(before, static_cast<Label>(l)), simple = surface_of(after, static_cast<Label>(l));
+    const SurfaceMesh full = surface_of(before, static_cast<Label>(l)),
+                      simple = surface_of(after, static_cast<Label>(l));
     const SurfaceReport was = inspect(full), is = inspect(simple);
     ASSERT_TRUE(was.closed_oriented_manifold());
     EXPECT_TRUE(is.closed_oriented_manifold());
@@ -115,14 +118,14 @@ void expect_the_same_materials(const LabelledComplex& before, const LabelledComp
       sum += volume_of(is);
     }
   }
-  EXPECT_NEAR(sum, 0, 1e-9 * side * side * side);   // so nothing gapes and nothing overlaps
+  EXPECT_NEAR(sum, 0, 1e-9 * side * side * side);  // so nothing gapes and nothing overlaps
 }
 
 struct Case {
   const char* name;
   LabelAt label;
   int labels;
-  std::size_t least;   // triangles that are always reached
+  std::size_t least;  // triangles that are always reached
 };
 
 class SimplifyInterfaces : public testing::TestWithParam<Case> {};
@@ -156,7 +159,8 @@ TEST_P(SimplifyInterfaces, StopsWhereTopologyAsksForMore) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Blocks, SimplifyInterfaces,
-                         testing::Values(Case{"tooth", tooth, 3, 100}, Case{"wedges", wedges, 3, 60}, Case{"ring", ring, 2, 80}, Case{"corners", corners, 4, 90}),
+                         testing::Values(Case{"tooth", tooth, 3, 100}, Case{"wedges", wedges, 3, 60},
+                                         Case{"ring", ring, 2, 80}, Case{"corners", corners, 4, 90}),
                          [](const auto& one) { return one.param.name; });
 
 TEST(SimplifyInterfacesOnce, GivesTheSameEachTime) {

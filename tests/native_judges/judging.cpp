@@ -5,12 +5,12 @@
 #include <map>
 #include <utility>
 
+#include "recon/contours/simplify_contours.h"
 #include "recon/mesh/tetra_report.h"
 #include "recon/output/model_file.h"
 #include "recon/sample/sample_tooth.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/read_volume.h"
-#include "recon/contours/simplify_contours.h"
 #include "tests/support/shell.h"
 
 namespace odontoscope::judges {
@@ -18,7 +18,9 @@ namespace {
 
 const std::filesystem::path ct_file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
 
-ContourStack ct_contours() { return iso_contours(read_volume(ct_file.string()), {{120, "tooth"}}, {.min_area = 4}).stack; }
+ContourStack ct_contours() {
+  return iso_contours(read_volume(ct_file.string()), {{120, "tooth"}}, {.min_area = 4}).stack;
+}
 
 ContourStack without(ContourStack stack, const std::string& structure) {
   for (Slice& slice : stack.slices) {
@@ -46,7 +48,10 @@ const Reconstruction& Judge::tooth() const {
   const auto at = made.find(GetParam());
   if (at != made.end()) return at->second;
   const bool sample = GetParam() == Tooth::sample_molar;
-  return made.emplace(GetParam(), reconstruct(sample ? sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}) : ct_contours())).first->second;
+  return made
+      .emplace(GetParam(),
+               reconstruct(sample ? sample_tooth(ToothKind::molar, {.walls = SampleWalls::apart}) : ct_contours()))
+      .first->second;
 }
 
 std::string Judge::file_of(const Reconstruction& model, const std::string& name) const {
@@ -85,7 +90,8 @@ Reconstruction with_flipped_triangle(Reconstruction model) {
 
 Reconstruction without_a_triangle(Reconstruction model) {
   Solid& solid = model.solids.front();
-  solid.surface.triangles.erase(solid.surface.triangles.begin() + static_cast<std::ptrdiff_t>(solid.surface.triangles.size() / 2));
+  solid.surface.triangles.erase(solid.surface.triangles.begin() +
+                                static_cast<std::ptrdiff_t>(solid.surface.triangles.size() / 2));
   solid.report = inspect(solid.surface);
   return model;
 }

@@ -19,12 +19,13 @@ namespace {
 
 /// Enamel, dentine and pulp of the sample incisor.
 Reconstruction bonded_tooth() {
-  return reconstruct_partition(sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.6, .walls = SampleWalls::filled}));
+  return reconstruct_partition(
+      sample_tooth(ToothKind::incisor, {.slice_spacing = 0.35, .point_spacing = 0.6, .walls = SampleWalls::filled}));
 }
 
 class PartitionJudge : public Judge {};
 
-// --- one conforming mesh -----------------------------------------------------------------------------------------------
+// --- one conforming mesh ---------------------------------------------------------------------------------------------
 
 constexpr const char* count_mesh = R"(
 import sys, numpy, meshio
@@ -55,7 +56,8 @@ TEST_P(PartitionJudge, MeshioFindsOneConformingMesh) {
   const LabelledComplex& complex = *made.complex;
   const std::size_t points = complex.mesh.points.size(), faces = complex.interfaces.size();
   std::ostringstream wanted;
-  wanted << "POINTS " << points << " " << points << " CROWDED 0 BORDERS " << faces << " LISTED " << faces << " " << faces << " " << faces;
+  wanted << "POINTS " << points << " " << points << " CROWDED 0 BORDERS " << faces << " LISTED " << faces << " "
+         << faces << " " << faces;
   for (const char* file : {"tooth.msh", "tooth.vtu"}) {
     const std::string said = said_by(std::string("/usr/bin/python3 count.py '") + file_of(made, file).c_str() + "'");
     EXPECT_NE(said.find(wanted.str()), said.npos) << file << ": " << wanted.str() << " is not in:\n" << said;
@@ -71,15 +73,16 @@ TEST_P(PartitionJudge, GmshFindsItCoherent) {
   EXPECT_EQ(said.find("Error"), said.npos) << said;
 }
 
-// --- a bite on bonded tissues --------------------------------------------------------------------------------------------
+// --- a bite on bonded tissues ----------------------------------------------------------------------------------------
 
-constexpr double bite = 100;   // newtons, downwards
+constexpr double bite = 100;  // newtons, downwards
 
 struct Tissue {
   const char *name, *set;
-  double stiffness, poisson;   // MPa
+  double stiffness, poisson;  // MPa
 };
-constexpr Tissue tissues[] = {{"enamel", "ENAMEL", 84000, 0.30}, {"dentine", "DENTINE", 18600, 0.31}, {"pulp", "PULP", 2, 0.45}};
+constexpr Tissue tissues[] = {
+    {"enamel", "ENAMEL", 84000, 0.30}, {"dentine", "DENTINE", 18600, 0.31}, {"pulp", "PULP", 2, 0.45}};
 
 double area(const LabelledComplex& complex, const Triangle& t) {
   const auto& p = complex.mesh.points;
@@ -88,8 +91,8 @@ double area(const LabelledComplex& complex, const Triangle& t) {
   return std::hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx) / 2;
 }
 
-/// The bite as a pressure on the enamel's outside, less than 2 mm below the highest cusp, node by node. A force on single nodes would press ever
-/// deeper as elements shrink.
+/// The bite as a pressure on the enamel's outside, less than 2 mm below the highest cusp, node by node. A force on
+/// single nodes would press ever deeper as elements shrink.
 std::map<PointIndex, double> loads(const LabelledComplex& complex) {
   double top = -1e9, sum = 0;
   for (const Point3& p : complex.mesh.points) top = std::max(top, p.z);
@@ -120,7 +123,9 @@ std::string bonded_job(const Reconstruction& model) {
   text << "\n*NSET,NSET=BITTEN";
   for (const auto& [v, force] : load) text << "\n" << v + 1;
   for (const Tissue& one : tissues)
-    text << "\n*MATERIAL,NAME=" << one.set << "_MATERIAL\n*ELASTIC\n" << one.stiffness << "," << one.poisson << "\n*SOLID SECTION,ELSET=" << one.set << ",MATERIAL=" << one.set << "_MATERIAL";
+    text << "\n*MATERIAL,NAME=" << one.set << "_MATERIAL\n*ELASTIC\n"
+         << one.stiffness << "," << one.poisson << "\n*SOLID SECTION,ELSET=" << one.set << ",MATERIAL=" << one.set
+         << "_MATERIAL";
   text << "\n*BOUNDARY\nHELD,1,3\n*STEP\n*STATIC\n*CLOAD";
   for (const auto& [v, force] : load) text << "\n" << v + 1 << ",3," << force;
   text << "\n*NODE PRINT,NSET=HELD,TOTALS=ONLY\nRF\n*NODE PRINT,NSET=BITTEN\nU\n*END STEP\n";
@@ -129,8 +134,8 @@ std::string bonded_job(const Reconstruction& model) {
 
 struct Bitten {
   Point3 reaction;
-  double depth = 0;    // mm, of the node that is pressed down farthest
-  double work = 0;     // N mm, of the bite: twice the strain energy
+  double depth = 0;  // mm, of the node that is pressed down farthest
+  double work = 0;   // N mm, of the bite: twice the strain energy
 };
 
 class Bite : public PartitionJudge {
@@ -146,7 +151,8 @@ class Bite : public PartitionJudge {
       ADD_FAILURE() << results.substr(0, 1000);
       return found;
     }
-    std::istringstream(results.substr(results.find('\n', force_at))) >> found.reaction.x >> found.reaction.y >> found.reaction.z;
+    std::istringstream(results.substr(results.find('\n', force_at))) >> found.reaction.x >> found.reaction.y >>
+        found.reaction.z;
     const auto load = loads(*model.complex);
     std::istringstream lines(results.substr(results.find('\n', moved_at)));
     std::size_t node = 0, count = 0;
@@ -160,7 +166,8 @@ class Bite : public PartitionJudge {
   }
 };
 
-/// Every node of the junction belongs to an element of either tissue, and no place has two nodes: displacement cannot but be continuous there.
+/// Every node of the junction belongs to an element of either tissue, and no place has two nodes: displacement cannot
+/// but be continuous there.
 void expect_bonded(const LabelledComplex& complex) {
   std::vector<std::set<Label>> labels(complex.mesh.points.size());
   for (std::size_t t = 0; t < complex.mesh.tetrahedra.size(); ++t)
@@ -169,7 +176,8 @@ void expect_bonded(const LabelledComplex& complex) {
   for (const InterfaceTriangle& face : complex.interfaces) {
     if (face.outer == void_label) continue;
     ++shared;
-    for (const PointIndex v : face.triangle) ASSERT_TRUE(labels[v].contains(face.inner) && labels[v].contains(face.outer));
+    for (const PointIndex v : face.triangle)
+      ASSERT_TRUE(labels[v].contains(face.inner) && labels[v].contains(face.outer));
   }
   EXPECT_GT(shared, 100u);
 }

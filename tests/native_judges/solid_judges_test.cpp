@@ -10,12 +10,14 @@
 namespace odontoscope::judges {
 namespace {
 
-// --- Gmsh --------------------------------------------------------------------------------------------------------------
+// --- Gmsh ------------------------------------------------------------------------------------------------------------
 
 class Gmsh : public Judge {
  protected:
   void SetUp() override { need("gmsh"); }
-  std::string check(const Reconstruction& model) const { return said_by("gmsh -check '" + file_of(model, "tooth.msh") + "'"); }
+  std::string check(const Reconstruction& model) const {
+    return said_by("gmsh -check '" + file_of(model, "tooth.msh") + "'");
+  }
 };
 
 TEST_P(Gmsh, FindsNoFault) {
@@ -30,7 +32,7 @@ TEST_P(Gmsh, FindsAnInvertedTetrahedron) {
   EXPECT_NE(said.find("has negative volume"), said.npos) << said;
 }
 
-// --- meshio ------------------------------------------------------------------------------------------------------------
+// --- meshio ----------------------------------------------------------------------------------------------------------
 
 constexpr const char* measure_mesh = R"(
 import sys, numpy, meshio
@@ -71,7 +73,8 @@ class Meshio : public Judge {
       ADD_FAILURE() << said;
       return found;
     }
-    std::istringstream(said.substr(at + 9)) >> found.tetrahedra >> found.volume >> found.not_positive >> found.triangles >> found.enclosed;
+    std::istringstream(said.substr(at + 9)) >> found.tetrahedra >> found.volume >> found.not_positive >>
+        found.triangles >> found.enclosed;
     found.sets = said.substr(sets + 5);
     return found;
   }
@@ -112,10 +115,10 @@ TEST_P(Meshio, FindsThePhysicalGroups) {
   }
 }
 
-// --- CalculiX ----------------------------------------------------------------------------------------------------------
+// --- CalculiX --------------------------------------------------------------------------------------------------------
 
-constexpr double bite = 100;                             // newtons, downwards
-constexpr double stiffness = 18600, poisson = 0.31;      // dentine, MPa
+constexpr double bite = 100;                         // newtons, downwards
+constexpr double stiffness = 18600, poisson = 0.31;  // dentine, MPa
 
 /// A bite on the highest points of the only solid of `model`, whose lower half, the root, is held.
 std::string job(const Reconstruction& model) {
@@ -123,7 +126,8 @@ std::string job(const Reconstruction& model) {
   const std::vector<Point3>& points = model.solids.front().tetrahedra.points;
   std::vector<std::size_t> by_height(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) by_height[i] = i;
-  std::stable_sort(by_height.begin(), by_height.end(), [&](std::size_t a, std::size_t b) { return points[a].z < points[b].z; });
+  std::stable_sort(by_height.begin(), by_height.end(),
+                   [&](std::size_t a, std::size_t b) { return points[a].z < points[b].z; });
   const double middle = (points[by_height.front()].z + points[by_height.back()].z) / 2;
   std::ostringstream text;
   text.precision(17);
@@ -133,7 +137,8 @@ std::string job(const Reconstruction& model) {
   for (std::size_t i = 0; i < cusp_points; ++i) text << "\n" << by_height[points.size() - 1 - i] + 1;
   std::string structure = model.solids.front().structure;
   for (char& c : structure) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  text << "\n*MATERIAL,NAME=DENTINE_MATERIAL\n*ELASTIC\n" << stiffness << "," << poisson << "\n*SOLID SECTION,ELSET=" << structure
+  text << "\n*MATERIAL,NAME=DENTINE_MATERIAL\n*ELASTIC\n"
+       << stiffness << "," << poisson << "\n*SOLID SECTION,ELSET=" << structure
        << ",MATERIAL=DENTINE_MATERIAL\n*BOUNDARY\nHELD,1,3\n*STEP\n*STATIC\n*CLOAD\nBITTEN,3," << -bite / cusp_points
        << "\n*NODE PRINT,NSET=HELD,TOTALS=ONLY\nRF\n*EL PRINT,ELSET=" << structure << ",TOTALS=ONLY\nEVOL\n*END STEP\n";
   return text.str();

@@ -14,8 +14,9 @@ class Admesh : public Judge {
 };
 
 /// What ADMesh would have to mend; each is 0 for a sound surface.
-constexpr const char* repairs[] = {"Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets removed", "Facets added",
-                                   "Facets reversed", "Backwards edges", "Normals fixed"};
+constexpr const char* repairs[] = {
+    "Total disconnected facets", "Degenerate facets", "Edges fixed",  "Facets removed", "Facets added",
+    "Facets reversed",           "Backwards edges",   "Normals fixed"};
 
 TEST_P(Admesh, FindsNothingToRepair) {
   const std::string said = said_by("admesh '" + file_of(tooth(), "tooth.stl") + "'");
@@ -59,7 +60,7 @@ TEST_P(Assimp, FindsTheNamesOfWalls) {
   }
 }
 
-// --- lib3mf, through its C interface ------------------------------------------------------------------------------------
+// --- lib3mf, through its C interface ---------------------------------------------------------------------------------
 
 constexpr const char* ask_lib3mf = R"(
 import ctypes, sys
@@ -98,14 +99,17 @@ class Lib3mf : public Judge {
       GTEST_SKIP() << "lib3mf1 is not installed; third_party/test_packages.debian lists it under \"judges\"";
     testing_support::put(folder / "ask.py", ask_lib3mf);
   }
-  std::string judged(const Reconstruction& model) const { return said_by("/usr/bin/python3 ask.py '" + file_of(model, "tooth.3mf") + "' || true"); }
+  std::string judged(const Reconstruction& model) const {
+    return said_by("/usr/bin/python3 ask.py '" + file_of(model, "tooth.3mf") + "' || true");
+  }
 };
 
 TEST_P(Lib3mf, FindsEachStructureClosedAndTurnedOutwards) {
   const std::string said = judged(tooth());
   EXPECT_NE(said.find("WARNINGS 0"), said.npos) << said;
   for (const Solid& solid : tooth().solids) {
-    const std::string line = "OBJECT " + solid.structure + " 1 " + std::to_string(solid.surface.points.size()) + " " + std::to_string(solid.surface.triangles.size());
+    const std::string line = "OBJECT " + solid.structure + " 1 " + std::to_string(solid.surface.points.size()) + " " +
+                             std::to_string(solid.surface.triangles.size());
     EXPECT_NE(said.find(line), said.npos) << line << " is not in:\n" << said;
   }
 }

@@ -14,20 +14,22 @@ namespace {
 
 std::vector<TourNotes> all() {
   std::vector<TourNotes> tours;
-  for (std::size_t number = 0; number < built_in_lessons().size(); ++number) tours.push_back(built_in_lesson_tour(number));
+  for (std::size_t number = 0; number < built_in_lessons().size(); ++number)
+    tours.push_back(built_in_lesson_tour(number));
   return tours;
 }
 
 TEST(BuiltInLessons, AreListedInTheirOrder) {
   std::vector<std::string> titles;
   for (const BuiltInLesson& lesson : built_in_lessons()) titles.push_back(lesson.title);
-  EXPECT_EQ(titles, (std::vector<std::string>{"The tooth and its tissues", "Down the three canals", "Canal types", "What a radiograph hides", "Find your way"}));
+  EXPECT_EQ(titles, (std::vector<std::string>{"The tooth and its tissues", "Down the three canals", "Canal types",
+                                              "What a radiograph hides", "Find your way"}));
   EXPECT_GE(built_in_lessons().back().questions, 8u);
   EXPECT_LE(built_in_lessons().back().questions, 12u);
 }
 
 TEST(BuiltInLessons, CanBeReadAtAGlance) {
-  constexpr std::size_t most_bytes = 420;   // what fits on the card beside the tooth
+  constexpr std::size_t most_bytes = 420;  // what fits on the card beside the tooth
   for (const TourNotes& tour : all()) {
     EXPECT_EQ(tour.language, "en");
     for (const TourNote& note : tour.notes) {
@@ -44,7 +46,9 @@ TEST(BuiltInLessons, CanBeReadAtAGlance) {
 TEST(BuiltInLessons, AskInAllThreeWays) {
   for (const auto kind : {TourQuestion::Kind::click, TourQuestion::Kind::choice, TourQuestion::Kind::number}) {
     const TourNotes quiz = all().back();
-    EXPECT_GE(std::count_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.question && note.question->kind == kind; }), 2);
+    EXPECT_GE(std::count_if(quiz.notes.begin(), quiz.notes.end(),
+                            [&](const TourNote& note) { return note.question && note.question->kind == kind; }),
+              2);
   }
 }
 
@@ -54,7 +58,9 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
   std::vector<std::string> parts = {"pulp chamber"};
   for (const CanalFact& canal : facts.canals) parts.push_back(canal.name + " canal");
   const std::vector<std::string> structures = {"enamel", "dentine", "pulp"};
-  const auto among = [](const std::vector<std::string>& names, const std::string& name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto among = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
   for (const TourNotes& tour : all())
     for (const TourNote& note : tour.notes) {
       if (!note.tour.empty()) {
@@ -72,7 +78,8 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
     }
   const TourNotes quiz = all().back();
   const auto answer_of = [&](const char* title) {
-    const auto found = std::find_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.title == title; });
+    const auto found =
+        std::find_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.title == title; });
     return found == quiz.notes.end() ? -1 : found->question->answer;
   };
   EXPECT_EQ(answer_of("How many?"), static_cast<double>(facts.canals.size()));

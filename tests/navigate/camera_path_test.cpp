@@ -37,19 +37,22 @@ Played played(const CameraPath& path, double seconds) {
 }
 
 struct Errors {
-  double place = 0;      // shares of the clearance
-  double view_deg = 0;   // of the line of sight and of up
-  double near = 1e9;     // least of what is left between the near plane and the tour's own
+  double place = 0;     // shares of the clearance
+  double view_deg = 0;  // of the line of sight and of up
+  double near = 1e9;    // least of what is left between the near plane and the tour's own
 };
 Errors errors(const Tour& tour) {
   const CameraPath path = camera_path(tour, "canal", 30);
   Errors most;
-  const auto apart = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))); };
+  const auto apart = [](const glm::dvec3& a, const glm::dvec3& b) {
+    return glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+  };
   for (double t = 0; t <= tour.seconds(); t += 0.0137) {
     const TourInstant wanted = tour.at(t);
     const Played now = played(path, t);
     most.place = std::max(most.place, glm::length(now.at - wanted.camera.position) / wanted.clearance);
-    most.view_deg = std::max({most.view_deg, apart(now.sight, wanted.camera.target - wanted.camera.position), apart(now.up, wanted.camera.up)});
+    most.view_deg = std::max({most.view_deg, apart(now.sight, wanted.camera.target - wanted.camera.position),
+                              apart(now.up, wanted.camera.up)});
     most.near = std::min(most.near, wanted.camera.near_mm - path.near_mm);
   }
   return most;
@@ -59,7 +62,7 @@ void expect_bounds(const Tour& tour, const std::string& what) {
   const Errors most = errors(tour);
   EXPECT_LT(most.place, 0.01) << what;
   EXPECT_LT(most.view_deg, 0.2) << what;
-  EXPECT_GT(most.near, -1e-4) << what;    // lower by a little between keys
+  EXPECT_GT(most.near, -1e-4) << what;  // lower by a little between keys
 }
 
 TEST(CameraPath, FollowsTheToursOfTheMolars) {

@@ -17,7 +17,10 @@ CentreLine straight(const std::string& name, const Point3& from, const Point3& t
   constexpr int count = 11;
   for (int i = 0; i < count; ++i) {
     const double part = i / (count - 1.0);
-    line.points.push_back({{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), from.z + part * (to.z - from.z)}, 0.2, part * 3});
+    line.points.push_back(
+        {{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), from.z + part * (to.z - from.z)},
+         0.2,
+         part * 3});
   }
   line.orifice = orifice;
   line.end = to;
@@ -72,7 +75,8 @@ TEST(CanalPick, WhatIsOpaqueHides) {
 TEST(CanalPick, AMissByTheSlackIsNone) {
   FlightSpaces thin = two_voids();
   thin.cavities.resize(1);
-  thin.cavities[0].lines.canals = {straight("outside its walls", {0, 0, -3}, {0, 0, -6}, 0)};   // so that only the slack can find it
+  thin.cavities[0].lines.canals = {
+      straight("outside its walls", {0, 0, -3}, {0, 0, -6}, 0)};  // so that only the slack can find it
   EXPECT_TRUE(pick_canal(thin, along_y(0.19, -4)));
   EXPECT_FALSE(pick_canal(thin, along_y(0.25, -4)));
   EXPECT_TRUE(pick_canal(thin, along_y(0.25, -4), {.slack_mm = 0.1}));
@@ -80,10 +84,12 @@ TEST(CanalPick, AMissByTheSlackIsNone) {
 }
 
 TEST(CanalPick, WhatASectionCutAwayIsNotThere) {
-  const Section from_above{{0, 0, -1}, {0, 0, 1}}, towards_eye{{0, 0.5, 0}, {0, 1, 0}}, all_of_it{{0, -3, 0}, {0, 1, 0}};
+  const Section from_above{{0, 0, -1}, {0, 0, 1}}, towards_eye{{0, 0.5, 0}, {0, 1, 0}},
+      all_of_it{{0, -3, 0}, {0, 1, 0}};
   EXPECT_TRUE(pick_canal(spaces(), along_y(0.1, -1.5), {.section = from_above}));
   EXPECT_NE(pick_canal(spaces(), along_y(1.5, -0.3), {.section = from_above}).value_or(CanalPick{9}).cavity, 0u);
-  EXPECT_TRUE(pick_canal(spaces(), along_y(0.1, -1.5), {.sight_mm = 19.5, .section = towards_eye})) << "the cut is opaque, but the void is open there";
+  EXPECT_TRUE(pick_canal(spaces(), along_y(0.1, -1.5), {.sight_mm = 19.5, .section = towards_eye}))
+      << "the cut is opaque, but the void is open there";
   EXPECT_EQ(pick_canal(spaces(), along_y(0.1, -1.5), {.section = all_of_it})->cavity, 1u);
 }
 

@@ -33,7 +33,8 @@ SurfaceMesh outside_of(const Reconstruction& made) {
   SurfaceMesh all;
   for (const Solid& solid : made.solids) {
     std::vector<bool> kept;
-    for (const std::uint32_t shell : solid.report.shell_of) kept.push_back(solid.report.shells[shell].kind == Shell::Kind::external);
+    for (const std::uint32_t shell : solid.report.shell_of)
+      kept.push_back(solid.report.shells[shell].kind == Shell::Kind::external);
     append(part_of(solid.surface, kept), all);
   }
   return all;
@@ -42,7 +43,8 @@ SurfaceMesh outside_of(const Reconstruction& made) {
 const Reconstruction* ct_molar() {
   static const std::filesystem::path file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
   if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file)) return nullptr;
-  static const Reconstruction made = reconstruct(iso_contours(read_volume(file.string()), {{120, "tooth"}}, {.min_area = 4}).stack);
+  static const Reconstruction made =
+      reconstruct(iso_contours(read_volume(file.string()), {{120, "tooth"}}, {.min_area = 4}).stack);
   return &made;
 }
 
@@ -56,7 +58,9 @@ const Reconstruction& sample_molar() {
 SurfaceMesh largest_cavity(const SurfaceMesh& surface, const SurfaceReport& report) {
   std::size_t best = report.shells.size();
   for (std::size_t s = 0; s < report.shells.size(); ++s)
-    if (report.shells[s].kind == Shell::Kind::cavity && (best == report.shells.size() || report.shells[s].volume < report.shells[best].volume)) best = s;
+    if (report.shells[s].kind == Shell::Kind::cavity &&
+        (best == report.shells.size() || report.shells[s].volume < report.shells[best].volume))
+      best = s;
   std::vector<bool> kept;
   for (const std::uint32_t shell : report.shell_of) kept.push_back(shell == best);
   return part_of(surface, kept);

@@ -1,5 +1,7 @@
 // Flights: never through a wall, never nearer than stated, and the same at every frame rate.
 
+#include "engine/navigate/flight.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "engine/navigate/flight.h"
 #include "tests/navigate/cavities.h"
 #include "tests/render/shapes.h"
 #include "tests/support/random_numbers.h"
@@ -23,16 +24,19 @@ int from_environment(const char* name, int usual) {
   return text && *text ? std::atoi(text) : usual;
 }
 
-Flight straight(double hertz, double seconds, const Walls& walls, const FlightRules& rules, const glm::dvec3& from = {0, 0, 0}) {
+Flight straight(double hertz, double seconds, const Walls& walls, const FlightRules& rules,
+                const glm::dvec3& from = {0, 0, 0}) {
   Flight flight = looking(from, {1, 0, 0});
-  for (int i = 0; i < static_cast<int>(std::lround(seconds * hertz)); ++i) flight = flown(flight, {{0, 0, 1}, {0.4, 0.1}}, walls, rules, 1 / hertz);
+  for (int i = 0; i < static_cast<int>(std::lround(seconds * hertz)); ++i)
+    flight = flown(flight, {{0, 0, 1}, {0.4, 0.1}}, walls, rules, 1 / hertz);
   return flight;
 }
 
 TEST(Flight, GoesTheSameWayAtEveryFrameRate) {
   const Walls walls(box({-50, -50, -50}, {50, 50, 50}));
   const FlightRules rules = rules_for(20);
-  const Flight slow = straight(10, 1, walls, rules), usual = straight(60, 1, walls, rules), quick = straight(1000, 1, walls, rules);
+  const Flight slow = straight(10, 1, walls, rules), usual = straight(60, 1, walls, rules),
+               quick = straight(1000, 1, walls, rules);
   EXPECT_GT(glm::length(usual.eye), 20);
   EXPECT_LT(glm::length(slow.eye - usual.eye), 0.002 * glm::length(usual.eye));
   EXPECT_LT(glm::length(quick.eye - usual.eye), 0.01 * glm::length(usual.eye));
@@ -44,7 +48,7 @@ TEST(Flight, StartsAndStopsSmoothly) {
   const FlightRules rules = rules_for(20);
   Flight flight = looking({0, 0, 0}, {1, 0, 0});
   double before = 0;
-  for (int i = 0; i < 15; ++i) {   // faster and faster
+  for (int i = 0; i < 15; ++i) {  // faster and faster
     flight = flown(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
     EXPECT_GT(glm::length(flight.velocity), before);
     before = glm::length(flight.velocity);
@@ -103,11 +107,11 @@ TEST(Flight, TurnsWithoutRollAndRightsItself) {
   Flight flight = looking({0, 0, 0}, {1, 0, 0});
   for (int i = 0; i < 100; ++i) flight = turned(flight, {0.1, 0}, rules);
   EXPECT_NEAR(flight.up.z, 1, 1e-12);
-  for (int i = 0; i < 40; ++i) flight = turned(flight, {0.05, 0.05}, rules);   // over the top and round
+  for (int i = 0; i < 40; ++i) flight = turned(flight, {0.05, 0.05}, rules);  // over the top and round
   for (int i = 0; i < 40; ++i) flight = turned(flight, {0.1, -0.02}, rules);
   EXPECT_NEAR(glm::length(flight.sight), 1, 1e-12);
   EXPECT_NEAR(glm::dot(flight.sight, flight.up), 0, 1e-12);
-  const Flight down = looking({0, 0, 0}, {0, 0, -1});   // along the axis nothing rolls by itself
+  const Flight down = looking({0, 0, 0}, {0, 0, -1});  // along the axis nothing rolls by itself
   const Flight after = turned(down, {0, 0.01}, rules);
   EXPECT_GT(glm::dot(after.up, down.up), 0.999);
 }
@@ -121,9 +125,10 @@ TEST(Flight, TheNearPlanesCornersStayInTheFreeBall) {
     }
 }
 
-// --- wild flights ---------------------------------------------------------------------------------------------------------------------------
+// --- wild flights ----------------------------------------------------------------------------------------------------
 
-/// What a person on a sugar rush holds: changes all the time, sometimes contradictory, sometimes far beyond what keys can do.
+/// What a person on a sugar rush holds: changes all the time, sometimes contradictory, sometimes far beyond what keys
+/// can do.
 FlightWish wild_wish(RandomNumbers& random) {
   const auto push = [&] { return random.chance(0.3) ? 0.0 : random.between(-1.5, 1.5); };
   return {{push(), push(), random.chance(0.5) ? 1.0 : push()}, {push(), push()}};
@@ -131,7 +136,7 @@ FlightWish wild_wish(RandomNumbers& random) {
 
 struct Told {
   std::size_t steps = 0;
-  double nearest = 1e300;   // in clearances
+  double nearest = 1e300;  // in clearances
   double longest_way = 0;
 };
 
@@ -167,9 +172,10 @@ void fly_many(const char* name, const SurfaceMesh& surface, double radius, const
   const auto roomiest = start ? std::nullopt : roomiest_place(walls);
   ASSERT_TRUE(start || roomiest);
   Told told;
-  for (int number = 0; number < flights && !testing::Test::HasFatalFailure(); ++number) fly_wildly(number, walls, rules, start ? *start : roomiest->at, told);
-  std::printf("%s: %d flights, %zu steps, never nearer than %.6f of the stated %.4f; %.0f of its lengths flown\n", name, flights, told.steps, told.nearest, rules.clearance,
-              told.longest_way / (2 * radius));
+  for (int number = 0; number < flights && !testing::Test::HasFatalFailure(); ++number)
+    fly_wildly(number, walls, rules, start ? *start : roomiest->at, told);
+  std::printf("%s: %d flights, %zu steps, never nearer than %.6f of the stated %.4f; %.0f of its lengths flown\n", name,
+              flights, told.steps, told.nearest, rules.clearance, told.longest_way / (2 * radius));
   EXPECT_GE(told.nearest, 1 - 1e-9);
   EXPECT_LT(told.nearest, 1.1) << "none ever came to a wall: nothing was tried";
 }
@@ -182,7 +188,9 @@ double radius_of(const SurfaceMesh& mesh) {
 /// ODONTOSCOPE_RANDOM_FLIGHTS says how many in all (issue: 10,000); a share else.
 int wild_flights(int usual) { return from_environment("ODONTOSCOPE_RANDOM_FLIGHTS", usual); }
 
-TEST(WildFlights, NeverLeaveTheSampleMolarsPulp) { fly_many("sample pulp", sample_molar_pulp(), radius_of(sample_molar_outside()), nullptr, wild_flights(60)); }
+TEST(WildFlights, NeverLeaveTheSampleMolarsPulp) {
+  fly_many("sample pulp", sample_molar_pulp(), radius_of(sample_molar_outside()), nullptr, wild_flights(60));
+}
 
 TEST(WildFlights, NeverLeaveTheCtMolarsPulp) {
   if (!ct_molar_pulp()) GTEST_SKIP() << "the CT molar is not there; set the CMake variable ODONTOSCOPE_DATA";
@@ -192,7 +200,8 @@ TEST(WildFlights, NeverLeaveTheCtMolarsPulp) {
 TEST(WildFlights, NeverEnterTheSampleMolarFromOutside) {
   const SurfaceMesh& outside = sample_molar_outside();
   const Walls walls(outside);
-  const glm::dvec3 start = walls.bounds().centre() + glm::dvec3(0, 0.55, 0.1) * (walls.bounds().high - walls.bounds().low);
+  const glm::dvec3 start =
+      walls.bounds().centre() + glm::dvec3(0, 0.55, 0.1) * (walls.bounds().high - walls.bounds().low);
   fly_many("sample outside", outside, radius_of(outside), &start, wild_flights(30));
 }
 

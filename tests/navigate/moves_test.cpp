@@ -17,8 +17,10 @@ namespace {
 Model box_model() {
   const glm::dvec3 low{95, -4, 30}, high{105, 4, 50};
   SurfaceMesh mesh;
-  for (int i = 0; i < 8; ++i) mesh.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
-  for (const auto& [a, b, c] : {std::array{0u, 2u, 1u}, {1u, 2u, 3u}, {4u, 5u, 6u}, {5u, 7u, 6u}}) mesh.triangles.push_back({a, b, c});
+  for (int i = 0; i < 8; ++i)
+    mesh.points.push_back({i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z});
+  for (const auto& [a, b, c] : {std::array{0u, 2u, 1u}, {1u, 2u, 3u}, {4u, 5u, 6u}, {5u, 7u, 6u}})
+    mesh.triangles.push_back({a, b, c});
   return make_model({{"box", mesh}});
 }
 
@@ -28,7 +30,8 @@ std::vector<Camera> cameras() {
     const double round = glm::radians(37.0 * i), up = glm::radians(-85 + 1.7 * i);
     Camera camera;
     camera.target = {100 + std::sin(i), std::cos(i), 40};
-    camera.position = camera.target + (30 + 0.5 * i) * glm::dvec3(std::cos(up) * std::cos(round), std::cos(up) * std::sin(round), std::sin(up));
+    camera.position = camera.target + (30 + 0.5 * i) * glm::dvec3(std::cos(up) * std::cos(round),
+                                                                  std::cos(up) * std::sin(round), std::sin(up));
     camera.height_mm = 12 + 0.2 * i;
     for (const auto projection : {Camera::Projection::perspective, Camera::Projection::parallel}) {
       camera.projection = projection;
@@ -38,8 +41,12 @@ std::vector<Camera> cameras() {
   return all;
 }
 
-void expect_near(const glm::dvec3& a, const glm::dvec3& b, double slack = 1e-9) { EXPECT_LT(glm::distance(a, b), slack); }
-void expect_near(const glm::dvec2& a, const glm::dvec2& b, double slack = 1e-9) { EXPECT_LT(glm::distance(a, b), slack); }
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double slack = 1e-9) {
+  EXPECT_LT(glm::distance(a, b), slack);
+}
+void expect_near(const glm::dvec2& a, const glm::dvec2& b, double slack = 1e-9) {
+  EXPECT_LT(glm::distance(a, b), slack);
+}
 
 TEST(Screen, PlacesAndSightLinesAgree) {
   for (const Camera& camera : cameras())
@@ -54,7 +61,8 @@ TEST(Screen, AgreesWithWhatIsDrawn) {
   for (const Camera& camera : cameras()) {
     const View view = view_of(camera, model, 1.5);
     const glm::dvec3 point{101, 1, 37};
-    const glm::vec4 clip = view.eye_to_clip * view.world_to_eye * glm::vec4(glm::vec3(metres_per_mm * (point - model.origin_mm)), 1);
+    const glm::vec4 clip =
+        view.eye_to_clip * view.world_to_eye * glm::vec4(glm::vec3(metres_per_mm * (point - model.origin_mm)), 1);
     const auto place = place_of(camera, point);
     ASSERT_TRUE(place);
     EXPECT_NEAR(clip.x / clip.w, place->x / 1.5, 1e-4);
@@ -89,10 +97,10 @@ TEST(Orbit, OverThePoleIsAllowedUpToThePole) {
 }
 
 TEST(Orbit, TheModelFollowsTheHand) {
-  Camera camera;   // at +y, looking at the origin: +x is at the left
+  Camera camera;  // at +y, looking at the origin: +x is at the left
   const glm::dvec3 nearest{0, 5, 0};
   const Camera turned = orbit(camera, {10, 0, camera.target});
-  EXPECT_GT(place_of(turned, nearest)->x, 0.01);   // to the right, as the hand went
+  EXPECT_GT(place_of(turned, nearest)->x, 0.01);  // to the right, as the hand went
   const Camera lifted = orbit(camera, {0, 10, camera.target});
   EXPECT_LT(place_of(lifted, nearest)->y, -0.01);  // the eye rose, so the front sinks
 }
@@ -120,7 +128,8 @@ TEST(Zoom, TheAnchorStaysInThePicture) {
     const glm::dvec3 anchor{98, 1, 33};
     const Camera nearer = zoom(camera, 1.7, anchor);
     expect_near(place_of(nearer, anchor).value(), place_of(camera, anchor).value());
-    EXPECT_NEAR(glm::distance(nearer.position, nearer.target) * 1.7, glm::distance(camera.position, camera.target), 1e-9);
+    EXPECT_NEAR(glm::distance(nearer.position, nearer.target) * 1.7, glm::distance(camera.position, camera.target),
+                1e-9);
     EXPECT_NEAR(nearer.height_mm * 1.7, camera.height_mm, 1e-9);
   }
 }
@@ -139,9 +148,11 @@ TEST(Zoom, NeverLeavesReach) {
 
 TEST(Projection, TheTargetKeepsItsSize) {
   for (const Camera& camera : cameras()) {
-    const auto other = camera.projection == Camera::Projection::parallel ? Camera::Projection::perspective : Camera::Projection::parallel;
+    const auto other = camera.projection == Camera::Projection::parallel ? Camera::Projection::perspective
+                                                                         : Camera::Projection::parallel;
     const Camera changed = with_projection(camera, other);
-    EXPECT_NEAR(half_height_at(changed, depth_of(changed, changed.target)), half_height_at(camera, depth_of(camera, camera.target)), 1e-9);
+    EXPECT_NEAR(half_height_at(changed, depth_of(changed, changed.target)),
+                half_height_at(camera, depth_of(camera, camera.target)), 1e-9);
     expect_near(axes_of(with_projection(changed, camera.projection)).towards_eye, axes_of(camera).towards_eye);
   }
 }

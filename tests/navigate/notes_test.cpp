@@ -71,7 +71,8 @@ TEST(TourNotes, WithScenesAreReadAsTheyWereWritten) {
   EXPECT_EQ(shown.section->point_mm, glm::dvec3(1, 2, 3));
   EXPECT_EQ(shown.back_faces, BackFaces::tint);
   EXPECT_FALSE(shown.headlight);
-  EXPECT_EQ(some_tour().notes[0].scene_over(other, other).looks, other.looks) << "a note of a camera alone leaves looks as they are";
+  EXPECT_EQ(some_tour().notes[0].scene_over(other, other).looks, other.looks)
+      << "a note of a camera alone leaves looks as they are";
 }
 
 TourNotes quiz_tour() {
@@ -80,11 +81,19 @@ TourNotes quiz_tour() {
   tour.feedback_at_end = true;
   tour.notes[0].tour = "mesiobuccal canal";
   tour.notes[0].marks = {{{1, 2, 3}, "furcation"}, {{0.1, -1, 1.0 / 3}}};
-  tour.notes[1].question = TourQuestion{.kind = TourQuestion::Kind::click, .ask = "Click the distal canal.", .explain = "The wide one.", .structure = "pulp", .part = "distal canal"};
+  tour.notes[1].question = TourQuestion{.kind = TourQuestion::Kind::click,
+                                        .ask = "Click the distal canal.",
+                                        .explain = "The wide one.",
+                                        .structure = "pulp",
+                                        .part = "distal canal"};
   tour.notes.push_back({"Which?", "", tour.notes[1].camera});
-  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::choice, .ask = "Which structure is this?", .choices = {"enamel", "dentine"}, .answer = 1};
+  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::choice,
+                                            .ask = "Which structure is this?",
+                                            .choices = {"enamel", "dentine"},
+                                            .answer = 1};
   tour.notes.push_back({"How long?", "", tour.notes[1].camera});
-  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How long is it?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  tour.notes.back().question = TourQuestion{
+      .kind = TourQuestion::Kind::number, .ask = "How long is it?", .answer = 12.5, .within = 0.5, .unit = "mm"};
   return tour;
 }
 
@@ -101,7 +110,9 @@ TEST(TourNotes, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
 
 /// A tour of one note with this beside title, text and camera.
 std::string with(const std::string& more, const std::string& top = "") {
-  return R"({"format":"odontoscope.tour","version":3,"title":"",)" + top + R"("notes":[{"title":"","text":"","camera":{"position":[0,0,9],"target":[0,0,8],"up":[0,1,0]},)" + more + "}]}";
+  return R"({"format":"odontoscope.tour","version":3,"title":"",)" + top +
+         R"("notes":[{"title":"","text":"","camera":{"position":[0,0,9],"target":[0,0,8],"up":[0,1,0]},)" + more +
+         "}]}";
 }
 
 TEST(TourNotes, RefuseQuestionsThatCannotBeAnswered) {
@@ -113,7 +124,8 @@ TEST(TourNotes, RefuseQuestionsThatCannotBeAnswered) {
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":0.5)"), "bad-question");
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x"],"answer":0)"), "bad-question");
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":[],"answer":0)"), "bad-question");
-  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["1","2","3","4","5","6","7","8","9"],"answer":0)"), "bad-question");
+  EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["1","2","3","4","5","6","7","8","9"],"answer":0)"),
+            "bad-question");
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"])"), "missing-key");
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","answer":0)"), "missing-key");
   EXPECT_EQ(asked(R"("kind":"choice","ask":"","choices":["x","y"],"answer":1)"), "bad-question");
@@ -210,9 +222,12 @@ TEST(TourNotes, NoChangeOfAByteDoesHarm) {
     std::string text = wholes[i % 3];
     for (int k = random.whole(1, 4); k > 0; --k) {
       const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
-      if (random.chance(0.5)) text[at] = static_cast<char>(random.below(256));
-      else if (random.chance(0.5)) text.erase(at, static_cast<std::size_t>(random.whole(1, 40)));
-      else text.insert(at, text.substr(static_cast<std::size_t>(random.below(static_cast<int>(text.size()))), 30));
+      if (random.chance(0.5))
+        text[at] = static_cast<char>(random.below(256));
+      else if (random.chance(0.5))
+        text.erase(at, static_cast<std::size_t>(random.whole(1, 40)));
+      else
+        text.insert(at, text.substr(static_cast<std::size_t>(random.below(static_cast<int>(text.size()))), 30));
       if (text.empty()) text = " ";
     }
     try {

@@ -9,9 +9,18 @@
 namespace odontoscope::test {
 namespace {
 
-TourQuestion click() { return {.kind = TourQuestion::Kind::click, .ask = "Click it", .structure = "pulp", .part = "distal canal"}; }
-TourQuestion choice() { return {.kind = TourQuestion::Kind::choice, .ask = "Which, \"this\"?", .choices = {"enamel", "dentine", "pulp"}, .answer = 1}; }
-TourQuestion number() { return {.kind = TourQuestion::Kind::number, .ask = "How long?", .answer = 12.5, .within = 0.1, .unit = "mm"}; }
+TourQuestion click() {
+  return {.kind = TourQuestion::Kind::click, .ask = "Click it", .structure = "pulp", .part = "distal canal"};
+}
+TourQuestion choice() {
+  return {.kind = TourQuestion::Kind::choice,
+          .ask = "Which, \"this\"?",
+          .choices = {"enamel", "dentine", "pulp"},
+          .answer = 1};
+}
+TourQuestion number() {
+  return {.kind = TourQuestion::Kind::number, .ask = "How long?", .answer = 12.5, .within = 0.1, .unit = "mm"};
+}
 
 TEST(Quiz, KnowsWhatIsRight) {
   EXPECT_TRUE(is_right(click(), PointedAt{"pulp", "distal canal"}));
@@ -38,7 +47,8 @@ TEST(Quiz, ReadsNumbersAsPeopleWriteThem) {
   EXPECT_EQ(number_from("12.5"), 12.5);
   EXPECT_EQ(number_from(" 12,5 "), 12.5);
   EXPECT_EQ(number_from("+3"), 3);
-  for (const char* none : {"", " ", "three", "12.5 mm", "1,2,3", "nan", "inf", "1e999", "++3"}) EXPECT_FALSE(number_from(none)) << none;
+  for (const char* none : {"", " ", "three", "12.5 mm", "1,2,3", "nan", "inf", "1e999", "++3"})
+    EXPECT_FALSE(number_from(none)) << none;
 }
 
 TEST(Quiz, TellsTheRightAnswerInWords) {

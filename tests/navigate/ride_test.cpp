@@ -1,5 +1,7 @@
 // Rides: on the line, as fast as the canal is wide, without roll; and labels that walls hide.
 
+#include "engine/navigate/ride.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <numbers>
 
 #include "engine/navigate/labels.h"
-#include "engine/navigate/ride.h"
 #include "engine/navigate/tour.h"
 #include "tests/navigate/cavities.h"
 #include "tests/render/shapes.h"
@@ -124,7 +125,8 @@ TEST(Ride, TheTeethsCanalsAreRiddenToWithinAVoxelOfTheirEndsAndNeverNearerThanSt
       ASSERT_FALSE(track.points.empty()) << canal.name;
       EXPECT_LE(track.end - track.points.back().along, voxel) << canal.name;
       glm::dvec3 before = track.points.front().at;
-      for (double along = track.points.front().along; along < track.points.back().along; along += 0.3 * rules.clearance) {
+      for (double along = track.points.front().along; along < track.points.back().along;
+           along += 0.3 * rules.clearance) {
         const Flight eye = flight_on(track, along);
         ASSERT_GE(walls.nearest(eye.eye).distance, rules.clearance) << canal.name << " at " << along;
         ASSERT_FALSE(walls.crosses(before, eye.eye));
@@ -141,8 +143,11 @@ TEST(Labels, HideBehindWallsAndBehindTheEye) {
   camera.position = {0, -5, 0};
   camera.target = {0, 0, 0};
   camera.field_of_view_deg = 60;
-  const std::vector<FlightLabel> labels{{{0, -1, 0}, "on the near face", {}}, {{0, 1, 0}, "on the far face", {}}, {{0, -7, 0}, "behind the eye", {}},
-                                        {{3, 2, 0}, "beside it, farther", {}}, {{40, 0, 0}, "out of the picture", {}}};
+  const std::vector<FlightLabel> labels{{{0, -1, 0}, "on the near face", {}},
+                                        {{0, 1, 0}, "on the far face", {}},
+                                        {{0, -7, 0}, "behind the eye", {}},
+                                        {{3, 2, 0}, "beside it, farther", {}},
+                                        {{40, 0, 0}, "out of the picture", {}}};
   const auto seen = seen_labels(labels, camera, 1.5, walls, 0.05);
   ASSERT_EQ(seen.size(), 2u);
   EXPECT_EQ(labels[seen[0].label].words, "on the near face");

@@ -45,7 +45,7 @@ TEST(SectionHandle, TheKnobFollowsTheHandAlongTheNormal) {
   Camera camera = eye_at({0, 60, 0});
   camera.projection = Camera::Projection::parallel;
   const auto before = section_handle(facing_x, camera, reach).value();
-  const glm::dvec2 hand = before.knob + glm::dvec2(-0.1, 0.05);   // +x is at the left
+  const glm::dvec2 hand = before.knob + glm::dvec2(-0.1, 0.05);  // +x is at the left
   const Section moved = dragged(facing_x, SectionGrip::slide, camera, reach, before.knob, hand, model);
   EXPECT_NEAR(section_handle(moved, camera, reach)->knob.x, hand.x, 1e-9);
   EXPECT_GT(offset_of(moved, model), 0.5);
@@ -72,7 +72,7 @@ TEST(SectionHandle, TheTipFollowsTheHand) {
   const Section turned = dragged(start, SectionGrip::turn, camera, reach, handle.tip, hand, cube());
   EXPECT_LT(glm::distance(section_handle(turned, camera, reach)->tip, hand), 1e-6);
   EXPECT_EQ(turned.point_mm, start.point_mm);
-  EXPECT_GT(glm::dot(turned.normal, axes_of(camera).towards_eye), 0);   // on the side where it was
+  EXPECT_GT(glm::dot(turned.normal, axes_of(camera).towards_eye), 0);  // on the side where it was
 }
 
 TEST(SectionAngles, GoThereAndBack) {

@@ -48,13 +48,15 @@ Measured measured(const Tour& tour) {
   for (double t = 0; t + 3 * step < tour.seconds(); t += step) {
     const TourInstant a = tour.at(t), b = tour.at(t + step), c = tour.at(t + 2 * step), d = tour.at(t + 3 * step);
     const glm::dvec3 u = sight(a.camera), v = sight(b.camera);
-    most.turn_deg_s = std::max(most.turn_deg_s, glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v))) / step);
+    most.turn_deg_s =
+        std::max(most.turn_deg_s, glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v))) / step);
     const glm::dvec3 third = d.camera.position - 3.0 * c.camera.position + 3.0 * b.camera.position - a.camera.position;
     most.jerk = std::max(most.jerk, glm::length(third) / (step * step * step) / std::min(a.width, d.width));
     // Roll: what is left of the turn of `up` round the line of sight.
     const glm::dvec3 rate = glm::cross(a.camera.up, b.camera.up) / step;
     const glm::dvec3 middle = glm::normalize(u + v), swing = glm::cross(u, v) / step;
-    most.roll_deg_s = std::max(most.roll_deg_s, std::abs(glm::degrees(glm::dot(rate, middle) - glm::dot(swing, middle))));
+    most.roll_deg_s =
+        std::max(most.roll_deg_s, std::abs(glm::degrees(glm::dot(rate, middle) - glm::dot(swing, middle))));
   }
   return most;
 }
@@ -88,7 +90,9 @@ TEST(Tour, LeadsFromStartToEndAndBack) {
   // Both look where they go.
   for (const Tour* tour : {&there, &back})
     for (double t = 0.3 * tour->seconds(); t < 0.7 * tour->seconds(); t += 0.5)
-      EXPECT_GT(glm::dot(sight(tour->at(t).camera), glm::normalize(tour->at(t + 0.1).camera.position - tour->at(t).camera.position)), 0.8);
+      EXPECT_GT(glm::dot(sight(tour->at(t).camera),
+                         glm::normalize(tour->at(t + 0.1).camera.position - tour->at(t).camera.position)),
+                0.8);
 }
 
 TEST(Tour, HasConstantApparentSpeedWhereTheWayIsStraight) {
@@ -109,7 +113,8 @@ TEST(Tour, StaysOnItsLineAndTheNearPlaneOffTheWall) {
     const TourInstant now = tour.at(t);
     double off = 1e9;
     for (std::size_t i = 1; i < line.points.size(); ++i) {
-      const glm::dvec3 a(line.points[i - 1].at.x, line.points[i - 1].at.y, line.points[i - 1].at.z), b(line.points[i].at.x, line.points[i].at.y, line.points[i].at.z);
+      const glm::dvec3 a(line.points[i - 1].at.x, line.points[i - 1].at.y, line.points[i - 1].at.z),
+          b(line.points[i].at.x, line.points[i].at.y, line.points[i].at.z);
       const double s = glm::clamp(glm::dot(now.camera.position - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
       off = std::min(off, glm::length(now.camera.position - a - s * (b - a)));
     }
@@ -125,7 +130,8 @@ TEST(Tour, StaysOnItsLineAndTheNearPlaneOffTheWall) {
 /// A line as rough as the wall of a scan makes it.
 TEST(Tour, IsNotSlowedByALittleRoughness) {
   CentreLine smooth = screw(1, 3, 8, 0.5, 0.5), rough = smooth;
-  for (std::size_t i = 0; i < rough.points.size(); ++i) rough.points[i].at.x += 0.01 * std::sin(12.9898 * static_cast<double>(i * i));
+  for (std::size_t i = 0; i < rough.points.size(); ++i)
+    rough.points[i].at.x += 0.01 * std::sin(12.9898 * static_cast<double>(i * i));
   const Tour even(smooth), shaken(rough);
   expect_bounds(shaken);
   EXPECT_LT(shaken.seconds(), 1.3 * even.seconds());

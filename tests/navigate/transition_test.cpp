@@ -44,7 +44,8 @@ TEST(Transition, GoesRoundTheTargetAndNotThroughIt) {
 TEST(Transition, IsSmooth) {
   // No step turns the eye by more than three times its share of the way.
   for (int i = 0; i < 100; ++i) {
-    const glm::dvec3 a = axes_of(between(buccal, occlusal, i / 100.0)).towards_eye, b = axes_of(between(buccal, occlusal, (i + 1) / 100.0)).towards_eye;
+    const glm::dvec3 a = axes_of(between(buccal, occlusal, i / 100.0)).towards_eye,
+                     b = axes_of(between(buccal, occlusal, (i + 1) / 100.0)).towards_eye;
     EXPECT_LT(std::acos(std::min(1.0, glm::dot(a, b))), 3 * std::acos(0.0) / 100);
   }
 }
@@ -65,8 +66,12 @@ Model ten_mm_wide() {
 
 TEST(LookTransition, FadesStructuresAndMovesTheSection) {
   Scene from, to;
-  from.looks = {{"enamel", colour_of(0x000000), 1}, {"pulp", colour_of(0xff0000), 1}, {"dentine", colour_of(0xffffff), 0.5f, false}};
-  to.looks = {{"enamel", colour_of(0xffffff), 0.2f}, {"pulp", colour_of(0xff0000), 1, false}, {"dentine", colour_of(0xffffff), 0.5f}};
+  from.looks = {{"enamel", colour_of(0x000000), 1},
+                {"pulp", colour_of(0xff0000), 1},
+                {"dentine", colour_of(0xffffff), 0.5f, false}};
+  to.looks = {{"enamel", colour_of(0xffffff), 0.2f},
+              {"pulp", colour_of(0xff0000), 1, false},
+              {"dentine", colour_of(0xffffff), 0.5f}};
   to.section = Section{{0, 1, 0}, {0, 2, 0}};
   const Model model = ten_mm_wide();
   const Scene half = looks_between(from, to, 0.5, model);
@@ -86,7 +91,8 @@ TEST(LookTransition, FadesStructuresAndMovesTheSection) {
   EXPECT_EQ(looks_between(to, from, 1, model), from) << "the section is gone";
   Scene turned = to;
   turned.section->normal = {0, -1, 0};
-  EXPECT_EQ(looks_between(to, turned, 0.5, model).section, turned.section) << "opposite planes: no way between is the right one";
+  EXPECT_EQ(looks_between(to, turned, 0.5, model).section, turned.section)
+      << "opposite planes: no way between is the right one";
 }
 
 TEST(LookTransition, EndsExactlyAtItsGoalUnderTheCameraOfTheMoment) {

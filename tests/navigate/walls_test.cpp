@@ -1,11 +1,12 @@
 // Distances, sides and crossings against answers worked out otherwise.
 
+#include "engine/navigate/walls.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/navigate/walls.h"
 #include "tests/navigate/cavities.h"
 #include "tests/render/shapes.h"
 #include "tests/support/random_numbers.h"
@@ -17,7 +18,8 @@ using testing_support::ball;
 using testing_support::box;
 using testing_support::ring;
 
-/// To a triangle by another way than the program's: on a fine net of it, then finer round the best place. From above, and close.
+/// To a triangle by another way than the program's: on a fine net of it, then finer round the best place. From above,
+/// and close.
 double far_from_triangle(const std::array<glm::dvec3, 3>& t, const glm::dvec3& place) {
   double u = 1.0 / 3, v = 1.0 / 3, best = 1e300;
   for (double reach = 1; reach > 1e-9; reach *= 0.55) {
@@ -58,7 +60,8 @@ TEST(Walls, NearestIsWhatSearchingEveryTriangleFinds) {
   for (int i = 0; i < 60; ++i) {
     const glm::dvec3 place(random.between(-7, 7), random.between(-7, 7), random.between(-3, 3));
     double best = 1e300;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) best = std::min(best, far_from_triangle(corners(mesh, t), place));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      best = std::min(best, far_from_triangle(corners(mesh, t), place));
     const Walls::Nearest found = walls.nearest(place);
     EXPECT_NEAR(found.distance, best, 1e-6);
     EXPECT_NEAR(found.distance, glm::length(found.point - place), 1e-12);
@@ -119,7 +122,7 @@ TEST(Walls, SeesAsFarAsTheWallIs) {
   ASSERT_EQ(through.size(), 2u);
   EXPECT_NEAR(through[0], 7, 1e-12);
   EXPECT_NEAR(through[1], 13, 1e-12);
-  EXPECT_NEAR(std::abs(longest_sight(walls, {0, 0, 0}).z), 3 / std::sqrt(14.0), 0.05);   // into a corner
+  EXPECT_NEAR(std::abs(longest_sight(walls, {0, 0, 0}).z), 3 / std::sqrt(14.0), 0.05);  // into a corner
 }
 
 TEST(Walls, TheRoomiestPlaceOfABallIsItsMiddleAndOfARingItsTube) {

@@ -11,9 +11,7 @@ void FakeRuntime::tell(XrSessionState next) {
   events.push_back(buffer);
 }
 
-void FakeRuntime::tell_lost_instance() {
-  events.push_back({XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING});
-}
+void FakeRuntime::tell_lost_instance() { events.push_back({XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING}); }
 
 void FakeRuntime::tell_recentred(XrReferenceSpaceType type) {
   XrEventDataBuffer buffer{XR_TYPE_EVENT_DATA_BUFFER};

@@ -1,5 +1,5 @@
-// The library that the loader opens. One instance, one session: OpenXR's calls carry nothing that a test could put its own words into, so that the state
-// is the library's own.
+// The library that the loader opens. One instance, one session: OpenXR's calls carry nothing that a test could put its
+// own words into, so that the state is the library's own.
 #include "tests/openxr/fake_runtime.h"
 
 #include <cstring>
@@ -84,13 +84,17 @@ XrResult system_properties(XrInstance, XrSystemId, XrSystemProperties* propertie
   return XR_SUCCESS;
 }
 
-XrResult blend_modes(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity, std::uint32_t* count, XrEnvironmentBlendMode* to) {
+XrResult blend_modes(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity, std::uint32_t* count,
+                     XrEnvironmentBlendMode* to) {
   return fill(std::vector<XrEnvironmentBlendMode>{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, to);
 }
 
-XrResult configuration_views(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity, std::uint32_t* count, XrViewConfigurationView* to) {
+XrResult configuration_views(XrInstance, XrSystemId, XrViewConfigurationType, std::uint32_t capacity,
+                             std::uint32_t* count, XrViewConfigurationView* to) {
   const std::uint32_t side = fake().side;
-  return fill(std::vector<XrViewConfigurationView>(2, {XR_TYPE_VIEW_CONFIGURATION_VIEW, nullptr, side, 4096, side, 4096, 1, 4}), capacity, count, to);
+  return fill(
+      std::vector<XrViewConfigurationView>(2, {XR_TYPE_VIEW_CONFIGURATION_VIEW, nullptr, side, 4096, side, 4096, 1, 4}),
+      capacity, count, to);
 }
 
 XrResult requirements(XrInstance, XrSystemId, XrGraphicsRequirementsOpenGLKHR* needed) {
@@ -104,7 +108,9 @@ XrResult create_session(XrInstance, const XrSessionCreateInfo*, XrSession* sessi
   ++fake().sessions;
   fake().tell(XR_SESSION_STATE_IDLE);
   if (fake().obliging)
-    for (const XrSessionState state : {XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}) fake().tell(state);
+    for (const XrSessionState state :
+         {XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED})
+      fake().tell(state);
   return XR_SUCCESS;
 }
 
@@ -118,7 +124,8 @@ XrResult poll(XrInstance, XrEventDataBuffer* event) {
   if (fake().events.empty()) return XR_EVENT_UNAVAILABLE;
   *event = fake().events.front();
   fake().events.erase(fake().events.begin());
-  if (event->type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) fake().state = reinterpret_cast<const XrEventDataSessionStateChanged*>(event)->state;
+  if (event->type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
+    fake().state = reinterpret_cast<const XrEventDataSessionStateChanged*>(event)->state;
   return XR_SUCCESS;
 }
 
@@ -147,7 +154,9 @@ XrResult request_exit(XrSession) {
   }
   fake().exit_requested = true;
   if (fake().obliging)
-    for (const XrSessionState state : {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}) fake().tell(state);
+    for (const XrSessionState state : {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
+                                       XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING})
+      fake().tell(state);
   return XR_SUCCESS;
 }
 
@@ -183,14 +192,17 @@ FakeFrame seen_in(const XrFrameEndInfo& end) {
     for (std::uint32_t eye = 0; eye < layer.viewCount; ++eye) {
       ++frame.views;
       const FakeSwapchain& picture = *swapchain_of(layer.views[eye].subImage.swapchain);
-      if (picture.acquired || picture.released < 0) fake().misuse.emplace_back("xrEndFrame with a picture that was not given back");
+      if (picture.acquired || picture.released < 0)
+        fake().misuse.emplace_back("xrEndFrame with a picture that was not given back");
       frame.images.push_back(picture.released);
       const auto* next = static_cast<const XrBaseInStructure*>(layer.views[eye].next);
       if (!next || next->type != XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR) continue;
       const auto& depth = *reinterpret_cast<const XrCompositionLayerDepthInfoKHR*>(next);
       const FakeSwapchain& depths = *swapchain_of(depth.subImage.swapchain);
-      if (depths.acquired || depths.released < 0) fake().misuse.emplace_back("xrEndFrame with a depth that was not given back");
-      frame.depths.push_back({depth.minDepth, depth.maxDepth, depth.nearZ, depth.farZ, depth.subImage.swapchain, depths.released});
+      if (depths.acquired || depths.released < 0)
+        fake().misuse.emplace_back("xrEndFrame with a depth that was not given back");
+      frame.depths.push_back(
+          {depth.minDepth, depth.maxDepth, depth.nearZ, depth.farZ, depth.subImage.swapchain, depths.released});
     }
   }
   return frame;
@@ -202,10 +214,12 @@ XrResult end_frame(XrSession, const XrFrameEndInfo* end) {
   return XR_SUCCESS;
 }
 
-XrResult views(XrSession, const XrViewLocateInfo*, XrViewState* state, std::uint32_t capacity, std::uint32_t* count, XrView* to) {
+XrResult views(XrSession, const XrViewLocateInfo*, XrViewState* state, std::uint32_t capacity, std::uint32_t* count,
+               XrView* to) {
   *count = 2;
   if (capacity == 0) return XR_SUCCESS;
-  state->viewStateFlags = fake().eyes_known ? XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT : 0;
+  state->viewStateFlags =
+      fake().eyes_known ? XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT : 0;
   for (int eye = 0; eye < 2; ++eye) {
     to[eye].pose = fake().head;
     to[eye].pose.position.x += eye == 0 ? -0.032f : 0.032f;
@@ -215,7 +229,8 @@ XrResult views(XrSession, const XrViewLocateInfo*, XrViewState* state, std::uint
 }
 
 XrResult locate(XrSpace, XrSpace, XrTime, XrSpaceLocation* location) {
-  location->locationFlags = fake().eyes_known ? XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT : 0;
+  location->locationFlags =
+      fake().eyes_known ? XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT : 0;
   location->pose = fake().head;
   return XR_SUCCESS;
 }
@@ -232,7 +247,9 @@ XrResult create_action_space(XrSession, const XrActionSpaceCreateInfo*, XrSpace*
 
 XrResult destroy_space(XrSpace) { return XR_SUCCESS; }
 
-XrResult formats(XrSession, std::uint32_t capacity, std::uint32_t* count, std::int64_t* to) { return fill(fake().formats, capacity, count, to); }
+XrResult formats(XrSession, std::uint32_t capacity, std::uint32_t* count, std::int64_t* to) {
+  return fill(fake().formats, capacity, count, to);
+}
 
 XrResult create_swapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapchain* made) {
   FakeSwapchain swapchain;
@@ -244,8 +261,9 @@ XrResult create_swapchain(XrSession, const XrSwapchainCreateInfo* info, XrSwapch
   for (const GLuint image : swapchain.images) {
     gl.BindTexture(GL_TEXTURE_2D, image);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(info->format), static_cast<GLsizei>(info->width), static_cast<GLsizei>(info->height), 0,
-                  depth ? GL_DEPTH_COMPONENT : GL_RGBA, depth ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    gl.TexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(info->format), static_cast<GLsizei>(info->width),
+                  static_cast<GLsizei>(info->height), 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                  depth ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
   }
   fake().swapchains.push_back(swapchain);
   *made = handle<XrSwapchain>(fake().swapchains.size() - 1);
@@ -262,7 +280,8 @@ XrResult destroy_swapchain(XrSwapchain which) {
 
 XrResult images(XrSwapchain which, std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* to) {
   std::vector<XrSwapchainImageOpenGLKHR> pictures;
-  for (const GLuint image : swapchain_of(which)->images) pictures.push_back({XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, image});
+  for (const GLuint image : swapchain_of(which)->images)
+    pictures.push_back({XR_TYPE_SWAPCHAIN_IMAGE_OPENGL_KHR, nullptr, image});
   return fill(pictures, capacity, count, reinterpret_cast<XrSwapchainImageOpenGLKHR*>(to));
 }
 
@@ -328,7 +347,9 @@ XrResult profile(XrSession, XrPath, XrInteractionProfileState* state) {
   return XR_SUCCESS;
 }
 
-XrResult sync(XrSession, const XrActionsSyncInfo*) { return fake().state == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED; }
+XrResult sync(XrSession, const XrActionsSyncInfo*) {
+  return fake().state == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+}
 
 /// As the specification has it: without the focus every action rests.
 bool active() { return fake().state == XR_SESSION_STATE_FOCUSED && fake().hands_held; }
@@ -380,7 +401,8 @@ PFN_xrVoidFunction answering(const char* name) {
 }
 
 const std::map<std::string, PFN_xrVoidFunction>& functions() {
-#define ENTRY(name, real) {#name, answering<real>(#name)}
+#define ENTRY(name, real) \
+  { #name, answering < real>(#name) }
   static const std::map<std::string, PFN_xrVoidFunction> all = {
       {"xrGetInstanceProcAddr", reinterpret_cast<PFN_xrVoidFunction>(&function)},
       ENTRY(xrEnumerateInstanceExtensionProperties, extensions),
@@ -453,7 +475,8 @@ struct RuntimeRequest {
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo*, RuntimeRequest* request) {
+extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(const LoaderInfo*,
+                                                                                             RuntimeRequest* request) {
   request->interface = 1;
   request->api = XR_MAKE_VERSION(1, 0, 0);
   request->get = &function;

@@ -1,4 +1,5 @@
-// What a runtime is handed besides colours: depths that mean what they say, and what is left out because lenses hide it.
+// What a runtime is handed besides colours: depths that mean what they say, and what is left out because lenses hide
+// it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -35,7 +36,9 @@ class HandedOver : public WithFakeRuntime {
 
   void open() {
     headset = open_headset(context->gl(), {});
-    for (const XrSessionState state : {XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}) runtime.tell(state);
+    for (const XrSessionState state :
+         {XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED})
+      runtime.tell(state);
     headset->poll();
   }
   /// One frame; the left eye's picture.
@@ -45,7 +48,7 @@ class HandedOver : public WithFakeRuntime {
       HeadsetInput input = frame.input;
       input.hands = {};
       if (!visit.placed) visit = stepped({}, input, balls.world(), {}, 0.01);
-      visit.told = 0;   // no figures beside the ball
+      visit.told = 0;  // no figures beside the ball
       const Depths depths = painter.draw(visit, input, balls.world(), frame.eyes, frame.targets, {}, frame.hidden);
       eyes_ = frame.eyes;
       left = read_pixels(context->gl(), frame.targets[0].framebuffer, frame.targets[0].size);
@@ -53,7 +56,8 @@ class HandedOver : public WithFakeRuntime {
     });
     return left;
   }
-  /// What lies in the swapchain that the runtime got with the eye's last picture, at a pixel from the lower left corner: metres ahead of the eye.
+  /// What lies in the swapchain that the runtime got with the eye's last picture, at a pixel from the lower left
+  /// corner: metres ahead of the eye.
   double metres_ahead(std::size_t eye, int x, int y) const {
     const FakeFrame::Depth& depth = runtime.ended.back().depths.at(eye);
     const FakeSwapchain& swapchain = runtime.swapchains.at(reinterpret_cast<std::size_t>(depth.swapchain) - 1);
@@ -63,18 +67,22 @@ class HandedOver : public WithFakeRuntime {
     gl.GetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, stored.data());
     const double z = (stored.at(static_cast<std::size_t>(y * side + x)) - depth.low) / (depth.high - depth.low);
     if (z >= 1) return std::numeric_limits<double>::infinity();
-    return depth.near_z * depth.far_z / (depth.far_z - z * (depth.far_z - depth.near_z));   // OpenXR's words on nearZ and farZ
+    return depth.near_z * depth.far_z /
+           (depth.far_z - z * (depth.far_z - depth.near_z));  // OpenXR's words on nearZ and farZ
   }
   /// Of a ball of so many millimetres, by geometry alone, at a place in pixels; infinity where it is not met.
   double foretold(std::size_t eye, double x, double y, double radius_mm) const {
     const EyeView& view = eyes_.at(eye);
-    const auto tangent = [](double low, double high, double share) { return std::tan(low) + share * (std::tan(high) - std::tan(low)); };
-    const glm::dvec3 way(tangent(view.field.left, view.field.right, x / side), tangent(view.field.down, view.field.up, y / side), -1);
+    const auto tangent = [](double low, double high, double share) {
+      return std::tan(low) + share * (std::tan(high) - std::tan(low));
+    };
+    const glm::dvec3 way(tangent(view.field.left, view.field.right, x / side),
+                         tangent(view.field.down, view.field.up, y / side), -1);
     const glm::dvec3 centre = glm::conjugate(view.pose.turn) * (to_room(visit.stage, {1, 2, 30}) - view.pose.position);
     const double radius = radius_mm / mm_per_metre(visit.stage);
     const double a = glm::dot(way, way), b = glm::dot(way, centre), c = glm::dot(centre, centre) - radius * radius;
     const double root = b * b - a * c;
-    return root < 0 ? std::numeric_limits<double>::infinity() : (b - std::sqrt(root)) / a;   // the way is 1 long ahead
+    return root < 0 ? std::numeric_limits<double>::infinity() : (b - std::sqrt(root)) / a;  // the way is 1 long ahead
   }
 
   std::vector<EyeView> eyes_;
@@ -92,12 +100,15 @@ TEST_F(HandedOver, DepthsAreWhereTheNearestSurfaceIsInTheRoom) {
       for (std::size_t eye = 0; eye < 2; ++eye)
         for (int y = 0; y < side; y += 5)
           for (int x = 0; x < side; x += 5) {
-            const double there = metres_ahead(eye, x, y), within = foretold(eye, x + 0.5, y + 0.5, 4.5), without = foretold(eye, x + 0.5, y + 0.5, 5.3);
+            const double there = metres_ahead(eye, x, y), within = foretold(eye, x + 0.5, y + 0.5, 4.5),
+                         without = foretold(eye, x + 0.5, y + 0.5, 5.3);
             if (std::isinf(without)) {
               EXPECT_TRUE(std::isinf(there)) << x << ' ' << y;
               ++missed;
             } else if (!std::isinf(within)) {
-              const auto [nearest, farthest] = std::minmax({foretold(eye, x, y, 5), foretold(eye, x + 1, y, 5), foretold(eye, x, y + 1, 5), foretold(eye, x + 1, y + 1, 5)});
+              const auto [nearest, farthest] =
+                  std::minmax({foretold(eye, x, y, 5), foretold(eye, x + 1, y, 5), foretold(eye, x, y + 1, 5),
+                               foretold(eye, x + 1, y + 1, 5)});
               EXPECT_GE(there, nearest - 0.001) << x << ' ' << y << " with opacity " << opacity;
               EXPECT_LE(there, farthest + 0.001) << x << ' ' << y << " with opacity " << opacity;
               ++met;
@@ -114,9 +125,13 @@ TEST_F(HandedOver, OfAHiddenStructureTheOneBehindCounts) {
   balls.scene.look_of("pulp")->opacity = 1;
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   draw(painter);
-  const glm::dvec3 centre = glm::conjugate(eyes_[0].pose.turn) * (to_room(visit.stage, {1, 2, 30}) - eyes_[0].pose.position);
-  const auto pixel = [&](double along, double low, double high) { return static_cast<int>(side * (along / -centre.z - std::tan(low)) / (std::tan(high) - std::tan(low))); };
-  const int x = pixel(centre.x, eyes_[0].field.left, eyes_[0].field.right), y = pixel(centre.y, eyes_[0].field.down, eyes_[0].field.up);
+  const glm::dvec3 centre =
+      glm::conjugate(eyes_[0].pose.turn) * (to_room(visit.stage, {1, 2, 30}) - eyes_[0].pose.position);
+  const auto pixel = [&](double along, double low, double high) {
+    return static_cast<int>(side * (along / -centre.z - std::tan(low)) / (std::tan(high) - std::tan(low)));
+  };
+  const int x = pixel(centre.x, eyes_[0].field.left, eyes_[0].field.right),
+            y = pixel(centre.y, eyes_[0].field.down, eyes_[0].field.up);
   EXPECT_NEAR(metres_ahead(0, x, y), foretold(0, x + 0.5, y + 0.5, 2), 0.002);
 }
 

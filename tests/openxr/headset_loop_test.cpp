@@ -1,5 +1,7 @@
-// The viewer's window while its model is in the headset: what a person does at the desk meanwhile, and a runtime that misbehaves. Each case runs in a process
-// of its own on a display in memory.
+// The viewer's window while its model is in the headset: what a person does at the desk meanwhile, and a runtime that
+// misbehaves. Each case runs in a process of its own on a display in memory.
+#include "engine/ui/headset_loop.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -7,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "engine/ui/headset_loop.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
 #include "tests/openxr/fake_runtime.h"
@@ -23,7 +24,10 @@ void run_on_display(const std::string& name) {
   const std::string xvfb = ODONTOSCOPE_XVFB_RUN;
   if (xvfb.empty()) GTEST_SKIP() << "xvfb-run is missing: no display to open a window on";
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  const int status = std::system((xvfb + " -a -s '-screen 0 1400x1000x24' '" + program + "' --gtest_also_run_disabled_tests --gtest_filter='OnADisplay.DISABLED_" + name + "' >&2").c_str());
+  const int status =
+      std::system((xvfb + " -a -s '-screen 0 1400x1000x24' '" + program +
+                   "' --gtest_also_run_disabled_tests --gtest_filter='OnADisplay.DISABLED_" + name + "' >&2")
+                      .c_str());
   EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, 0);
 }
 
@@ -83,7 +87,8 @@ class OnADisplay : public ::testing::Test {
   }
   /// Ends after thousands of frames in any case.
   bool visit(const Watch& watch) {
-    viewer = std::make_unique<Viewer>(window->context().gl(), ShaderLibrary{}, ViewerOptions{.load = loaded, .side = 1, .coarse_when_slow = false});
+    viewer = std::make_unique<Viewer>(window->context().gl(), ShaderLibrary{},
+                                      ViewerOptions{.load = loaded, .side = 1, .coarse_when_slow = false});
     viewer->open({});
     HeadsetVisitOptions options;
     options.say = [this](const std::string& words) { said += words + "\n"; };
@@ -121,7 +126,7 @@ TEST_F(OnADisplay, DISABLED_Dropped) {
   runtime.side = 256;
   int height_before = 0, height_after = 0;
   const bool well = visit([&](const HeadsetFrame& frame, const Visit& now) {
-    const bool drawn = now.placed && now.told == 0 && frame.draw;   // nothing is written below the ball
+    const bool drawn = now.placed && now.told == 0 && frame.draw;  // nothing is written below the ball
     if (drawn && height_before == 0) {
       height_before = height_of_what_is_seen(window->context().gl(), frame.targets[0]);
       drop("second.json");
@@ -133,7 +138,8 @@ TEST_F(OnADisplay, DISABLED_Dropped) {
   EXPECT_TRUE(well) << viewer->state().trouble;
   EXPECT_EQ(viewer->state().shown->title, "second.json");
   EXPECT_GT(height_after, 10);
-  EXPECT_NEAR(height_after, 0.6 * height_before, 0.15 * height_before) << "not the new ball, which is 3 mm instead of 5";
+  EXPECT_NEAR(height_after, 0.6 * height_before, 0.15 * height_before)
+      << "not the new ball, which is 3 mm instead of 5";
   EXPECT_EQ(runtime.ended.back().views, 2);
   expect_the_desktop_goes_on();
 }
@@ -156,7 +162,8 @@ TEST_F(OnADisplay, DISABLED_Volume) {
   EXPECT_TRUE(visit([&](const HeadsetFrame& frame, const Visit& now) {
     EXPECT_GT(frame.beat, 0);
     if (!now.placed || now.told != 0 || !frame.draw) return;
-    for (std::size_t eye = 0; eye < 2; ++eye) eyes[eye] = seen_on_either_side(window->context().gl(), frame.targets[eye]);
+    for (std::size_t eye = 0; eye < 2; ++eye)
+      eyes[eye] = seen_on_either_side(window->context().gl(), frame.targets[eye]);
     stop.request_stop();
   })) << viewer->state().trouble;
   for (const auto& [left, right] : eyes) {
@@ -223,7 +230,8 @@ TEST_F(OnADisplay, DISABLED_Lost) {
 TEST_F(OnADisplay, DISABLED_Menu) {
   EXPECT_TRUE(visit([&](const HeadsetFrame&, const Visit&) {
     if (frames == 20)
-      for (const XrSessionState state : {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING})
+      for (const XrSessionState state : {XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
+                                         XR_SESSION_STATE_STOPPING, XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING})
         runtime.tell(state);
   }));
   EXPECT_FALSE(runtime.exit_requested);

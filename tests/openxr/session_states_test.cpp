@@ -12,8 +12,10 @@
 namespace odontoscope::testing_support {
 namespace {
 
-constexpr XrSessionState idle = XR_SESSION_STATE_IDLE, ready = XR_SESSION_STATE_READY, synchronized = XR_SESSION_STATE_SYNCHRONIZED, visible = XR_SESSION_STATE_VISIBLE,
-                         focused = XR_SESSION_STATE_FOCUSED, stopping = XR_SESSION_STATE_STOPPING, exiting = XR_SESSION_STATE_EXITING, loss_pending = XR_SESSION_STATE_LOSS_PENDING;
+constexpr XrSessionState idle = XR_SESSION_STATE_IDLE, ready = XR_SESSION_STATE_READY,
+                         synchronized = XR_SESSION_STATE_SYNCHRONIZED, visible = XR_SESSION_STATE_VISIBLE,
+                         focused = XR_SESSION_STATE_FOCUSED, stopping = XR_SESSION_STATE_STOPPING,
+                         exiting = XR_SESSION_STATE_EXITING, loss_pending = XR_SESSION_STATE_LOSS_PENDING;
 
 class OpenXr : public WithFakeRuntime {
  protected:
@@ -62,14 +64,17 @@ TEST_F(OpenXr, EveryChangeOfStateIsFollowed) {
     bool running;
   };
   // From taking the headset on to putting it away, the system's menu in between, and once more; then the end.
-  const Step steps[] = {{idle, HeadsetState::waiting, false},      {ready, HeadsetState::running, true},        {synchronized, HeadsetState::running, true},
-                        {visible, HeadsetState::visible, true},    {focused, HeadsetState::focused, true},      {visible, HeadsetState::visible, true},
-                        {focused, HeadsetState::focused, true},    {visible, HeadsetState::visible, true},      {synchronized, HeadsetState::running, true},
-                        {visible, HeadsetState::visible, true},    {synchronized, HeadsetState::running, true}, {stopping, HeadsetState::waiting, false},
-                        {idle, HeadsetState::waiting, false},      {ready, HeadsetState::running, true},        {synchronized, HeadsetState::running, true},
-                        {visible, HeadsetState::visible, true},    {focused, HeadsetState::focused, true},      {visible, HeadsetState::visible, true},
-                        {synchronized, HeadsetState::running, true}, {stopping, HeadsetState::waiting, false},  {idle, HeadsetState::waiting, false},
-                        {exiting, HeadsetState::over, false}};
+  const Step steps[] = {{idle, HeadsetState::waiting, false},        {ready, HeadsetState::running, true},
+                        {synchronized, HeadsetState::running, true}, {visible, HeadsetState::visible, true},
+                        {focused, HeadsetState::focused, true},      {visible, HeadsetState::visible, true},
+                        {focused, HeadsetState::focused, true},      {visible, HeadsetState::visible, true},
+                        {synchronized, HeadsetState::running, true}, {visible, HeadsetState::visible, true},
+                        {synchronized, HeadsetState::running, true}, {stopping, HeadsetState::waiting, false},
+                        {idle, HeadsetState::waiting, false},        {ready, HeadsetState::running, true},
+                        {synchronized, HeadsetState::running, true}, {visible, HeadsetState::visible, true},
+                        {focused, HeadsetState::focused, true},      {visible, HeadsetState::visible, true},
+                        {synchronized, HeadsetState::running, true}, {stopping, HeadsetState::waiting, false},
+                        {idle, HeadsetState::waiting, false},        {exiting, HeadsetState::over, false}};
   open();
   for (const Step& step : steps) {
     EXPECT_EQ(told(step.told), step.state) << "told " << step.told;
@@ -84,7 +89,9 @@ TEST_F(OpenXr, EveryChangeOfStateIsFollowed) {
 
 TEST_F(OpenXr, SeveralChangesAtOnceAreTakenInOrder) {
   open();
-  for (const XrSessionState state : {idle, ready, synchronized, visible, focused, visible, synchronized, stopping, idle, ready}) runtime.tell(state);
+  for (const XrSessionState state :
+       {idle, ready, synchronized, visible, focused, visible, synchronized, stopping, idle, ready})
+    runtime.tell(state);
   EXPECT_EQ(headset->poll(), HeadsetState::running);
   frame();
   for (const XrSessionState state : {synchronized, stopping, idle, exiting}) runtime.tell(state);
@@ -98,13 +105,16 @@ TEST_F(OpenXr, ASystemThatNeverStartsUsCanEndUs) {
 }
 
 TEST_F(OpenXr, ALossIsSaidInEveryState) {
-  const std::vector<XrSessionState> way = {idle, ready, synchronized, visible, focused, visible, synchronized, stopping, idle};
+  const std::vector<XrSessionState> way = {idle,    ready,        synchronized, visible, focused,
+                                           visible, synchronized, stopping,     idle};
   for (std::size_t length = 0; length <= way.size(); ++length)
     for (const bool whole_instance : {false, true}) {
       open();
       for (std::size_t i = 0; i < length; ++i) told(way[i]);
-      if (whole_instance) runtime.tell_lost_instance();
-      else runtime.tell(loss_pending);
+      if (whole_instance)
+        runtime.tell_lost_instance();
+      else
+        runtime.tell(loss_pending);
       EXPECT_EQ(cause_of([&] { headset->poll(); }), "headset-lost") << length;
       headset.reset();
       runtime.events.clear();
@@ -112,8 +122,10 @@ TEST_F(OpenXr, ALossIsSaidInEveryState) {
 }
 
 TEST_F(OpenXr, WhateverCallSaysThatAllIsLostTheFrameIsEndedAndItIsSaid) {
-  for (const char* call : {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrLocateViews", "xrLocateSpace", "xrSyncActions", "xrGetActionStatePose", "xrGetActionStateFloat",
-                           "xrGetActionStateVector2f", "xrGetActionStateBoolean", "xrAcquireSwapchainImage", "xrWaitSwapchainImage", "xrReleaseSwapchainImage", "xrEndFrame"})
+  for (const char* call :
+       {"xrPollEvent", "xrWaitFrame", "xrBeginFrame", "xrLocateViews", "xrLocateSpace", "xrSyncActions",
+        "xrGetActionStatePose", "xrGetActionStateFloat", "xrGetActionStateVector2f", "xrGetActionStateBoolean",
+        "xrAcquireSwapchainImage", "xrWaitSwapchainImage", "xrReleaseSwapchainImage", "xrEndFrame"})
     for (const XrResult answer : {XR_ERROR_SESSION_LOST, XR_ERROR_INSTANCE_LOST, XR_ERROR_RUNTIME_FAILURE}) {
       open_with_focus();
       frame();
@@ -124,7 +136,8 @@ TEST_F(OpenXr, WhateverCallSaysThatAllIsLostTheFrameIsEndedAndItIsSaid) {
       });
       EXPECT_EQ(cause, answer == XR_ERROR_RUNTIME_FAILURE ? "openxr-failed" : "headset-lost") << call;
       // A frame whose end itself failed cannot be ended better.
-      EXPECT_EQ(runtime.begun - static_cast<int>(runtime.ended.size()), std::string(call) == "xrEndFrame" ? 1 : 0) << call;
+      EXPECT_EQ(runtime.begun - static_cast<int>(runtime.ended.size()), std::string(call) == "xrEndFrame" ? 1 : 0)
+          << call;
       if (std::string(call) == "xrEndFrame") runtime.ended.emplace_back();
       headset.reset();
       runtime.answers.clear();
@@ -133,13 +146,24 @@ TEST_F(OpenXr, WhateverCallSaysThatAllIsLostTheFrameIsEndedAndItIsSaid) {
 }
 
 TEST_F(OpenXr, WhatFailsWhileOpeningIsSaidAndNothingStaysBehind) {
-  const std::pair<const char*, const char*> failures[] = {
-      {"xrCreateInstance", "openxr-service-absent"}, {"xrGetSystem", "openxr-failed"},
-      {"xrGetOpenGLGraphicsRequirementsKHR", "openxr-failed"}, {"xrEnumerateEnvironmentBlendModes", "openxr-failed"}, {"xrCreateSession", "openxr-failed"},
-      {"xrCreateReferenceSpace", "openxr-failed"}, {"xrCreateActionSet", "openxr-failed"}, {"xrCreateAction", "openxr-failed"}, {"xrStringToPath", "openxr-failed"},
-      {"xrSuggestInteractionProfileBindings", "openxr-failed"}, {"xrAttachSessionActionSets", "openxr-failed"}, {"xrCreateActionSpace", "openxr-failed"},
-      {"xrEnumerateViewConfigurationViews", "openxr-failed"}, {"xrEnumerateSwapchainFormats", "openxr-failed"}, {"xrCreateSwapchain", "openxr-failed"},
-      {"xrEnumerateSwapchainImages", "openxr-failed"}, {"xrGetInstanceProperties", "openxr-failed"}, {"xrGetSystemProperties", "openxr-failed"}};
+  const std::pair<const char*, const char*> failures[] = {{"xrCreateInstance", "openxr-service-absent"},
+                                                          {"xrGetSystem", "openxr-failed"},
+                                                          {"xrGetOpenGLGraphicsRequirementsKHR", "openxr-failed"},
+                                                          {"xrEnumerateEnvironmentBlendModes", "openxr-failed"},
+                                                          {"xrCreateSession", "openxr-failed"},
+                                                          {"xrCreateReferenceSpace", "openxr-failed"},
+                                                          {"xrCreateActionSet", "openxr-failed"},
+                                                          {"xrCreateAction", "openxr-failed"},
+                                                          {"xrStringToPath", "openxr-failed"},
+                                                          {"xrSuggestInteractionProfileBindings", "openxr-failed"},
+                                                          {"xrAttachSessionActionSets", "openxr-failed"},
+                                                          {"xrCreateActionSpace", "openxr-failed"},
+                                                          {"xrEnumerateViewConfigurationViews", "openxr-failed"},
+                                                          {"xrEnumerateSwapchainFormats", "openxr-failed"},
+                                                          {"xrCreateSwapchain", "openxr-failed"},
+                                                          {"xrEnumerateSwapchainImages", "openxr-failed"},
+                                                          {"xrGetInstanceProperties", "openxr-failed"},
+                                                          {"xrGetSystemProperties", "openxr-failed"}};
   for (const auto& [call, cause] : failures) {
     runtime.answers = {{call, XR_ERROR_RUNTIME_FAILURE}};
     EXPECT_EQ(cause_of([&] { open(); }), cause) << call;
@@ -197,7 +221,7 @@ TEST_F(OpenXr, LeavingAsksTheRuntimeAndFollowsIt) {
   open_with_focus();
   headset->leave();
   EXPECT_TRUE(runtime.exit_requested);
-  EXPECT_EQ(headset->poll(), HeadsetState::focused);   // until it has decided
+  EXPECT_EQ(headset->poll(), HeadsetState::focused);  // until it has decided
   frame();
   for (const XrSessionState state : {visible, synchronized}) {
     EXPECT_NE(told(state), HeadsetState::over);
@@ -218,7 +242,7 @@ TEST_F(OpenXr, LeavingWhatDoesNotRunIsOverAtOnce) {
 TEST_F(OpenXr, LeavingJustAsTheRuntimeStopsIsOverToo) {
   open_with_focus();
   runtime.tell(stopping);
-  headset->leave();   // nobody has looked at the event yet
+  headset->leave();  // nobody has looked at the event yet
   EXPECT_EQ(headset->poll(), HeadsetState::waiting);
   headset->leave();
   EXPECT_EQ(headset->poll(), HeadsetState::over);
@@ -240,7 +264,7 @@ TEST_F(OpenXr, ClosingInTheMiddleIsClean) {
 TEST_F(OpenXr, RecentringIsToldOnceWhenItsTimeHasCome) {
   open_with_focus();
   EXPECT_FALSE(frame().input.recentred);
-  runtime.tell_recentred(XR_REFERENCE_SPACE_TYPE_STAGE);   // not the one that we stand in
+  runtime.tell_recentred(XR_REFERENCE_SPACE_TYPE_STAGE);  // not the one that we stand in
   headset->poll();
   EXPECT_FALSE(frame().input.recentred);
   runtime.tell_recentred();
@@ -248,7 +272,7 @@ TEST_F(OpenXr, RecentringIsToldOnceWhenItsTimeHasCome) {
   EXPECT_TRUE(frame().input.recentred);
   EXPECT_FALSE(frame().input.recentred);
   runtime.time += 1'000'000'000;
-  runtime.tell_recentred();   // in a second
+  runtime.tell_recentred();  // in a second
   runtime.time -= 1'000'000'000;
   headset->poll();
   EXPECT_FALSE(frame().input.recentred);
@@ -266,7 +290,7 @@ TEST_F(OpenXr, ControllersThatWereHiddenComeBack) {
   EXPECT_EQ(hand.trigger, 0);
   runtime.hands_held = true;
   EXPECT_TRUE(frame().input.hands[1].tracked);
-  told(visible);   // the system's menu has them
+  told(visible);  // the system's menu has them
   hand = frame().input.hands[1];
   EXPECT_FALSE(hand.tracked);
   EXPECT_EQ(hand.trigger, 0);
@@ -280,7 +304,7 @@ TEST_F(OpenXr, TimeNeverJumps) {
   open_with_focus();
   EXPECT_EQ(frame().seconds, 0);
   EXPECT_NEAR(frame().seconds, 1 / 90.0, 1e-6);
-  runtime.time += 60'000'000'000;   // a minute in the system's menu
+  runtime.time += 60'000'000'000;  // a minute in the system's menu
   EXPECT_LE(frame().seconds, 0.1);
   runtime.time -= 5'000'000'000;
   EXPECT_EQ(frame().seconds, 0);

@@ -15,7 +15,7 @@ namespace odontoscope::testing_support {
 class WithFakeRuntime : public ::testing::Test {
  protected:
   FakeRuntime& runtime = use_fake_runtime();
-  std::unique_ptr<GlContext> context;   // null: there is no OpenGL, and the test is skipped
+  std::unique_ptr<GlContext> context;  // null: there is no OpenGL, and the test is skipped
   std::unique_ptr<Headset> headset;
 
   void SetUp() override {

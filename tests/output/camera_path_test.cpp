@@ -1,4 +1,5 @@
-// Cameras and animations in glTF: what a player makes of the numbers is the path that was given, and surfaces are read as if there were none.
+// Cameras and animations in glTF: what a player makes of the numbers is the path that was given, and surfaces are read
+// as if there were none.
 
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ TEST(GlbCameraPath, PlaysAsGiven) {
   const Glb glb(glb_bytes(models::tooth_and_enamel(), {.paths = {path}}));
   const json& node = glb.document["nodes"].back();
   EXPECT_EQ(node["name"], "canal 1");
-  EXPECT_EQ(glb.document["nodes"][0]["children"].back(), glb.document["nodes"].size() - 1);   // turned with the model
+  EXPECT_EQ(glb.document["nodes"][0]["children"].back(), glb.document["nodes"].size() - 1);  // turned with the model
   const json& camera = glb.document["cameras"][node["camera"].get<std::size_t>()];
   EXPECT_EQ(camera["type"], "perspective");
   EXPECT_NEAR(camera["perspective"]["yfov"].get<double>(), 80 * std::numbers::pi / 180, 1e-9);
@@ -84,7 +85,9 @@ TEST(GlbCameraPath, PlaysAsGiven) {
       const CameraKey& key = path.keys[i];
       EXPECT_FLOAT_EQ(times[i], static_cast<float>(key.seconds));
       if (moves) {
-        EXPECT_NEAR(length(Direction{1000 * values[3 * i], 1000 * values[3 * i + 1], 1000 * values[3 * i + 2]} + -1 * Direction{key.at.x, key.at.y, key.at.z}), 0, 1e-5);
+        EXPECT_NEAR(length(Direction{1000 * values[3 * i], 1000 * values[3 * i + 1], 1000 * values[3 * i + 2]} +
+                           -1 * Direction{key.at.x, key.at.y, key.at.z}),
+                    0, 1e-5);
         continue;
       }
       const float* q = &values[4 * i];

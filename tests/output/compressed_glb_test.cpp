@@ -1,4 +1,5 @@
-// GLB compressed with meshoptimizer: nothing is lost on the way through the file, and what lies about itself is refused.
+// GLB compressed with meshoptimizer: nothing is lost on the way through the file, and what lies about itself is
+// refused.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Triangles by the places of their corners, each turned so that its least comes first: the same surface, the same list.
+/// Triangles by the places of their corners, each turned so that its least comes first: the same surface, the same
+/// list.
 std::vector<std::array<Point3, 3>> places(const SurfaceMesh& surface) {
   const auto less = [](const Point3& a, const Point3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
   std::vector<std::array<Point3, 3>> all;
@@ -32,7 +34,9 @@ std::vector<std::array<Point3, 3>> places(const SurfaceMesh& surface) {
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
     all.push_back(corners);
   }
-  std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) { return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less); });
+  std::sort(all.begin(), all.end(), [&](const auto& a, const auto& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  });
   return all;
 }
 
@@ -70,7 +74,8 @@ std::string cause_with(const char* of, const std::function<void(json& view, json
   json document = document_of(bytes);
   const json& primitive = document["meshes"][0]["primitives"][0];
   const json& accessor = of == std::string("indices") ? primitive[of] : primitive["attributes"][of];
-  json& view = document["bufferViews"][document["accessors"][accessor.get<std::size_t>()]["bufferView"].get<std::size_t>()];
+  json& view =
+      document["bufferViews"][document["accessors"][accessor.get<std::size_t>()]["bufferView"].get<std::size_t>()];
   change(view, view["extensions"]["EXT_meshopt_compression"]);
   return cause_of(with_document(bytes, document));
 }
@@ -97,10 +102,12 @@ TEST(CompressedGlb, SaysWhatItNeedsAndKeepsTheRest) {
   const json before = document_of(glb_bytes(models::tooth_and_enamel())), after = document_of(small());
   EXPECT_EQ(after["extensionsRequired"], json::array({"EXT_meshopt_compression"}));
   EXPECT_EQ(after["extensionsUsed"], after["extensionsRequired"]);
-  for (const char* key : {"asset", "nodes", "meshes", "materials", "accessors", "scenes"}) EXPECT_EQ(before[key], after[key]) << key;
+  for (const char* key : {"asset", "nodes", "meshes", "materials", "accessors", "scenes"})
+    EXPECT_EQ(before[key], after[key]) << key;
   EXPECT_EQ(after["buffers"][1]["byteLength"], before["buffers"][0]["byteLength"]);
   EXPECT_EQ(after["buffers"][1]["extensions"]["EXT_meshopt_compression"]["fallback"], true);
-  for (std::size_t i = 0; i < before["bufferViews"].size(); ++i) EXPECT_EQ(after["bufferViews"][i]["byteLength"], before["bufferViews"][i]["byteLength"]);
+  for (std::size_t i = 0; i < before["bufferViews"].size(); ++i)
+    EXPECT_EQ(after["bufferViews"][i]["byteLength"], before["bufferViews"][i]["byteLength"]);
 }
 
 TEST(CompressedGlb, IsTheSameEachTime) {
@@ -113,12 +120,14 @@ TEST(CompressedGlb, IsTheSameEachTime) {
 
 TEST(CompressedGlb, LiesAreRefused) {
   using Change = std::function<void(json&, json&)>;
-  const auto said = [](const char* key, json value) -> Change { return [=](json&, json& compression) { compression[key] = value; }; };
+  const auto said = [](const char* key, json value) -> Change {
+    return [=](json&, json& compression) { compression[key] = value; };
+  };
   const char *positions = "POSITION", *corners = "indices";
   EXPECT_EQ(cause_with(positions, said("mode", "ATTRIBUTES")), "accepted");
   EXPECT_EQ(cause_with(positions, said("mode", "NUMBERS")), "unparsable");
   EXPECT_EQ(cause_with(positions, said("mode", 7)), "unparsable");
-  EXPECT_EQ(cause_with(positions, said("mode", "INDICES")), "unparsable");   // a stride of twelve
+  EXPECT_EQ(cause_with(positions, said("mode", "INDICES")), "unparsable");  // a stride of twelve
   EXPECT_EQ(cause_with(positions, said("filter", "OCTAHEDRAL")), "unsupported");
   EXPECT_EQ(cause_with(positions, said("byteStride", 0)), "unparsable");
   EXPECT_EQ(cause_with(positions, said("byteStride", 10)), "unparsable");
@@ -138,7 +147,7 @@ TEST(CompressedGlb, LiesAreRefused) {
   EXPECT_EQ(cause_with(corners, said("count", 4)), "not-triangles");
   EXPECT_EQ(cause_with(corners, said("count", 3)), "damaged-buffer");
   EXPECT_EQ(cause_with(corners, said("byteStride", 8)), "unparsable");
-  EXPECT_EQ(cause_with(corners, said("byteStride", 2)), "truncated");   // the accessor still wants four bytes
+  EXPECT_EQ(cause_with(corners, said("byteStride", 2)), "truncated");  // the accessor still wants four bytes
   EXPECT_EQ(cause_with(corners, said("filter", "EXPONENTIAL")), "unsupported");
   EXPECT_EQ(cause_with(corners, [](json&, json& compression) { compression = 5; }), "unparsable");
 }
@@ -152,8 +161,9 @@ TEST(CompressedGlb, NoDamageDoesHarm) {
   std::size_t refused = 0;
   for (int i = 0; i < 3000; ++i) {
     std::string bytes = whole;
-    const std::size_t binary = whole.size() / 2;   // behind the JSON part are the numbers: half of the changes go there
-    bytes[i % 2 == 0 ? random() % whole.size() : binary + random() % (whole.size() - binary)] = static_cast<char>(random());
+    const std::size_t binary = whole.size() / 2;  // behind the JSON part are the numbers: half of the changes go there
+    bytes[i % 2 == 0 ? random() % whole.size() : binary + random() % (whole.size() - binary)] =
+        static_cast<char>(random());
     refused += cause_of(bytes) != "accepted";
   }
   EXPECT_GT(refused, 100u);

@@ -22,7 +22,8 @@ TEST(ReportJson, HasEveryPromisedKeyInOrder) {
                                             "threads", "certified", "verdict"}));
   for (const char* key : {"slices", "contours", "points", "steiner_points"})
     EXPECT_TRUE(report["input"].contains(key)) << key;
-  for (const char* key : {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
+  for (const char* key :
+       {"kept", "restored", "lifted_points", "trimmed", "volume", "dihedral_min_deg", "dihedral_max_deg"}) {
     EXPECT_TRUE(report["tetrahedra"].contains(key)) << key;
   }
   for (const char* key : {"vertices", "triangles", "boundary_edges", "nonmanifold_edges", "misoriented_edges",
@@ -132,7 +133,7 @@ TEST(ReportJson, TellsOfTheVolume) {
   options.volume->upright = turn_to_z({0.6, 0, 0.8}, {1, 2, 3});
   options.volume->as_given = true;
   const json upright = json::parse(report_json(models::tooth_and_enamel(), options))["volume"]["upright"];
-  const std::array row{0.8, 0.0, -0.6, 2.0};   // 1 - (0.8 * 1 - 0.6 * 3)
+  const std::array row{0.8, 0.0, -0.6, 2.0};  // 1 - (0.8 * 1 - 0.6 * 3)
   for (std::size_t i = 0; i < row.size(); ++i) EXPECT_NEAR(upright["matrix"][0][i].get<double>(), row[i], 1e-15);
   EXPECT_EQ(upright["matrix"][3], json({0.0, 0.0, 0.0, 1.0}));
   EXPECT_NEAR(upright["degrees"], 36.8699, 1e-4);

@@ -37,7 +37,7 @@ ContourStack little_tooth() {
 }
 
 using Place = std::tuple<double, double, double>;
-using Wall = std::set<Place>;   // the corners of a triangle
+using Wall = std::set<Place>;  // the corners of a triangle
 
 std::set<Wall> walls_of(const SurfaceMesh& surface) {
   std::set<Wall> walls;
@@ -50,7 +50,8 @@ std::set<Wall> walls_of(const SurfaceMesh& surface) {
 }
 
 const Solid& named(const Reconstruction& made, const std::string& structure) {
-  return *std::find_if(made.solids.begin(), made.solids.end(), [&](const Solid& solid) { return solid.structure == structure; });
+  return *std::find_if(made.solids.begin(), made.solids.end(),
+                       [&](const Solid& solid) { return solid.structure == structure; });
 }
 
 TEST(SimplifyPartition, SharesItsWallsToTheBit) {
@@ -77,7 +78,8 @@ TEST(SimplifyPartition, SharesItsWallsToTheBit) {
   for (const StructureSimplification& one : done.structures) EXPECT_LT(one.distance.mean(), 0.02) << one.structure;
 
   // All of the pulp's wall but its bottom is the dentine's or the enamel's.
-  const auto enamel = walls_of(named(made, "enamel").surface), dentine = walls_of(named(made, "dentine").surface), pulp = walls_of(named(made, "pulp").surface);
+  const auto enamel = walls_of(named(made, "enamel").surface), dentine = walls_of(named(made, "dentine").surface),
+             pulp = walls_of(named(made, "pulp").surface);
   std::size_t alone = 0;
   for (const Wall& wall : pulp) alone += !dentine.count(wall) && !enamel.count(wall);
   EXPECT_GT(alone, 0u);

@@ -120,13 +120,14 @@ TEST(WriteModel, TheEndingDecides) {
     write_model(models::tooth_and_enamel(), bad);
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .gltf, .obj, .wrl, .x3d, .vtp, .3mf, .vtu, .msh, .inp"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find(".glb, .stl, .ply, .gltf, .obj, .wrl, .x3d, .vtp, .3mf, .vtu, .msh, .inp"),
+              std::string::npos)
+        << error.what();
   }
   EXPECT_FALSE(std::filesystem::exists(folder / "b.glb"));
 }
 
-// --- glTF in detail
-// ---------------------------------------------------------------------------------------------------
+// --- glTF in detail --------------------------------------------------------------------------------------------------
 
 TEST(WriteGlb, IsLabelledForPeopleAndPrograms) {
   const nlohmann::json gltf = json_of_glb(glb_bytes(models::tooth_and_enamel()));
@@ -172,8 +173,7 @@ TEST(WriteGlb, WithoutASolidItIsStillWhole) {
   EXPECT_THROW(parse_glb(glb_bytes({}), "model"), InputError);  // empty-mesh
 }
 
-// --- normals
-// -----------------------------------------------------------------------------------------------------------
+// --- normals ---------------------------------------------------------------------------------------------------------
 
 TEST(SmoothNormals, OfASpherePointOutwards) {
   const SurfaceMesh sphere = shapes::sphere(2, 4);
@@ -201,8 +201,7 @@ TEST(SmoothNormals, AreUnitVectorsWhateverTheTriangles) {
   for (const Direction& n : smooth_normals(pillow, 180).normals) EXPECT_NEAR(length(n), 1, 1e-12);
 }
 
-// --- single precision
-// ------------------------------------------------------------------------------------------------------
+// --- single precision ------------------------------------------------------------------------------------------------
 
 TEST(DistinctFloats, PointsCloserThanFloatsStayApartAndNear) {
   std::vector<Point3> points;

@@ -33,7 +33,8 @@ Solid block(const std::string& structure, int layers, double z, const std::set<s
             Point3 p = cube.points[t[k]];
             // Every second cube is mirrored, so that diagonals agree; two corners change places to stay positive.
             if ((x + y + w) % 2 == 1) p.x = 1 - p.x;
-            const std::array<int, 3> key{static_cast<int>(p.x) + x, static_cast<int>(p.y) + y, static_cast<int>(p.z) + w};
+            const std::array<int, 3> key{static_cast<int>(p.x) + x, static_cast<int>(p.y) + y,
+                                         static_cast<int>(p.z) + w};
             const auto [at, fresh] = number.try_emplace(key, static_cast<PointIndex>(mesh.points.size()));
             if (fresh) mesh.points.push_back({key[0] / 3.0, key[1] / 7.0, key[2] + z});
             moved[k] = at->second;
@@ -68,7 +69,10 @@ TEST(Walls, AreToldApartAndTurnedOutwards) {
     for (const WallFace& face : wall.faces) {
       const Tetrahedron& corners = model.solids[0].tetrahedra.tetrahedra[face.tetrahedron];
       for (const PointIndex v : face.triangle) EXPECT_NE(v, corners[static_cast<std::size_t>(face.face)]);
-      EXPECT_EQ(std::count_if(corners.begin(), corners.end(), [&](PointIndex v) { return std::count(face.triangle.begin(), face.triangle.end(), v) == 1; }), 3);
+      EXPECT_EQ(
+          std::count_if(corners.begin(), corners.end(),
+                        [&](PointIndex v) { return std::count(face.triangle.begin(), face.triangle.end(), v) == 1; }),
+          3);
     }
   }
 }
@@ -87,7 +91,7 @@ TEST(CrownLimit, IsWhereTheEnamelBegins) {
   EXPECT_FALSE(crown_limit(model));
 }
 
-// --- .msh --------------------------------------------------------------------------------------------------------------
+// --- .msh ------------------------------------------------------------------------------------------------------------
 
 std::istringstream section(const std::string& text, const std::string& name) {
   const std::size_t first = text.find("$" + name + "\n"), end = text.find("$End" + name + "\n");
@@ -135,22 +139,27 @@ TEST(WriteMsh, ReadsBackEveryBit) {
       std::size_t v[4] = {};
       for (std::size_t k = 0; k <= dimension; ++k) elements >> v[k];
       if (dimension == 2) ++triangles_of.at(tag);
-      if (dimension == 3) tetrahedra.push_back({static_cast<PointIndex>(v[0] - 1), static_cast<PointIndex>(v[1] - 1), static_cast<PointIndex>(v[2] - 1), static_cast<PointIndex>(v[3] - 1)});
+      if (dimension == 3)
+        tetrahedra.push_back({static_cast<PointIndex>(v[0] - 1), static_cast<PointIndex>(v[1] - 1),
+                              static_cast<PointIndex>(v[2] - 1), static_cast<PointIndex>(v[3] - 1)});
     }
   }
   EXPECT_EQ(triangles_of, (std::vector<std::size_t>{0, 108, 12, 12}));
   ASSERT_EQ(tetrahedra.size(), 26u * 5 + 5);
-  EXPECT_TRUE(std::equal(model.solids[0].tetrahedra.tetrahedra.begin(), model.solids[0].tetrahedra.tetrahedra.end(), tetrahedra.begin()));
+  EXPECT_TRUE(std::equal(model.solids[0].tetrahedra.tetrahedra.begin(), model.solids[0].tetrahedra.tetrahedra.end(),
+                         tetrahedra.begin()));
 }
 
 TEST(WriteMsh, GroupsHaveTheNamesOfStructuresAndWalls) {
   Reconstruction model = hollow_block();
   model.solids[1].structure = "en\"amel";
   const std::string text = msh_text(model);
-  EXPECT_NE(text.find("$PhysicalNames\n5\n2 1 \"dentine external\"\n2 2 \"dentine cavity\"\n2 3 \"en'amel external\"\n3 1 \"dentine\"\n3 2 \"en'amel\"\n"), text.npos);
+  EXPECT_NE(text.find("$PhysicalNames\n5\n2 1 \"dentine external\"\n2 2 \"dentine cavity\"\n2 3 \"en'amel "
+                      "external\"\n3 1 \"dentine\"\n3 2 \"en'amel\"\n"),
+            text.npos);
 }
 
-// --- .inp --------------------------------------------------------------------------------------------------------------
+// --- .inp ------------------------------------------------------------------------------------------------------------
 
 /// Keyword lines, and the numbers or words behind each.
 std::map<std::string, std::vector<std::vector<std::string>>> blocks_of(const std::string& text) {

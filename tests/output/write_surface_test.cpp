@@ -1,6 +1,8 @@
-// Surfaces as text: OBJ, VRML97, X3D, VTP, glTF. Every number is there, with its structure, and turned the right way round.
+// Surfaces as text: OBJ, VRML97, X3D, VTP, glTF. Every number is there, with its structure, and turned the right way
+// round.
 
 #include <gtest/gtest.h>
+#include <zip.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -8,8 +10,6 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <sstream>
-
-#include <zip.h>
 
 #include "recon/mesh/read_mesh.h"
 #include "recon/output/text_values.h"
@@ -51,7 +51,8 @@ SurfaceMesh mesh_of(const std::string& points, const std::string& indices) {
   for (std::size_t k = 0; k + 2 < p.size(); k += 3) mesh.points.push_back({p[k], p[k + 1], p[k + 2]});
   for (std::size_t k = 0; k + 3 < i.size(); k += 4) {
     EXPECT_EQ(i[k + 3], -1);
-    mesh.triangles.push_back({static_cast<PointIndex>(i[k]), static_cast<PointIndex>(i[k + 1]), static_cast<PointIndex>(i[k + 2])});
+    mesh.triangles.push_back(
+        {static_cast<PointIndex>(i[k]), static_cast<PointIndex>(i[k + 1]), static_cast<PointIndex>(i[k + 2])});
   }
   return mesh;
 }
@@ -89,7 +90,8 @@ TEST(WriteObj, HasEveryBitAndEveryName) {
     const std::vector<double> n = word == "v" || word == "f" ? numbers(rest) : std::vector<double>{};
     if (word == "v") mesh.points.push_back({n.at(0), n.at(1), n.at(2)});
     if (word == "f") {
-      mesh.triangles.push_back({static_cast<PointIndex>(n.at(0) - 1), static_cast<PointIndex>(n.at(1) - 1), static_cast<PointIndex>(n.at(2) - 1)});
+      mesh.triangles.push_back({static_cast<PointIndex>(n.at(0) - 1), static_cast<PointIndex>(n.at(1) - 1),
+                                static_cast<PointIndex>(n.at(2) - 1)});
     }
   }
   expect_same(mesh, shapes::together(model.solids[0].surface, model.solids[1].surface));
@@ -151,7 +153,7 @@ TEST(WriteVtp, SaysWhatItHolds) {
   EXPECT_NE(text.find("Name=\"structure enamel\" NumberOfTuples=\"1\" format=\"ascii\">2<"), text.npos);
 }
 
-// --- .3mf --------------------------------------------------------------------------------------------------------------
+// --- .3mf ------------------------------------------------------------------------------------------------------------
 
 struct Unpacked {
   std::vector<std::string> names, parts;
@@ -162,7 +164,8 @@ Unpacked unpacked(const std::string& bytes) {
   Unpacked found;
   zip_error_t error;
   zip_error_init(&error);
-  zip_t* archive = zip_open_from_source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error), ZIP_CHECKCONS | ZIP_RDONLY, &error);
+  zip_t* archive = zip_open_from_source(zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error),
+                                        ZIP_CHECKCONS | ZIP_RDONLY, &error);
   EXPECT_NE(archive, nullptr) << zip_error_strerror(&error);
   if (archive == nullptr) return found;
   for (zip_int64_t i = 0; i < zip_get_num_entries(archive, 0); ++i) {
@@ -181,10 +184,15 @@ Unpacked unpacked(const std::string& bytes) {
 
 SurfaceMesh mesh_of_object(const std::string& xml, std::size_t from) {
   SurfaceMesh mesh;
-  const std::string vertices = between(xml, "<vertices>", "</vertices>", from), triangles = between(xml, "<triangles>", "</triangles>", from);
+  const std::string vertices = between(xml, "<vertices>", "</vertices>", from),
+                    triangles = between(xml, "<triangles>", "</triangles>", from);
   for (std::size_t at = vertices.find("x=\""); at != vertices.npos; at = vertices.find("x=\"", at + 1))
-    mesh.points.push_back({std::stod(between(vertices, "x=\"", "\"", at)), std::stod(between(vertices, "y=\"", "\"", at)), std::stod(between(vertices, "z=\"", "\"", at))});
-  const auto corner = [&](const char* name, std::size_t at) { return static_cast<PointIndex>(std::stoul(between(triangles, name, "\"", at))); };
+    mesh.points.push_back({std::stod(between(vertices, "x=\"", "\"", at)),
+                           std::stod(between(vertices, "y=\"", "\"", at)),
+                           std::stod(between(vertices, "z=\"", "\"", at))});
+  const auto corner = [&](const char* name, std::size_t at) {
+    return static_cast<PointIndex>(std::stoul(between(triangles, name, "\"", at)));
+  };
   for (std::size_t at = triangles.find("<triangle "); at != triangles.npos; at = triangles.find("<triangle ", at + 1))
     mesh.triangles.push_back({corner("v1=\"", at), corner("v2=\"", at), corner("v3=\"", at)});
   return mesh;
@@ -198,7 +206,8 @@ TEST(Write3mf, HasEveryBitNamesAndColours) {
   EXPECT_EQ(found.names, (std::vector<std::string>{"[Content_Types].xml", "_rels/.rels", "3D/3dmodel.model"}));
   const std::string& xml = found.parts.at(2);
   EXPECT_NE(xml.find("unit=\"millimeter\""), xml.npos);
-  const std::size_t first = xml.find("<object id=\"2\" name=\"tooth\" type=\"model\""), second = xml.find("<object id=\"3\" name=\"a&lt;b&gt;&amp;&quot;c&quot;\" type=\"model\"");
+  const std::size_t first = xml.find("<object id=\"2\" name=\"tooth\" type=\"model\""),
+                    second = xml.find("<object id=\"3\" name=\"a&lt;b&gt;&amp;&quot;c&quot;\" type=\"model\"");
   ASSERT_TRUE(first != xml.npos && second != xml.npos);
   for (std::size_t s = 0; s < 2; ++s) {
     const SurfaceMesh read = mesh_of_object(xml, s == 0 ? first : second);
@@ -229,7 +238,7 @@ TEST(Write3mf, AnOpenSurfaceIsNoModel) {
   const std::string xml = unpacked(threemf_bytes(model)).parts.at(2);
   EXPECT_NE(xml.find("<object id=\"2\" name=\"tooth\" type=\"surface\""), xml.npos);
   EXPECT_NE(xml.find("<object id=\"3\" name=\"enamel\" type=\"model\""), xml.npos);
-  EXPECT_NE(xml.find("<object id=\"4\" name=\"tooth\" type=\"surface\""), xml.npos);   // all together
+  EXPECT_NE(xml.find("<object id=\"4\" name=\"tooth\" type=\"surface\""), xml.npos);  // all together
   EXPECT_EQ(xml.find("nothing"), xml.npos);
   EXPECT_NE(xml.find("not certified"), xml.npos);
   EXPECT_EQ(count(unpacked(threemf_bytes(Reconstruction{})).parts.at(2), "<item"), 0u);

@@ -19,7 +19,8 @@ Volume map_of(std::array<std::size_t, 3> size, LabelAt label) {
   volume.spacing = {0.2, 0.15, 0.3};
   for (std::size_t k = 0; k < size[2]; ++k)
     for (std::size_t j = 0; j < size[1]; ++j)
-      for (std::size_t i = 0; i < size[0]; ++i) volume.values.push_back(static_cast<float>(label(double(i), double(j), double(k))));
+      for (std::size_t i = 0; i < size[0]; ++i)
+        volume.values.push_back(static_cast<float>(label(double(i), double(j), double(k))));
   return volume;
 }
 
@@ -59,7 +60,7 @@ TEST(LabelMapPartition, OfNoiseIsCertified) {
   for (std::uint64_t seed = 0; seed < 2; ++seed) {
     SCOPED_TRACE(seed);
     RandomNumbers random(seed);
-    const int lowest = seed % 2 == 0 ? 0 : 1;   // with and without void
+    const int lowest = seed % 2 == 0 ? 0 : 1;  // with and without void
     judged(map_of({6, 5, 3}, [&](double, double, double) { return random.whole(lowest, 3); }));
   }
 }

@@ -17,7 +17,9 @@ Ring circle(Point2 centre, double radius, int points) {
   return ring;
 }
 
-Ring box(double low_x, double low_y, double high_x, double high_y) { return {{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}}; }
+Ring box(double low_x, double low_y, double high_x, double high_y) {
+  return {{low_x, low_y}, {high_x, low_y}, {high_x, high_y}, {low_x, high_y}};
+}
 
 }  // namespace
 

@@ -1,5 +1,7 @@
 // Awkward shapes and the sample teeth as partitions: what they come out as, and that the judge finds nothing.
 
+#include "tests/partition/named_shapes.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include "recon/delaunay/verdict.h"
 #include "recon/partition/reconstruct_partition.h"
 #include "recon/sample/sample_tooth.h"
-#include "tests/partition/named_shapes.h"
 #include "tests/partition/partition_oracle.h"
 
 namespace odontoscope::test {
@@ -16,7 +17,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Solid& solid(const Reconstruction& made, const std::string& structure) {
-  return *std::find_if(made.solids.begin(), made.solids.end(), [&](const Solid& s) { return s.structure == structure; });
+  return *std::find_if(made.solids.begin(), made.solids.end(),
+                       [&](const Solid& s) { return s.structure == structure; });
 }
 
 /// Shells, and the sum of their genera.
@@ -41,17 +43,20 @@ Reconstruction judged(const ContourStack& stack, const Names& priority) {
 std::size_t faces_between(const Reconstruction& made, const std::string& one, const std::string& other) {
   const Names& names = made.complex->structures;
   const auto label = [&](const std::string& name) {
-    return name.empty() ? void_label : static_cast<Label>(std::find(names.begin(), names.end(), name) - names.begin() + 1);
+    return name.empty() ? void_label
+                        : static_cast<Label>(std::find(names.begin(), names.end(), name) - names.begin() + 1);
   };
   const auto& faces = made.complex->interfaces;
   return static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](const InterfaceTriangle& face) {
-    return (face.inner == label(one) && face.outer == label(other)) || (face.inner == label(other) && face.outer == label(one));
+    return (face.inner == label(one) && face.outer == label(other)) ||
+           (face.inner == label(other) && face.outer == label(one));
   }));
 }
 
 TEST(Partition, ThreeMaterialsMeetInADriftingLine) {
   const Reconstruction made = judged(three_in_a_drifting_line(), {"a", "b", "c"});
-  for (const char* name : {"a", "b", "c"}) EXPECT_EQ(shape_of(solid(made, name)), std::pair(std::size_t{1}, 0L)) << name;
+  for (const char* name : {"a", "b", "c"})
+    EXPECT_EQ(shape_of(solid(made, name)), std::pair(std::size_t{1}, 0L)) << name;
   EXPECT_GT(faces_between(made, "a", "b"), 0u);
   EXPECT_GT(faces_between(made, "b", "c"), 0u);
   EXPECT_GT(faces_between(made, "a", "c"), 0u);

@@ -22,7 +22,8 @@ namespace odontoscope::test {
 namespace {
 
 constexpr int shards = 2;
-/// A gap is closed triangle by triangle, which may reach a little beyond it; the judge allows nothing beyond (docs/reconstruction.md).
+/// A gap is closed triangle by triangle, which may reach a little beyond it; the judge allows nothing beyond
+/// (docs/reconstruction.md).
 constexpr bool gaps_left_out = true;
 constexpr double slowest_allowed = 10;  // seconds of processor time, for 2,000 points and fewer
 
@@ -67,9 +68,9 @@ class Tally {
 
   void print(std::ostream& out, double seconds) const {
     out << stacks_ << " stacks, " << certified_ << " certified, " << seconds << " s; " << tetrahedra_ << " tetrahedra, "
-        << relabelled_ << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_ << " not as implied, "
-        << raised_ << " raised slabs, " << constrained_ << " constrained slices; slowest " << slowest_
-        << " s of processor time: " << slowest_words_ << "\n";
+        << relabelled_ << " relabelled, " << slabs_ << " slabs of structures, " << not_as_implied_
+        << " not as implied, " << raised_ << " raised slabs, " << constrained_ << " constrained slices; slowest "
+        << slowest_ << " s of processor time: " << slowest_words_ << "\n";
     for (const auto& [sort, kinds] : ends_) {
       std::size_t all = 0;
       for (const auto& [kind, count] : kinds) all += count;

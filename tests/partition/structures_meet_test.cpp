@@ -1,9 +1,10 @@
 // When a partition is made unasked.
 
+#include "recon/partition/structures_meet.h"
+
 #include <gtest/gtest.h>
 
 #include "recon/partition/reconstruct_structures.h"
-#include "recon/partition/structures_meet.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::test {
@@ -14,12 +15,17 @@ std::vector<Point2> hole(double from, double to) { return {{from, from}, {from, 
 
 ContourStack twice(std::vector<Contour> contours) { return {{{0, contours}, {1, contours}}, ""}; }
 
-TEST(StructuresMeet, WhereOneLiesInAnother) { EXPECT_TRUE(structures_meet(twice({{"a", square(0, 4)}, {"b", square(1, 2)}}))); }
+TEST(StructuresMeet, WhereOneLiesInAnother) {
+  EXPECT_TRUE(structures_meet(twice({{"a", square(0, 4)}, {"b", square(1, 2)}})));
+}
 TEST(StructuresMeet, WhereTheyShareAWall) {
   EXPECT_TRUE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 2)}, {"b", square(1, 2)}})));
-  EXPECT_TRUE(structures_meet(twice({{"a", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {"b", {{1, 0}, {2, 0}, {2, 1}, {1, 1}}}})));
+  EXPECT_TRUE(
+      structures_meet(twice({{"a", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}}, {"b", {{1, 0}, {2, 0}, {2, 1}, {1, 1}}}})));
 }
-TEST(StructuresMeet, NotWhereOneLiesInAHoleOfTheOther) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 3)}, {"b", square(1.5, 2)}}))); }
+TEST(StructuresMeet, NotWhereOneLiesInAHoleOfTheOther) {
+  EXPECT_FALSE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 3)}, {"b", square(1.5, 2)}})));
+}
 TEST(StructuresMeet, NotBeside) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 1)}, {"b", square(2, 3)}}))); }
 TEST(StructuresMeet, NotOne) { EXPECT_FALSE(structures_meet(twice({{"a", square(0, 4)}, {"a", hole(1, 2)}}))); }
 TEST(StructuresMeet, InTheSampleUnlessApart) {

@@ -28,7 +28,8 @@ template <class Chord>
 double worst(const FilmMap& map, const FilmView& view, Chord chord) {
   double most = 0;
   for (int row = 0; row < map.height; ++row)
-    for (int column = 0; column < map.width; ++column) most = std::max(most, std::abs(map.at(column, row) - chord(ray_to(view, column, row))));
+    for (int column = 0; column < map.width; ++column)
+      most = std::max(most, std::abs(map.at(column, row) - chord(ray_to(view, column, row))));
   return most;
 }
 
@@ -41,15 +42,17 @@ TEST(LengthInside, OfABlockOnTheGridBelongsToEachPixelOnce) {
     EXPECT_TRUE(value == 0 || value == 3) << value;
     inside += value == 3;
   }
-  EXPECT_EQ(inside, 36);   // 6 x 6: of the pixels on the border those on two sides
+  EXPECT_EQ(inside, 36);  // 6 x 6: of the pixels on the border those on two sides
 }
 
 TEST(LengthInside, OfABallIsItsChord) {
   const Point3 centre{0.4, 1, -0.3};
   const SurfaceMesh mesh = ball(centre, 3, 384, 256);
   const auto chord = [&](const FilmRay& ray) { return chord_of_ball(ray, centre, 3); };
-  // A facet of 3 mm * 2 pi / 384 lies 0.0004 mm within the ball, which at the rim is a chord of 2 sqrt(2 * 3 * 0.0004) = 0.1 mm.
-  for (const FilmView& view : {aslant(film_behind(5, 101, 99, 0.1)), with_focus(film_behind(5, 101, 99, 0.1), {1, -30, 2})}) {
+  // A facet of 3 mm * 2 pi / 384 lies 0.0004 mm within the ball, which at the rim is a chord of 2 sqrt(2 * 3 * 0.0004)
+  // = 0.1 mm.
+  for (const FilmView& view :
+       {aslant(film_behind(5, 101, 99, 0.1)), with_focus(film_behind(5, 101, 99, 0.1), {1, -30, 2})}) {
     const FilmMap map = lengths({mesh}, view);
     EXPECT_LT(worst(map, view, chord), 0.1);
     double off = 0;
@@ -71,13 +74,16 @@ TEST(LengthInside, IsThatThroughTheTetrahedra) {
     const Reconstruction made = reconstruct(stack);
     const Solid& solid = made.solids.at(0);
     double size = 0;
-    for (const Point3& point : solid.surface.points) size = std::max({size, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-    for (FilmView view : {aslant(film_behind(2 * size, 41, 37, size / 17)), with_focus(film_behind(2 * size, 41, 37, size / 12), {0.3 * size, -9 * size, 0.7 * size})}) {
+    for (const Point3& point : solid.surface.points)
+      size = std::max({size, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
+    for (FilmView view : {aslant(film_behind(2 * size, 41, 37, size / 17)),
+                          with_focus(film_behind(2 * size, 41, 37, size / 12), {0.3 * size, -9 * size, 0.7 * size})}) {
       const FilmMap map = lengths({solid.surface}, view);
       EXPECT_GT(sum(map), 0);
       const double off = worst(map, view, [&](const FilmRay& ray) {
         double through = 0;
-        for (const Tetrahedron& corners : solid.tetrahedra.tetrahedra) through += chord_of_tetrahedron(ray, solid.tetrahedra.points, corners);
+        for (const Tetrahedron& corners : solid.tetrahedra.tetrahedra)
+          through += chord_of_tetrahedron(ray, solid.tetrahedra.points, corners);
         return through;
       });
       EXPECT_LT(off, 1e-4 * size);
@@ -87,9 +93,11 @@ TEST(LengthInside, IsThatThroughTheTetrahedra) {
 
 TEST(LengthInside, LeavesCavitiesOut) {
   const FilmView view = aslant(film_behind(9, 60, 60, 0.2));
-  const FilmMap full = lengths({block({-4, -4, -4}, {4, 4, 4})}, view), hollow = lengths({block({-4, -4, -4}, {4, 4, 4}), turned_inside_out(ball({0, 0, 0}, 2))}, view),
+  const FilmMap full = lengths({block({-4, -4, -4}, {4, 4, 4})}, view),
+                hollow = lengths({block({-4, -4, -4}, {4, 4, 4}), turned_inside_out(ball({0, 0, 0}, 2))}, view),
                 body = lengths({ball({0, 0, 0}, 2)}, view);
-  for (std::size_t i = 0; i < full.values.size(); ++i) EXPECT_NEAR(hollow.values[i], full.values[i] - body.values[i], 1e-12);
+  for (std::size_t i = 0; i < full.values.size(); ++i)
+    EXPECT_NEAR(hollow.values[i], full.values[i] - body.values[i], 1e-12);
 }
 
 // What no ray may see: a crack. A ball of a million narrow faces, pixels coarser than they.
@@ -109,7 +117,10 @@ TEST(LengthInside, OfAConeBeamIsMagnified) {
   const SurfaceMesh plate = block({-1, 0, -1}, {1, 0.001, 1});
   const FilmView view = with_focus(film_behind(10, 200, 200, 0.05), {0, -10, 0});
   const FilmMap map = lengths({plate}, view);
-  EXPECT_NEAR(static_cast<double>(std::count_if(map.values.begin(), map.values.end(), [](double value) { return value > 0; })) * 0.05 * 0.05, 16, 0.35);
+  EXPECT_NEAR(
+      static_cast<double>(std::count_if(map.values.begin(), map.values.end(), [](double value) { return value > 0; })) *
+          0.05 * 0.05,
+      16, 0.35);
   EXPECT_NEAR(map.at(100, 100), 0.001, 1e-6);
 }
 
@@ -127,7 +138,7 @@ TEST(LengthInside, ShowsOnWhichSideOfAnotherAThingLies) {
   };
   const double angle = 0.35;
   FilmView view = film_behind(5, 240, 60, 0.05);
-  view.towards_tube = {std::sin(angle), -std::cos(angle), 0};   // to the right
+  view.towards_tube = {std::sin(angle), -std::cos(angle), 0};  // to the right
   EXPECT_NEAR(0.05 * (middle(lengths({lingual}, view)) - middle(lengths({buccal}, view))), 6 * std::tan(angle), 1e-3);
 }
 

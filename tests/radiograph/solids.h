@@ -13,8 +13,10 @@ namespace odontoscope::test {
 /// Outwards; every square is cut along one diagonal.
 inline SurfaceMesh block(Point3 low, Point3 high) {
   SurfaceMesh mesh;
-  for (unsigned i = 0; i < 8; ++i) mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
 }
 
@@ -31,7 +33,8 @@ inline SurfaceMesh ball(Point3 centre, double radius, unsigned meridians = 96, u
   for (unsigned r = 1; r < rings; ++r)
     for (unsigned m = 0; m < meridians; ++m) {
       const double down = pi * r / rings, round = 2 * pi * m / meridians;
-      mesh.points.push_back({centre.x + radius * std::sin(down) * std::cos(round), centre.y + radius * std::sin(down) * std::sin(round), centre.z - radius * std::cos(down)});
+      mesh.points.push_back({centre.x + radius * std::sin(down) * std::cos(round),
+                             centre.y + radius * std::sin(down) * std::sin(round), centre.z - radius * std::cos(down)});
     }
   mesh.points.push_back({centre.x, centre.y, centre.z + radius});
   const auto at = [&](unsigned r, unsigned m) { return 1 + (r - 1) * meridians + m % meridians; };
@@ -83,7 +86,9 @@ inline double chord_of_ball(const FilmRay& ray, Point3 centre, double radius) {
 inline double chord_of_tetrahedron(const FilmRay& ray, const std::vector<Point3>& points, const Tetrahedron& corners) {
   double from = -std::numeric_limits<double>::infinity(), to = -from;
   for (const auto& face : outward_face) {
-    const Point3 a = points[corners[static_cast<std::size_t>(face[0])]], b = points[corners[static_cast<std::size_t>(face[1])]], c = points[corners[static_cast<std::size_t>(face[2])]];
+    const Point3 a = points[corners[static_cast<std::size_t>(face[0])]],
+                 b = points[corners[static_cast<std::size_t>(face[1])]],
+                 c = points[corners[static_cast<std::size_t>(face[2])]];
     const Point3 u = minus(b, a), v = minus(c, a);
     const Point3 normal{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
     const double speed = dot(normal, ray.direction), place = dot(normal, minus(ray.end, a));

@@ -12,16 +12,30 @@ namespace {
 
 struct Tabled {
   const char* tissue;
-  double energy_kev, per_weight;   // cm^2/g
+  double energy_kev, per_weight;  // cm^2/g
 };
 
 // Hubbell and Seltzer, NISTIR 5632, table 4: what the table of elements is not made from.
 TEST(Tissue, WeakensAsTheTablesOfItsMixtureSay) {
-  for (const Tabled& row : {Tabled{"bone", 20, 4.001}, {"bone", 30, 1.331}, {"bone", 40, 0.6655}, {"bone", 60, 0.3148}, {"bone", 80, 0.2229},
-                            {"pulp", 20, 0.8230}, {"pulp", 30, 0.3790}, {"pulp", 40, 0.2688}, {"pulp", 60, 0.2048}, {"pulp", 80, 0.1823},
-                            {"water", 20, 0.8096}, {"water", 30, 0.3756}, {"water", 40, 0.2683}, {"water", 60, 0.2059}, {"water", 80, 0.1837}}) {
+  for (const Tabled& row : {Tabled{"bone", 20, 4.001},
+                            {"bone", 30, 1.331},
+                            {"bone", 40, 0.6655},
+                            {"bone", 60, 0.3148},
+                            {"bone", 80, 0.2229},
+                            {"pulp", 20, 0.8230},
+                            {"pulp", 30, 0.3790},
+                            {"pulp", 40, 0.2688},
+                            {"pulp", 60, 0.2048},
+                            {"pulp", 80, 0.1823},
+                            {"water", 20, 0.8096},
+                            {"water", 30, 0.3756},
+                            {"water", 40, 0.2683},
+                            {"water", 60, 0.2059},
+                            {"water", 80, 0.1837}}) {
     const Tissue tissue = *tissue_called(row.tissue);
-    EXPECT_NEAR(linear_attenuation(tissue, row.energy_kev), 0.1 * tissue.density * row.per_weight, 0.015 * 0.1 * tissue.density * row.per_weight) << row.tissue << " " << row.energy_kev;
+    EXPECT_NEAR(linear_attenuation(tissue, row.energy_kev), 0.1 * tissue.density * row.per_weight,
+                0.015 * 0.1 * tissue.density * row.per_weight)
+        << row.tissue << " " << row.energy_kev;
   }
 }
 

@@ -12,9 +12,11 @@ class CastBackends : public CastTest {
   /// Lit, cut, with a clear and a solid structure; or greys.
   static std::vector<Image> pictures(const Gl& gl) {
     const ValueGrid grid = whole(lumps());
-    const Model model = make_model({{"clear", block({-3.7, -2.9, -3.3}, {2.8, 2.2, 4.1})}, {"solid", ball({0.9, 0.3, -0.9}, 1.7, 24, 16)}});
+    const Model model = make_model(
+        {{"clear", block({-3.7, -2.9, -3.3}, {2.8, 2.2, 4.1})}, {"solid", ball({0.9, 0.3, -0.9}, 1.7, 24, 16)}});
     std::vector<Image> drawn;
-    for (const auto cast : {VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average, VolumeLook::Cast::radiograph, VolumeLook::Cast::surface})
+    for (const auto cast : {VolumeLook::Cast::shaded, VolumeLook::Cast::maximum, VolumeLook::Cast::average,
+                            VolumeLook::Cast::radiograph, VolumeLook::Cast::surface})
       for (const NamedCamera& from : cameras()) {
         VolumeLook look = shaded_look();
         look.shows = VolumeLook::Shows::both;
@@ -44,7 +46,8 @@ TEST_F(CastBackends, AgreeWithinTwoLevels) {
   context().make_current();
   for (std::size_t i = 0; i < drawn[0].size(); ++i) {
     int worst = 0;
-    for (std::size_t byte = 0; byte < drawn[0][i].rgba.size(); ++byte) worst = std::max(worst, std::abs(drawn[0][i].rgba[byte] - drawn[1][i].rgba[byte]));
+    for (std::size_t byte = 0; byte < drawn[0][i].rgba.size(); ++byte)
+      worst = std::max(worst, std::abs(drawn[0][i].rgba[byte] - drawn[1][i].rgba[byte]));
     EXPECT_LE(worst, 2) << i;
     EXPECT_NE(drawn[0][i], Image(80, 60)) << i;
     EXPECT_NE(drawn[0][i], drawn[0][(i + 1) % drawn[0].size()]) << i;

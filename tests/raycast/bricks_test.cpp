@@ -1,10 +1,9 @@
 // Bricks know all values that matter within them, and how far the next is.
-#include "engine/raycast/brick_grid.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "engine/raycast/brick_grid.h"
 #include "tests/support/random_numbers.h"
 
 namespace odontoscope::test {
@@ -14,12 +13,14 @@ ValueGrid noise(std::array<std::size_t, 3> size) {
   RandomNumbers random(5);
   ValueGrid grid;
   grid.size = size;
-  for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i) grid.values.push_back(static_cast<float>(random.unit()));
+  for (std::size_t i = 0; i < size[0] * size[1] * size[2]; ++i)
+    grid.values.push_back(static_cast<float>(random.unit()));
   return grid;
 }
 
 TEST(Bricks, KnowTheValuesThatTheyInterpolate) {
-  for (const std::array<std::size_t, 3> size : {std::array<std::size_t, 3>{20, 9, 17}, {8, 16, 1}, {1, 1, 2}, {25, 8, 33}}) {
+  for (const std::array<std::size_t, 3> size :
+       {std::array<std::size_t, 3>{20, 9, 17}, {8, 16, 1}, {1, 1, 2}, {25, 8, 33}}) {
     const ValueGrid grid = noise(size);
     const BrickGrid bricks = brick_grid(grid);
     for (std::size_t n = 0; n < 3; ++n) EXPECT_EQ(bricks.size[n], (size[n] + 7) / 8);
@@ -45,17 +46,23 @@ TEST(Bricks, KnowHowFarTheNextIsThatShows) {
   RandomNumbers random(9);
   for (int trial = 0; trial < 20; ++trial) {
     BrickGrid bricks;
-    bricks.size = {static_cast<std::size_t>(random.whole(1, 9)), static_cast<std::size_t>(random.whole(1, 9)), static_cast<std::size_t>(random.whole(1, 9))};
+    bricks.size = {static_cast<std::size_t>(random.whole(1, 9)), static_cast<std::size_t>(random.whole(1, 9)),
+                   static_cast<std::size_t>(random.whole(1, 9))};
     const std::size_t count = bricks.size[0] * bricks.size[1] * bricks.size[2];
     for (std::size_t i = 0; i < count; ++i) bricks.lowest.push_back(random.chance(0.02) ? 1.0f : 0.0f);
     bricks.highest = bricks.lowest;
     const std::vector<std::uint8_t> found = distances_to_shown(bricks, [](float low, float) { return low > 0; });
-    const auto coordinates = [&](std::size_t i) { return std::array<int, 3>{static_cast<int>(i % bricks.size[0]), static_cast<int>(i / bricks.size[0] % bricks.size[1]), static_cast<int>(i / bricks.size[0] / bricks.size[1])}; };
+    const auto coordinates = [&](std::size_t i) {
+      return std::array<int, 3>{static_cast<int>(i % bricks.size[0]),
+                                static_cast<int>(i / bricks.size[0] % bricks.size[1]),
+                                static_cast<int>(i / bricks.size[0] / bricks.size[1])};
+    };
     for (std::size_t i = 0; i < count; ++i) {
       int nearest = 255;
       for (std::size_t j = 0; j < count; ++j) {
         const auto a = coordinates(i), b = coordinates(j);
-        if (bricks.lowest[j] > 0) nearest = std::min(nearest, std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}));
+        if (bricks.lowest[j] > 0)
+          nearest = std::min(nearest, std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}));
       }
       EXPECT_EQ(found[i], nearest);
     }

@@ -10,7 +10,8 @@
 
 namespace odontoscope::test {
 
-/// Differs along each axis in size, spacing and shape; two lumps in nothing, so that most of it is empty; no plane of symmetry.
+/// Differs along each axis in size, spacing and shape; two lumps in nothing, so that most of it is empty; no plane of
+/// symmetry.
 Volume lumps();
 ValueGrid whole(const Volume& volume);
 
@@ -34,11 +35,14 @@ void write_edited_shaders(const std::vector<ShaderEdit>& edits, const std::strin
 inline constexpr RenderOptions one_ray_a_pixel{.side = 1};
 
 /// In the context that is current. `shaders` may be a folder of edited ones.
-Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options = one_ray_a_pixel, float coarseness = 1);
+Image cast_with(const Gl& gl, const Model& model, const ValueGrid& grid, const Scene& scene,
+                const ShaderLibrary& shaders, PixelSize size, const RenderOptions& options = one_ray_a_pixel,
+                float coarseness = 1);
 
 class CastTest : public testing_support::DrawingTest {
  protected:
-  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {}, PixelSize size = picture, const RenderOptions& options = one_ray_a_pixel) {
+  Image cast(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders = {},
+             PixelSize size = picture, const RenderOptions& options = one_ray_a_pixel) {
     return cast_with(gl(), model, grid, scene, shaders, size, options);
   }
   /// Black behind, no occlusion.

@@ -16,12 +16,13 @@ namespace {
 class Projection : public CastTest, public ::testing::WithParamInterface<NamedCamera> {
  protected:
   struct Judged {
-    double worst = 0, brightest = 0;   // of 255
+    double worst = 0, brightest = 0;  // of 255
     int rays = 0;
   };
   /// `wanted(ray, span)` is the part that is shown, of 1; black beside the box.
   template <class Wanted>
-  Judged judged(const Volume& volume, const VolumeLook& look, const std::optional<Section>& section, Wanted wanted, const ShaderLibrary& shaders = {}) {
+  Judged judged(const Volume& volume, const VolumeLook& look, const std::optional<Section>& section, Wanted wanted,
+                const ShaderLibrary& shaders = {}) {
     const ValueGrid grid = whole(volume);
     const Model model = box_model(grid);
     Scene scene = scene_of(model, GetParam().camera, look);
@@ -63,7 +64,9 @@ constexpr double one_level = 1;
 TEST_P(Projection, OfARadiographSumsAsTheFilmDoes) {
   const Volume volume = lumps();
   const VolumeLook look = look_of(VolumeLook::Cast::radiograph);
-  const auto wanted = [&](const ValueGrid&, const Ray& ray, const Span& span) { return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude; };
+  const auto wanted = [&](const ValueGrid&, const Ray& ray, const Span& span) {
+    return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude;
+  };
   const Judged whole_one = judged(volume, look, std::nullopt, wanted);
   EXPECT_GT(whole_one.rays, 3000);
   EXPECT_GT(whole_one.brightest, 60);
@@ -120,14 +123,17 @@ TEST_P(Projection, OfNoiseSumsAsTheFilmDoes) {
   Volume volume = lumps();
   for (float& value : volume.values) value += static_cast<float>(random.between(-15, 15));
   const VolumeLook look = look_of(VolumeLook::Cast::radiograph);
-  const Judged noise = judged(volume, look, std::nullopt,
-                              [&](const ValueGrid&, const Ray& ray, const Span& span) { return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude; });
+  const Judged noise = judged(volume, look, std::nullopt, [&](const ValueGrid&, const Ray& ray, const Span& span) {
+    return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude;
+  });
   EXPECT_LT(noise.worst, one_level);
 }
 
 TEST_P(Projection, IsTheLargestValue) {
   const VolumeLook look = look_of(VolumeLook::Cast::maximum);
-  const Judged found = judged(lumps(), look, std::nullopt, [&](const ValueGrid& grid, const Ray& ray, const Span& span) { return largest(grid, look, ray, span); });
+  const Judged found =
+      judged(lumps(), look, std::nullopt,
+             [&](const ValueGrid& grid, const Ray& ray, const Span& span) { return largest(grid, look, ray, span); });
   EXPECT_GT(found.brightest, 250);
   EXPECT_LT(found.worst, one_level);
 }
@@ -136,7 +142,9 @@ TEST_P(Projection, IsTheAverage) {
   VolumeLook look = look_of(VolumeLook::Cast::average);
   look.black = 10;
   look.white = 60;
-  const Judged found = judged(lumps(), look, Section{{0.3, 0, 0.2}, {0.2, 1, -0.3}}, [&](const ValueGrid& grid, const Ray& ray, const Span& span) { return average(grid, look, ray, span); });
+  const Judged found =
+      judged(lumps(), look, Section{{0.3, 0, 0.2}, {0.2, 1, -0.3}},
+             [&](const ValueGrid& grid, const Ray& ray, const Span& span) { return average(grid, look, ray, span); });
   EXPECT_GT(found.brightest, 60);
   EXPECT_LT(found.worst, one_level);
 }
@@ -147,7 +155,8 @@ TEST_P(Projection, PassesOverNothingThatIsSeen) {
   write_edited_shaders({{"volume_ray.glsl", "if (far == 0) return number;", "return number;"}}, folder.path().string());
   const ValueGrid grid = whole(lumps());
   const Model model = box_model(grid);
-  for (VolumeLook look : {look_of(VolumeLook::Cast::radiograph), look_of(VolumeLook::Cast::maximum), look_of(VolumeLook::Cast::average), shaded_look()}) {
+  for (VolumeLook look : {look_of(VolumeLook::Cast::radiograph), look_of(VolumeLook::Cast::maximum),
+                          look_of(VolumeLook::Cast::average), shaded_look()}) {
     const Scene scene = scene_of(model, GetParam().camera, look);
     EXPECT_EQ(cast(model, grid, scene), cast(model, grid, scene, {folder.path()})) << name(look.cast);
   }
@@ -156,18 +165,23 @@ TEST_P(Projection, PassesOverNothingThatIsSeen) {
 TEST_P(Projection, HasMutantsThatAreNoticed) {
   const Volume volume = lumps();
   VolumeLook look = look_of(VolumeLook::Cast::radiograph);
-  const auto wanted = [&](const ValueGrid&, const Ray& ray, const Span& span) { return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude; };
-  const ShaderEdit edits[] = {{"volume_ray.glsl", "(place + 0.5) / size", "(place + 0.8) / size"},
-                              {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""},
-                              {"volume.frag", "attenuation * part * (far - near)", "attenuation * max(part, 0.05) * (far - near)"}};
+  const auto wanted = [&](const ValueGrid&, const Ray& ray, const Span& span) {
+    return look.attenuation / look.white * sum_along(volume, 0, film_ray(ray, span)) / look.latitude;
+  };
+  const ShaderEdit edits[] = {
+      {"volume_ray.glsl", "(place + 0.5) / size", "(place + 0.8) / size"},
+      {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""},
+      {"volume.frag", "attenuation * part * (far - near)", "attenuation * max(part, 0.05) * (far - near)"}};
   for (const ShaderEdit& edit : edits) {
     const testing_support::TemporaryFolder folder;
     write_edited_shaders({edit}, folder.path().string());
-    EXPECT_GT(judged(volume, look, Section{{0.3, 0, 0.2}, {0.2, 1, -0.3}}, wanted, {folder.path()}).worst, 2) << edit.to;
+    EXPECT_GT(judged(volume, look, Section{{0.3, 0, 0.2}, {0.2, 1, -0.3}}, wanted, {folder.path()}).worst, 2)
+        << edit.to;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(From, Projection, ::testing::ValuesIn(cameras()), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(From, Projection, ::testing::ValuesIn(cameras()),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace odontoscope::test

@@ -28,18 +28,23 @@ void clip(double origin, double speed, double low, double high, Span& span) {
 template <class Visit>
 void for_each_step(double stride, const Span& whole, double from, double to, Visit visit) {
   for (double number = std::floor((from - whole.from) / stride); whole.from + number * stride < to; ++number) {
-    const double near = std::max(whole.from + number * stride, from), far = std::min(whole.from + (number + 1) * stride, to);
+    const double near = std::max(whole.from + number * stride, from),
+                 far = std::min(whole.from + (number + 1) * stride, to);
     if (near < far) visit(0.5 * (near + far), far - near);
   }
 }
 
-double part(const VolumeLook& look, double value) { return std::clamp((value - look.black) / (look.white - look.black), 0.0, 1.0); }
+double part(const VolumeLook& look, double value) {
+  return std::clamp((value - look.black) / (look.white - look.black), 0.0, 1.0);
+}
 
 }  // namespace
 
 Ray ray_through(const Camera& camera, PixelSize size, int x, int y) {
-  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position), right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
-  const double across = 2 * (x + 0.5) / size.width - 1, along = 1 - 2 * (y + 0.5) / size.height, aspect = static_cast<double>(size.width) / size.height;
+  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position),
+                   right = glm::normalize(glm::cross(ahead, camera.up)), up = glm::cross(right, ahead);
+  const double across = 2 * (x + 0.5) / size.width - 1, along = 1 - 2 * (y + 0.5) / size.height,
+               aspect = static_cast<double>(size.width) / size.height;
   if (camera.projection == Camera::Projection::parallel) {
     const double half = 0.5 * camera.height_mm;
     return {camera.position + half * (aspect * across * right + along * up), ahead, -1e6};
@@ -55,7 +60,9 @@ double value_at(const ValueGrid& grid, const glm::dvec3& place) {
     double weight = 1;
     std::size_t index[3];
     for (unsigned axis = 0; axis < 3; ++axis) {
-      const double last = static_cast<double>(grid.size[axis] - 1), at = std::clamp(inside[static_cast<int>(axis)], 0.0, last), low = std::min(std::floor(at), std::max(last - 1, 0.0));
+      const double last = static_cast<double>(grid.size[axis] - 1),
+                   at = std::clamp(inside[static_cast<int>(axis)], 0.0, last),
+                   low = std::min(std::floor(at), std::max(last - 1, 0.0));
       const bool upper = (corner >> axis & 1u) != 0;
       weight *= upper ? at - low : 1 - (at - low);
       index[axis] = static_cast<std::size_t>(std::min(low + (upper ? 1 : 0), last));
@@ -68,7 +75,8 @@ double value_at(const ValueGrid& grid, const glm::dvec3& place) {
 double slope_at(const ValueGrid& grid, const glm::dvec3& place) {
   const glm::dvec3 aside = 0.6 * grid.step_mm;
   glm::dvec3 slope(0);
-  for (const glm::dvec3& corner : {glm::dvec3{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}) slope += value_at(grid, place + aside * corner) * corner / (4.0 * aside);
+  for (const glm::dvec3& corner : {glm::dvec3{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
+    slope += value_at(grid, place + aside * corner) * corner / (4.0 * aside);
   return glm::length(slope);
 }
 
@@ -76,9 +84,12 @@ Span span_of(const Ray& ray, const ValueGrid& grid, const std::optional<Section>
   Span span{ray.begin, infinite};
   for (int axis = 0; axis < 3; ++axis) {
     const double low = grid.first_mm[axis] - 0.5 * grid.step_mm[axis];
-    clip(ray.origin[axis], ray.direction[axis], low, low + static_cast<double>(grid.size[static_cast<std::size_t>(axis)]) * grid.step_mm[axis], span);
+    clip(ray.origin[axis], ray.direction[axis], low,
+         low + static_cast<double>(grid.size[static_cast<std::size_t>(axis)]) * grid.step_mm[axis], span);
   }
-  if (section) clip(glm::dot(section->normal, ray.origin - section->point_mm), glm::dot(section->normal, ray.direction), -1e12, 0, span);
+  if (section)
+    clip(glm::dot(section->normal, ray.origin - section->point_mm), glm::dot(section->normal, ray.direction), -1e12, 0,
+         span);
   return span;
 }
 
@@ -88,36 +99,45 @@ Seen over(const Seen& before, const Seen& behind) {
   return {before.light + (1 - before.covered) * behind.light, before.covered + (1 - before.covered) * behind.covered};
 }
 
-Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to, double steps) {
+Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to,
+            double steps) {
   constexpr int parts = 64;
   Seen seen;
   if (whole.empty()) return seen;
-  for_each_step(stride_of(grid) / steps, whole, std::max(from, whole.from), std::min(to, whole.to), [&](double way, double length) {
-    const double before = value_at(grid, ray.at(way - 0.5 * length)), after = value_at(grid, ray.at(way + 0.5 * length));
-    double extinction = 0;
-    glm::dvec3 colour(0);
-    for (int part = 0; part < parts; ++part) {
-      const glm::dvec4 here(transferred(look.transfer, before + (after - before) * (part + 0.5) / parts));
-      extinction += here.a / parts;
-      colour += here.a / parts * glm::dvec3(here);
-    }
-    if (!(extinction > 0)) return;
-    const double share = look.slopes.count() ? std::clamp((slope_at(grid, ray.at(way)) - look.slopes.flat) / (look.slopes.steep - look.slopes.flat), 0.0, 1.0) : 1;
-    const double covers = 1 - std::exp(-share * extinction * length);
-    seen = over(seen, {covers / extinction * colour, covers});
-  });
+  for_each_step(stride_of(grid) / steps, whole, std::max(from, whole.from), std::min(to, whole.to),
+                [&](double way, double length) {
+                  const double before = value_at(grid, ray.at(way - 0.5 * length)),
+                               after = value_at(grid, ray.at(way + 0.5 * length));
+                  double extinction = 0;
+                  glm::dvec3 colour(0);
+                  for (int part = 0; part < parts; ++part) {
+                    const glm::dvec4 here(transferred(look.transfer, before + (after - before) * (part + 0.5) / parts));
+                    extinction += here.a / parts;
+                    colour += here.a / parts * glm::dvec3(here);
+                  }
+                  if (!(extinction > 0)) return;
+                  const double share = look.slopes.count()
+                                           ? std::clamp((slope_at(grid, ray.at(way)) - look.slopes.flat) /
+                                                            (look.slopes.steep - look.slopes.flat),
+                                                        0.0, 1.0)
+                                           : 1;
+                  const double covers = 1 - std::exp(-share * extinction * length);
+                  seen = over(seen, {covers / extinction * colour, covers});
+                });
   return seen;
 }
 
 double largest(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole) {
   double most = 0;
-  for_each_step(stride_of(grid), whole, whole.from, whole.to, [&](double way, double) { most = std::max(most, part(look, value_at(grid, ray.at(way)))); });
+  for_each_step(stride_of(grid), whole, whole.from, whole.to,
+                [&](double way, double) { most = std::max(most, part(look, value_at(grid, ray.at(way)))); });
   return most;
 }
 
 double average(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole) {
   double sum = 0;
-  for_each_step(stride_of(grid), whole, whole.from, whole.to, [&](double way, double length) { sum += length * part(look, value_at(grid, ray.at(way))); });
+  for_each_step(stride_of(grid), whole, whole.from, whole.to,
+                [&](double way, double length) { sum += length * part(look, value_at(grid, ray.at(way))); });
   return sum / (whole.to - whole.from);
 }
 
@@ -129,7 +149,8 @@ std::optional<double> crossing(const ValueGrid& grid, const VolumeLook& look, co
   for (double from = whole.from; from < whole.to; from += step) {
     double near = from, far = std::min(from + step, whole.to);
     if (below(far) == first) continue;
-    for (int halving = 0; halving < 40; ++halving) (below(0.5 * (near + far)) == first ? near : far) = 0.5 * (near + far);
+    for (int halving = 0; halving < 40; ++halving)
+      (below(0.5 * (near + far)) == first ? near : far) = 0.5 * (near + far);
     return near;
   }
   return std::nullopt;
@@ -137,12 +158,15 @@ std::optional<double> crossing(const ValueGrid& grid, const VolumeLook& look, co
 
 std::optional<double> hit(const SurfaceMesh& mesh, const Ray& ray, const std::optional<Section>& section) {
   std::optional<double> nearest;
-  const auto corner = [&](PointIndex index) { return glm::dvec3(mesh.points[index].x, mesh.points[index].y, mesh.points[index].z); };
+  const auto corner = [&](PointIndex index) {
+    return glm::dvec3(mesh.points[index].x, mesh.points[index].y, mesh.points[index].z);
+  };
   for (const Triangle& triangle : mesh.triangles) {
     // Moller and Trumbore, Journal of Graphics Tools 2(1), 1997.
-    const glm::dvec3 a = corner(triangle[0]), u = corner(triangle[1]) - a, v = corner(triangle[2]) - a, p = glm::cross(ray.direction, v);
+    const glm::dvec3 a = corner(triangle[0]), u = corner(triangle[1]) - a, v = corner(triangle[2]) - a,
+                     p = glm::cross(ray.direction, v);
     const double det = glm::dot(u, p);
-    if (!(det > 0)) continue;   // edge-on, or from behind
+    if (!(det > 0)) continue;  // edge-on, or from behind
     const glm::dvec3 s = ray.origin - a, q = glm::cross(s, u);
     const double b = glm::dot(s, p), c = glm::dot(ray.direction, q), way = glm::dot(v, q) / det;
     if (b < 0 || c < 0 || b + c > det || way < ray.begin) continue;
@@ -152,7 +176,9 @@ std::optional<double> hit(const SurfaceMesh& mesh, const Ray& ray, const std::op
   return nearest;
 }
 
-double encoded(double light) { return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055); }
+double encoded(double light) {
+  return 255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055);
+}
 double decoded(double shown) {
   const double part = shown / 255;
   return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);

@@ -1,5 +1,6 @@
 #pragma once
-// Rays through volumes and surfaces in double precision on the processor, from the definitions: no bricks, no textures, no matrices. Millimetres.
+// Rays through volumes and surfaces in double precision on the processor, from the definitions: no bricks, no textures,
+// no matrices. Millimetres.
 
 #include <optional>
 #include <vector>
@@ -12,8 +13,8 @@
 namespace odontoscope::test {
 
 struct Ray {
-  glm::dvec3 origin{0}, direction{0, 0, -1};   // unit length
-  double begin = 0;                            // the eye; far before everything for a parallel camera
+  glm::dvec3 origin{0}, direction{0, 0, -1};  // unit length
+  double begin = 0;                           // the eye; far before everything for a parallel camera
   glm::dvec3 at(double way) const { return origin + way * direction; }
 };
 
@@ -40,11 +41,14 @@ struct Seen {
 };
 Seen over(const Seen& before, const Seen& behind);
 
-/// How steep the values are, in values a millimetre: by differences of places 0.6 values aside along each axis, at every other corner of a box.
+/// How steep the values are, in values a millimetre: by differences of places 0.6 values aside along each axis, at
+/// every other corner of a box.
 double slope_at(const ValueGrid& grid, const glm::dvec3& place);
 
-/// Unlit emission and absorption between two places of a ray, by steps within which values run straight; `steps` to each of stride_of. What look.slopes leave is by the slope in a step's middle.
-Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to, double steps = 1);
+/// Unlit emission and absorption between two places of a ray, by steps within which values run straight; `steps` to
+/// each of stride_of. What look.slopes leave is by the slope in a step's middle.
+Seen shaded(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole, double from, double to,
+            double steps = 1);
 
 /// Of the values' places in the window along all of the ray.
 double largest(const ValueGrid& grid, const VolumeLook& look, const Ray& ray, const Span& whole);

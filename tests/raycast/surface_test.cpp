@@ -16,7 +16,8 @@ class RawSurface : public CastTest, public ::testing::WithParamInterface<NamedCa
   static constexpr PixelSize picture{60, 60};
 
   /// Window depths, rows from the top.
-  std::vector<float> depths(const Model& model, const ValueGrid& grid, const Scene& scene, const ShaderLibrary& shaders) {
+  std::vector<float> depths(const Model& model, const ValueGrid& grid, const Scene& scene,
+                            const ShaderLibrary& shaders) {
     Renderer renderer(gl(), shaders);
     const GpuModel gpu_model = upload(gl(), model);
     const GpuValueGrid values = upload(gl(), grid, gpu_model);
@@ -27,12 +28,13 @@ class RawSurface : public CastTest, public ::testing::WithParamInterface<NamedCa
     std::vector<float> read(static_cast<std::size_t>(picture.width * picture.height)), turned;
     gl().BindFramebuffer(GL_FRAMEBUFFER, pixels.id());
     gl().ReadPixels(0, 0, picture.width, picture.height, GL_DEPTH_COMPONENT, GL_FLOAT, read.data());
-    for (int y = picture.height; y-- > 0;) turned.insert(turned.end(), read.begin() + y * picture.width, read.begin() + (y + 1) * picture.width);
+    for (int y = picture.height; y-- > 0;)
+      turned.insert(turned.end(), read.begin() + y * picture.width, read.begin() + (y + 1) * picture.width);
     return turned;
   }
 
   struct Judged {
-    double worst = 0;        // mm along the ray
+    double worst = 0;  // mm along the ray
     int hit = 0, disagreeing = 0;
   };
   Judged judged(const std::optional<Section>& section, const ShaderLibrary& shaders = {}) {
@@ -59,7 +61,8 @@ class RawSurface : public CastTest, public ::testing::WithParamInterface<NamedCa
         }
         if (!right) continue;
         ++judged.hit;
-        glm::dvec4 place = back * glm::dvec4(2 * (x + 0.5) / picture.width - 1, 1 - 2 * (y + 0.5) / picture.height, 2 * static_cast<double>(depth) - 1, 1);
+        glm::dvec4 place = back * glm::dvec4(2 * (x + 0.5) / picture.width - 1, 1 - 2 * (y + 0.5) / picture.height,
+                                             2 * static_cast<double>(depth) - 1, 1);
         const glm::dvec3 mm = model.origin_mm + glm::dvec3(place) / place.w / metres_per_mm;
         judged.worst = std::max(judged.worst, std::abs(glm::dot(mm - ray.origin, ray.direction) - *right));
       }
@@ -67,7 +70,8 @@ class RawSurface : public CastTest, public ::testing::WithParamInterface<NamedCa
   }
 };
 
-/// A hundredth of the smallest distance of two values: what is drawn halves a step of half that distance twelve times, the rest is single precision.
+/// A hundredth of the smallest distance of two values: what is drawn halves a step of half that distance twelve times,
+/// the rest is single precision.
 constexpr double nearly_mm = 0.003;
 /// Rays that graze the surface between two steps.
 constexpr int grazing = 2;
@@ -84,12 +88,15 @@ TEST_P(RawSurface, LiesWhereTheValuesCross) {
 }
 
 TEST_P(RawSurface, HasMutantsThatAreNoticed) {
-  const ShaderEdit edits[] = {{"volume_surface.frag", "halving < 12", "halving < 3"},
-                              {"volume_surface.frag", "0.5 * clip.z / clip.w + 0.5", "0.5 * clip.z / clip.w + 0.501"},
-                              {"volume_ray.glsl", " - ray.begin) / stride, 1e8)))", " - ray.begin) / stride, 1e8)) + 12.0)"},
-                              {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);", ""}};
+  const ShaderEdit edits[] = {
+      {"volume_surface.frag", "halving < 12", "halving < 3"},
+      {"volume_surface.frag", "0.5 * clip.z / clip.w + 0.5", "0.5 * clip.z / clip.w + 0.501"},
+      {"volume_ray.glsl", " - ray.begin) / stride, 1e8)))", " - ray.begin) / stride, 1e8)) + 12.0)"},
+      {"volume_ray.glsl", "clip(dot(section.xyz, origin), dot(section.xyz, direction), -endless, section.w, ray);",
+       ""}};
   for (const ShaderEdit& edit : edits) {
-    if (GetParam().camera.near_mm > 0 && edit.to.find("12.0") != std::string::npos) continue;   // from within the lump no empty brick is met first
+    if (GetParam().camera.near_mm > 0 && edit.to.find("12.0") != std::string::npos)
+      continue;  // from within the lump no empty brick is met first
     const testing_support::TemporaryFolder folder;
     write_edited_shaders({edit}, folder.path().string());
     const auto noticed = [&](const std::optional<Section>& section) {
@@ -100,7 +107,8 @@ TEST_P(RawSurface, HasMutantsThatAreNoticed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(From, RawSurface, ::testing::ValuesIn(cameras()), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(From, RawSurface, ::testing::ValuesIn(cameras()),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace odontoscope::test

@@ -41,7 +41,9 @@ TEST(VolumeLooks, AreSensibleOrNot) {
 
 TEST(VolumeLooks, HavePresetsThatShowWhatTheyAreCalledAfter) {
   const double air = 40, dentine = 140;
-  const auto seen = [&](TransferPreset preset, double place) { return static_cast<double>(transferred(transfer_of(preset, air, dentine), air + place * (dentine - air)).a); };
+  const auto seen = [&](TransferPreset preset, double place) {
+    return static_cast<double>(transferred(transfer_of(preset, air, dentine), air + place * (dentine - air)).a);
+  };
   for (const char* preset : {"tooth", "enamel", "dentine", "pulp", "soft"}) {
     EXPECT_TRUE(sensible(transfer_of(transfer_named(preset), air, dentine))) << preset;
     EXPECT_EQ(seen(transfer_named(preset), 0), 0) << preset << " shows air";
@@ -59,7 +61,19 @@ TEST(VolumeLooks, HavePresetsThatShowWhatTheyAreCalledAfter) {
 TEST(VolumeLooks, ComeBackFromJson) {
   Scene scene;
   EXPECT_EQ(to_json(scene).find("\"volume\""), std::string::npos);
-  scene.volume = {VolumeLook::Shows::both, VolumeLook::Cast::surface, {{10, colour_of(0x102030), 0}, {20, colour_of(0xffee01), 4}}, {12, 90}, false, 30, 90, 0.5, 3, true, {31, 41}, 77, colour_of(0x010203)};
+  scene.volume = {VolumeLook::Shows::both,
+                  VolumeLook::Cast::surface,
+                  {{10, colour_of(0x102030), 0}, {20, colour_of(0xffee01), 4}},
+                  {12, 90},
+                  false,
+                  30,
+                  90,
+                  0.5,
+                  3,
+                  true,
+                  {31, 41},
+                  77,
+                  colour_of(0x010203)};
   EXPECT_EQ(scene_from_json(to_json(scene), Scene{}), scene);
 }
 

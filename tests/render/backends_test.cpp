@@ -16,7 +16,8 @@ void expect_equal_on_both(const Model& model, const Scene& scene) {
   if (!in_software(*egl.context) || !in_software(*osmesa.context))
     GTEST_SKIP() << "different processors draw: " << egl.context->in_words() << "; " << osmesa.context->in_words();
   const PictureOptions options{{240, 180}, {2}};
-  const Image a = picture_of(*egl.context, model, scene, options), b = picture_of(*osmesa.context, model, scene, options);
+  const Image a = picture_of(*egl.context, model, scene, options),
+              b = picture_of(*osmesa.context, model, scene, options);
   osmesa.context->make_current();
   EXPECT_TRUE(content_of(a).shows_something());
   const ImageDifference difference = compare(a, b, {0, 0});

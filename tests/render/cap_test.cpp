@@ -17,7 +17,8 @@ constexpr double mm2_per_pixel = (height_mm / size.height) * (height_mm / size.h
 
 class Caps : public DrawingTest {
  protected:
-  /// A plain cap is flat and lit by lamps at infinity, so it has one colour in a parallel view. mm^2 of the most frequent opaque colour.
+  /// A plain cap is flat and lit by lamps at infinity, so it has one colour in a parallel view. mm^2 of the most
+  /// frequent opaque colour.
   double cap_area(const Model& model, const Section& section) {
     Scene scene = plain_scene(model, height_mm);
     scene.section = section;
@@ -37,7 +38,9 @@ class Caps : public DrawingTest {
 /// Of the polygon that a ball of 48 segments shows in its equator.
 double disc(double radius) { return 24 * radius * radius * std::sin(2 * std::numbers::pi / 48); }
 
-TEST_F(Caps, OfABallIsADisc) { EXPECT_NEAR(cap_area(make_model({{"ball", ball({{}, 5})}}), {{0, 0, 0}, {0, 1, 0}}), disc(5), 0.01 * disc(5)); }
+TEST_F(Caps, OfABallIsADisc) {
+  EXPECT_NEAR(cap_area(make_model({{"ball", ball({{}, 5})}}), {{0, 0, 0}, {0, 1, 0}}), disc(5), 0.01 * disc(5));
+}
 
 TEST_F(Caps, OfAHollowBallIsAnAnnulus) {
   EXPECT_NEAR(cap_area(hollow_ball_model(), {{0, 0, 0}, {0, 3, 0}}), disc(5) - disc(2), 0.01 * disc(5));
@@ -46,7 +49,8 @@ TEST_F(Caps, OfAHollowBallIsAnAnnulus) {
 TEST_F(Caps, LeaveNoHoleThroughASolidWhoseCavityIsEmpty) {
   const Model model = hollow_ball_model();
   Scene scene = plain_scene(model, height_mm);
-  scene.camera.field_of_view_deg = 2 * std::atan(height_mm / 2 / 60) * 180 / std::numbers::pi;   // as high, in the section's plane
+  scene.camera.field_of_view_deg =
+      2 * std::atan(height_mm / 2 / 60) * 180 / std::numbers::pi;  // as high, in the section's plane
   for (const auto projection : {Camera::Projection::parallel, Camera::Projection::perspective}) {
     scene.camera.projection = projection;
     scene.section = Section{{0, 0, 0}, {0, 1, 0}};
@@ -74,7 +78,7 @@ TEST_F(Caps, OfARingAreTwoDiscs) {
 TEST_F(Caps, OfABoxFollowsThePlane) {
   const Model model = make_model({{"box", box({-3, -2, -4}, {3, 2, 4})}});
   EXPECT_NEAR(cap_area(model, {{0, 1, 0}, {0, 1, 0}}), 48, 0.5);
-  EXPECT_NEAR(cap_area(model, {{0, 0, 0}, {0, 1, 1}}), 24, 0.5);   // cut at 45 degrees, seen foreshortened: 6 x 4
+  EXPECT_NEAR(cap_area(model, {{0, 0, 0}, {0, 1, 1}}), 24, 0.5);  // cut at 45 degrees, seen foreshortened: 6 x 4
 }
 
 TEST_F(Caps, OfAPlaneBesideTheModelIsNothing) {
@@ -91,7 +95,7 @@ TEST_F(Caps, AreNotSeenFromBehind) {
   const Model model = make_model({{"ball", ball({{}, 5})}});
   Scene scene = plain_scene(model, height_mm);
   const Image whole = draw(model, scene, size, 2);
-  scene.section = Section{{0, 0, 0}, {0, -1, 0}};   // the half behind is gone
+  scene.section = Section{{0, 0, 0}, {0, -1, 0}};  // the half behind is gone
   EXPECT_EQ(draw(model, scene, size, 2), whole);
 }
 
@@ -101,7 +105,7 @@ TEST_F(Caps, OfAnInnerStructureLiesOnThatOfTheOuter) {
   scene.section = Section{{0, 0, 0}, {0, 1, 0}};
   scene.look_of("core")->colour = {1, 0, 0};
   scene.look_of("mantle")->colour = {0, 0, 1};
-  scene.look_of("mantle")->opacity = 0.4f;   // its cap is solid all the same
+  scene.look_of("mantle")->opacity = 0.4f;  // its cap is solid all the same
   const Image image = draw(model, scene, size);
   const auto middle = image.pixel(180, 180), wall = image.pixel(180 + 105, 180);
   EXPECT_GT(middle[0], middle[2] + 60);
@@ -111,9 +115,9 @@ TEST_F(Caps, OfAnInnerStructureLiesOnThatOfTheOuter) {
 
 /// The pixels of a cap, told by drawing it plain: they have its one colour.
 struct CapPixels {
-  double mean = 0, spread = 0;     // of green, over the cap
-  double step = 0;                 // mean difference of green between neighbours
-  std::size_t pixels = 0, elsewhere = 0;   // elsewhere: that differ from the plain picture but are no cap
+  double mean = 0, spread = 0;            // of green, over the cap
+  double step = 0;                        // mean difference of green between neighbours
+  std::size_t pixels = 0, elsewhere = 0;  // elsewhere: that differ from the plain picture but are no cap
 };
 
 CapPixels grain_of(const Image& textured, const Image& plain, const std::array<std::uint8_t, 4>& cap) {
@@ -164,13 +168,14 @@ TEST_F(Caps, KeepTheirGrainWhenTheEyeMoves) {
   scene.section = Section{{0, 0, 0}, {0, 1, 0}};
   const Image before = draw(model, scene, size);
   constexpr int pixels = 20;
-  const glm::dvec3 right(-pixels * height_mm / size.height, 0, 0);   // seen from +y, x runs to the left
+  const glm::dvec3 right(-pixels * height_mm / size.height, 0, 0);  // seen from +y, x runs to the left
   scene.camera.position += right;
   scene.camera.target += right;
   const Image after = draw(model, scene, size);
   int worst = 0;
   for (int y = 100; y < 260; ++y)
-    for (int x = 120; x < 240; ++x) worst = std::max(worst, std::abs(before.pixel(x, y)[1] - after.pixel(x - pixels, y)[1]));
+    for (int x = 120; x < 240; ++x)
+      worst = std::max(worst, std::abs(before.pixel(x, y)[1] - after.pixel(x - pixels, y)[1]));
   EXPECT_LE(worst, 2);
 }
 

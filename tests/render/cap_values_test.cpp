@@ -25,7 +25,9 @@ Volume ramp_volume(const Ramp& ramp = {}) {
   for (std::size_t k = 0; k < volume.size[2]; ++k)
     for (std::size_t j = 0; j < volume.size[1]; ++j)
       for (std::size_t i = 0; i < volume.size[0]; ++i)
-        volume.values.push_back(static_cast<float>(ramp.at({-6.1 + 0.4 * static_cast<double>(i), -6.7 + 0.6 * static_cast<double>(j), -6.2 + 0.3 * static_cast<double>(k)})));
+        volume.values.push_back(
+            static_cast<float>(ramp.at({-6.1 + 0.4 * static_cast<double>(i), -6.7 + 0.6 * static_cast<double>(j),
+                                        -6.2 + 0.3 * static_cast<double>(k)})));
   return volume;
 }
 
@@ -43,7 +45,8 @@ class CapValues : public DrawingTest {
     Renderer renderer(gl(), ShaderLibrary{});
     const GpuModel gpu_model = upload(gl(), model);
     const GpuValueGrid values = upload(gl(), grid, gpu_model);
-    return picture_of(gl(), renderer, gpu_model, model, scene, {.size = size, .render = {.side = side}}, nullptr, &values);
+    return picture_of(gl(), renderer, gpu_model, model, scene, {.size = size, .render = {.side = side}}, nullptr,
+                      &values);
   }
 
   /// Seen straight along the plane's normal.
@@ -62,15 +65,17 @@ class CapValues : public DrawingTest {
 
 /// Where a pixel's middle lies on the plane that the parallel camera faces.
 glm::dvec3 place_of(const Camera& camera, int x, int y) {
-  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position), right = glm::normalize(glm::cross(ahead, camera.up));
+  const glm::dvec3 ahead = glm::normalize(camera.target - camera.position),
+                   right = glm::normalize(glm::cross(ahead, camera.up));
   const double pixel = height_mm / size.height;
-  return camera.target + pixel * (x + 0.5 - 0.5 * size.width) * right - pixel * (y + 0.5 - 0.5 * size.height) * glm::cross(right, ahead);
+  return camera.target + pixel * (x + 0.5 - 0.5 * size.width) * right -
+         pixel * (y + 0.5 - 0.5 * size.height) * glm::cross(right, ahead);
 }
 
 bool well_inside(const glm::dvec3& place) {
   constexpr double margin = 0.2;
-  return place.x > low.x + margin && place.x < high.x - margin && place.y > low.y + margin && place.y < high.y - margin &&
-         place.z > low.z + margin && place.z < high.z - margin;
+  return place.x > low.x + margin && place.x < high.x - margin && place.y > low.y + margin &&
+         place.y < high.y - margin && place.z > low.z + margin && place.z < high.z - margin;
 }
 
 /// Half a step of the eight bits for rounding, and one for interpolation: half a voxel would be five or more.
@@ -78,7 +83,7 @@ constexpr double nearly = 1.6;
 
 struct Judged {
   std::size_t pixels = 0;
-  double worst = 0;      // of 255
+  double worst = 0;  // of 255
 };
 
 Judged judge(const Image& image, const Camera& camera, const Ramp& ramp) {
@@ -89,7 +94,8 @@ Judged judge(const Image& image, const Camera& camera, const Ramp& ramp) {
       if (!well_inside(place)) continue;
       const double wanted = 255 * std::clamp((ramp.at(place) - window.low) / (window.high - window.low), 0.0, 1.0);
       ++judged.pixels;
-      for (std::size_t channel = 0; channel < 3; ++channel) judged.worst = std::max(judged.worst, std::abs(image.pixel(x, y)[channel] - wanted));
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        judged.worst = std::max(judged.worst, std::abs(image.pixel(x, y)[channel] - wanted));
     }
   return judged;
 }
@@ -97,8 +103,9 @@ Judged judge(const Image& image, const Camera& camera, const Ramp& ramp) {
 TEST_F(CapValues, AreThoseOfTheirPlacesHoweverThePlaneLies) {
   const Model model = make_model({{"box", box(low, high)}});
   const ValueGrid grid = value_grid(ramp_volume(), box_mm());
-  const Section sections[] = {{{0, 1, 0}, {0, 1, 0}}, {{0, 1, 0}, {0, -1, 0}}, {{0.7, 0, 0}, {1, 0, 0}}, {{0.7, 0, 0}, {-1, 0, 0}},
-                              {{0, 0, -1.3}, {0, 0, 1}}, {{0, 0, 2}, {0, 0, -1}}, {{0.5, 1, 0.5}, {1, 2, -1.5}}, {{0.5, 1, 0.5}, {-2, 0.3, 1}}};
+  const Section sections[] = {{{0, 1, 0}, {0, 1, 0}},        {{0, 1, 0}, {0, -1, 0}},      {{0.7, 0, 0}, {1, 0, 0}},
+                              {{0.7, 0, 0}, {-1, 0, 0}},     {{0, 0, -1.3}, {0, 0, 1}},    {{0, 0, 2}, {0, 0, -1}},
+                              {{0.5, 1, 0.5}, {1, 2, -1.5}}, {{0.5, 1, 0.5}, {-2, 0.3, 1}}};
   for (const Section& section : sections)
     for (const int side : {1, 2}) {
       const Scene scene = facing(model, section);
@@ -170,7 +177,8 @@ TEST(ValueGrids, HoldTheVoxelsAroundTheModel) {
   const ValueGrid grid = value_grid(ramp_volume(), {{-1, -1, -1}, {1, 1, 1}});
   EXPECT_EQ(grid.merged, (std::array<std::size_t, 3>{1, 1, 1}));
   for (int axis = 0; axis < 3; ++axis) {
-    const double last = grid.first_mm[axis] + grid.step_mm[axis] * static_cast<double>(grid.size[static_cast<std::size_t>(axis)] - 1);
+    const double last =
+        grid.first_mm[axis] + grid.step_mm[axis] * static_cast<double>(grid.size[static_cast<std::size_t>(axis)] - 1);
     constexpr double rounding = 1e-9;
     EXPECT_LE(grid.first_mm[axis], -1 - grid.step_mm[axis] + rounding);
     EXPECT_GE(last, 1 + grid.step_mm[axis] - rounding);

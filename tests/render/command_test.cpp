@@ -35,7 +35,9 @@ TEST_F(RenderCommand, DrawsAContourStack) {
 }
 
 TEST_F(RenderCommand, GivesTheSamePixelsFromASavedSceneAndEitherBackend) {
-  ASSERT_EQ(render({"--view", "mesial", "--section", "1,1,0.2", "--colour", "tooth=#336699", "--save-scene", "s.json"}).exit_code, 0);
+  ASSERT_EQ(render({"--view", "mesial", "--section", "1,1,0.2", "--colour", "tooth=#336699", "--save-scene", "s.json"})
+                .exit_code,
+            0);
   const Image first = picture();
   ASSERT_EQ(render({"--scene", "s.json", "--backend", "auto"}).exit_code, 0);
   EXPECT_EQ(picture(), first);
@@ -108,7 +110,8 @@ TEST_F(RenderCommand, ACapShowsAVolumesValuesAndComesBackFromASavedScene) {
   ASSERT_EQ(usual.exit_code, 0) << usual.err;
   EXPECT_TRUE(usual.says("(black)")) << usual.out;
   EXPECT_NE(picture(), material);
-  const Ending told = render_ball({"--section", "buccal", "--view", "buccal", "--cap", "ct=100,180", "--save-scene", "s.json"});
+  const Ending told =
+      render_ball({"--section", "buccal", "--view", "buccal", "--cap", "ct=100,180", "--save-scene", "s.json"});
   ASSERT_EQ(told.exit_code, 0) << told.err;
   EXPECT_TRUE(told.says("from 100 (black) to 180 (white)")) << told.out;
   const Image drawn = picture();
@@ -123,8 +126,11 @@ TEST_F(RenderCommand, ACapShowsAVolumesValuesAndComesBackFromASavedScene) {
 }
 
 TEST_F(RenderCommand, OnlyAVolumeHasValuesForTheCap) {
-  given("s.json", R"({"format":"odontoscope.scene","version":1,"section":{"point":[0,0,0],"normal":[0,1,0]},"cap":{"shows":"ct"}})");
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--section", "buccal", "--cap", "ct"}, {"--scene", "s.json"}}) {
+  given(
+      "s.json",
+      R"({"format":"odontoscope.scene","version":1,"section":{"point":[0,0,0],"normal":[0,1,0]},"cap":{"shows":"ct"}})");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--section", "buccal", "--cap", "ct"}, {"--scene", "s.json"}}) {
     const Ending ending = render(words);
     EXPECT_EQ(ending.exit_code, 2);
     EXPECT_TRUE(ending.complains("with --iso")) << ending.err;

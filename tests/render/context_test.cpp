@@ -29,16 +29,17 @@ TEST_F(Contexts, ReportTheDriversComplaints) {
   const PerhapsContext made = try_context(context().backend());
   made.context->make_current();
   if (!made.context->gl().KHR_debug) GTEST_SKIP() << "this driver has no KHR_debug";
-  made.context->gl().Enable(GL_TEXTURE_2D_ARRAY);   // no such capability
+  made.context->gl().Enable(GL_TEXTURE_2D_ARRAY);  // no such capability
   EXPECT_FALSE(made.context->debug_messages().empty());
   context().make_current();
 }
 
 TEST_F(Contexts, AShaderThatFailsShowsItsNumberedSource) {
-  const PerhapsContext other = try_context(context().backend());   // it will report the failure, as it should
+  const PerhapsContext other = try_context(context().backend());  // it will report the failure, as it should
   const ShaderLibrary shaders;
   try {
-    const Program program(other.context->gl(), shaders, {"fullscreen.vert", "fullscreen.vert", {}, {"gl_Position gl_Nothing"}});
+    const Program program(other.context->gl(), shaders,
+                          {"fullscreen.vert", "fullscreen.vert", {}, {"gl_Position gl_Nothing"}});
     FAIL() << "that must not link or compile";
   } catch (const InternalError& error) {
     const std::string words = error.what();
@@ -74,7 +75,8 @@ TEST_F(Contexts, APictureThatWouldTakeTooMuchMemoryIsRefusedInWords) {
 }
 
 TEST(BackendNames, AreThoseOfTheCommandLine) {
-  for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa}) EXPECT_EQ(backend_named(name(backend)), backend);
+  for (const Backend backend : {Backend::automatic, Backend::egl, Backend::osmesa})
+    EXPECT_EQ(backend_named(name(backend)), backend);
   EXPECT_THROW(backend_named("directx"), UsageError);
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int cameras = 100;
 constexpr PixelSize size{320, 320};
-/// Of the pixels of the outline, since ties lie where fronts turn into backs. Measured: up to 0.0009 (a tooth with its thin
-/// canals); one triangle that is wrong breaks the balance as well, and that has no tolerance.
+/// Of the pixels of the outline, since ties lie where fronts turn into backs. Measured: up to 0.0009 (a tooth with its
+/// thin canals); one triangle that is wrong breaks the balance as well, and that has no tolerance.
 constexpr double most_ties = 0.002;
 
 /// Evenly over the sphere (golden angle), alternately perspective and parallel, none along an axis.
@@ -89,7 +89,7 @@ TEST_F(Culling, FromInsideACavityOnlyFrontsAreNearest) {
   for (int i = 0; i < cameras; ++i) {
     Camera camera = camera_around(model, i);
     camera.projection = Camera::Projection::perspective;
-    camera.position = 0.3 * (camera.position - camera.target) / model.radius_mm;   // up to 1.5 mm from the middle of 2
+    camera.position = 0.3 * (camera.position - camera.target) / model.radius_mm;  // up to 1.5 mm from the middle of 2
     camera.target = {0.1, 0.2, 0.3};
     camera.field_of_view_deg = 80;
     const FaceVerdict verdict = from(model, camera);
@@ -132,9 +132,10 @@ TEST_F(Culling, OneFlippedOrMissingTriangleOfThePulpIsFound) {
 TEST_F(Culling, MoreFlippedTrianglesCountMore) {
   const SurfaceMesh sound = ball({{}, 5, 40});
   std::size_t before = 0;
-  for (const std::size_t every : {std::size_t{1000}, std::size_t{100}, std::size_t{10}}) {   // 0.1 %, 1 %, 10 %
+  for (const std::size_t every : {std::size_t{1000}, std::size_t{100}, std::size_t{10}}) {  // 0.1 %, 1 %, 10 %
     SurfaceMesh wrong = sound;
-    for (std::size_t t = every / 2; t < wrong.triangles.size(); t += every) std::swap(wrong.triangles[t][1], wrong.triangles[t][2]);
+    for (std::size_t t = every / 2; t < wrong.triangles.size(); t += every)
+      std::swap(wrong.triangles[t][1], wrong.triangles[t][2]);
     const FaceVerdict verdict = from_everywhere(alone(wrong));
     EXPECT_GT(verdict.unbalanced, 2 * before);
     before = verdict.unbalanced;

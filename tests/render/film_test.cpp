@@ -1,4 +1,7 @@
-// Films of a tour by a program called ffmpeg: a small one that says what it was given stands in for it. The real one is tried by hand.
+// Films of a tour by a program called ffmpeg: a small one that says what it was given stands in for it. The real one is
+// tried by hand.
+
+#include "engine/picture/film.h"
 
 #include <signal.h>
 
@@ -10,7 +13,6 @@
 #include <stop_token>
 #include <thread>
 
-#include "engine/picture/film.h"
 #include "engine/picture/png.h"
 #include "tests/app/program.h"
 #include "tests/render/drawing.h"
@@ -24,7 +26,8 @@ std::string ring(double radius) {
   std::string points;
   for (int i = 0; i < 16; ++i) {
     const double turn = 2 * 3.14159265358979 * i / 16;
-    points += std::string(i == 0 ? "[" : ",[") + std::to_string(radius * std::cos(turn)) + "," + std::to_string(radius * std::sin(turn)) + "]";
+    points += std::string(i == 0 ? "[" : ",[") + std::to_string(radius * std::cos(turn)) + "," +
+              std::to_string(radius * std::sin(turn)) + "]";
   }
   return R"({"structure":"tooth","points":[)" + points + "]}";
 }
@@ -35,7 +38,8 @@ std::string hollow_tooth(const std::function<double(double)>& radius) {
   for (int slice = 0; slice <= 24; ++slice) {
     const double z = 0.5 * slice;
     const double hollow = radius(z);
-    text += std::string(slice == 0 ? "{" : ",{") + "\"z\":" + std::to_string(z) + ",\"contours\":[" + ring(4) + (hollow > 0 ? "," + ring(hollow) : "") + "]}";
+    text += std::string(slice == 0 ? "{" : ",{") + "\"z\":" + std::to_string(z) + ",\"contours\":[" + ring(4) +
+            (hollow > 0 ? "," + ring(hollow) : "") + "]}";
   }
   return text + "]}";
 }
@@ -62,9 +66,12 @@ class Film : public ProgramTest {
   Ending render(std::vector<std::string> options) {
     std::vector<std::string> words = {"render", "tooth.json", "--samples", "1"};
     for (const auto& [option, usual] : {std::pair("--tour", "canal-1"), std::pair("--size", "64x48")})
-      if (std::find(options.begin(), options.end(), option) == options.end()) words.insert(words.end(), {option, usual});
+      if (std::find(options.begin(), options.end(), option) == options.end())
+        words.insert(words.end(), {option, usual});
     words.insert(words.end(), options.begin(), options.end());
-    return run({.arguments = words, .folder = folder.path().string(), .environment = {{"PATH", (folder / "bin").string() + ":/usr/bin:/bin"}}});
+    return run({.arguments = words,
+                .folder = folder.path().string(),
+                .environment = {{"PATH", (folder / "bin").string() + ":/usr/bin:/bin"}}});
   }
   std::size_t files() const { return folder.names().size(); }
 };
@@ -77,11 +84,13 @@ TEST_F(Film, GetsEveryPictureAndIsWrittenWhole) {
   ASSERT_EQ(ending.exit_code, 0) << ending.err;
   EXPECT_TRUE(ending.says("Wrote x.mp4")) << ending.out;
   EXPECT_EQ(bytes_of("x.mp4"), "film of " + std::to_string(7 * picture_bytes) + " bytes\n");
-  for (const char* word : {"-pix_fmt rgba -s 64x48 -r 30 -i pipe:0", "-pix_fmt yuv420p", "-c:v libx264", "-f mp4"}) EXPECT_NE(bytes_of("words").find(word), std::string::npos) << bytes_of("words");
+  for (const char* word : {"-pix_fmt rgba -s 64x48 -r 30 -i pipe:0", "-pix_fmt yuv420p", "-c:v libx264", "-f mp4"})
+    EXPECT_NE(bytes_of("words").find(word), std::string::npos) << bytes_of("words");
   // The pictures are those that a folder gets.
   ASSERT_EQ(render({"--frames", "7", "-o", "frames"}).exit_code, 0);
   const Image third = read_png((folder / "frames/frame-0002.png").string());
-  EXPECT_EQ(bytes_of("pictures").substr(2 * picture_bytes, picture_bytes), std::string(third.rgba.begin(), third.rgba.end()));
+  EXPECT_EQ(bytes_of("pictures").substr(2 * picture_bytes, picture_bytes),
+            std::string(third.rgba.begin(), third.rgba.end()));
   EXPECT_NE(third, read_png((folder / "frames/frame-0000.png").string()));
 }
 
@@ -109,7 +118,9 @@ TEST_F(Film, WithoutFramesHasThirtyASecond) {
 TEST_F(Film, OnAPathWithoutFfmpegIsRefusedAtOnce) {
   given("x.mp4", "old");
   const std::size_t before = files();
-  const Ending ending = run({.arguments = {"render", "tooth.json", "--tour", "canal-1", "-o", "x.mp4"}, .folder = folder.path().string(), .environment = {{"PATH", (folder / "bin").string()}}});
+  const Ending ending = run({.arguments = {"render", "tooth.json", "--tour", "canal-1", "-o", "x.mp4"},
+                             .folder = folder.path().string(),
+                             .environment = {{"PATH", (folder / "bin").string()}}});
   EXPECT_EQ(ending.exit_code, 4);
   EXPECT_TRUE(ending.complains("x.mp4: cannot be made")) << ending.err;
   EXPECT_TRUE(ending.complains("Debian: ffmpeg")) << ending.err;
@@ -122,7 +133,8 @@ TEST_F(Film, FailuresOfFfmpegAreToldAndTouchNothing) {
   given("x.mp4", "old");
   const std::size_t before = files();
   const std::vector<std::pair<std::string, const char*>> failures = {
-      {"cat > /dev/null; echo first >&2; echo Unknown encoder libx264 >&2; exit 3\n", "ended with exit code 3: Unknown encoder libx264"},
+      {"cat > /dev/null; echo first >&2; echo Unknown encoder libx264 >&2; exit 3\n",
+       "ended with exit code 3: Unknown encoder libx264"},
       {"exit 1\n", "ended with exit code 1"},
       {"cat > /dev/null; kill -9 $$\n", "was ended by signal 9"},
       {"exec < /dev/null; exit 0\n", "exit code 0"},
@@ -140,7 +152,7 @@ TEST_F(Film, FailuresOfFfmpegAreToldAndTouchNothing) {
 }
 
 TEST_F(Film, WhenInterruptedKillsFfmpeg) {
-  ffmpeg_is("echo $$ > " + (folder / "pid").string() + "\nexec sleep 100\n");   // takes no picture
+  ffmpeg_is("echo $$ > " + (folder / "pid").string() + "\nexec sleep 100\n");  // takes no picture
   const std::string usual = std::getenv("PATH");
   ::setenv("PATH", ((folder / "bin").string() + ":/usr/bin:/bin").c_str(), 1);
   std::stop_source stop;
@@ -151,8 +163,7 @@ TEST_F(Film, WhenInterruptedKillsFfmpeg) {
   });
   {
     FilmMaker maker((folder / "x.mp4").string(), {1000, 1000});
-    EXPECT_THROW(
-        while (true) maker.add(Image(1000, 1000), progress), Cancelled);
+    EXPECT_THROW(while (true) maker.add(Image(1000, 1000), progress), Cancelled);
   }
   someone.join();
   ::setenv("PATH", usual.c_str(), 1);
@@ -179,7 +190,8 @@ TEST_F(Film, SenselessWordsAreAnswered) {
     EXPECT_TRUE(ending.complains(answer)) << ending.err;
     EXPECT_FALSE(exists(options[1]));
   }
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--reverse"}, {"--contact-sheet", "2x2"}, {"--frames", "2"}}) {
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"--reverse"}, {"--contact-sheet", "2x2"}, {"--frames", "2"}}) {
     std::vector<std::string> all = {"render", "tooth.json", "-o", "x.png"};
     all.insert(all.end(), words.begin(), words.end());
     EXPECT_EQ(odontoscope(all).exit_code, 2) << words[0];
@@ -189,7 +201,7 @@ TEST_F(Film, SenselessWordsAreAnswered) {
 /// What is on a sheet of pictures of 64 x 48, row by row.
 struct Sheet {
   std::vector<Image> pictures, words;
-  int beyond = 0;   // pixels of words beside the pictures that they belong to
+  int beyond = 0;  // pixels of words beside the pictures that they belong to
 };
 
 Sheet read_sheet(const std::string& file, int columns, int rows) {
@@ -222,7 +234,8 @@ Sheet read_sheet(const std::string& file, int columns, int rows) {
 
 void expect_no_two_alike(const std::vector<Image>& pictures) {
   for (std::size_t i = 0; i < pictures.size(); ++i)
-    for (std::size_t before = 0; before < i; ++before) EXPECT_FALSE(pictures[before] == pictures[i]) << before << " and " << i;
+    for (std::size_t before = 0; before < i; ++before)
+      EXPECT_FALSE(pictures[before] == pictures[i]) << before << " and " << i;
 }
 
 TEST_F(Film, AContactSheetHasAllPicturesAndWords) {
@@ -237,7 +250,8 @@ TEST_F(Film, AContactSheetHasAllPicturesAndWords) {
 TEST_F(Film, AContactSheetOfAShortTourHasNoPictureTwice) {
   const std::tuple<const char*, const char*, std::string> voids[] = {
       {"a chamber alone", "horn-1", hollow_tooth([](double z) { return z < 4 || z > 6 ? 0 : 2; })},
-      {"a chamber no wider than its canal's mouth", "canal-1", hollow_tooth([](double z) { return z < 1 || z > 10 ? 0 : 0.3 + 0.12 * z; })}};
+      {"a chamber no wider than its canal's mouth", "canal-1",
+       hollow_tooth([](double z) { return z < 1 || z > 10 ? 0 : 0.3 + 0.12 * z; })}};
   for (const auto& [name, line, tooth] : voids) {
     SCOPED_TRACE(name);
     given("tooth.json", tooth);

@@ -12,9 +12,9 @@ class Frames : public DrawingTest {};
 TEST_F(Frames, HoldNothingOfTheOneBefore) {
   const Model model = make_model({{"core", ball({{}, 2})}, {"mantle", ball({{}, 5})}});
   Scene first = usual_scene(model, 4.0 / 3), second = first;
-  first.camera.field_of_view_deg = 12;                                // fills the picture
-  second.camera.field_of_view_deg = 60;                               // small, and
-  second.camera.target += glm::dvec3(6, 0, 5);                        // in a corner
+  first.camera.field_of_view_deg = 12;          // fills the picture
+  second.camera.field_of_view_deg = 60;         // small, and
+  second.camera.target += glm::dvec3(6, 0, 5);  // in a corner
   for (const bool occluded : {true, false}) {
     first.occlusion.on = second.occlusion.on = occluded;
     context().make_current();
@@ -30,7 +30,8 @@ TEST_F(Frames, HoldNothingOfTheOneBefore) {
 
 // Panes are drawn in step, layer by layer; each must be what it is alone, whichever has the most layers.
 TEST_F(Frames, PanesTogetherAreWhatEachIsAlone) {
-  const Model model = make_model({{"core", ball({{}, 2})}, {"mantle", ball({{}, 5})}, {"far off", ball({{0, 14, 0}, 3})}});
+  const Model model =
+      make_model({{"core", ball({{}, 2})}, {"mantle", ball({{}, 5})}, {"far off", ball({{0, 14, 0}, 3})}});
   Scene scene = usual_scene(model, 1);
   for (Look& look : scene.looks) look.opacity = 0.4f;
   context().make_current();
@@ -40,13 +41,14 @@ TEST_F(Frames, PanesTogetherAreWhatEachIsAlone) {
   std::vector<Framebuffer> pixels;
   std::vector<Pane> panes;
   Scene along = scene, aside = scene, past = scene;
-  along.camera.position = {0, 80, 0};                                  // through everything
+  along.camera.position = {0, 80, 0};  // through everything
   aside.camera.position = {80, 6, 0};
-  past.camera.target += glm::dvec3(0, 0, 500);                         // at nothing
+  past.camera.target += glm::dvec3(0, 0, 500);  // at nothing
   const Scene* seen[] = {&past, &aside, &along, &along};
   for (std::size_t i = 0; i < 4; ++i) {
     pixels.emplace_back(gl(), Framebuffer::Layout{sizes[i], {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
-    panes.push_back({view_of(seen[i]->camera, model, static_cast<double>(sizes[i].width) / sizes[i].height), {pixels[i].id(), 0, 0, sizes[i], true}});
+    panes.push_back({view_of(seen[i]->camera, model, static_cast<double>(sizes[i].width) / sizes[i].height),
+                     {pixels[i].id(), 0, 0, sizes[i], true}});
   }
   for (const bool occluded : {false, true}) {
     scene.occlusion.on = occluded;
@@ -66,12 +68,13 @@ TEST_F(Frames, PanesTogetherAreWhatEachIsAlone) {
 TEST_F(Frames, EndWithoutARim) {
   const Model model = make_model({{"wall", box({-50, -1, -50}, {50, 1, 50})}});
   Scene scene = plain_scene(model, 4);
-  scene.camera.position = {40, 60, 0};   // aslant, so that a wrong normal sees one half of the wall above the other
+  scene.camera.position = {40, 60, 0};  // aslant, so that a wrong normal sees one half of the wall above the other
   for (Look& look : scene.looks) look.opacity = 1;
   const Image unoccluded = draw(model, scene);
   scene.occlusion = {.on = true, .strength = 4, .reach = 0.5f};
   const Image drawn = draw(model, scene);
-  for (std::size_t i = 3; i < drawn.rgba.size(); i += 4) ASSERT_EQ(drawn.rgba[i], 255) << "the wall must fill the picture";
+  for (std::size_t i = 3; i < drawn.rgba.size(); i += 4)
+    ASSERT_EQ(drawn.rgba[i], 255) << "the wall must fill the picture";
   const ImageDifference difference = compare(drawn, unoccluded, {1, 0});
   EXPECT_TRUE(difference.within_tolerance) << difference.pixels << " pixels differ, by up to " << difference.largest;
 }

@@ -37,14 +37,30 @@ const std::vector<GoldenCase>& golden_cases() {
       {"molar-wire", small_molar_surfaces},
       {"molar-contours", small_molar_surfaces, small_molar_overlays},
       {"molar-slab", small_molar_surfaces, small_molar_overlays},
-      {"ring-faulty-edges", [] { return std::vector<NamedSurface>{{"ring", faulty_ring()}}; }},
-      {"ring-faulty-edges-hidden", [] { return std::vector<NamedSurface>{{"ring", faulty_ring()}}; }},
-      {"coarse-ball", [] { return std::vector<NamedSurface>{{"ball", coarse_ball(5)}}; }},
-      {"ring-inside-out", [] { return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}}; }},
-      {"tinted", [] { return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}}; }},
+      {"ring-faulty-edges",
+       [] {
+         return std::vector<NamedSurface>{{"ring", faulty_ring()}};
+       }},
+      {"ring-faulty-edges-hidden",
+       [] {
+         return std::vector<NamedSurface>{{"ring", faulty_ring()}};
+       }},
+      {"coarse-ball",
+       [] {
+         return std::vector<NamedSurface>{{"ball", coarse_ball(5)}};
+       }},
+      {"ring-inside-out",
+       [] {
+         return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}};
+       }},
+      {"tinted",
+       [] {
+         return std::vector<NamedSurface>{{"ring", reversed(ring({}))}, {"ball", coarse_ball(2)}};
+       }},
       {"hollow-ball-section",
        [] {
-         return std::vector<NamedSurface>{{"shell", ball({{}, 5}), "shell"}, {"shell cavity", reversed(ball({{}, 2})), "shell", true}};
+         return std::vector<NamedSurface>{{"shell", ball({{}, 5}), "shell"},
+                                          {"shell cavity", reversed(ball({{}, 2})), "shell", true}};
        }},
   };
   return cases;

@@ -1,9 +1,9 @@
 #pragma once
 // Stored pictures: tests/goldens/NAME.json is the scene, NAME.png what it must look like.
 //
-// A scene file says what differs from the usual scene of the model. To accept new pictures, after looking at them, run the
-// test with ODONTOSCOPE_ACCEPT_GOLDENS=1. A failed comparison leaves NAME.png, NAME-difference.png and NAME.txt in the
-// build's folder tests/render/failed.
+// A scene file says what differs from the usual scene of the model. To accept new pictures, after looking at them, run
+// the test with ODONTOSCOPE_ACCEPT_GOLDENS=1. A failed comparison leaves NAME.png, NAME-difference.png and NAME.txt in
+// the build's folder tests/render/failed.
 
 #include <functional>
 #include <string>
@@ -18,7 +18,7 @@ namespace odontoscope::testing_support {
 struct GoldenCase {
   const char* name;
   std::function<std::vector<NamedSurface>()> surfaces;
-  std::function<OverlaySource()> overlays = {};   // none; faulty edges are found in the surfaces
+  std::function<OverlaySource()> overlays = {};  // none; faulty edges are found in the surfaces
 };
 const std::vector<GoldenCase>& golden_cases();
 

@@ -14,21 +14,23 @@
 namespace odontoscope::testing_support {
 namespace {
 
-constexpr std::uintmax_t most_golden_bytes = 1 << 20;   // of all together
+constexpr std::uintmax_t most_golden_bytes = 1 << 20;  // of all together
 
 class Goldens : public DrawingTest, public ::testing::WithParamInterface<GoldenCase> {};
 
 std::string in_words(const ImageDifference& difference) {
-  return fmt::format("{} pixels ({:.3f} %) differ by more than {}, the most by {}; {:.3f} % may; similarity {:.4f}\n", difference.pixels,
-                     100 * difference.share, golden_tolerance.channel, difference.largest, 100 * golden_tolerance.share,
-                     difference.similarity);
+  return fmt::format("{} pixels ({:.3f} %) differ by more than {}, the most by {}; {:.3f} % may; similarity {:.4f}\n",
+                     difference.pixels, 100 * difference.share, golden_tolerance.channel, difference.largest,
+                     100 * golden_tolerance.share, difference.similarity);
 }
 
-void leave_evidence(const GoldenCase& golden, const Image& drawn, const Image& stored, const ImageDifference& difference) {
+void leave_evidence(const GoldenCase& golden, const Image& drawn, const Image& stored,
+                    const ImageDifference& difference) {
   const std::filesystem::path folder = ODONTOSCOPE_FAILED_PICTURES;
   std::filesystem::create_directories(folder);
   write_png(drawn, (folder / golden.name).string() + ".png");
-  if (difference.same_size) write_png(difference_picture(drawn, stored), (folder / golden.name).string() + "-difference.png");
+  if (difference.same_size)
+    write_png(difference_picture(drawn, stored), (folder / golden.name).string() + "-difference.png");
   std::ofstream((folder / golden.name).string() + ".txt") << in_words(difference);
 }
 
@@ -42,10 +44,13 @@ TEST_P(Goldens, LookTheSame) {
   ASSERT_TRUE(content_of(stored).shows_something());
   const ImageDifference difference = compare(drawn, stored, golden_tolerance);
   if (!difference.within_tolerance) leave_evidence(GetParam(), drawn, stored, difference);
-  EXPECT_TRUE(difference.within_tolerance) << in_words(difference) << "see " << ODONTOSCOPE_FAILED_PICTURES << "/" << GetParam().name << ".png";
+  EXPECT_TRUE(difference.within_tolerance)
+      << in_words(difference) << "see " << ODONTOSCOPE_FAILED_PICTURES << "/" << GetParam().name << ".png";
 }
 
-TEST_P(Goldens, AreDrawnTheSameTwice) { EXPECT_EQ(draw_golden(context(), GetParam()), draw_golden(context(), GetParam())); }
+TEST_P(Goldens, AreDrawnTheSameTwice) {
+  EXPECT_EQ(draw_golden(context(), GetParam()), draw_golden(context(), GetParam()));
+}
 
 std::string test_name(const ::testing::TestParamInfo<GoldenCase>& info) {
   std::string name = info.param.name;

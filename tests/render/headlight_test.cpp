@@ -34,7 +34,7 @@ TEST_F(Headlights, FadeWithDistance) {
   const Model model = corridor();
   const Image image = draw(model, in_corridor(model), {161, 121});
   int before = light(image, 80, 61);
-  for (const int y : {68, 76, 88, 110}) {   // the floor, nearer and nearer
+  for (const int y : {68, 76, 88, 110}) {  // the floor, nearer and nearer
     EXPECT_GT(light(image, 80, y), before) << y;
     before = light(image, 80, y);
   }
@@ -55,7 +55,7 @@ TEST_F(Headlights, ReachFartherIfTheyMay) {
 TEST_F(Headlights, TheNearPlaneIsAsNearAsTheCameraSays) {
   const Model model = corridor();
   Scene scene = in_corridor(model);
-  scene.camera.position = {0.985, 0, 0};   // 0.015 from a wall, along it
+  scene.camera.position = {0.985, 0, 0};  // 0.015 from a wall, along it
   scene.camera.target = {0.985, 1, 0};
   scene.camera.near_mm = 0.004;
   const auto seen_through = [](const Image& image) {

@@ -17,7 +17,9 @@ Image pattern(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      image.set_pixel(x, y, {static_cast<std::uint8_t>(5 * x), static_cast<std::uint8_t>(7 * y), static_cast<std::uint8_t>(x * y), 255});
+      image.set_pixel(
+          x, y,
+          {static_cast<std::uint8_t>(5 * x), static_cast<std::uint8_t>(7 * y), static_cast<std::uint8_t>(x * y), 255});
   return image;
 }
 
@@ -122,7 +124,7 @@ TEST_F(Png, ThatIsNoneIsRefused) {
 
 TEST_F(Png, ThatClaimsAHugeSizeIsRefusedBeforeMemoryIsTaken) {
   std::string bytes = png_bytes(pattern(20, 20));
-  bytes[18] = '\x7f';   // width, big-endian: 0x00007f14
+  bytes[18] = '\x7f';  // width, big-endian: 0x00007f14
   EXPECT_EQ(cause_of(written("huge.png", bytes)), "picture-too-large");
 }
 

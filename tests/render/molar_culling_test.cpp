@@ -1,4 +1,5 @@
-// No back face of a reconstructed molar is seen, from 100 places around it and from 100 within its pulp cavity; and flipped triangles are.
+// No back face of a reconstructed molar is seen, from 100 places around it and from 100 within its pulp cavity; and
+// flipped triangles are.
 
 #include <cmath>
 #include <filesystem>
@@ -22,11 +23,13 @@ constexpr int places = 100;
 constexpr PixelSize size{200, 200};
 /// As in culling_test.cpp, of the pixels of the outline. Within a cavity there is no outline, so there of all pixels.
 constexpr double most_ties = 0.002;
-/// Of the model's radius: cameras keep this far from the walls, so that none is nearer than the near plane (view_of: 0.002 at 80 degrees).
+/// Of the model's radius: cameras keep this far from the walls, so that none is nearer than the near plane (view_of:
+/// 0.002 at 80 degrees).
 constexpr double least_clearance = 0.008;
 
 glm::dvec3 direction_of(int i) {
-  const double height = 1 - (2.0 * i + 1) / places, azimuth = i * std::numbers::pi * (3 - std::sqrt(5.0)), level = std::sqrt(1 - height * height);
+  const double height = 1 - (2.0 * i + 1) / places, azimuth = i * std::numbers::pi * (3 - std::sqrt(5.0)),
+               level = std::sqrt(1 - height * height);
   return {level * std::cos(azimuth), level * std::sin(azimuth), height};
 }
 
@@ -40,25 +43,27 @@ Camera outside(const Model& model, int i) {
   return camera;
 }
 
-/// How often the shells go round the place, by exact predicates alone: nothing if the line from there to `far` touches an edge.
-std::optional<int> times_around(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& shell_of, std::optional<std::uint32_t> shell, const Point3& place,
-                                const Point3& far) {
+/// How often the shells go round the place, by exact predicates alone: nothing if the line from there to `far` touches
+/// an edge.
+std::optional<int> times_around(const SurfaceMesh& mesh, const std::vector<std::uint32_t>& shell_of,
+                                std::optional<std::uint32_t> shell, const Point3& place, const Point3& far) {
   int around = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (shell && shell_of[t] != *shell) continue;
-    const Point3 &a = mesh.points[mesh.triangles[t][0]], &b = mesh.points[mesh.triangles[t][1]], &c = mesh.points[mesh.triangles[t][2]];
+    const Point3 &a = mesh.points[mesh.triangles[t][0]], &b = mesh.points[mesh.triangles[t][1]],
+                 &c = mesh.points[mesh.triangles[t][2]];
     const int u = orientation(place, far, a, b), v = orientation(place, far, b, c), w = orientation(place, far, c, a);
     if (u * v < 0 || v * w < 0 || u * w < 0) continue;
     const int here = orientation(a, b, c, place), there = orientation(a, b, c, far);
     if (here * there > 0) continue;
     if (u == 0 || v == 0 || w == 0 || here == 0 || there == 0) return std::nullopt;
-    around += here < 0 ? 1 : -1;    // leaves through the triangle's outside, or comes in
+    around += here < 0 ? 1 : -1;  // leaves through the triangle's outside, or comes in
   }
   return around;
 }
 
 struct Molar {
-  std::string name, skipped;      // why there is none
+  std::string name, skipped;  // why there is none
   SurfaceMesh surface;
   SurfaceReport report;
 };
@@ -74,7 +79,8 @@ Molar molar_of(const std::string& name, const ContourStack& stack) {
 const Molar& ct_molar() {
   static const Molar molar = [] {
     const std::filesystem::path file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
-    if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file)) return Molar{"CT", "the data set ct_molar is not here", {}, {}};
+    if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file))
+      return Molar{"CT", "the data set ct_molar is not here", {}, {}};
     return molar_of("CT", iso_contours(read_volume(file.string()), {{120, "tooth"}}, {.min_area = 4}).stack);
   }();
   return molar;
@@ -90,7 +96,7 @@ const Molar& the_molar(const std::string& name) { return name == "CT" ? ct_molar
 /// Places in the cavity: halfway between its wall and the wall across, from triangles all over it.
 std::vector<Camera> inside(const Molar& molar, const Model& model) {
   std::uint32_t cavity = 0;
-  while (molar.report.shells[cavity].kind != Shell::Kind::cavity) ++cavity;     // the largest
+  while (molar.report.shells[cavity].kind != Shell::Kind::cavity) ++cavity;  // the largest
   std::vector<std::uint32_t> walls;
   for (std::uint32_t t = 0; t < molar.report.shell_of.size(); ++t)
     if (molar.report.shell_of[t] == cavity) walls.push_back(t);
@@ -101,17 +107,23 @@ std::vector<Camera> inside(const Molar& molar, const Model& model) {
     const std::uint32_t t = walls[k * 7919 % walls.size()];
     glm::dvec3 middle(0);
     for (const PointIndex p : molar.surface.triangles[t])
-      middle += metres_per_mm / 3 * (glm::dvec3(molar.surface.points[p].x, molar.surface.points[p].y, molar.surface.points[p].z) - model.origin_mm);
+      middle += metres_per_mm / 3 *
+                (glm::dvec3(molar.surface.points[p].x, molar.surface.points[p].y, molar.surface.points[p].z) -
+                 model.origin_mm);
     const glm::dvec3 away = tree.normal(0, t);
     if (away == glm::dvec3(0)) continue;
-    const auto across = tree.nearest({middle, away, 1e-9}, [&](const Crossing& crossing) { return crossing.triangle != t; });
+    const auto across =
+        tree.nearest({middle, away, 1e-9}, [&](const Crossing& crossing) { return crossing.triangle != t; });
     if (!across) continue;
     const glm::dvec3 place = middle + 0.5 * across->distance * away;
-    if (tree.nearest_point(place, [](std::uint32_t) { return true; })->distance < least_clearance * metres_per_mm * model.radius_mm) continue;
+    if (tree.nearest_point(place, [](std::uint32_t) { return true; })->distance <
+        least_clearance * metres_per_mm * model.radius_mm)
+      continue;
     Camera camera;
     camera.position = model.origin_mm + place / metres_per_mm;
     camera.target = camera.position + model.radius_mm * direction_of(static_cast<int>(cameras.size()));
-    camera.up = std::abs(direction_of(static_cast<int>(cameras.size())).z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+    camera.up =
+        std::abs(direction_of(static_cast<int>(cameras.size())).z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     camera.field_of_view_deg = 80;
     const Point3 at{camera.position.x, camera.position.y, camera.position.z};
     const Point3 far{at.x + 977.3, at.y + 313.7, at.z + 4091.9};
@@ -179,7 +191,8 @@ TEST_P(MolarCulling, NoBackFaceIsSeenFromInsideThePulpCavity) {
   ASSERT_EQ(cameras.size(), std::size_t(places)) << "places proven to lie in the cavity";
   const FaceVerdict all = seen(model, cameras);
   RecordProperty("ties", std::to_string(all.ties));
-  EXPECT_EQ(all.covered, std::size_t(places) * size.width * size.height) << "a closed room: no line of sight leaves it unmet";
+  EXPECT_EQ(all.covered, std::size_t(places) * size.width * size.height)
+      << "a closed room: no line of sight leaves it unmet";
   EXPECT_EQ(all.unbalanced, 0u);
   EXPECT_EQ(all.back_nearest, all.ties) << "back faces in front that are no ties";
   EXPECT_LE(double(all.ties), most_ties * double(all.covered));
@@ -206,7 +219,8 @@ TEST_P(MolarCulling, FlippedTrianglesAreCountedFromInside) {
   EXPECT_GT(seen(flipped(molar().surface.triangles.size()), cameras, true).unbalanced, 0u) << "one single triangle";
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, MolarCulling, ::testing::Values("CT", "Sample"), [](const auto& each) { return std::string(each.param); });
+INSTANTIATE_TEST_SUITE_P(Of, MolarCulling, ::testing::Values("CT", "Sample"),
+                         [](const auto& each) { return std::string(each.param); });
 
 }  // namespace
 }  // namespace odontoscope::testing_support

@@ -19,7 +19,8 @@ std::pair<std::size_t, std::size_t> nearest_triangle(const std::vector<NamedSurf
     const SurfaceMesh& mesh = surfaces[s].surface;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       glm::dvec3 centre(0);
-      for (const PointIndex p : mesh.triangles[t]) centre += glm::dvec3(mesh.points[p].x, mesh.points[p].y, mesh.points[p].z) / 3.0;
+      for (const PointIndex p : mesh.triangles[t])
+        centre += glm::dvec3(mesh.points[p].x, mesh.points[p].y, mesh.points[p].z) / 3.0;
       const double distance = glm::distance(centre, scene.camera.position);
       if (distance < least) least = distance, nearest = {s, t};
     }
@@ -32,7 +33,9 @@ struct NamedMutation {
   Mutation mutation;
 };
 
-Mutation of_surfaces(std::function<void(std::vector<NamedSurface>&, const Scene&)> change) { return {std::move(change), {}, {}, {}}; }
+Mutation of_surfaces(std::function<void(std::vector<NamedSurface>&, const Scene&)> change) {
+  return {std::move(change), {}, {}, {}};
+}
 Mutation of_model(std::function<void(Model&)> change) { return {{}, std::move(change), {}, {}}; }
 Mutation of_scene(std::function<void(Scene&)> change) { return {{}, {}, std::move(change), {}}; }
 Mutation of_shader(std::string shader, std::string from, std::string to) {
@@ -70,13 +73,15 @@ std::vector<NamedMutation> mutations() {
       {"SectionForgotten", of_scene([](Scene& scene) { scene.section.reset(); })},
       {"CapsForgotten", of_shader("cap_count.frag", "void main() {", "void main() {\n  discard;")},
       {"LightFromTheOtherSide", of_shader("lighting.glsl", "vec3(-0.477, 0.620, 0.623)", "vec3(0.477, 0.620, 0.623)")},
-      {"LayersBackToFront", of_shader("surface.frag", "gl_FragCoord.z <= texelFetch(layer_before", "gl_FragCoord.z < texelFetch(layer_before")},
+      {"LayersBackToFront", of_shader("surface.frag", "gl_FragCoord.z <= texelFetch(layer_before",
+                                      "gl_FragCoord.z < texelFetch(layer_before")},
       {"WiresForgotten", of_scene([](Scene& scene) { scene.wire = false; })},
       {"OverlaysForgotten", of_scene([](Scene& scene) { scene.overlays = {}; })},
       {"LinesSunkIntoTheSurface", of_shader("line.vert", "(1.0 - min(lift", "(1.0 + min(lift")},
       {"HiddenLinesForgotten", of_shader("line.frag", "gl_FragCoord.z <= before ||", "gl_FragCoord.z >= before ||")},
       {"TetrahedraNotShrunk", of_scene([](Scene& scene) { scene.overlays.shrink = 1; })},
-      {"BackgroundUpsideDown", of_scene([](Scene& scene) { std::swap(scene.background.top, scene.background.bottom); })},
+      {"BackgroundUpsideDown",
+       of_scene([](Scene& scene) { std::swap(scene.background.top, scene.background.bottom); })},
   };
 }
 
@@ -86,7 +91,8 @@ TEST_P(Mutants, MakeAGoldenFail) {
   std::vector<std::string> noticed;
   for (const GoldenCase& golden : golden_cases()) {
     const Image drawn = draw_golden(context(), golden, GetParam().mutation);
-    if (!compare(drawn, read_png(golden_file(golden, ".png")), golden_tolerance).within_tolerance) noticed.emplace_back(golden.name);
+    if (!compare(drawn, read_png(golden_file(golden, ".png")), golden_tolerance).within_tolerance)
+      noticed.emplace_back(golden.name);
   }
   std::string names;
   for (const std::string& name : noticed) names += name + " ";
@@ -94,7 +100,8 @@ TEST_P(Mutants, MakeAGoldenFail) {
   EXPECT_FALSE(noticed.empty()) << "no golden noticed " << GetParam().name;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Mutants, ::testing::ValuesIn(mutations()), [](const auto& each) { return std::string(each.param.name); });
+INSTANTIATE_TEST_SUITE_P(Each, Mutants, ::testing::ValuesIn(mutations()),
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace odontoscope::testing_support

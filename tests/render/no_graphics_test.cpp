@@ -1,4 +1,5 @@
-// Machines that cannot draw, made from this one: by libraries in the way that cannot be loaded, by a driver told to be old, by no display.
+// Machines that cannot draw, made from this one: by libraries in the way that cannot be loaded, by a driver told to be
+// old, by no display.
 
 #include "tests/app/program.h"
 #include "tests/render/drawing.h"
@@ -27,7 +28,8 @@ class NoGraphics : public ProgramTest {
   }
   void expect_refused(const Ending& ending, const std::vector<std::string>& words) {
     EXPECT_EQ(ending.exit_code, 5) << ending.err;
-    for (const std::string& part : words) EXPECT_TRUE(ending.complains(part)) << "not in: " << ending.err << "\nwanted: " << part;
+    for (const std::string& part : words)
+      EXPECT_TRUE(ending.complains(part)) << "not in: " << ending.err << "\nwanted: " << part;
     EXPECT_FALSE(exists("x.png"));
   }
 };
@@ -35,9 +37,13 @@ class NoGraphics : public ProgramTest {
 const std::vector<std::string> egl = {"libEGL.so.1", "libEGL.so"};
 const std::vector<std::string> osmesa = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 
-TEST_F(NoGraphics, WithoutEgl) { expect_refused(render("egl", without(egl)), {"[no-egl]", "libEGL.so.1", "Install EGL"}); }
+TEST_F(NoGraphics, WithoutEgl) {
+  expect_refused(render("egl", without(egl)), {"[no-egl]", "libEGL.so.1", "Install EGL"});
+}
 
-TEST_F(NoGraphics, WithoutOSMesa) { expect_refused(render("osmesa", without(osmesa)), {"[no-osmesa]", "libOSMesa.so.8", "Install OSMesa"}); }
+TEST_F(NoGraphics, WithoutOSMesa) {
+  expect_refused(render("osmesa", without(osmesa)), {"[no-osmesa]", "libOSMesa.so.8", "Install OSMesa"});
+}
 
 TEST_F(NoGraphics, WithNothingAtAllAutoTellsWhatEachSaid) {
   std::vector<std::string> both = egl;
@@ -55,18 +61,22 @@ TEST_F(NoGraphics, WithoutEglAutoDrawsByOSMesaAndSaysSo) {
 
 TEST_F(NoGraphics, WithTooOldADriver) {
   if (!try_context(Backend::egl).context) GTEST_SKIP() << "no EGL here";
-  expect_refused(render("egl", {{"MESA_GL_VERSION_OVERRIDE", "3.3"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}), {"[gl-too-old]", "4.1"});
+  expect_refused(render("egl", {{"MESA_GL_VERSION_OVERRIDE", "3.3"}, {"LIBGL_ALWAYS_SOFTWARE", "1"}}),
+                 {"[gl-too-old]", "4.1"});
 }
 
 TEST_F(NoGraphics, WithoutADisplayForAWindow) {
   expect_refused(render("window", {}), {"[no-display]", "DISPLAY"});
-  const Ending view = run({.arguments = {"view", "cube.json"}, .folder = folder.path().string(), .environment = no_display});
+  const Ending view =
+      run({.arguments = {"view", "cube.json"}, .folder = folder.path().string(), .environment = no_display});
   EXPECT_EQ(view.exit_code, 5) << view.err;
   EXPECT_TRUE(view.complains("odontoscope render")) << view.err;
 }
 
 TEST_F(NoGraphics, WithADisplayThatIsNotThere) {
-  const Ending view = run({.arguments = {"view", "cube.json"}, .folder = folder.path().string(), .environment = {{"DISPLAY", ":4711"}, {"WAYLAND_DISPLAY", ""}}});
+  const Ending view = run({.arguments = {"view", "cube.json"},
+                           .folder = folder.path().string(),
+                           .environment = {{"DISPLAY", ":4711"}, {"WAYLAND_DISPLAY", ""}}});
   EXPECT_EQ(view.exit_code, 5) << view.err;
   EXPECT_TRUE(view.complains("[no-display]")) << view.err;
 }

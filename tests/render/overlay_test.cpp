@@ -38,11 +38,14 @@ TEST(Overlay, ContoursAreTheSlicesOrTheSlabsTwo) {
   std::size_t points = 0;
   for (const Slice& slice : source.contours.slices)
     for (const Contour& contour : slice.contours) points += contour.points.size();
-  EXPECT_EQ(lines_in(make_overlay(source, OverlayChoice{.contours = true, .slab = {}}, small_molar()).lines, LineKind::contour), points);
+  EXPECT_EQ(lines_in(make_overlay(source, OverlayChoice{.contours = true, .slab = {}}, small_molar()).lines,
+                     LineKind::contour),
+            points);
   points = 0;
   for (const std::size_t k : {10u, 11u})
     for (const Contour& contour : source.contours.slices[k].contours) points += contour.points.size();
-  EXPECT_EQ(lines_in(make_overlay(source, {.contours = true, .slab = 10}, small_molar()).lines, LineKind::contour), points);
+  EXPECT_EQ(lines_in(make_overlay(source, {.contours = true, .slab = 10}, small_molar()).lines, LineKind::contour),
+            points);
 }
 
 SurfaceMesh mesh_of(const ModelPart& part) {
@@ -91,7 +94,8 @@ TEST(Overlay, ASlabBeyondTheLastIsEmpty) {
 
 class Lines : public DrawingTest {
  protected:
-  /// One line at `y_mm` from the middle of a ball of radius 5, from x = -3 to 3; 5.03 is above its buccal side and still before the near plane.
+  /// One line at `y_mm` from the middle of a ball of radius 5, from x = -3 to 3; 5.03 is above its buccal side and
+  /// still before the near plane.
   Image with_line(double y_mm, LineKind kind, PixelSize size = {160, 120}, double height_mm = 12) {
     const Model model = make_model({{"ball", ball({{}, 5})}});
     const auto at = [&](double x) { return glm::vec3(metres_per_mm * (glm::dvec3(x, y_mm, 0) - model.origin_mm)); };
@@ -141,7 +145,8 @@ TEST_F(Lines, HaveOneWidthHoweverNearOneIs) {
 
 TEST_F(Lines, OnTheSurfaceAreSeenWhole) {
   const Image plain = without_line();
-  // The line pokes out of the ball in its middle and lies within it at its ends, where the ball is 4 mm high: a chord at y = 4.0.
+  // The line pokes out of the ball in its middle and lies within it at its ends, where the ball is 4 mm high: a chord
+  // at y = 4.0.
   const double above = change(with_line(5.03, LineKind::boundary_edge), plain);
   const double within = change(with_line(3.0, LineKind::boundary_edge), plain);
   const double behind = change(with_line(-5.03, LineKind::boundary_edge), plain);
@@ -161,7 +166,8 @@ TEST_F(Lines, EndsThatAreEqualMakeADot) {
   Renderer renderer(gl(), ShaderLibrary{});
   const GpuModel gpu_model = upload(gl(), model);
   const GpuOverlay gpu_overlay = upload(gl(), overlay);
-  const Image drawn = picture_of(gl(), renderer, gpu_model, model, plain_scene(model, 12), {{160, 120}, {3}}, &gpu_overlay);
+  const Image drawn =
+      picture_of(gl(), renderer, gpu_model, model, plain_scene(model, 12), {{160, 120}, {3}}, &gpu_overlay);
   EXPECT_GT(change(drawn, without_line()), 100);
   EXPECT_GT(drawn.pixel(80, 60)[0], 230) << "white";
 }
@@ -175,7 +181,9 @@ TEST_F(Lines, GoWithTheirStructureAndTheSection) {
   Renderer renderer(gl(), ShaderLibrary{});
   const GpuModel gpu_model = upload(gl(), model);
   const GpuOverlay overlay = upload(gl(), make_overlay(source, OverlayChoice{.edges = true, .slab = {}}, model));
-  const auto drawn = [&](const Scene& scene, const GpuOverlay* over) { return picture_of(gl(), renderer, gpu_model, model, scene, {{160, 120}, {1}}, over); };
+  const auto drawn = [&](const Scene& scene, const GpuOverlay* over) {
+    return picture_of(gl(), renderer, gpu_model, model, scene, {{160, 120}, {1}}, over);
+  };
   Scene scene = plain_scene(model, 14);
   EXPECT_NE(drawn(scene, &overlay), drawn(scene, nullptr));
   scene.looks[0].visible = false;

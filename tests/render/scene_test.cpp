@@ -117,8 +117,9 @@ TEST_P(NamedViews, HoldTheWholeModelAndNearlyFillThePicture) {
 TEST_P(NamedViews, HaveNamesThatReadBack) { EXPECT_EQ(view_named(name(GetParam())), GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(Each, NamedViews,
-                         ::testing::Values(NamedView::three_quarter, NamedView::buccal, NamedView::lingual, NamedView::mesial,
-                                           NamedView::distal, NamedView::occlusal, NamedView::apical));
+                         ::testing::Values(NamedView::three_quarter, NamedView::buccal, NamedView::lingual,
+                                           NamedView::mesial, NamedView::distal, NamedView::occlusal,
+                                           NamedView::apical));
 
 TEST(Views, LookFromTheSideThatTheyName) {
   const Model model = make_model({{"box", box({-1, -1, -1}, {1, 1, 1})}});
@@ -158,7 +159,8 @@ TEST(Normals, AreUnitLengthEvenWhereATriangleHasNoArea) {
 
 TEST(Colours, ReadBackAndRefuse) {
   for (const char* text : {"#000000", "#ffffff", "#12ab9f"}) EXPECT_EQ(hex(colour_from_hex(text)), text);
-  for (const char* text : {"", "#", "#12345", "#1234567", "123456", "#12345g", "#-12345"}) EXPECT_THROW(colour_from_hex(text), UsageError) << text;
+  for (const char* text : {"", "#", "#12345", "#1234567", "123456", "#12345g", "#-12345"})
+    EXPECT_THROW(colour_from_hex(text), UsageError) << text;
 }
 
 TEST(UsualScenes, AreTheSameFromAFile) {
@@ -175,9 +177,12 @@ TEST(UsualScenes, ShowWhatIsInside) {
 }
 
 TEST(UsualScenes, ACavityIsFilledByWhatEndsALittleLater) {
-  // Where both end between slices each ends by its own course: of the pulp and the dentine's void a few hundredths of a millimetre lay between.
+  // Where both end between slices each ends by its own course: of the pulp and the dentine's void a few hundredths of a
+  // millimetre lay between.
   for (const double radius : {1.9, 2.04, 2.3}) {
-    const Model model = make_model({{"shell", ball({{0, 0, 0}, 5}), "shell"}, {"shell cavity", reversed(ball({{0, 0, 0}, 2})), "shell", true}, {"core", ball({{0, 0, 0}, radius}), "core"}});
+    const Model model = make_model({{"shell", ball({{0, 0, 0}, 5}), "shell"},
+                                    {"shell cavity", reversed(ball({{0, 0, 0}, 2})), "shell", true},
+                                    {"core", ball({{0, 0, 0}, radius}), "core"}});
     EXPECT_EQ(usual_scene(model, 1).look_of("shell cavity")->as_body, radius > 2.1) << radius;
   }
 }

@@ -1,4 +1,5 @@
-// Pixels that one sees through: none in a closed oriented model, many where triangles are flipped, and those only when culled.
+// Pixels that one sees through: none in a closed oriented model, many where triangles are flipped, and those only when
+// culled.
 
 #include "engine/render/see_through.h"
 
@@ -45,7 +46,8 @@ TEST_F(SeeThroughTest, AMissingModelIsSeenThroughEverywhere) {
   SurfaceMesh speck = coarse_ball(0.01);
   const SeeThrough result = seen(make_model({{"ball", ball({{}, 5})}}), make_model({{"ball", speck}}));
   EXPECT_GT(result.two_sided_share(), 0.99);
-  EXPECT_EQ(seen(make_model({{"ball", ball({{}, 5})}}), make_model({{"ball", reversed(ball({{}, 5}))}})).culled_share(), 1);
+  EXPECT_EQ(seen(make_model({{"ball", ball({{}, 5})}}), make_model({{"ball", reversed(ball({{}, 5}))}})).culled_share(),
+            1);
 }
 
 TEST_F(SeeThroughTest, TheRimIsLeftOut) {
@@ -78,9 +80,11 @@ class ToothSeenThrough : public SeeThroughTest {
 
 TEST_F(ToothSeenThrough, OnlyWhereTrianglesAreNotOrientedAndOnlyWhenCulled) {
   const Model closed = dt();
-  const std::vector<Model> models = {closed, db(CaseTable::consistent), db(CaseTable::classic), db(CaseTable::classic_unoriented)};
+  const std::vector<Model> models = {closed, db(CaseTable::consistent), db(CaseTable::classic),
+                                     db(CaseTable::classic_unoriented)};
   context().make_current();
-  const std::vector<SeeThrough> results = see_through(gl(), {}, closed, models, {.cameras = 50, .side = 140, .rim_mm = rim});
+  const std::vector<SeeThrough> results =
+      see_through(gl(), {}, closed, models, {.cameras = 50, .side = 140, .rim_mm = rim});
   const SeeThrough &of_dt = results[0], &consistent = results[1], &classic = results[2], &unoriented = results[3];
   EXPECT_EQ(of_dt.culled, 0u);
   EXPECT_EQ(of_dt.two_sided, 0u);

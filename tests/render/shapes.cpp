@@ -19,8 +19,8 @@ void add_quad(SurfaceMesh& mesh, PointIndex a, PointIndex b, PointIndex c, Point
   mesh.triangles.push_back({a, c, d});
 }
 
-PointIndex middle(SurfaceMesh& mesh, std::map<std::pair<PointIndex, PointIndex>, PointIndex>& middles, PointIndex a, PointIndex b,
-                  double radius) {
+PointIndex middle(SurfaceMesh& mesh, std::map<std::pair<PointIndex, PointIndex>, PointIndex>& middles, PointIndex a,
+                  PointIndex b, double radius) {
   const auto [found, fresh] = middles.try_emplace(std::minmax(a, b), static_cast<PointIndex>(mesh.points.size()));
   if (!fresh) return found->second;
   const Point3 p = mesh.points[a], q = mesh.points[b];
@@ -37,9 +37,12 @@ SurfaceMesh ball(const Ball& ball) {
   const int around = 2 * ball.rings;
   const auto at = [&](double polar, double azimuth) {
     return Point3{ball.centre.x + ball.radius * std::sin(polar) * std::cos(azimuth),
-                  ball.centre.y + ball.radius * std::sin(polar) * std::sin(azimuth), ball.centre.z + ball.radius * std::cos(polar)};
+                  ball.centre.y + ball.radius * std::sin(polar) * std::sin(azimuth),
+                  ball.centre.z + ball.radius * std::cos(polar)};
   };
-  const auto index = [&](int ring, int step) { return static_cast<PointIndex>(1 + (ring - 1) * around + step % around); };
+  const auto index = [&](int ring, int step) {
+    return static_cast<PointIndex>(1 + (ring - 1) * around + step % around);
+  };
   mesh.points.push_back(at(0, 0));
   for (int ring = 1; ring < ball.rings; ++ring)
     for (int step = 0; step < around; ++step) mesh.points.push_back(at(pi * ring / ball.rings, 2 * pi * step / around));
@@ -62,15 +65,19 @@ SurfaceMesh ring(const Ring& ring) {
       const double distance = ring.radius + ring.tube * std::cos(v);
       mesh.points.push_back({distance * std::cos(u), distance * std::sin(u), ring.tube * std::sin(v)});
     }
-  const auto index = [&](int i, int j) { return static_cast<PointIndex>(i % ring.around * ring.across + j % ring.across); };
+  const auto index = [&](int i, int j) {
+    return static_cast<PointIndex>(i % ring.around * ring.across + j % ring.across);
+  };
   for (int i = 0; i < ring.around; ++i)
-    for (int j = 0; j < ring.across; ++j) add_quad(mesh, index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1));
+    for (int j = 0; j < ring.across; ++j)
+      add_quad(mesh, index(i, j), index(i + 1, j), index(i + 1, j + 1), index(i, j + 1));
   return mesh;
 }
 
 SurfaceMesh box(const Point3& low, const Point3& high) {
   SurfaceMesh mesh;
-  for (unsigned i = 0; i < 8; ++i) mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
+  for (unsigned i = 0; i < 8; ++i)
+    mesh.points.push_back({i & 1u ? high.x : low.x, i & 2u ? high.y : low.y, i & 4u ? high.z : low.z});
   add_quad(mesh, 0, 2, 3, 1);
   add_quad(mesh, 4, 5, 7, 6);
   add_quad(mesh, 0, 1, 5, 4);
@@ -100,7 +107,8 @@ SurfaceMesh coarse_ball(double radius) {
       for (PointIndex k = j + 1; k < 12; ++k) {
         if (!near_edge(i, j) || !near_edge(j, k) || !near_edge(i, k)) continue;
         const Point3 &p = icosahedron.points[i], &q = icosahedron.points[j], &r = icosahedron.points[k];
-        const double turn = p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
+        const double turn =
+            p.x * (q.y * r.z - q.z * r.y) + p.y * (q.z * r.x - q.x * r.z) + p.z * (q.x * r.y - q.y * r.x);
         icosahedron.triangles.push_back(turn > 0 ? Triangle{i, j, k} : Triangle{i, k, j});
       }
   SurfaceMesh mesh{icosahedron.points, {}};
@@ -120,7 +128,8 @@ SurfaceMesh reversed(SurfaceMesh mesh) {
 }
 
 Model hollow_ball_model() {
-  return make_model({{"shell", ball({{0, 0, 0}, 5}), "shell"}, {"shell cavity", reversed(ball({{0, 0, 0}, 2})), "shell", true}});
+  return make_model(
+      {{"shell", ball({{0, 0, 0}, 5}), "shell"}, {"shell cavity", reversed(ball({{0, 0, 0}, 2})), "shell", true}});
 }
 
 namespace {

@@ -10,13 +10,13 @@ namespace odontoscope::testing_support {
 struct Ball {
   Point3 centre;
   double radius = 1;
-  int rings = 24;      // from pole to pole; twice as many around
+  int rings = 24;  // from pole to pole; twice as many around
 };
 SurfaceMesh ball(const Ball& ball);
 
 /// A ring around the z axis.
 struct Ring {
-  double radius = 4;   // of the circle in the middle of the tube
+  double radius = 4;  // of the circle in the middle of the tube
   double tube = 1.5;
   int around = 48, across = 24;
 };
@@ -39,8 +39,8 @@ const Model& small_molar();
 const std::vector<NamedSurface>& small_molar_surfaces();
 const OverlaySource& small_molar_overlays();
 
-/// A ring that lacks a triangle (3 boundary edges), has one the wrong way round (3 misoriented edges), and a fin on one of its edges
-/// (1 non-manifold edge, 2 boundary edges).
+/// A ring that lacks a triangle (3 boundary edges), has one the wrong way round (3 misoriented edges), and a fin on one
+/// of its edges (1 non-manifold edge, 2 boundary edges).
 SurfaceMesh faulty_ring();
 
 }  // namespace odontoscope::testing_support

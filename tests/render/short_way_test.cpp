@@ -10,7 +10,9 @@ namespace {
 class ShortWay : public DrawingTest, public ::testing::WithParamInterface<Background::Kind> {
  protected:
   /// A plane that cuts nothing off, but could.
-  static Section beside(const Model& model) { return {model.bounds_mm.centre() + glm::dvec3(0, 0, 3 * model.radius_mm), {0, 0, 1}}; }
+  static Section beside(const Model& model) {
+    return {model.bounds_mm.centre() + glm::dvec3(0, 0, 3 * model.radius_mm), {0, 0, 1}};
+  }
 
   void expect_alike(const Model& model, Scene scene) {
     const Image finished = draw(model, scene, {200, 150}, 1);
@@ -37,7 +39,8 @@ TEST_P(ShortWay, LooksLikeTheLongWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, ShortWay,
-                         ::testing::Values(Background::Kind::plain, Background::Kind::gradient, Background::Kind::transparent),
+                         ::testing::Values(Background::Kind::plain, Background::Kind::gradient,
+                                           Background::Kind::transparent),
                          [](const auto& each) { return "Background" + std::to_string(static_cast<int>(each.param)); });
 
 class ShortWayPane : public DrawingTest {};
@@ -62,7 +65,8 @@ TEST_F(ShortWayPane, KeepsToItself) {
       for (int x = 0; x < 120; ++x) {
         const bool in_pane = x >= 60 && x < 110 && y < 50;
         const auto expected = in_pane ? alone.pixel(x - 60, y) : std::array<std::uint8_t, 4>{255, 0, 0, 255};
-        for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(drawn.pixel(x, y)[c], expected[c]) << x << " " << y << " " << with_depth;
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_EQ(drawn.pixel(x, y)[c], expected[c]) << x << " " << y << " " << with_depth;
       }
   }
 }

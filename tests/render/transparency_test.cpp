@@ -27,7 +27,7 @@ TEST_F(Transparency, EveryLayerCountsOnce) {
     Scene scene = plain_scene(model, 12);
     for (Look& look : scene.looks) look.opacity = 0.1f;
     EXPECT_NEAR(alpha_through(draw(model, scene, {121, 121})), 255 * (1 - std::pow(0.9, skins)), 1.0) << skins;
-    scene.back_faces = BackFaces::show;   // the far side of each as well
+    scene.back_faces = BackFaces::show;  // the far side of each as well
     if (2 * skins <= most_layers) {
       EXPECT_NEAR(alpha_through(draw(model, scene, {121, 121})), 255 * (1 - std::pow(0.9, 2 * skins)), 1.0) << skins;
     }
@@ -76,7 +76,8 @@ TEST_F(Transparency, ABodyOfACavityIsTheFilledVoid) {
   cavity->opacity = 1;
   EXPECT_TRUE(cavity->as_body) << "nothing fills it";
   const Image body = draw(hollow, scene);
-  Model solid = make_model({{"shell cavity", ball({{}, 2})}, {"shell", ball({{}, 5})}});   // the same box, so the same view
+  Model solid =
+      make_model({{"shell cavity", ball({{}, 2})}, {"shell", ball({{}, 5})}});  // the same box, so the same view
   EXPECT_TRUE(content_of(body).shows_something());
   scene.look_of("shell cavity")->as_body = false;
   EXPECT_TRUE(compare(body, draw(solid, scene), {2, 0.001}).within_tolerance);

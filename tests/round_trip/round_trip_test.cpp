@@ -1,5 +1,5 @@
-// Every format that we both write and read: written, read back and compared, over all named shapes. docs/formats.md ("What is read and written")
-// says what each must keep.
+// Every format that we both write and read: written, read back and compared, over all named shapes. docs/formats.md
+// ("What is read and written") says what each must keep.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,8 @@
 namespace odontoscope {
 namespace {
 
-/// A triangle by the places of its corners, its least corner first: as it is whatever the numbering, and told from its mirror image.
+/// A triangle by the places of its corners, its least corner first: as it is whatever the numbering, and told from its
+/// mirror image.
 using PlacedTriangle = std::array<std::array<double, 3>, 3>;
 using Places = std::multiset<PlacedTriangle>;
 
@@ -60,11 +61,14 @@ std::vector<Point3> as_floats(const std::vector<Point3>& points) {
 /// GLB: floats of metres, read as doubles of millimetres.
 std::vector<Point3> as_floats_of_metres(const std::vector<Point3>& points) {
   std::vector<Point3> stored;
-  for (const FloatPoint& p : distinct_floats(points, 1e-3)) stored.push_back({1000.0 * p[0], 1000.0 * p[1], 1000.0 * p[2]});
+  for (const FloatPoint& p : distinct_floats(points, 1e-3))
+    stored.push_back({1000.0 * p[0], 1000.0 * p[1], 1000.0 * p[2]});
   return stored;
 }
 
-std::string bytes_of(const Reconstruction& model, const std::string& ending) { return model_file(model, "model" + ending).bytes; }
+std::string bytes_of(const Reconstruction& model, const std::string& ending) {
+  return model_file(model, "model" + ending).bytes;
+}
 
 class RoundTrip : public ::testing::TestWithParam<test::NamedStack> {
  protected:
@@ -120,7 +124,8 @@ TEST_P(RoundTrip, GltfIsTheGlbAsText) {
   const std::string glb = bytes_of(model, ".glb");
   std::uint32_t length = 0;
   std::memcpy(&length, glb.data() + 12, 4);
-  nlohmann::json binary = nlohmann::json::parse(glb.substr(20, length)), text = nlohmann::json::parse(bytes_of(model, ".gltf"));
+  nlohmann::json binary = nlohmann::json::parse(glb.substr(20, length)),
+                 text = nlohmann::json::parse(bytes_of(model, ".gltf"));
   const std::string uri = text["buffers"][0]["uri"];
   text["buffers"][0].erase("uri");
   EXPECT_EQ(text, binary);
@@ -144,7 +149,8 @@ TEST_P(RoundTrip, SectionsOfSectionsAreTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, RoundTrip, ::testing::ValuesIn(test::all_shapes()), [](const auto& shape) {
   std::string name = shape.param.name;
-  std::replace_if(name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '.' || c == '-'; }, '_');
   return name;
 });
 

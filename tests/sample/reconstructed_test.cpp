@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "recon/delaunay/reconstruct.h"
-#include "recon/partition/reconstruct_structures.h"
 #include "recon/input/validate.h"
+#include "recon/partition/reconstruct_structures.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::test {

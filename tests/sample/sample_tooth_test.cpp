@@ -2,7 +2,6 @@
 // contours.
 
 #include "recon/sample/sample_tooth.h"
-#include "recon/sample/tooth_number.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/input/validate.h"
+#include "recon/sample/tooth_number.h"
 #include "tests/sample/stack_queries.h"
 
 namespace odontoscope::test {
@@ -43,7 +43,8 @@ TEST_P(SampleTooth, IsDeterministic) { EXPECT_TRUE(same(stack, sample_tooth(GetP
 
 TEST_P(SampleTooth, IsValidWithAnyOptions) {
   EXPECT_NO_THROW(validate(stack));
-  for (const SampleOptions& options : {SampleOptions{0.35, 0.05}, SampleOptions{0.13, 1.0, SampleWalls::apart, false}, SampleOptions{0.13, 1.0, SampleWalls::filled}})
+  for (const SampleOptions& options : {SampleOptions{0.35, 0.05}, SampleOptions{0.13, 1.0, SampleWalls::apart, false},
+                                       SampleOptions{0.13, 1.0, SampleWalls::filled}})
     EXPECT_NO_THROW(validate(sample_tooth(GetParam(), options))) << options.slice_spacing;
 }
 

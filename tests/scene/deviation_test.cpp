@@ -1,11 +1,13 @@
-// Distances from the data's own surface and slopes there, against fields whose answers are known, and against the nearest of all crossings.
+// Distances from the data's own surface and slopes there, against fields whose answers are known, and against the
+// nearest of all crossings.
+
+#include "engine/scene/deviation.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/scene/deviation.h"
 #include "tests/support/random_numbers.h"
 
 namespace odontoscope::test {
@@ -20,7 +22,8 @@ ValueGrid grid_of(Field field) {
   grid.step_mm = {0.3, 0.4, 0.25};
   for (std::size_t k = 0; k < grid.size[2]; ++k)
     for (std::size_t j = 0; j < grid.size[1]; ++j)
-      for (std::size_t i = 0; i < grid.size[0]; ++i) grid.values.push_back(static_cast<float>(field(grid.first_mm + glm::dvec3(i, j, k) * grid.step_mm)));
+      for (std::size_t i = 0; i < grid.size[0]; ++i)
+        grid.values.push_back(static_cast<float>(field(grid.first_mm + glm::dvec3(i, j, k) * grid.step_mm)));
   return grid;
 }
 
@@ -31,10 +34,15 @@ ValueGrid ball() {
 
 /// Lumps with no symmetry, steep and flat.
 ValueGrid lumps() {
-  return grid_of([](const glm::dvec3& p) { return 200 * std::exp(-glm::dot(p, p) / 5) + 90 * std::exp(-glm::dot(p - glm::dvec3(2.1, 1.2, -1.4), p - glm::dvec3(2.1, 1.2, -1.4)) / 1.5) + 3 * std::sin(2 * p.x + p.y); });
+  return grid_of([](const glm::dvec3& p) {
+    return 200 * std::exp(-glm::dot(p, p) / 5) +
+           90 * std::exp(-glm::dot(p - glm::dvec3(2.1, 1.2, -1.4), p - glm::dvec3(2.1, 1.2, -1.4)) / 1.5) +
+           3 * std::sin(2 * p.x + p.y);
+  });
 }
 
-/// The nearest of all places where values cross along the lines of a grid so many times as fine: never nearer than the nearest crossing of all.
+/// The nearest of all places where values cross along the lines of a grid so many times as fine: never nearer than the
+/// nearest crossing of all.
 double nearest_crossing(const ValueGrid& grid, double iso, const glm::dvec3& from, double reach) {
   constexpr double finer = 10;
   const glm::dvec3 step = grid.step_mm / finer;
@@ -84,11 +92,12 @@ TEST(Deviation, FromABallIsTheDistanceOfItsShell) {
   const ValueGrid grid = ball();
   RandomNumbers random(5);
   for (int i = 0; i < 300; ++i) {
-    const glm::dvec3 way = glm::normalize(glm::dvec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)));
+    const glm::dvec3 way =
+        glm::normalize(glm::dvec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)));
     const double radius = random.between(1.4, 3.6);
     const auto found = deviation_at(grid, 100, radius * way, way);
     ASSERT_TRUE(found);
-    EXPECT_NEAR(*found, radius - ball_radius, 0.02);   // between values the ball is a little flatter
+    EXPECT_NEAR(*found, radius - ball_radius, 0.02);  // between values the ball is a little flatter
     EXPECT_NEAR(glm::length(slope_at(grid, radius * way)), 40, 1.5);
   }
 }
@@ -125,9 +134,9 @@ TEST(Deviation, IsMarkedAtPointsAndTheMiddlesOfEdges) {
   const ModelPart& part = model.parts[0];
   EXPECT_EQ(part.indices.size(), 24u);
   ASSERT_EQ(part.deviations.size(), part.positions.size());
-  EXPECT_EQ(part.positions.size(), 9u);   // four corners, four sides and the diagonal
+  EXPECT_EQ(part.positions.size(), 9u);  // four corners, four sides and the diagonal
   for (const glm::vec2& each : part.deviations) {
-    EXPECT_NEAR(each.x, -0.2f, 1e-4f);    // the value is higher there: the data reach beyond
+    EXPECT_NEAR(each.x, -0.2f, 1e-4f);  // the value is higher there: the data reach beyond
     EXPECT_NEAR(each.y, 10.0f, 1e-3f);
   }
   EXPECT_TRUE(model.parts[1].deviations.empty());

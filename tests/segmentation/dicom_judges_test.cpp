@@ -1,7 +1,9 @@
-// Programs that nobody here wrote judge the DICOM files and label maps that we write: dicom3tools' dciodvfy (is every attribute there that the standard asks for?),
-// pydicom (what do they say?), DCMTK and GDCM (can they be read?). Each also sees a file that is wrong.
+// Programs that nobody here wrote judge the DICOM files and label maps that we write: dicom3tools' dciodvfy (is every
+// attribute there that the standard asks for?), pydicom (what do they say?), DCMTK and GDCM (can they be read?). Each
+// also sees a file that is wrong.
 
 #include <gtest/gtest.h>
+
 #include <fstream>
 
 #include "recon/segmentation/rasterise.h"
@@ -23,7 +25,9 @@ using testing_support::Said;
 class DicomJudge : public ::testing::Test {
  protected:
   void need(const std::string& command) {
-    if (run(command).exit_code != 0) GTEST_SKIP() << command << " does not run; third_party/test_packages.debian lists what is needed under \"judges\"";
+    if (run(command).exit_code != 0)
+      GTEST_SKIP() << command
+                   << " does not run; third_party/test_packages.debian lists what is needed under \"judges\"";
   }
   std::string put(const std::string& name, const std::string& bytes) const {
     std::ofstream(folder / name, std::ios::binary) << bytes;
@@ -90,8 +94,12 @@ TEST_F(Dciodvfy, FindsNoFaultInSegmentations) {
 
 TEST_F(Dciodvfy, FindsWhatIsMissing) {
   // Identifications of regions under a tag that is none, and a segmentation of a kind that there is none of.
-  EXPECT_NE(errors_in(with(rtstruct_bytes(made::tooth(), {}), std::string("\x06\x30\x80\x00", 4), std::string("\x06\x30\x82\x70", 4))), "");
-  EXPECT_NE(errors_in(with(seg_bytes(rasterised(made::tooth(), grid_of_slices(made::tooth(), 0.2, 0.2)), {}), "BINARY", "BINERY")), "");
+  EXPECT_NE(errors_in(with(rtstruct_bytes(made::tooth(), {}), std::string("\x06\x30\x80\x00", 4),
+                           std::string("\x06\x30\x82\x70", 4))),
+            "");
+  EXPECT_NE(errors_in(with(seg_bytes(rasterised(made::tooth(), grid_of_slices(made::tooth(), 0.2, 0.2)), {}), "BINARY",
+                           "BINERY")),
+            "");
 }
 
 class Pydicom : public DicomJudge {
@@ -136,7 +144,7 @@ TEST_F(Pydicom, MeasuresTheSameAreas) {
   }
   EXPECT_EQ(told(areas_script, rtstruct_bytes(tooth, {})), wanted);
   ContourStack other = tooth;
-  other.slices[1].contours.pop_back();   // a canal of the pulp
+  other.slices[1].contours.pop_back();  // a canal of the pulp
   EXPECT_NE(told(areas_script, rtstruct_bytes(other, {})), wanted);
 }
 
@@ -175,7 +183,7 @@ print(count)
 
 TEST_F(Pydicom, FindsThePatientTheStudyAndTheImageOfEachSlice) {
   read_series();
-  EXPECT_EQ(told(references_script, rtstruct_bytes(stack, image.patient)), "4\n");   // an outline with a keyhole each
+  EXPECT_EQ(told(references_script, rtstruct_bytes(stack, image.patient)), "4\n");  // an outline with a keyhole each
   EXPECT_EQ(told(references_script, seg_bytes(rasterised(stack, grid_of(image)), image.patient)), "4\n");
   // Seen from the next image, the contours would lie on the wrong one.
   put("judge.py", references_script);
@@ -202,7 +210,8 @@ for number, segment in names.items():
 TEST_F(Pydicom, CountsTheSameVoxels) {
   const Segmentation voxels = rasterised(made::tooth(), grid_of_slices(made::tooth(), 0.2, 0.23));
   const std::string said = told(voxels_script, seg_bytes(voxels, {}));
-  for (const Segment& segment : voxels.segments) EXPECT_NE(said.find(segment.name + " " + std::to_string(segment.voxels.count()) + " 99ODONTO"), said.npos) << said;
+  for (const Segment& segment : voxels.segments)
+    EXPECT_NE(said.find(segment.name + " " + std::to_string(segment.voxels.count()) + " 99ODONTO"), said.npos) << said;
 }
 
 TEST_F(DicomJudge, DcmtkReadsAll) {
@@ -255,7 +264,8 @@ TEST_F(Pydicom, NumpyFindsSegmentsWithinTheirExtents) {
   put("judge.py", nrrd_script);
   put("judged.nrrd", label_map_bytes(voxels, {}));
   std::string wanted;
-  for (const Segment& segment : voxels.segments) wanted += segment.name + " " + std::to_string(segment.voxels.count()) + "\n";
+  for (const Segment& segment : voxels.segments)
+    wanted += segment.name + " " + std::to_string(segment.voxels.count()) + "\n";
   EXPECT_EQ(said_by("/usr/bin/python3 judge.py"), wanted);
 }
 

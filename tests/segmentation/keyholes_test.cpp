@@ -1,11 +1,12 @@
 // Holes drawn in one line with their outlines, and taken out again.
 
+#include "recon/segmentation/keyholes.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "recon/exchange/unbridge.h"
-#include "recon/segmentation/keyholes.h"
 #include "tests/segmentation/made.h"
 
 namespace odontoscope {
@@ -36,11 +37,13 @@ Ring rolled(Ring ring) {
 
 std::vector<Ring> sorted(std::vector<Ring> rings) {
   for (Ring& ring : rings) ring = rolled(std::move(ring));
-  std::sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return std::pair(a[0].x, a[0].y) < std::pair(b[0].x, b[0].y); });
+  std::sort(rings.begin(), rings.end(),
+            [](const Ring& a, const Ring& b) { return std::pair(a[0].x, a[0].y) < std::pair(b[0].x, b[0].y); });
   return rings;
 }
 
-/// Edges of all lines that cross another, or have a point of another in their middle: bridges that run where they may not.
+/// Edges of all lines that cross another, or have a point of another in their middle: bridges that run where they may
+/// not.
 int crossings(const std::vector<Ring>& lines) {
   std::vector<std::pair<Point2, Point2>> edges;
   for (const Ring& line : lines)
@@ -68,7 +71,7 @@ void expect_same_again(const std::vector<Ring>& rings, std::size_t lines_wanted)
   EXPECT_EQ(lines.size(), lines_wanted);
   EXPECT_NEAR(area_of(lines), area_of(rings), 1e-9);
   EXPECT_EQ(crossings(lines), 0);
-  EXPECT_EQ(sorted(parted(lines)), sorted(rings));   // to the bit
+  EXPECT_EQ(sorted(parted(lines)), sorted(rings));  // to the bit
 }
 
 TEST(Keyholes, WithoutHolesNothingChanges) {
@@ -88,7 +91,9 @@ TEST(Keyholes, AHoleGoesInAndOutAgain) {
 TEST(Keyholes, OfASieveAllGoInAndOutAgain) { expect_same_again(made::sieve(9, 7), 1); }
 
 TEST(Keyholes, IslandsInHolesAreLinesOfTheirOwn) {
-  expect_same_again({polygon(40, 9), reversed(polygon(30, 7)), polygon(20, 5), reversed(polygon(10, 1, {2, 0})), reversed(polygon(10, 1, {-2, 0}))}, 2);
+  expect_same_again({polygon(40, 9), reversed(polygon(30, 7)), polygon(20, 5), reversed(polygon(10, 1, {2, 0})),
+                     reversed(polygon(10, 1, {-2, 0}))},
+                    2);
 }
 
 TEST(Keyholes, BehindASpikeAnotherPointIsTaken) {
@@ -114,7 +119,9 @@ TEST(Keyholes, SpursVanish) {
 }
 
 TEST(Keyholes, ABridgeThatIsOffByABitIsNone) {
-  const Ring line{{0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 4}, {2, 6}, {6, 6}, {6, 2}, {2, 2}, {2, std::nextafter(4.0, 5.0)}, {0, 4}};
+  const Ring line{
+      {0, 0}, {8, 0}, {8, 8}, {0, 8}, {0, 4}, {2, 4}, {2, 6}, {6, 6}, {6, 2}, {2, 2}, {2, std::nextafter(4.0, 5.0)},
+      {0, 4}};
   EXPECT_EQ(without_bridges(line), std::vector<Ring>{line});
 }
 

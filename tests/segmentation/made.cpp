@@ -28,12 +28,14 @@ ContourStack tooth() {
   stack.source = "tooth.json";
   for (const double z : {0.5, 1.0, 1.5}) {
     Slice slice{z, {}};
-    const auto add = [&](const std::string& structure, Ring ring) { slice.contours.push_back({structure, std::move(ring)}); };
+    const auto add = [&](const std::string& structure, Ring ring) {
+      slice.contours.push_back({structure, std::move(ring)});
+    };
     add("enamel", polygon(60, 6));
     add("enamel", reversed(polygon(50, 4.5)));
-    add("enamel", polygon(12, 0.3, {0.05, 0.02}));   // an island
-    add("dentine", polygon(50, 4.5));                // along the enamel's hole
-    add("dentine", reversed(polygon(12, 0.3, {0.05, 0.02})));   // and around its island
+    add("enamel", polygon(12, 0.3, {0.05, 0.02}));             // an island
+    add("dentine", polygon(50, 4.5));                          // along the enamel's hole
+    add("dentine", reversed(polygon(12, 0.3, {0.05, 0.02})));  // and around its island
     add("dentine", reversed(polygon(20, 1, {-2, 0.5 * z})));
     add("dentine", reversed(polygon(24, 1.2, {2, -0.3})));
     add("pulp", polygon(20, 1, {-2, 0.5 * z}));
@@ -46,7 +48,8 @@ ContourStack tooth() {
 std::vector<Ring> sieve(int columns, int rows) {
   std::vector<Ring> rings{{{-1, -1}, {columns * 2.0, -1}, {columns * 2.0, rows * 2.0}, {-1, rows * 2.0}}};
   for (int c = 0; c < columns; ++c)
-    for (int r = 0; r < rows; ++r) rings.push_back(reversed(polygon(4 + (c + r) % 5, 0.6, {2.0 * c, 2.0 * r}, 0.3 * r)));
+    for (int r = 0; r < rows; ++r)
+      rings.push_back(reversed(polygon(4 + (c + r) % 5, 0.6, {2.0 * c, 2.0 * r}, 0.3 * r)));
   return rings;
 }
 
@@ -93,16 +96,19 @@ void Series::write(const std::filesystem::path& folder) const {
     slice.rows = 10;
     slice.columns = 12;
     slice.orientation = orientation;
-    slice.position = orientation == "1\\0\\0\\0\\1\\0" ? fmt::format("-3\\4\\{}", 20 + k) : fmt::format("-3\\{}\\{}", 4 - 0.6 * k, 20 + 0.8 * k);
-    slice.spacing = "0.25\\0.5";   // between rows first
+    slice.position = orientation == "1\\0\\0\\0\\1\\0" ? fmt::format("-3\\4\\{}", 20 + k)
+                                                       : fmt::format("-3\\{}\\{}", 4 - 0.6 * k, 20 + 0.8 * k);
+    slice.spacing = "0.25\\0.5";  // between rows first
     slice.series = "1.2.3.4";
     slice.instance = fmt::format("1.2.3.4.{}", k + 1);
     slice.pixels.assign(120, 0);
     for (int j = 2; j < 8; ++j)
-      for (int i = 3; i < 9; ++i) slice.pixels[static_cast<std::size_t>(12 * j + i)] = i == 5 && j == 4 ? 0 : 100;   // with a canal
+      for (int i = 3; i < 9; ++i)
+        slice.pixels[static_cast<std::size_t>(12 * j + i)] = i == 5 && j == 4 ? 0 : 100;  // with a canal
     if (!character_set.empty()) slice.more += dicom_element(8, 5, "CS", character_set);
-    slice.more += dicom_element(8, 0x20, "DA", "20200131") + dicom_element(8, 0x50, "SH", "A1") + dicom_element(0x10, 0x10, "PN", patient) +
-                  dicom_element(0x10, 0x20, "LO", "0815") + dicom_element(0x10, 0x40, "CS", "F") + dicom_element(0x20, 0x52, "UI", "1.2.3.99");
+    slice.more += dicom_element(8, 0x20, "DA", "20200131") + dicom_element(8, 0x50, "SH", "A1") +
+                  dicom_element(0x10, 0x10, "PN", patient) + dicom_element(0x10, 0x20, "LO", "0815") +
+                  dicom_element(0x10, 0x40, "CS", "F") + dicom_element(0x20, 0x52, "UI", "1.2.3.99");
     std::ofstream(folder / fmt::format("{}.dcm", k + 1), std::ios::binary) << slice.bytes();
   }
 }

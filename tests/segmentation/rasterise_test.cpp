@@ -1,5 +1,7 @@
 // Voxels are what their centres say, to the last tie.
 
+#include "recon/segmentation/rasterise.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +11,6 @@
 #include "recon/core/limits.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/mesh/tetra_report.h"
-#include "recon/segmentation/rasterise.h"
 #include "tests/segmentation/made.h"
 
 namespace odontoscope {
@@ -35,7 +36,8 @@ std::vector<std::string> rows(const Segmentation& voxels, std::size_t segment = 
   std::vector<std::string> text;
   for (std::size_t j = 0; j < voxels.grid.size[1]; ++j) {
     text.emplace_back();
-    for (std::size_t i = 0; i < voxels.grid.size[0]; ++i) text.back() += voxels.segments[segment].voxels.at(i, j, k) ? '#' : '.';
+    for (std::size_t i = 0; i < voxels.grid.size[0]; ++i)
+      text.back() += voxels.segments[segment].voxels.at(i, j, k) ? '#' : '.';
   }
   return text;
 }
@@ -48,7 +50,8 @@ TEST(Voxels, OnABorderBelongToWhatLiesBeyondAlongXAndY) {
 TEST(Voxels, OnASharedBorderBelongToExactlyOne) {
   // Four pieces of a square that meet in a centre, along slanted and upright borders through centres.
   const Point2 m{2, 3}, a{0, 0}, b{5, 0}, c{5, 5}, d{0, 5};
-  const Segmentation voxels = rasterised(two_slices({{"a", {a, b, m}}, {"b", {b, c, m}}, {"c", {c, d, m}}, {"d", {d, a, m}}}), unit_grid);
+  const Segmentation voxels =
+      rasterised(two_slices({{"a", {a, b, m}}, {"b", {b, c, m}}, {"c", {c, d, m}}, {"d", {d, a, m}}}), unit_grid);
   for (std::size_t j = 0; j < 5; ++j)
     for (std::size_t i = 0; i < 5; ++i) {
       int owners = 0;
@@ -58,7 +61,9 @@ TEST(Voxels, OnASharedBorderBelongToExactlyOne) {
 }
 
 TEST(Voxels, OfHolesAreNotTaken) {
-  const Segmentation voxels = rasterised(two_slices({{"tooth", {{-0.5, -0.5}, {5.5, -0.5}, {5.5, 5.5}, {-0.5, 5.5}}}, {"tooth", {{1.5, 1.5}, {1.5, 3.5}, {3.5, 3.5}, {3.5, 1.5}}}}), unit_grid);
+  const Segmentation voxels = rasterised(two_slices({{"tooth", {{-0.5, -0.5}, {5.5, -0.5}, {5.5, 5.5}, {-0.5, 5.5}}},
+                                                     {"tooth", {{1.5, 1.5}, {1.5, 3.5}, {3.5, 3.5}, {3.5, 1.5}}}}),
+                                         unit_grid);
   EXPECT_EQ(rows(voxels)[2], "##..##");
   EXPECT_EQ(voxels.segments[0].voxels.count(), 2u * (36 - 4));
 }
@@ -75,7 +80,8 @@ TEST(Voxels, AgreeWithAnAngleCountInGeneralPosition) {
     const VoxelGrid grid{{70, 61, 2}, {0.31, 0.29, 1}, {-10 + at(random), -9 + at(random), 0}};
     const Segmentation voxels = rasterised(two_slices({{"tooth", star}}), grid);
     for (std::size_t j = 0; j < grid.size[1]; ++j)
-      for (std::size_t i = 0; i < grid.size[0]; ++i) ASSERT_EQ(voxels.segments[0].voxels.at(i, j, 0), made::covers({star}, {grid.x(i), grid.y(j)})) << i << ' ' << j;
+      for (std::size_t i = 0; i < grid.size[0]; ++i)
+        ASSERT_EQ(voxels.segments[0].voxels.at(i, j, 0), made::covers({star}, {grid.x(i), grid.y(j)})) << i << ' ' << j;
   }
 }
 
@@ -87,18 +93,22 @@ TEST(Voxels, ContoursBeyondTheGridAreCutOff) {
 
 SurfaceMesh cube(double low, double high) {
   SurfaceMesh mesh;
-  for (int n = 0; n < 8; ++n) mesh.points.push_back({(n & 1) != 0 ? high : low, (n & 2) != 0 ? high : low, (n & 4) != 0 ? high : low});
-  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  for (int n = 0; n < 8; ++n)
+    mesh.points.push_back({(n & 1) != 0 ? high : low, (n & 2) != 0 ? high : low, (n & 4) != 0 ? high : low});
+  mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                    {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
 }
 
 TEST(SolidVoxels, OnWallsBelongToWhatLiesBeyond) {
-  const SurfaceMesh mesh = cube(1, 3);   // every wall, edge and corner through centres
+  const SurfaceMesh mesh = cube(1, 3);  // every wall, edge and corner through centres
   const VoxelGrid grid{{5, 5, 5}, {1, 1, 1}, {0, 0, 0}};
   const Segmentation voxels = rasterised({{"cube", &mesh}}, grid);
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t j = 0; j < 5; ++j)
-      for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(voxels.segments[0].voxels.at(i, j, k), i >= 1 && i < 3 && j >= 1 && j < 3 && k >= 1 && k < 3) << i << j << k;
+      for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_EQ(voxels.segments[0].voxels.at(i, j, k), i >= 1 && i < 3 && j >= 1 && j < 3 && k >= 1 && k < 3)
+            << i << j << k;
 }
 
 TEST(SolidVoxels, BetweenSlicesAreThoseOfTheTetrahedra) {
@@ -115,10 +125,13 @@ TEST(SolidVoxels, BetweenSlicesAreThoseOfTheTetrahedra) {
     for (const Tetrahedron& t : mesh.tetrahedra) {
       const Point3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]], &d = mesh.points[t[3]];
       const auto volume = [](const Point3& p, const Point3& q, const Point3& r, const Point3& u) {
-        const double x1 = q.x - p.x, y1 = q.y - p.y, z1 = q.z - p.z, x2 = r.x - p.x, y2 = r.y - p.y, z2 = r.z - p.z, x3 = u.x - p.x, y3 = u.y - p.y, z3 = u.z - p.z;
+        const double x1 = q.x - p.x, y1 = q.y - p.y, z1 = q.z - p.z, x2 = r.x - p.x, y2 = r.y - p.y, z2 = r.z - p.z,
+                     x3 = u.x - p.x, y3 = u.y - p.y, z3 = u.z - p.z;
         return x1 * (y2 * z3 - z2 * y3) - y1 * (x2 * z3 - z2 * x3) + z1 * (x2 * y3 - y2 * x3);
       };
-      const auto first = [](double low, double origin, double step) { return static_cast<std::size_t>(std::max(0.0, std::floor((low - origin) / step))); };
+      const auto first = [](double low, double origin, double step) {
+        return static_cast<std::size_t>(std::max(0.0, std::floor((low - origin) / step)));
+      };
       const auto [lx, hx] = std::minmax({a.x, b.x, c.x, d.x});
       const auto [ly, hy] = std::minmax({a.y, b.y, c.y, d.y});
       const auto [lz, hz] = std::minmax({a.z, b.z, c.z, d.z});
@@ -126,7 +139,9 @@ TEST(SolidVoxels, BetweenSlicesAreThoseOfTheTetrahedra) {
         for (std::size_t j = first(ly, grid.origin.y, 0.2); j < grid.size[1] && grid.y(j) <= hy; ++j)
           for (std::size_t i = first(lx, grid.origin.x, 0.2); i < grid.size[0] && grid.x(i) <= hx; ++i) {
             const Point3 p{grid.x(i), grid.y(j), grid.z(k)};
-            if (volume(p, b, c, d) >= 0 && volume(a, p, c, d) >= 0 && volume(a, b, p, d) >= 0 && volume(a, b, c, p) >= 0) inside[(k * grid.size[1] + j) * grid.size[0] + i] = true;
+            if (volume(p, b, c, d) >= 0 && volume(a, p, c, d) >= 0 && volume(a, b, p, d) >= 0 &&
+                volume(a, b, c, p) >= 0)
+              inside[(k * grid.size[1] + j) * grid.size[0] + i] = true;
           }
     }
     std::size_t count = 0, differ = 0;

@@ -23,7 +23,8 @@ std::vector<Contour> normalised(const Slice& slice) {
   std::vector<Contour> contours = slice.contours;
   for (Contour& contour : contours) {
     if (made::signed_area(contour.points) < 0) std::reverse(contour.points.begin(), contour.points.end());
-    std::rotate(contour.points.begin(), std::min_element(contour.points.begin(), contour.points.end(), less), contour.points.end());
+    std::rotate(contour.points.begin(), std::min_element(contour.points.begin(), contour.points.end(), less),
+                contour.points.end());
   }
   std::sort(contours.begin(), contours.end(), [&](const Contour& a, const Contour& b) {
     return a.structure != b.structure ? a.structure < b.structure : less(a.points.front(), b.points.front());
@@ -51,22 +52,23 @@ void expect_same(const ContourStack& read, const ContourStack& written, double t
 TEST(WrittenRtstruct, GivesTheSameContoursBack) {
   const ContourStack stack = made::tooth();
   const FileContours read = parse_rtstruct(rtstruct_bytes(stack, {}), "a.dcm");
-  EXPECT_NO_THROW(validate(read.stack));   // keyholes were parted
+  EXPECT_NO_THROW(validate(read.stack));  // keyholes were parted
   expect_same(read.stack, stack, 1e-12);
   EXPECT_EQ(structures_of(read.stack), structures_of(stack));
   for (std::size_t s = 0; s < 3; ++s)
-    for (const std::string name : {"enamel", "dentine", "pulp"}) EXPECT_NEAR(made::area(read.stack.slices[s], name), made::area(stack.slices[s], name), 1e-9);
+    for (const std::string name : {"enamel", "dentine", "pulp"})
+      EXPECT_NEAR(made::area(read.stack.slices[s], name), made::area(stack.slices[s], name), 1e-9);
 }
 
 TEST(WrittenRtstruct, HasTheSameBytesEachTime) {
   EXPECT_EQ(rtstruct_bytes(made::tooth(), {}), rtstruct_bytes(made::tooth(), {}));
   ContourStack other = made::tooth();
   other.slices[0].contours[0].points[0].x += 1e-6;
-  EXPECT_NE(rtstruct_bytes(other, {}).substr(0, 600), rtstruct_bytes(made::tooth(), {}).substr(0, 600));   // identifiers
+  EXPECT_NE(rtstruct_bytes(other, {}).substr(0, 600), rtstruct_bytes(made::tooth(), {}).substr(0, 600));  // identifiers
 }
 
 TEST(WrittenRtstruct, HoldsContoursOfAnyLength) {
-  ContourStack stack = made::tooth();   // 16 bits of length end at some thousand points
+  ContourStack stack = made::tooth();  // 16 bits of length end at some thousand points
   for (Slice& slice : stack.slices) slice.contours[0].points = made::polygon(20'000, 6);
   expect_same(parse_rtstruct(rtstruct_bytes(stack, {}), "a.dcm").stack, stack, 1e-12);
 }
@@ -77,7 +79,7 @@ TEST(WrittenRtstruct, KeepsNamesInUtf8) {
   const FileContours read = parse_rtstruct(rtstruct_bytes(stack, {}), "a.dcm");
   EXPECT_EQ(structures_of(read.stack).back(), "Zahnhöhle 歯");
   std::string longer;
-  for (int n = 0; n < 66; ++n) longer += "é";   // 66 characters, two more than a name may have
+  for (int n = 0; n < 66; ++n) longer += "é";  // 66 characters, two more than a name may have
   for (Slice& slice : stack.slices) slice.contours.back().structure = longer;
   EXPECT_EQ(structures_of(parse_rtstruct(rtstruct_bytes(stack, {}), "a.dcm").stack).back(), longer.substr(0, 128));
 }
@@ -117,7 +119,7 @@ TEST(WrittenRtstruct, RefersToTheSeries) {
 TEST(WrittenRtstruct, OfATiltedSeriesLiesWhereThePatientDoes) {
   const TemporaryFolder folder;
   made::Series series;
-  series.orientation = "1\\0\\0\\0\\0.8\\0.6";   // rows turned by 36.87 degrees about x
+  series.orientation = "1\\0\\0\\0\\0.8\\0.6";  // rows turned by 36.87 degrees about x
   series.write(folder.path());
   const Volume volume = read_volume(folder.path().string());
   EXPECT_NEAR(volume.tilt_degrees, 36.87, 0.01);
@@ -133,7 +135,8 @@ TEST(WrittenRtstruct, OfATiltedSeriesLiesWhereThePatientDoes) {
   for (const Contour& contour : read.stack.slices[0].contours) {
     for (const Point2& p : contour.points) {
       const Point3 at = read.patient.frame.in_patient({p.x, p.y, read.stack.slices[0].z});
-      nearest = std::min(nearest, std::hypot(at.x - (-3 + 2.5 * 0.5), at.y - (4 + 2 * 0.25 * 0.8), at.z - (20 + 2 * 0.25 * 0.6)));
+      nearest = std::min(
+          nearest, std::hypot(at.x - (-3 + 2.5 * 0.5), at.y - (4 + 2 * 0.25 * 0.8), at.z - (20 + 2 * 0.25 * 0.6)));
     }
   }
   EXPECT_LT(nearest, 1e-6);

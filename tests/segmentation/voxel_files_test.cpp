@@ -46,7 +46,7 @@ TEST(WrittenLabelMap, ComesBackVoxelByVoxelWithItsNames) {
   const TemporaryFolder folder;
   const ContourStack stack = made::tooth();
   const Segmentation voxels = rasterised(stack, grid_of_slices(stack, 0.2, 0.25));
-  EXPECT_EQ(overlapping_voxels(voxels), 0u);   // enamel and dentine share a border
+  EXPECT_EQ(overlapping_voxels(voxels), 0u);  // enamel and dentine share a border
   const Volume read = read_back(folder, label_map_bytes(voxels, {}));
   ASSERT_EQ(read.size, voxels.grid.size);
   EXPECT_EQ(read.origin, voxels.grid.origin);
@@ -60,7 +60,8 @@ TEST(WrittenLabelMap, ComesBackVoxelByVoxelWithItsNames) {
   for (std::size_t k = 0; k < read.size[2]; ++k)
     for (std::size_t j = 0; j < read.size[1]; ++j)
       for (std::size_t i = 0; i < read.size[0]; ++i, ++at)
-        for (std::size_t s = 0; s < 3; ++s) differ += voxels.segments[s].voxels.at(i, j, k) != (read.values[at] == static_cast<float>(s + 1));
+        for (std::size_t s = 0; s < 3; ++s)
+          differ += voxels.segments[s].voxels.at(i, j, k) != (read.values[at] == static_cast<float>(s + 1));
   EXPECT_EQ(differ, 0u);
 }
 
@@ -93,7 +94,8 @@ TEST(WrittenLabelMap, OfAnImageIsItsThreshold) {
   std::size_t at = 0, differ = 0;
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t j = 0; j < 19; ++j)
-      for (std::size_t i = 0; i < 23; ++i) differ += voxels.segments[0].voxels.at(i, j, k) != (image.values[at++] >= 20);
+      for (std::size_t i = 0; i < 23; ++i)
+        differ += voxels.segments[0].voxels.at(i, j, k) != (image.values[at++] >= 20);
   EXPECT_EQ(differ, 0u);
 }
 
@@ -123,7 +125,8 @@ TEST(WrittenLabelMap, GivesOverlapsToTheLast) {
   EXPECT_GT(overlapping_voxels(voxels), 100u);
   const TemporaryFolder folder;
   const Volume read = read_back(folder, label_map_bytes(voxels, {}));
-  EXPECT_EQ(static_cast<std::size_t>(std::count(read.values.begin(), read.values.end(), 4.0f)), voxels.segments[3].voxels.count());
+  EXPECT_EQ(static_cast<std::size_t>(std::count(read.values.begin(), read.values.end(), 4.0f)),
+            voxels.segments[3].voxels.count());
 }
 
 TEST(WrittenLabelMap, OfManySegmentsIsWider) {
@@ -151,7 +154,8 @@ TEST(WrittenSeg, HoldsAFrameForEachSegmentAndSlice) {
   EXPECT_FALSE(file.trouble.has_value());
   EXPECT_EQ(file.data.number(dicom::frames), 9.0);
   EXPECT_EQ(file.data.number(dicom::columns), static_cast<double>(voxels.grid.size[0]));
-  EXPECT_EQ(file.pixels.length, (9 * voxels.grid.size[0] * voxels.grid.size[1] + 7) / 8 + ((9 * voxels.grid.size[0] * voxels.grid.size[1] + 7) / 8) % 2);
+  EXPECT_EQ(file.pixels.length, (9 * voxels.grid.size[0] * voxels.grid.size[1] + 7) / 8 +
+                                    ((9 * voxels.grid.size[0] * voxels.grid.size[1] + 7) / 8) % 2);
   EXPECT_EQ(file.data.find(dicom::frame_groups)->items.size(), 9u);
   // The bits themselves, frame by frame.
   std::size_t bit = 0, differ = 0;
@@ -173,7 +177,8 @@ std::size_t differing(const Segmentation& voxels, const Volume& read) {
     std::size_t at = 0;
     for (std::size_t k = 0; k < read.size[2]; ++k)
       for (std::size_t j = 0; j < read.size[1]; ++j)
-        for (std::size_t i = 0; i < read.size[0]; ++i, ++at) differ += voxels.segments[s].voxels.at(i, j, k) != is_label(read.values[at]);
+        for (std::size_t i = 0; i < read.size[0]; ++i, ++at)
+          differ += voxels.segments[s].voxels.at(i, j, k) != is_label(read.values[at]);
   }
   return differ;
 }
@@ -219,9 +224,12 @@ TEST(WrittenSeg, ComesBackTurnedAndWithoutItsEmptySlices) {
         const float value = read.slice(k)[j * 5 + i];
         if (value == 0) continue;
         ++set;
-        EXPECT_TRUE(voxels.segments[static_cast<std::size_t>(value) - 1].voxels.at(i, j, k + 1)) << i << " " << j << " " << k;
-        const Point3 here{read.origin.x + double(i) * read.spacing[0], read.origin.y + double(j) * read.spacing[1], read.origin.z + double(k) * read.spacing[2]};
-        const Point3 a = read.patient.frame.in_patient(here), b = origin.frame.in_patient({voxels.grid.x(i), voxels.grid.y(j), voxels.grid.z(k + 1)});
+        EXPECT_TRUE(voxels.segments[static_cast<std::size_t>(value) - 1].voxels.at(i, j, k + 1))
+            << i << " " << j << " " << k;
+        const Point3 here{read.origin.x + double(i) * read.spacing[0], read.origin.y + double(j) * read.spacing[1],
+                          read.origin.z + double(k) * read.spacing[2]};
+        const Point3 a = read.patient.frame.in_patient(here),
+                     b = origin.frame.in_patient({voxels.grid.x(i), voxels.grid.y(j), voxels.grid.z(k + 1)});
         EXPECT_NEAR(std::hypot(a.x - b.x, a.y - b.y, a.z - b.z), 0, 1e-9);
       }
   EXPECT_EQ(set, 4u);

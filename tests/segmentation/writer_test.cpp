@@ -7,8 +7,8 @@
 #include <random>
 
 #include "recon/core/error.h"
-#include "recon/segmentation/dicom_common.h"
 #include "recon/segmentation/derived_uid.h"
+#include "recon/segmentation/dicom_common.h"
 #include "recon/segmentation/dicom_writer.h"
 
 namespace odontoscope {
@@ -24,9 +24,10 @@ std::string hex(const std::array<std::uint8_t, 20>& digest) {
 }
 
 TEST(DerivedUids, AreOfSha1) {
-  EXPECT_EQ(hex(sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");   // FIPS 180's own examples
+  EXPECT_EQ(hex(sha1("abc")), "a9993e364706816aba3e25717850c26c9cd0d89d");  // FIPS 180's own examples
   EXPECT_EQ(hex(sha1("")), "da39a3ee5e6b4b0d3255bfef95601890afd80709");
-  EXPECT_EQ(hex(sha1("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq")), "84983e441c3bd26ebaae4aa1f95129e5e54670f1");
+  EXPECT_EQ(hex(sha1("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq")),
+            "84983e441c3bd26ebaae4aa1f95129e5e54670f1");
   EXPECT_EQ(hex(sha1(std::string(1'000'000, 'a'))), "34aa973cd4c4daa4f61eeb2bdbad27316534016f");
 }
 

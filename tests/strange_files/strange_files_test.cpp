@@ -1,4 +1,5 @@
-// Strange stacks as files: a stack of each kind is read, reconstructed and written by the program, which must end as the library does.
+// Strange stacks as files: a stack of each kind is read, reconstructed and written by the program, which must end as
+// the library does.
 
 #include <sstream>
 
@@ -23,7 +24,8 @@ class StrangeFiles : public ProgramTest {
   /// Empty, or the cause for which the library refuses.
   static std::string refusal_of(const test::StrangeStack& strange, const Asked& asked) {
     try {
-      reconstruct(strange.stack, {.correspondence = asked.correspondence, .between = asked.between, .links = strange.links});
+      reconstruct(strange.stack,
+                  {.correspondence = asked.correspondence, .between = asked.between, .links = strange.links});
       return {};
     } catch (const InputError& refusal) {
       return refusal.cause();
@@ -32,8 +34,16 @@ class StrangeFiles : public ProgramTest {
 
   Ending program_on(const test::StrangeStack& strange, const Asked& asked, const std::string& output) {
     given("in.json", test::to_text(strange.stack));
-    std::vector<std::string> words{"reconstruct", "in.json", "-o", output, "--report", "report.json", "--correspondence", name(asked.correspondence),
-                                   "--between", asked.between == Between::blended ? "blended" : "delaunay"};
+    std::vector<std::string> words{"reconstruct",
+                                   "in.json",
+                                   "-o",
+                                   output,
+                                   "--report",
+                                   "report.json",
+                                   "--correspondence",
+                                   name(asked.correspondence),
+                                   "--between",
+                                   asked.between == Between::blended ? "blended" : "delaunay"};
     if (!strange.links.empty()) {
       given("links.json", test::to_text(strange.links));
       words.insert(words.end(), {"--links", "links.json"});
@@ -48,7 +58,9 @@ class StrangeFiles : public ProgramTest {
     const std::string output = formats[seed % std::size(formats)], refusal = refusal_of(strange, asked);
     const Ending ending = program_on(strange, asked, output);
     std::ostringstream what;
-    what << "seed " << seed << ", " << strange.kind << ", exit " << ending.exit_code << ", signal " << ending.signal << "\n" << ending.err;
+    what << "seed " << seed << ", " << strange.kind << ", exit " << ending.exit_code << ", signal " << ending.signal
+         << "\n"
+         << ending.err;
     EXPECT_EQ(ending.exit_code, refusal.empty() ? 0 : 3) << what.str();
     EXPECT_EQ(exists(output), refusal.empty()) << what.str();
     EXPECT_EQ(exists("report.json"), refusal.empty()) << what.str();

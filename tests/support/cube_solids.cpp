@@ -14,7 +14,8 @@ bool filled(const Picture& picture, long x, long y) {
          picture[std::size_t(y)][std::size_t(x)] == '#';
 }
 
-/// The six tetrahedra round the cube's long diagonal, one for each order of the axes; neighbours agree on their common face.
+/// The six tetrahedra round the cube's long diagonal, one for each order of the axes; neighbours agree on their common
+/// face.
 std::array<std::array<Corner, 4>, 6> tetrahedra_of(Corner low) {
   std::array<std::array<Corner, 4>, 6> result;
   std::array<std::size_t, 3> axes{0, 1, 2};
@@ -58,7 +59,7 @@ Outlines::Outlines(const Picture& picture) {
     long x, y;
     auto operator<=>(const Step&) const = default;
   };
-  std::map<Step, Step> next;   // along the outlines, material on the left
+  std::map<Step, Step> next;  // along the outlines, material on the left
   for (long y = 0; y < long(picture.size()); ++y)
     for (long x = 0; x < long(picture[std::size_t(y)].size()); ++x) {
       if (!filled(picture, x, y)) continue;
@@ -122,13 +123,14 @@ std::vector<std::vector<std::size_t>> pieces_of(const Picture& picture, std::siz
       if (y >= picture.size() || x >= picture[y].size() || number[y][x] != unknown || picture[y][x] != kind) continue;
       number[y][x] = with;
       for (const auto& [dx, dy] : {std::array<int, 2>{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
-        open.push_back({x + std::size_t(dx), y + std::size_t(dy)});   // below 0 wraps to far beyond the picture
+        open.push_back({x + std::size_t(dx), y + std::size_t(dy)});  // below 0 wraps to far beyond the picture
     }
   };
   // Piece 0 is the void along the picture's rim, all of it, whether or not material parts it.
   for (std::size_t y = 0; y < picture.size(); ++y)
     for (std::size_t x = 0; x < picture[y].size(); ++x)
-      if ((x == 0 || y == 0 || x + 1 == picture[y].size() || y + 1 == picture.size()) && picture[y][x] != '#') flood(x, y, 0);
+      if ((x == 0 || y == 0 || x + 1 == picture[y].size() || y + 1 == picture.size()) && picture[y][x] != '#')
+        flood(x, y, 0);
   count = 1;
   for (std::size_t y = 0; y < picture.size(); ++y)
     for (std::size_t x = 0; x < picture[y].size(); ++x)
@@ -139,7 +141,8 @@ std::vector<std::vector<std::size_t>> pieces_of(const Picture& picture, std::siz
 bool has_plain_corners(const Picture& picture) {
   for (long y = -1; y < long(picture.size()); ++y)
     for (long x = -1; x < long(picture[0].size()); ++x) {
-      const bool a = filled(picture, x, y), b = filled(picture, x + 1, y), c = filled(picture, x, y + 1), d = filled(picture, x + 1, y + 1);
+      const bool a = filled(picture, x, y), b = filled(picture, x + 1, y), c = filled(picture, x, y + 1),
+                 d = filled(picture, x + 1, y + 1);
       if (a == d && b == c && a != b) return false;
     }
   return true;

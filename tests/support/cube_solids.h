@@ -1,5 +1,6 @@
 #pragma once
-// Solids of unit cubes with their contours, made by hand or at random: for tests of the oracle, whose truth is counted on pictures.
+// Solids of unit cubes with their contours, made by hand or at random: for tests of the oracle, whose truth is counted
+// on pictures.
 
 #include <optional>
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace odontoscope::test {
 
-/// Rows of a picture, '#' for material; the first row has y = 0. Cells of one kind that meet only across a corner are not allowed.
+/// Rows of a picture, '#' for material; the first row has y = 0. Cells of one kind that meet only across a corner are
+/// not allowed.
 using Picture = std::vector<std::string>;
 
 /// Each cell one cube of six tetrahedra, layer by layer from z = 0; surface and report are left empty.
@@ -32,7 +34,8 @@ class Outlines {
 /// The slices of a solid of cubes: the picture of the layer above each height (below the last).
 ContourStack stack_of_cubes(const std::vector<Picture>& layers, const std::vector<std::size_t>& heights);
 
-/// Cells of one kind that are joined across edges: for each cell the number of its piece, material and void counted alike; `count` of them.
+/// Cells of one kind that are joined across edges: for each cell the number of its piece, material and void counted
+/// alike; `count` of them.
 std::vector<std::vector<std::size_t>> pieces_of(const Picture& picture, std::size_t& count);
 
 /// No 2 x 2 cells with material, or void, across a corner alone.

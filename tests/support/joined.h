@@ -20,7 +20,8 @@ class Joined {
   std::vector<std::size_t> classes(std::size_t& count) const {
     std::map<std::size_t, std::size_t> number;
     std::vector<std::size_t> result;
-    for (std::size_t i = 0; i < parent_.size(); ++i) result.push_back(number.emplace(find(i), number.size()).first->second);
+    for (std::size_t i = 0; i < parent_.size(); ++i)
+      result.push_back(number.emplace(find(i), number.size()).first->second);
     count = number.size();
     return result;
   }

@@ -33,7 +33,7 @@ void judge_report(const Solid& solid, const Verdict& verdict, Faults& faults) {
 
 struct Region {
   std::size_t slice, contour;
-  std::size_t component;   // of the solid
+  std::size_t component;  // of the solid
 };
 
 std::vector<Region> regions_of(const Solid& solid, const Verdict& verdict, const ContourStack& sorted) {
@@ -75,8 +75,10 @@ void judge_links(const Solid& solid, const Verdict& verdict, const std::vector<M
     if (made.link.structure != solid.structure) continue;
     const std::size_t a = number(made.link.slice, made.link.lower), b = number(made.link.slice + 1, made.link.upper);
     if (!made.link.connect) faults.add("a link that was made says connect: false");
-    if (a == regions.size() || b == regions.size()) faults.add("a link names what is no region");
-    else joined.join(a, b);
+    if (a == regions.size() || b == regions.size())
+      faults.add("a link names what is no region");
+    else
+      joined.join(a, b);
   }
   for (std::size_t i = 0; i < regions.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -167,7 +169,7 @@ std::vector<std::string> faults_of(const Reconstruction& result, const ContourSt
   std::sort(sorted.slices.begin(), sorted.slices.end(), [](const Slice& a, const Slice& b) { return a.z < b.z; });
   std::vector<std::string> all;
   std::set<std::string> wanted, made;
-  bool sound = true;   // else nothing can be said about topology
+  bool sound = true;  // else nothing can be said about topology
   for (const Slice& slice : stack.slices)
     for (const Contour& contour : slice.contours) wanted.insert(contour.structure);
   for (const Solid& solid : result.solids) {

@@ -23,8 +23,8 @@ std::string at_height(const JudgedSlice& slice) { return "z = " + std::to_string
 /// What the solid has in a slice's plane.
 struct Section {
   std::set<PointIndex> points;
-  std::set<std::array<PointIndex, 2>> edges;   // smaller index first
-  std::set<Triangle> triangles;                // counter-clockwise from +z, smallest index first
+  std::set<std::array<PointIndex, 2>> edges;  // smaller index first
+  std::set<Triangle> triangles;               // counter-clockwise from +z, smallest index first
 };
 
 Section section_of(const TetraMesh& mesh, double z) {
@@ -85,7 +85,8 @@ bool further(Point2 a, Point2 b, Point2 q, Point2 p) {
   return (Exact(b.x) - a.x) * (Exact(p.x) - q.x) + (Exact(b.y) - a.y) * (Exact(p.y) - q.y) > 0;
 }
 
-/// Follows the outline from the ring's first point right round and takes it out of `next`. Empty if it strays from the ring.
+/// Follows the outline from the ring's first point right round and takes it out of `next`. Empty if it strays from the
+/// ring.
 Ring follow(const Ring& ring, const TetraMesh& mesh, const std::map<std::pair<double, double>, PointIndex>& point_at,
             std::map<PointIndex, PointIndex>& next) {
   double largest = 0;

@@ -34,8 +34,8 @@ Triangle from_smallest(Triangle t) {
 /// The triangles opposite one vertex in its tetrahedra.
 using LinkComplex = std::vector<Triangle>;
 
-/// One triangulated disc or sphere: every edge in one or two triangles, the triangles round each vertex one arc or one circle,
-/// connected, Euler characteristic 1 with a boundary or 2 without.
+/// One triangulated disc or sphere: every edge in one or two triangles, the triangles round each vertex one arc or one
+/// circle, connected, Euler characteristic 1 with a boundary or 2 without.
 std::string what_is_wrong(const LinkComplex& link) {
   std::map<std::array<PointIndex, 2>, std::vector<std::size_t>> at_edge;
   std::map<PointIndex, std::size_t> vertices;

@@ -74,31 +74,37 @@ std::vector<std::size_t> shells_by_edges(const std::vector<Triangle>& triangles,
   return shell;
 }
 
-/// How a ray from `eye` to `far` passes the triangle: 1 out through it, -1 in, 0 beside it; none if it meets an edge, a corner, or lies in its plane.
-std::optional<int> passes(const ExactPoint& eye, const ExactPoint& far, const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+/// How a ray from `eye` to `far` passes the triangle: 1 out through it, -1 in, 0 beside it; none if it meets an edge, a
+/// corner, or lies in its plane.
+std::optional<int> passes(const ExactPoint& eye, const ExactPoint& far, const ExactPoint& a, const ExactPoint& b,
+                          const ExactPoint& c) {
   const auto sign = [](const Exact& value) { return value > 0 ? 1 : value < 0 ? -1 : 0; };
   const int here = sign(six_volumes(a, b, c, eye)), there = sign(six_volumes(a, b, c, far));
   if (here != 0 && here == there) return 0;
-  const int sides[] = {sign(six_volumes(far, a, b, eye)), sign(six_volumes(far, b, c, eye)), sign(six_volumes(far, c, a, eye))};
-  const bool left = std::count(std::begin(sides), std::end(sides), 1) > 0, right = std::count(std::begin(sides), std::end(sides), -1) > 0;
+  const int sides[] = {sign(six_volumes(far, a, b, eye)), sign(six_volumes(far, b, c, eye)),
+                       sign(six_volumes(far, c, a, eye))};
+  const bool left = std::count(std::begin(sides), std::end(sides), 1) > 0,
+             right = std::count(std::begin(sides), std::end(sides), -1) > 0;
   if (left && right) return 0;
   if (here == 0 || there == 0 || std::count(std::begin(sides), std::end(sides), 0) > 0) return std::nullopt;
   return here;
 }
 
-/// How often the other shells wind round a point of this one: outside of all of them 0, in the material of one 1. Exact: what a ray to far away passes;
-/// doubles only say what lies clearly beside it.
-long winding_of_others(const std::vector<ExactPoint>& points, const TetraMesh& mesh, const std::vector<Triangle>& triangles,
-                       const std::vector<std::size_t>& shell, std::size_t of) {
+/// How often the other shells wind round a point of this one: outside of all of them 0, in the material of one 1.
+/// Exact: what a ray to far away passes; doubles only say what lies clearly beside it.
+long winding_of_others(const std::vector<ExactPoint>& points, const TetraMesh& mesh,
+                       const std::vector<Triangle>& triangles, const std::vector<std::size_t>& shell, std::size_t of) {
   const std::size_t first = std::size_t(std::find(shell.begin(), shell.end(), of) - shell.begin());
   const PointIndex at = triangles[first][0];
   const Point3 eye = mesh.points[at];
   double reach = 0;
-  for (const Point3& p : mesh.points) reach = std::max({reach, std::abs(p.x - eye.x), std::abs(p.y - eye.y), std::abs(p.z - eye.z)});
-  for (double lean = 0.1234567; lean < 1; lean *= 1.0371) {   // until nothing is met at an edge
+  for (const Point3& p : mesh.points)
+    reach = std::max({reach, std::abs(p.x - eye.x), std::abs(p.y - eye.y), std::abs(p.z - eye.z)});
+  for (double lean = 0.1234567; lean < 1; lean *= 1.0371) {  // until nothing is met at an edge
     const double across = 0.7310585 * lean;
     const Exact beyond = 4 * Exact(reach);
-    const ExactPoint far{points[at][0] + Exact(lean) * beyond, points[at][1] + Exact(across) * beyond, points[at][2] + beyond};
+    const ExactPoint far{points[at][0] + Exact(lean) * beyond, points[at][1] + Exact(across) * beyond,
+                         points[at][2] + beyond};
     const auto beside = [&](PointIndex v) {
       const Point3& p = mesh.points[v];
       return std::array{(p.x - eye.x) - lean * (p.z - eye.z), (p.y - eye.y) - across * (p.z - eye.z)};
@@ -181,7 +187,7 @@ bool judge_manifold(const std::vector<Triangle>& triangles, Faults& faults) {
       if (!walked.insert(v).second) continue;
       std::size_t steps = 0;
       PointIndex spoke = start[(i + 1) % 3];
-      do {   // across the edge v-spoke into the next triangle round v
+      do {  // across the edge v-spoke into the next triangle round v
         const Triangle& t = triangles[at.at({spoke, v})];
         const std::size_t j = std::size_t(std::find(t.begin(), t.end(), v) - t.begin());
         spoke = t[(j + 1) % 3];
@@ -246,7 +252,8 @@ void judge_volume(const TetraMesh& mesh, const std::vector<Triangle>& triangles,
   const ExactPoint origin{Exact(0), Exact(0), Exact(0)};
   Exact of_tetrahedra = 0, of_surface = 0;
   // Positive: d on the side from which abc is counter-clockwise, so seen from d as apex the sign turns.
-  for (const auto& [a, b, c, d] : mesh.tetrahedra) of_tetrahedra -= six_volumes(points[a], points[b], points[c], points[d]);
+  for (const auto& [a, b, c, d] : mesh.tetrahedra)
+    of_tetrahedra -= six_volumes(points[a], points[b], points[c], points[d]);
   for (const auto& [a, b, c] : triangles) of_surface += six_volumes(points[a], points[b], points[c], origin);
   if (of_tetrahedra != of_surface) faults.add("the tetrahedra's volume is not what the surface encloses");
 }

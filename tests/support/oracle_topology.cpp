@@ -16,18 +16,19 @@ namespace {
 constexpr std::size_t none = std::size_t(-1);
 
 std::string in_words(const SlabCount& count) {
-  return std::to_string(count.pieces) + " pieces, " + std::to_string(count.handles) + " handles, " + std::to_string(count.bubbles) + " bubbles";
+  return std::to_string(count.pieces) + " pieces, " + std::to_string(count.handles) + " handles, " +
+         std::to_string(count.bubbles) + " bubbles";
 }
 
 /// A contour of one of the slab's two slices.
 struct Border {
   bool upper = false;
-  std::size_t number = 0;        // in its slice's list
+  std::size_t number = 0;  // in its slice's list
   std::vector<Point2> ring;
   bool hole = false;
-  std::size_t parent = none;     // the contour just round it, among the slab's
-  std::size_t region = none;     // the outer contour of the region that it bounds
-  bool present = false;          // its region is linked, or carries a plate in this slab
+  std::size_t parent = none;  // the contour just round it, among the slab's
+  std::size_t region = none;  // the outer contour of the region that it bounds
+  bool present = false;       // its region is linked, or carries a plate in this slab
 };
 
 void nest(std::vector<Border>& borders) {
@@ -59,7 +60,7 @@ std::vector<Border> borders_of(const ContourStack& sorted, const std::string& st
 /// Judges one slab of one structure.
 class SlabJudge {
  public:
-  using Edge = std::pair<std::size_t, std::size_t>;   // of a lower and an upper region
+  using Edge = std::pair<std::size_t, std::size_t>;  // of a lower and an upper region
 
   SlabJudge(const SlabCells& cells, const ContourStack& sorted, const std::string& structure, std::size_t slab)
       : cells_(cells), borders_(borders_of(sorted, structure, slab)) {
@@ -79,8 +80,10 @@ class SlabJudge {
     judge_hollows(void_links);
     result_.unlinked_hole = some_unlinked_hole();
     result_.expected.handles = loops + present_holes() - hollows_;
-    if (result_.found.handles > result_.expected.handles) fault("has a handle too many", result_.found.handles - result_.expected.handles);
-    if (result_.found.handles < result_.expected.handles) fault("lacks a handle", result_.expected.handles - result_.found.handles);
+    if (result_.found.handles > result_.expected.handles)
+      fault("has a handle too many", result_.found.handles - result_.expected.handles);
+    if (result_.found.handles < result_.expected.handles)
+      fault("lacks a handle", result_.expected.handles - result_.found.handles);
     if (result_.found.bubbles != 0) fault("has a bubble", result_.found.bubbles);
     return result_;
   }
@@ -92,7 +95,8 @@ class SlabJudge {
 
   std::string words(std::size_t border) const {
     if (border == outside_) return "the outside";
-    return std::string(borders_[border].upper ? "upper" : "lower") + " contour " + std::to_string(borders_[border].number);
+    return std::string(borders_[border].upper ? "upper" : "lower") + " contour " +
+           std::to_string(borders_[border].number);
   }
 
   std::size_t border_number(bool upper, std::size_t number) const {
@@ -118,7 +122,8 @@ class SlabJudge {
     }
   }
 
-  /// The links as pairs of regions, which count as present whatever carries them: overhangs may have been trimmed in part or in whole.
+  /// The links as pairs of regions, which count as present whatever carries them: overhangs may have been trimmed in
+  /// part or in whole.
   std::set<Edge> edges_of(const std::vector<Link>& links) {
     std::set<Edge> edges;
     for (const Link& link : links) {
@@ -140,7 +145,7 @@ class SlabJudge {
   long judge_pieces(const std::set<Edge>& edges) {
     Joined joined(borders_.size());
     for (const auto& [a, b] : edges) joined.join(a, b);
-    std::map<std::size_t, std::set<std::size_t>> parts_on, pieces_of;   // by piece; by part of the graph
+    std::map<std::size_t, std::set<std::size_t>> parts_on, pieces_of;  // by piece; by part of the graph
     long regions = 0;
     for (std::size_t r = 0; r < borders_.size(); ++r) {
       if (borders_[r].hole || !borders_[r].present) continue;
@@ -153,9 +158,11 @@ class SlabJudge {
       }
     }
     for (const auto& [piece, parts] : parts_on)
-      if (parts.size() > 1) fault("joins what no link joins, " + words(*parts.begin()) + " and " + words(*parts.rbegin()));
+      if (parts.size() > 1)
+        fault("joins what no link joins, " + words(*parts.begin()) + " and " + words(*parts.rbegin()));
     for (const auto& [part, pieces] : pieces_of)
-      if (pieces.size() > 1) fault("is in " + std::to_string(pieces.size()) + " pieces where links join one, that of " + words(part));
+      if (pieces.size() > 1)
+        fault("is in " + std::to_string(pieces.size()) + " pieces where links join one, that of " + words(part));
     if (parts_on.size() < cells_.pieces) fault("has a piece that holds no region");
     result_.expected.pieces = long(pieces_of.size());
     return long(edges.size()) - regions + long(pieces_of.size());
@@ -165,7 +172,8 @@ class SlabJudge {
     return std::count_if(borders_.begin(), borders_.end(), [](const Border& b) { return b.hole && b.present; });
   }
 
-  /// The void region within (of a hole) or round (of an outer contour) a border: a hole of a region that is there, or the outside.
+  /// The void region within (of a hole) or round (of an outer contour) a border: a hole of a region that is there, or
+  /// the outside.
   std::size_t void_beside(std::size_t border) const {
     std::size_t at = borders_[border].hole ? border : borders_[border].parent;
     while (at != none && !(borders_[at].hole && borders_[at].present)) at = borders_[at].parent;
@@ -180,7 +188,8 @@ class SlabJudge {
   }
 
   bool some_unlinked_hole() const {
-    return std::any_of(borders_.begin(), borders_.end(), [&](const Border& b) { return b.hole && b.present && linked_.count(b.region) == 0; });
+    return std::any_of(borders_.begin(), borders_.end(),
+                       [&](const Border& b) { return b.hole && b.present && linked_.count(b.region) == 0; });
   }
 
   Joined found_hollows() {
@@ -205,7 +214,8 @@ class SlabJudge {
         std::array<std::size_t, 2> ends{outside_, outside_};
         for (bool upper : {false, true})
           if (const auto& number = upper ? link.upper : link.lower) ends[upper] = border_number(upper, *number);
-        if (std::any_of(ends.begin(), ends.end(), [&](std::size_t e) { return e == none || (e != outside_ && !borders_[e].hole); })) {
+        if (std::any_of(ends.begin(), ends.end(),
+                        [&](std::size_t e) { return e == none || (e != outside_ && !borders_[e].hole); })) {
           fault("has a void link that names no hole");
           continue;
         }
@@ -232,8 +242,8 @@ class SlabJudge {
   const SlabCells& cells_;
   std::vector<Border> borders_;
   std::map<SlabCells::Place, std::size_t> border_at_;
-  std::map<std::size_t, std::set<std::size_t>> pieces_on_;   // by region
-  std::set<std::size_t> linked_;   // regions
+  std::map<std::size_t, std::set<std::size_t>> pieces_on_;  // by region
+  std::set<std::size_t> linked_;                            // regions
   std::size_t outside_ = 0;
   long hollows_ = 0;
   JudgedSlab result_;
@@ -242,7 +252,7 @@ class SlabJudge {
 }  // namespace
 
 std::vector<JudgedSlab> slab_topology(const Solid& solid, const ContourStack& stack, const std::vector<Link>& links,
-                                        const std::optional<std::vector<VoidLink>>& void_links) {
+                                      const std::optional<std::vector<VoidLink>>& void_links) {
   ContourStack sorted = stack;
   std::sort(sorted.slices.begin(), sorted.slices.end(), [](const Slice& a, const Slice& b) { return a.z < b.z; });
   const std::vector<SlabCells> cells = cells_by_slab(solid.tetrahedra, sorted);
@@ -263,7 +273,8 @@ TopologyVerdict judge_topology(const Reconstruction& result, const ContourStack&
   std::vector<Link> links;
   for (const MadeLink& made : result.links) links.push_back(made.link);
   std::vector<VoidLink> voids;
-  for (const MadeVoidLink& made : result.void_links) voids.push_back({made.structure, made.slice, made.lower, made.upper});
+  for (const MadeVoidLink& made : result.void_links)
+    voids.push_back({made.structure, made.slice, made.lower, made.upper});
   std::map<std::pair<std::string, std::size_t>, const SlabTopology*> told;
   for (const SlabTopology& slab : result.topology) told[{slab.structure, slab.slice}] = &slab;
   TopologyVerdict verdict;
@@ -278,10 +289,12 @@ TopologyVerdict judge_topology(const Reconstruction& result, const ContourStack&
         continue;
       }
       if (count(known->second->found) != slab.found)
-        verdict.untrue.push_back(where + "found " + in_words(slab.found) + ", told are " + in_words(count(known->second->found)));
+        verdict.untrue.push_back(where + "found " + in_words(slab.found) + ", told are " +
+                                 in_words(count(known->second->found)));
       const bool may_close = known->second->interpolated > 0 && slab.unlinked_hole;
       if (!may_close && count(known->second->implied) != slab.expected)
-        verdict.untrue.push_back(where + "implied are " + in_words(slab.expected) + ", told are " + in_words(count(known->second->implied)));
+        verdict.untrue.push_back(where + "implied are " + in_words(slab.expected) + ", told are " +
+                                 in_words(count(known->second->implied)));
     }
   return verdict;
 }

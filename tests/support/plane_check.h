@@ -1,6 +1,6 @@
 #pragma once
-// Are contours fit to be an input? Decided here with exact predicates and every pair of edges in turn, so that neither the generators
-// nor the oracle lean on the library's own validation.
+// Are contours fit to be an input? Decided here with exact predicates and every pair of edges in turn, so that neither
+// the generators nor the oracle lean on the library's own validation.
 
 #include <string>
 #include <vector>

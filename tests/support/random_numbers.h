@@ -1,6 +1,6 @@
 #pragma once
-// splitmix64 and what is drawn from it. The standard library's distributions differ between implementations; a seed printed
-// by one machine must mean the same stack on every other.
+// splitmix64 and what is drawn from it. The standard library's distributions differ between implementations; a seed
+// printed by one machine must mean the same stack on every other.
 
 #include <cstddef>
 #include <cstdint>

@@ -17,7 +17,8 @@ using Ring = std::vector<Point2>;
 using Rings = std::vector<Ring>;
 constexpr double box = 10;
 
-/// Mathematics libraries differ in the last bit of a cosine; rounding to a fixed grid far finer than any feature hides that.
+/// Mathematics libraries differ in the last bit of a cosine; rounding to a fixed grid far finer than any feature hides
+/// that.
 double settled(double value) { return std::round(value * 0x1p46) * 0x1p-46; }
 
 Ring around(RandomNumbers& random, Point2 centre, int count, auto radius_at) {
@@ -134,15 +135,16 @@ std::vector<Rings> shapes_of(RandomNumbers& random, const Plan& plan) {
     } else if (plan.kind == Kind::voxels || plan.kind == Kind::field) {
       slices.push_back(outlines(field, plan.lattice_size + 2, k, {.interpolated = plan.kind == Kind::field}));
     } else if (plan.kind == Kind::lattice) {
-      slices.push_back(k > 0 && random.chance(0.2)
-                           ? slices.back()
-                           : placed(random, [&](RandomNumbers& r) { return lattice_shape(r, plan.lattice_size); },
-                                    on_lattice));
+      slices.push_back(
+          k > 0 && random.chance(0.2)
+              ? slices.back()
+              : placed(
+                    random, [&](RandomNumbers& r) { return lattice_shape(r, plan.lattice_size); }, on_lattice));
     } else if (k > 0 && !slices.back().empty() && random.chance(0.5)) {
       slices.push_back(resembling(random, slices.back()));
     } else {
-      slices.push_back(placed(random, plan.kind == Kind::blobs ? random_blob : random_star,
-                              [](const Ring& ring) { return ring; }));
+      slices.push_back(
+          placed(random, plan.kind == Kind::blobs ? random_blob : random_star, [](const Ring& ring) { return ring; }));
     }
   }
   return slices;
@@ -203,6 +205,8 @@ std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise)
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-std::uint64_t random_stacks_of(std::uint64_t usual) { return std::min(usual, number_from_environment("ODONTOSCOPE_RANDOM_STACKS", usual)); }
+std::uint64_t random_stacks_of(std::uint64_t usual) {
+  return std::min(usual, number_from_environment("ODONTOSCOPE_RANDOM_STACKS", usual));
+}
 
 }  // namespace odontoscope::test

@@ -93,7 +93,9 @@ Ring hull_of(Ring points) {
   return hull;
 }
 
-bool hulls_meet(const Ring& a, const Ring& b) { return !are_disjoint(a, b) || is_inside(a, b[0]) || is_inside(b, a[0]); }
+bool hulls_meet(const Ring& a, const Ring& b) {
+  return !are_disjoint(a, b) || is_inside(a, b[0]) || is_inside(b, a[0]);
+}
 
 bool some_parts_cross(const ContourStack& stack, const std::vector<Link>& links) {
   for (const Link& apart : links) {
@@ -101,7 +103,8 @@ bool some_parts_cross(const ContourStack& stack, const std::vector<Link>& links)
     const Parts parts = parts_of(links, apart.structure, apart.slice);
     std::map<std::size_t, Ring> points;
     for (const auto& [contour, part] : parts)
-      for (Point2 p : stack.slices[apart.slice + contour.first].contours[contour.second].points) points[part].push_back(p);
+      for (Point2 p : stack.slices[apart.slice + contour.first].contours[contour.second].points)
+        points[part].push_back(p);
     const std::size_t a = parts.at({false, apart.lower}), b = parts.at({true, apart.upper});
     if (a == b || hulls_meet(hull_of(points[a]), hull_of(points[b]))) return true;
   }
@@ -126,7 +129,9 @@ std::string what_is_false(const InputError& refusal, const ContourStack& stack, 
   }
   if (refusal.cause() == "slices-too-close") {
     if (!refusal.place().slice) return "refused slices as too close, but names none";
-    return too_close_in_height(stack, *refusal.place().slice) ? "" : "refused slices as too close, but doubles can part them";
+    return too_close_in_height(stack, *refusal.place().slice)
+               ? ""
+               : "refused slices as too close, but doubles can part them";
   }
   if (refusal.cause() == "link-contradiction")
     return some_link_contradicts(links) ? "" : "refused as a contradiction of links, but there is none";

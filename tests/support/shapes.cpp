@@ -69,7 +69,8 @@ Ring comb(int teeth, double length, double thickness) {
   Ring ring{{0, -thickness}, {2.0 * teeth - 1, -thickness}};
   for (int i = teeth - 1; i >= 0; --i) {
     const double left = 2.0 * i, right = left + 1;
-    ring.insert(ring.end(), {{right, 0}, {left + 0.5 + thickness, length}, {left + 0.5 - thickness, length}, {left, 0}});
+    ring.insert(ring.end(),
+                {{right, 0}, {left + 0.5 + thickness, length}, {left + 0.5 - thickness, length}, {left, 0}});
   }
   return ring;
 }
@@ -156,9 +157,7 @@ ContourStack alone_in_the_middle() { return stack_of({{}, {ellipse(2, 1)}, {}});
 
 ContourStack alone_at_the_end() { return stack_of({{ellipse(2, 1)}, {}}); }
 
-ContourStack alone_beside_a_column() {
-  return stack_of({{circle(2)}, {circle(2), circle(0.5, {5, 0})}, {circle(2)}});
-}
+ContourStack alone_beside_a_column() { return stack_of({{circle(2)}, {circle(2), circle(0.5, {5, 0})}, {circle(2)}}); }
 
 ContourStack empty_slice_between() {
   return stack_of({{circle(2)}, {circle(2, {0.2, 0})}, {}, {circle(2)}, {circle(2, {0.1, 0.1})}});
@@ -233,8 +232,9 @@ ContourStack close_neighbours(double gap) {
 }
 
 ContourStack tiny_features(double size) {
-  const Ring ring{{0, 0},        {1, 0},        {1, 0.5},          {1 + size, 0.5 + size / 2}, {1, 0.5 + size}, {1, 1},
-                  {0.5 + size, 1}, {0.5 + size / 2, 1 - size}, {0.5, 1},  {0, 1}};
+  const Ring ring{{0, 0},          {1, 0}, {1, 0.5},        {1 + size, 0.5 + size / 2},
+                  {1, 0.5 + size}, {1, 1}, {0.5 + size, 1}, {0.5 + size / 2, 1 - size},
+                  {0.5, 1},        {0, 1}};
   Ring upper = ring;
   for (Point2& p : upper) p.x += size / 2;
   return stack_of({{ring}, {upper}});

@@ -1,6 +1,6 @@
 #pragma once
-// Named, awkward stacks of contours. Each says in its comment what makes it awkward and, where it is not obvious, what the solid
-// must be. Units are millimetres; slices are `spacing` apart from z = 0 upwards; nothing here is random.
+// Named, awkward stacks of contours. Each says in its comment what makes it awkward and, where it is not obvious, what
+// the solid must be. Units are millimetres; slices are `spacing` apart from z = 0 upwards; nothing here is random.
 
 #include <cstddef>
 #include <vector>
@@ -20,7 +20,8 @@ Ring regular_polygon(int corners, double radius, Point2 centre = {}, double firs
 Ring circle(double radius, Point2 centre = {});
 Ring ellipse(double half_x, double half_y, Point2 centre = {});
 Ring rectangle(Point2 low, Point2 high);
-/// The square [low, low + side]^2 with a point at every lattice place along its border: full of exactly cocircular points.
+/// The square [low, low + side]^2 with a point at every lattice place along its border: full of exactly cocircular
+/// points.
 Ring lattice_square(int low_x, int low_y, int side);
 /// A ring of the given thickness that is open over +-half_mouth (radians) about the +x direction.
 Ring c_shape(double outer, double inner, double half_mouth);
@@ -82,9 +83,11 @@ ContourStack triangular_hole_under_disc();
 ContourStack triangular_ring_alone();
 /// Two regions side by side, `gap` apart, their points not opposite each other.
 ContourStack close_neighbours(double gap);
-/// Enamel's margin: a thin ring that begins on one side only, over a thin C. Its free part must not lean over to the C's ends.
+/// Enamel's margin: a thin ring that begins on one side only, over a thin C. Its free part must not lean over to the
+/// C's ends.
 ContourStack ring_over_crescent();
-/// A thin ring between two Cs that are open on opposite sides and overlap nowhere: each part of it hangs free on one side.
+/// A thin ring between two Cs that are open on opposite sides and overlap nowhere: each part of it hangs free on one
+/// side.
 ContourStack ring_between_crescents();
 /// A thin C with nothing below or above it but a stub: both its arms are free on both sides, so that one must stay.
 ContourStack crescent_between_stubs();

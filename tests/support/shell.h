@@ -18,7 +18,8 @@ inline Said run(const std::string& command) {
   std::FILE* pipe = ::popen(("{ " + command + "; } 2>&1 </dev/null").c_str(), "r");
   if (pipe == nullptr) return said;
   char buffer[4096];
-  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) said.words.append(buffer, count);
+  for (std::size_t count = 0; (count = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;)
+    said.words.append(buffer, count);
   const int status = ::pclose(pipe);
   if (WIFEXITED(status)) said.exit_code = WEXITSTATUS(status);
   return said;

@@ -39,8 +39,10 @@ class Shrinker {
     for (std::size_t i = 0; i < now_.links.size();) {
       LinkedStack candidate = now_;
       candidate.links.erase(candidate.links.begin() + long(i));
-      if (take_if_failing(candidate)) any = true;
-      else ++i;
+      if (take_if_failing(candidate))
+        any = true;
+      else
+        ++i;
     }
     return any;
   }
@@ -53,15 +55,18 @@ class Shrinker {
       std::erase_if(candidate.links, [&](const Link& link) { return link.slice == k || link.slice + 1 == k; });
       for (Link& link : candidate.links)
         if (link.slice > k) --link.slice;
-      if (take_if_failing(candidate)) any = true;
-      else ++k;
+      if (take_if_failing(candidate))
+        any = true;
+      else
+        ++k;
     }
     return any;
   }
 
   /// Contour c of slice k is gone: so are its links, and those behind it move up.
   static void forget(std::vector<Link>& links, std::size_t k, std::size_t c) {
-    std::erase_if(links, [&](const Link& l) { return (l.slice == k && l.lower == c) || (l.slice + 1 == k && l.upper == c); });
+    std::erase_if(links,
+                  [&](const Link& l) { return (l.slice == k && l.lower == c) || (l.slice + 1 == k && l.upper == c); });
     for (Link& link : links) {
       if (link.slice == k && link.lower > c) --link.lower;
       if (link.slice + 1 == k && link.upper > c) --link.upper;
@@ -76,8 +81,10 @@ class Shrinker {
         auto& contours = candidate.stack.slices[k].contours;
         contours.erase(contours.begin() + long(c));
         forget(candidate.links, k, c);
-        if (take_if_failing(candidate)) any = true;
-        else ++c;
+        if (take_if_failing(candidate))
+          any = true;
+        else
+          ++c;
       }
     return any;
   }
@@ -91,8 +98,10 @@ class Shrinker {
             LinkedStack candidate = now_;
             auto& points = candidate.stack.slices[k].contours[c].points;
             points.erase(points.begin() + long(i), points.begin() + long(i + run));
-            if (take_if_failing(candidate)) any = true;
-            else i += run;
+            if (take_if_failing(candidate))
+              any = true;
+            else
+              i += run;
           }
     return any;
   }
@@ -106,11 +115,14 @@ class Shrinker {
 
 ContourStack shrunk(ContourStack stack, const std::function<bool(const ContourStack&)>& fails,
                     std::chrono::seconds time) {
-  const std::function<bool(const LinkedStack&)> fails_alone = [&](const LinkedStack& candidate) { return fails(candidate.stack); };
+  const std::function<bool(const LinkedStack&)> fails_alone = [&](const LinkedStack& candidate) {
+    return fails(candidate.stack);
+  };
   return Shrinker({std::move(stack), {}}, fails_alone, time).run().stack;
 }
 
-LinkedStack shrunk(LinkedStack linked, const std::function<bool(const LinkedStack&)>& fails, std::chrono::seconds time) {
+LinkedStack shrunk(LinkedStack linked, const std::function<bool(const LinkedStack&)>& fails,
+                   std::chrono::seconds time) {
   return Shrinker(std::move(linked), fails, time).run();
 }
 

@@ -20,7 +20,8 @@ std::array<PointIndex, n> in_order(std::array<PointIndex, n> cell) {
 }
 
 std::array<Face, 4> faces_of(const Tetrahedron& t) {
-  return {in_order<3>({t[0], t[1], t[2]}), in_order<3>({t[0], t[1], t[3]}), in_order<3>({t[0], t[2], t[3]}), in_order<3>({t[1], t[2], t[3]})};
+  return {in_order<3>({t[0], t[1], t[2]}), in_order<3>({t[0], t[1], t[3]}), in_order<3>({t[0], t[2], t[3]}),
+          in_order<3>({t[1], t[2], t[3]})};
 }
 
 std::array<Edge, 3> edges_of(const Face& f) { return {Edge{f[0], f[1]}, Edge{f[0], f[2]}, Edge{f[1], f[2]}}; }
@@ -114,17 +115,22 @@ class SlabCounter {
   /// Around each boundary vertex of a piece the faces must be one fan.
   void judge_fans() {
     Joined corners(3 * boundary_.size());
-    std::map<std::tuple<std::size_t, PointIndex, PointIndex>, std::size_t> first;   // piece, vertex, other end of an edge
+    std::map<std::tuple<std::size_t, PointIndex, PointIndex>, std::size_t>
+        first;  // piece, vertex, other end of an edge
     for (std::size_t f = 0; f < boundary_.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
           if (i != j)
-            corners.join(3 * f + i, first.emplace(std::tuple(boundary_[f].piece, boundary_[f].face[i], boundary_[f].face[j]), 3 * f + i).first->second);
+            corners.join(
+                3 * f + i,
+                first.emplace(std::tuple(boundary_[f].piece, boundary_[f].face[i], boundary_[f].face[j]), 3 * f + i)
+                    .first->second);
     std::map<std::pair<std::size_t, PointIndex>, std::size_t> fan;
     for (std::size_t f = 0; f < boundary_.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t here = corners.find(3 * f + i);
-        if (fan.emplace(std::pair(boundary_[f].piece, boundary_[f].face[i]), here).first->second != here) result_.manifold = false;
+        if (fan.emplace(std::pair(boundary_[f].piece, boundary_[f].face[i]), here).first->second != here)
+          result_.manifold = false;
       }
   }
 
@@ -135,7 +141,8 @@ class SlabCounter {
     Joined joined(walls.size());
     std::map<std::pair<std::size_t, Edge>, std::size_t> first;
     for (std::size_t w = 0; w < walls.size(); ++w)
-      for (const Edge& edge : edges_of(walls[w].face)) joined.join(w, first.emplace(std::pair(walls[w].piece, edge), w).first->second);
+      for (const Edge& edge : edges_of(walls[w].face))
+        joined.join(w, first.emplace(std::pair(walls[w].piece, edge), w).first->second);
     std::size_t count = 0;
     const std::vector<std::size_t> wall_of = joined.classes(count);
     for (std::size_t w = 0; w < walls.size(); ++w)

@@ -26,7 +26,11 @@ std::string to_text(const ContourStack& stack) {
 std::string to_text(const std::vector<Link>& links) {
   json list = json::array();
   for (const Link& link : links)
-    list.push_back({{"structure", link.structure}, {"slice", link.slice}, {"lower", link.lower}, {"upper", link.upper}, {"connect", link.connect}});
+    list.push_back({{"structure", link.structure},
+                    {"slice", link.slice},
+                    {"lower", link.lower},
+                    {"upper", link.upper},
+                    {"connect", link.connect}});
   return json{{"format", "odontoscope.links"}, {"version", 1}, {"links", list}}.dump();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Contour stacks as the JSON text of docs/formats.md, so that a stack printed by a failed test can be fed to the program, and
-// one from the corpus to a test. Written apart from the library's reader on purpose; it trusts its input.
+// Contour stacks as the JSON text of docs/formats.md, so that a stack printed by a failed test can be fed to the
+// program, and one from the corpus to a test. Written apart from the library's reader on purpose; it trusts its input.
 
 #include <string>
 #include <vector>

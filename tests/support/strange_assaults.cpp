@@ -11,7 +11,8 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 
-/// Five or so copies of one ragged outline within each other, each a few units in the last place from the next, all along.
+/// Five or so copies of one ragged outline within each other, each a few units in the last place from the next, all
+/// along.
 ContourStack onion_skins(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3), corners = std::clamp(points / count / 4, 3, 120);
   std::vector<Rings> slices;
@@ -21,8 +22,10 @@ ContourStack onion_skins(RandomNumbers& random, int points) {
       rings = {ring_around({0.3, 0}, std::max(3, corners / 2), 0, [&](int) { return random.between(1, 2.5); })};
     } else {
       const double rough = random.chance(0.5) ? 0.0 : random.between(0, 0.4), step = random.whole(4, 4000) * 0x1p-52;
-      const Ring outer = ring_around({random.between(-1, 1), 0}, corners, random.between(0, 1), [&](int) { return 2 * (1 - rough * random.unit()); });
-      for (int skin = 0, skins = random.whole(2, 5); skin < skins; ++skin) add_if_it_fits(rings, scaled(outer, 1 - skin * step));
+      const Ring outer = ring_around({random.between(-1, 1), 0}, corners, random.between(0, 1),
+                                     [&](int) { return 2 * (1 - rough * random.unit()); });
+      for (int skin = 0, skins = random.whole(2, 5); skin < skins; ++skin)
+        add_if_it_fits(rings, scaled(outer, 1 - skin * step));
     }
     slices.push_back(rings);
   }
@@ -34,7 +37,8 @@ ContourStack planks(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3), strips = std::clamp(points / count / 6, 2, 60);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
-    const double angle = random.between(0, full_turn), gap = small(random, 6, 15), wide = random.chance(0.3) ? 0.5 : small(random, 1, 12);
+    const double angle = random.between(0, full_turn), gap = small(random, 6, 15),
+                 wide = random.chance(0.3) ? 0.5 : small(random, 1, 12);
     Rings rings;
     double at = 0;
     for (int i = 0; i < strips; ++i) {
@@ -72,7 +76,7 @@ Ring hilbert(int order, double thickness) {
     if (i == 0) in = out;
     if (i + 1 == way.size()) out = in;
     const double cross = in.x * out.y - in.y * out.x;
-    if (cross == 0 && i > 0 && i + 1 < way.size()) continue;   // straight on
+    if (cross == 0 && i > 0 && i + 1 < way.size()) continue;  // straight on
     const Point2 side_way = cross == 0 ? Point2{-in.y, in.x} : Point2{-in.y - out.y, in.x + out.x};
     left.push_back({b.x + side_way.x * thickness, b.y + side_way.y * thickness});
     right.push_back({b.x - side_way.x * thickness, b.y - side_way.y * thickness});
@@ -91,7 +95,8 @@ ContourStack hilbert_curves(RandomNumbers& random, int points) {
     const int own = std::max(1, order - random.below(2));
     Ring ring = hilbert(own, one_of(random, {0.25, 0.1, 0.4999999, 1e-6}));
     ring = scaled(ring, 4.0 / (1 << own));
-    if (random.chance(0.4)) for (Point2& p : ring) p = {p.y, 4 - p.x};
+    if (random.chance(0.4))
+      for (Point2& p : ring) p = {p.y, 4 - p.x};
     if (random.chance(0.3)) ring = moved(ring, {2.0 / (1 << own), 0.1});
     Rings rings;
     add_if_it_fits(rings, ring);
@@ -100,14 +105,16 @@ ContourStack hilbert_curves(RandomNumbers& random, int points) {
   return stacked(random, slices);
 }
 
-/// Rings within rings, twenty deep; in the next slice material and void have changed places, or they are a little narrower.
+/// Rings within rings, twenty deep; in the next slice material and void have changed places, or they are a little
+/// narrower.
 ContourStack matryoshkas(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), deep = random.whole(2, 20), corners = std::max(3, points / count / deep);
   const double gap = random.chance(0.7) ? 0.1 : small(random, 2, 9);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     const int first = random.below(2);
-    const double shrink = one_of(random, {1.0, 1.0, 0.97, 0.5}), angle = random.chance(0.5) ? 0.1 : random.between(0, 1);
+    const double shrink = one_of(random, {1.0, 1.0, 0.97, 0.5}),
+                 angle = random.chance(0.5) ? 0.1 : random.between(0, 1);
     Rings rings;
     for (int i = first; i < deep; ++i) add_if_it_fits(rings, regular({0, 0}, corners, angle, (3 - i * gap) * shrink));
     slices.push_back(rings);
@@ -117,10 +124,12 @@ ContourStack matryoshkas(RandomNumbers& random, int points) {
 
 /// Holes of one slice are the islands of the next, corner for corner, and the frame comes and goes.
 ContourStack complements(RandomNumbers& random, int points) {
-  const int count = random.whole(2, 5), corners = random.whole(3, 7), islands = std::clamp(points / count / corners, 1, 80);
+  const int count = random.whole(2, 5), corners = random.whole(3, 7),
+            islands = std::clamp(points / count / corners, 1, 80);
   Rings holes;
   for (int i = 0; i < islands; ++i)
-    add_if_it_fits(holes, ring_around({random.between(-2, 2), random.between(-2, 2)}, corners, random.between(0, 6), [&](int) { return random.between(0.05, 0.8); }));
+    add_if_it_fits(holes, ring_around({random.between(-2, 2), random.between(-2, 2)}, corners, random.between(0, 6),
+                                      [&](int) { return random.between(0.05, 0.8); }));
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     Rings rings = holes;
@@ -137,14 +146,17 @@ ContourStack same_points(RandomNumbers& random, int points) {
   Ring all;
   const bool on_lattice = random.chance(0.4);
   for (int i = 0; i < corners; ++i) {
-    const Point2 p = on_lattice ? Point2{double(random.below(12)), double(random.below(12))} : Point2{settled(random.between(0, 12)), settled(random.between(0, 12))};
+    const Point2 p = on_lattice ? Point2{double(random.below(12)), double(random.below(12))}
+                                : Point2{settled(random.between(0, 12)), settled(random.between(0, 12))};
     if (std::find(all.begin(), all.end(), p) == all.end()) all.push_back(p);
   }
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     const Point2 from{settled(random.between(2, 10)) + 1e-3, settled(random.between(2, 10)) + 1.7e-3};
     Ring ring = all;
-    std::sort(ring.begin(), ring.end(), [from](Point2 a, Point2 b) { return std::atan2(a.y - from.y, a.x - from.x) < std::atan2(b.y - from.y, b.x - from.x); });
+    std::sort(ring.begin(), ring.end(), [from](Point2 a, Point2 b) {
+      return std::atan2(a.y - from.y, a.x - from.x) < std::atan2(b.y - from.y, b.x - from.x);
+    });
     Rings rings;
     add_if_it_fits(rings, ring);
     slices.push_back(rings);
@@ -157,12 +169,14 @@ ContourStack pinwheels(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), petals = std::clamp(points / count / 4, 3, 90);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
-    const double eye = small(random, 1, 9), angle = random.between(0, 1), wide = random.between(0.2, 0.95) * std::numbers::pi / petals;
+    const double eye = small(random, 1, 9), angle = random.between(0, 1),
+                 wide = random.between(0.2, 0.95) * std::numbers::pi / petals;
     Rings rings;
     for (int i = 0; i < petals; ++i) {
       const double at = angle + full_turn * i / petals;
       const auto polar = [&](double r, double a) { return Point2{settled(r * std::cos(a)), settled(r * std::sin(a))}; };
-      add_if_it_fits(rings, {polar(eye, at), polar(2, at - wide), polar(random.between(2.1, 3), at), polar(2, at + wide)});
+      add_if_it_fits(rings,
+                     {polar(eye, at), polar(2, at - wide), polar(random.between(2.1, 3), at), polar(2, at + wide)});
     }
     if (random.chance(0.3)) add_if_it_fits(rings, regular({0, 0}, 6, 0, eye / 2));
     slices.push_back(rings);
@@ -175,7 +189,8 @@ ContourStack accordions(RandomNumbers& random, int points) {
   const int count = random.whole(3, 7);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
-    Rings rings{ring_around({random.between(-0.5, 0.5), 0}, std::max(4, points / count), random.between(0, 1), [&](int) { return random.between(1, 2); })};
+    Rings rings{ring_around({random.between(-0.5, 0.5), 0}, std::max(4, points / count), random.between(0, 1),
+                            [&](int) { return random.between(1, 2); })};
     if (random.chance(0.4)) add_if_it_fits(rings, scaled(rings[0], 0.4));
     slices.push_back(rings);
   }
@@ -183,8 +198,10 @@ ContourStack accordions(RandomNumbers& random, int points) {
   double z = one_of(random, {0.0, 1.0, -1e5, 123456.7, 1e-300});
   for (Slice& slice : stack.slices) {
     slice.z = z;
-    if (random.chance(0.4)) z = stepped(z, random.whole(1, 40));
-    else z += one_of(random, {1e-9, 1e-3, 0.1, 1.0, 1e5});
+    if (random.chance(0.4))
+      z = stepped(z, random.whole(1, 40));
+    else
+      z += one_of(random, {1e-9, 1e-3, 0.1, 1.0, 1e5});
   }
   return stack;
 }
@@ -196,7 +213,8 @@ ContourStack knots(RandomNumbers& random, int points) {
   for (int k = 0; k < count; ++k) {
     Rings rings;
     for (int i = 0; i < beads; ++i)
-      add_if_it_fits(rings, regular({settled(random.between(-3, 3)), settled(random.between(-3, 3))}, random.whole(3, 5), random.between(0, 1), random.between(0.1, 0.6)));
+      add_if_it_fits(rings, regular({settled(random.between(-3, 3)), settled(random.between(-3, 3))},
+                                    random.whole(3, 5), random.between(0, 1), random.between(0.1, 0.6)));
     if (random.chance(0.3)) add_if_it_fits(rings, box_of({-5, -5}, {5, 5}));
     slices.push_back(rings);
   }
@@ -206,9 +224,10 @@ ContourStack knots(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& assault_makers() {
-  static const std::vector<NamedMaker> makers{{"onion-skins", onion_skins}, {"planks", planks}, {"hilbert-curves", hilbert_curves},
-                                              {"matryoshkas", matryoshkas}, {"complements", complements}, {"same-points", same_points},
-                                              {"pinwheels", pinwheels}, {"accordions", accordions}, {"knots", knots}};
+  static const std::vector<NamedMaker> makers{
+      {"onion-skins", onion_skins}, {"planks", planks},           {"hilbert-curves", hilbert_curves},
+      {"matryoshkas", matryoshkas}, {"complements", complements}, {"same-points", same_points},
+      {"pinwheels", pinwheels},     {"accordions", accordions},   {"knots", knots}};
   return makers;
 }
 

@@ -1,5 +1,5 @@
-// Stacks by a tester who has read the source: gaps that propagate, needles that meet, heights and coordinates at the ends of their ranges, walls
-// that structures share.
+// Stacks by a tester who has read the source: gaps that propagate, needles that meet, heights and coordinates at the
+// ends of their ranges, walls that structures share.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ Ring comb(int teeth, double left, double height, double gap) {
   return ring;
 }
 
-/// Two combs that reach into each other with a narrow gap between them; above them the same shifted by half a tooth, or one of the two.
+/// Two combs that reach into each other with a narrow gap between them; above them the same shifted by half a tooth, or
+/// one of the two.
 ContourStack zippers(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3), teeth = std::clamp(points / count / 9, 1, 60);
   std::vector<Rings> slices;
@@ -30,7 +31,7 @@ ContourStack zippers(RandomNumbers& random, int points) {
     Rings rings;
     add_if_it_fits(rings, comb(teeth, shift, 3, gap));
     if (random.chance(0.8)) {
-      Ring other = comb(teeth, 0, 3, gap);   // turned over, it comes down into the first
+      Ring other = comb(teeth, 0, 3, gap);  // turned over, it comes down into the first
       for (Point2& p : other) p = {2 * teeth + shift - p.x, 3 + small(random, 1, 1) - p.y};
       for (Point2& p : other) p.x += shift;
       add_if_it_fits(rings, other);
@@ -51,7 +52,8 @@ ContourStack urchins(RandomNumbers& random, int points) {
   for (int k = 0; k < count; ++k) {
     Rings rings;
     const double inner = random.chance(0.3) ? 0.3 : small(random, 1, 10);
-    add_if_it_fits(rings, urchin(random, random.chance(0.6) ? spikes : random.whole(3, spikes), inner, random.chance(0.5) ? 0 : random.between(0, 1)));
+    add_if_it_fits(rings, urchin(random, random.chance(0.6) ? spikes : random.whole(3, spikes), inner,
+                                 random.chance(0.5) ? 0 : random.between(0, 1)));
     slices.push_back(rings);
   }
   return stacked(random, slices);
@@ -72,13 +74,16 @@ ContourStack spirals_over_fingers(RandomNumbers& random, int points) {
   add_if_it_fits(spiral, out);
   const int teeth = std::clamp(points / 9, 2, 200);
   const double wide = 2 * (turns + 1.5) / (2 * teeth);
-  add_if_it_fits(fingers, scaled(moved(comb(teeth, -teeth, 2 * teeth, random.chance(0.5) ? 0.1 : small(random, 2, 7)), {0, -double(teeth)}), wide));
+  add_if_it_fits(fingers, scaled(moved(comb(teeth, -teeth, 2 * teeth, random.chance(0.5) ? 0.1 : small(random, 2, 7)),
+                                       {0, -double(teeth)}),
+                                 wide));
   std::vector<Rings> slices{spiral, fingers};
   if (random.chance(0.5)) slices.push_back({turned(out, one_of(random, {0.0, 0.01, std::numbers::pi / 2}))});
   return stacked(random, slices);
 }
 
-/// One polygon of very many corners with a hole, and a triangle in the hole that all but touches it; the other slice has few corners.
+/// One polygon of very many corners with a hole, and a triangle in the hole that all but touches it; the other slice
+/// has few corners.
 ContourStack gon_and_triangle(RandomNumbers& random, int points) {
   const int corners = std::max(8, points - 12);
   const double gap = random.chance(0.3) ? 0.2 : small(random, 2, 12);
@@ -102,7 +107,8 @@ ContourStack far_details(RandomNumbers& random, int points) {
   for (int k = 0; k < count; ++k) {
     const double detail = small(random, 5, 8), size = random.chance(0.5) ? 1 : 1000 * detail;
     Rings rings;
-    Ring ring = ring_around({0, 0}, std::max(5, points / count), random.between(0, 1), [&](int) { return size + detail * random.between(-1, 1); });
+    Ring ring = ring_around({0, 0}, std::max(5, points / count), random.between(0, 1),
+                            [&](int) { return size + detail * random.between(-1, 1); });
     add_if_it_fits(rings, moved(ring, far));
     if (random.chance(0.5)) add_if_it_fits(rings, moved(regular({detail, 0}, 3, 0.3, size / 2), far));
     slices.push_back(rings);
@@ -116,7 +122,8 @@ ContourStack extreme_heights(RandomNumbers& random, int points) {
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     Rings rings;
-    add_if_it_fits(rings, regular({random.between(-0.3, 0.3), 0}, std::max(3, points / count), random.between(0, 1), random.between(0.5, 2)));
+    add_if_it_fits(rings, regular({random.between(-0.3, 0.3), 0}, std::max(3, points / count), random.between(0, 1),
+                                  random.between(0.5, 2)));
     if (random.chance(0.4)) add_if_it_fits(rings, regular({0, 0}, 4, 0.2, 0.2));
     slices.push_back(rings);
   }
@@ -125,17 +132,27 @@ ContourStack extreme_heights(RandomNumbers& random, int points) {
   for (Slice& slice : stack.slices) {
     slice.z = z;
     switch (random.below(5)) {
-      case 0: z = stepped(z, random.whole(1, 12)); break;
-      case 1: z = z < 0 ? z / 2 : z + 5e-324 * random.whole(1, 1000); break;
-      case 2: z = std::max(z + 1e-300, stepped(z, 1)); break;
-      case 3: z += std::max(std::abs(z) * 1e-9, 1e-12); break;
-      default: z = z < 0 ? 0.0 : z < 1 ? 1.0 : std::min(1e6, z * 1e3 + 1);
+      case 0:
+        z = stepped(z, random.whole(1, 12));
+        break;
+      case 1:
+        z = z < 0 ? z / 2 : z + 5e-324 * random.whole(1, 1000);
+        break;
+      case 2:
+        z = std::max(z + 1e-300, stepped(z, 1));
+        break;
+      case 3:
+        z += std::max(std::abs(z) * 1e-9, 1e-12);
+        break;
+      default:
+        z = z < 0 ? 0.0 : z < 1 ? 1.0 : std::min(1e6, z * 1e3 + 1);
     }
   }
   return stack;
 }
 
-/// An inner structure that fills the hole of an outer one, corner for corner, through all slices, and a third that shares single corners.
+/// An inner structure that fills the hole of an outer one, corner for corner, through all slices, and a third that
+/// shares single corners.
 ContourStack shared_walls(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), corners = std::max(4, points / count / 4);
   ContourStack stack;
@@ -156,9 +173,13 @@ ContourStack shared_walls(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& attack_makers() {
-  static const std::vector<NamedMaker> makers{{"zippers", zippers}, {"urchins", urchins}, {"spirals-over-fingers", spirals_over_fingers},
-                                              {"gon-and-triangle", gon_and_triangle}, {"far-details", far_details},
-                                              {"extreme-heights", extreme_heights}, {"shared-walls", shared_walls}};
+  static const std::vector<NamedMaker> makers{{"zippers", zippers},
+                                              {"urchins", urchins},
+                                              {"spirals-over-fingers", spirals_over_fingers},
+                                              {"gon-and-triangle", gon_and_triangle},
+                                              {"far-details", far_details},
+                                              {"extreme-heights", extreme_heights},
+                                              {"shared-walls", shared_walls}};
   return makers;
 }
 

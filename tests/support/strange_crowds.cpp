@@ -15,8 +15,8 @@ Rings islands_of(RandomNumbers& random, int m, double jitter, double size) {
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < m; ++j)
       if (random.chance(0.95))
-        rings.push_back(regular({i + jitter * random.between(-1, 1), j + jitter * random.between(-1, 1)}, random.whole(3, 4),
-                                random.between(0, 6), size * random.between(0.3, 1)));
+        rings.push_back(regular({i + jitter * random.between(-1, 1), j + jitter * random.between(-1, 1)},
+                                random.whole(3, 4), random.between(0, 6), size * random.between(0.3, 1)));
   return rings;
 }
 
@@ -38,7 +38,8 @@ ContourStack one_over_many(RandomNumbers& random, int points) {
   const int m = std::max(2, int(std::sqrt(points / 4.0)));
   const double tiny = random.chance(0.5) ? 0.29 : small(random, 1, 6);
   Rings many = islands_of(random, m, 0.1, tiny), one;
-  add_if_it_fits(one, random.chance(0.5) ? box_of({-1, -1}, {double(m), double(m)}) : regular({m / 2.0, m / 2.0}, 12, 0.1, double(m)));
+  add_if_it_fits(one, random.chance(0.5) ? box_of({-1, -1}, {double(m), double(m)})
+                                         : regular({m / 2.0, m / 2.0}, 12, 0.1, double(m)));
   if (random.chance(0.3)) add_if_it_fits(one, regular({m / 2.0, m / 2.0}, 7, 0, m / 4.0));
   std::vector<Rings> slices{many, one};
   if (random.chance(0.5)) std::swap(slices[0], slices[1]);
@@ -48,14 +49,18 @@ ContourStack one_over_many(RandomNumbers& random, int points) {
 
 /// Rings within rings, 30 deep if the points allow; above them as many, fewer, or the same shifted by half a ring.
 ContourStack nested(RandomNumbers& random, int points) {
-  const int count = random.whole(2, 3), corners = random.whole(3, 6), deep = std::clamp(points / count / corners, 2, 30);
+  const int count = random.whole(2, 3), corners = random.whole(3, 6),
+            deep = std::clamp(points / count / corners, 2, 30);
   const double angle = random.between(0, 1);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     Rings rings;
-    const double shift = one_of(random, {0.0, 0.5, 0.25, 0.01}), aside = random.chance(0.3) ? random.between(-0.3, 0.3) : 0;
+    const double shift = one_of(random, {0.0, 0.5, 0.25, 0.01}),
+                 aside = random.chance(0.3) ? random.between(-0.3, 0.3) : 0;
     const int here = random.chance(0.5) ? deep : random.whole(1, deep);
-    for (int d = 0; d < here; ++d) add_if_it_fits(rings, regular({aside, 0}, corners, random.chance(0.8) ? angle : angle + 0.3, (d + 1 + shift) * 1.0));
+    for (int d = 0; d < here; ++d)
+      add_if_it_fits(rings,
+                     regular({aside, 0}, corners, random.chance(0.8) ? angle : angle + 0.3, (d + 1 + shift) * 1.0));
     slices.push_back(rings);
   }
   return stacked(random, slices);
@@ -110,12 +115,20 @@ ContourStack tiny(RandomNumbers& random, int) {
     for (int c = 0; c < random.whole(1, 2); ++c) {
       Ring ring;
       switch (random.below(4)) {
-        case 0: ring = through_lattice(random, random.whole(3, 6), random.whole(1, 4)); break;
-        case 1: for (Point2 p : circle) if (random.chance(0.7)) ring.push_back(p); break;
-        case 2: ring = ring_around({random.between(-1, 1), random.between(-1, 1)}, random.whole(3, 6), random.between(0, 6),
-                                   [&](int) { return random.between(0.01, 2); }); break;
-        default: ring = k > 0 && !slices.back().empty() ? slices.back()[0] : circle;
-                 if (ring.size() > 3) ring.erase(ring.begin() + random.below(int(ring.size())));
+        case 0:
+          ring = through_lattice(random, random.whole(3, 6), random.whole(1, 4));
+          break;
+        case 1:
+          for (Point2 p : circle)
+            if (random.chance(0.7)) ring.push_back(p);
+          break;
+        case 2:
+          ring = ring_around({random.between(-1, 1), random.between(-1, 1)}, random.whole(3, 6), random.between(0, 6),
+                             [&](int) { return random.between(0.01, 2); });
+          break;
+        default:
+          ring = k > 0 && !slices.back().empty() ? slices.back()[0] : circle;
+          if (ring.size() > 3) ring.erase(ring.begin() + random.below(int(ring.size())));
       }
       if (random.chance(0.5)) ring = scaled(ring, shrink);
       if (ring.size() >= 3) add_if_it_fits(rings, ring);
@@ -130,7 +143,8 @@ ContourStack lattice_polygons(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), size = random.whole(2, 6);
   for (int k = 0; k < count; ++k) {
     Rings rings;
-    for (int c = 0; c < 4; ++c) add_if_it_fits(rings, through_lattice(random, random.whole(3, std::clamp(points / count / 2, 4, 12)), size));
+    for (int c = 0; c < 4; ++c)
+      add_if_it_fits(rings, through_lattice(random, random.whole(3, std::clamp(points / count / 2, 4, 12)), size));
     slices.push_back(rings);
   }
   ContourStack stack = stacked(random, slices);
@@ -144,8 +158,9 @@ ContourStack shared_borders(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4);
   std::vector<Rings> slices(1);
   const int corners = std::max(4, points / count);
-  add_if_it_fits(slices[0], random.chance(0.5) ? through_lattice(random, std::min(corners, 14), 6)
-                                               : ring_around({3, 3}, corners, 0, [&](int) { return random.between(1, 3); }));
+  add_if_it_fits(slices[0], random.chance(0.5)
+                                ? through_lattice(random, std::min(corners, 14), 6)
+                                : ring_around({3, 3}, corners, 0, [&](int) { return random.between(1, 3); }));
   for (int k = 1; k < count; ++k) {
     Rings rings = slices.back();
     for (std::size_t c = 0; c < rings.size(); ++c) {
@@ -153,16 +168,23 @@ ContourStack shared_borders(RandomNumbers& random, int points) {
       const std::size_t n = ring.size(), at = std::size_t(random.below(int(n)));
       const Point2 a = ring[at], b = ring[(at + 1) % n];
       switch (random.below(5)) {
-        case 0: if (n > 3) ring.erase(ring.begin() + long(at)); break;
-        case 1: ring.insert(ring.begin() + long(at) + 1, {(a.x + b.x) / 2, (a.y + b.y) / 2}); break;
-        case 2: ring[at] = {a.x + random.between(-0.5, 0.5), a.y + random.between(-0.5, 0.5)}; break;
+        case 0:
+          if (n > 3) ring.erase(ring.begin() + long(at));
+          break;
+        case 1:
+          ring.insert(ring.begin() + long(at) + 1, {(a.x + b.x) / 2, (a.y + b.y) / 2});
+          break;
+        case 2:
+          ring[at] = {a.x + random.between(-0.5, 0.5), a.y + random.between(-0.5, 0.5)};
+          break;
         case 3:
-          if (n > 5) {   // one half of it
+          if (n > 5) {  // one half of it
             std::rotate(ring.begin(), ring.begin() + long(at), ring.end());
             ring.resize(n / 2 + 1);
           }
           break;
-        default: break;
+        default:
+          break;
       }
       if (is_simple(ring)) rings[c] = ring;
     }
@@ -178,7 +200,8 @@ ContourStack half_cells(RandomNumbers& random, int points) {
   Rings first;
   for (int tries = 0; tries < 10; ++tries) {
     const int x = random.below(size), y = random.below(size);
-    const Ring ring = box_of({double(x), double(y)}, {double(random.whole(x + 1, size)), double(random.whole(y + 1, size))});
+    const Ring ring =
+        box_of({double(x), double(y)}, {double(random.whole(x + 1, size)), double(random.whole(y + 1, size))});
     add_if_it_fits(first, random.chance(0.5) ? ring : through_lattice(random, random.whole(3, 8), size));
   }
   std::vector<Rings> slices{first};
@@ -201,7 +224,9 @@ ContourStack dust(RandomNumbers& random, int points) {
   for (int tries = 0; tries < points && int(specks.size()) * 3 < points; ++tries) {
     const double size = small(random, 1, 7);
     const Point2 at{random.between(-5, 5), random.between(-5, 5)};
-    specks.push_back({at, {at.x + size, at.y + size * random.between(-0.5, 0.5)}, {at.x + size * random.between(-0.5, 0.5), at.y + size}});
+    specks.push_back({at,
+                      {at.x + size, at.y + size * random.between(-0.5, 0.5)},
+                      {at.x + size * random.between(-0.5, 0.5), at.y + size}});
   }
   slices.push_back(specks);
   if (random.chance(0.5)) slices.push_back(slices[0]);
@@ -211,9 +236,15 @@ ContourStack dust(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& crowd_makers() {
-  static const std::vector<NamedMaker> makers{
-      {"islands", islands}, {"one-over-many", one_over_many}, {"nested", nested}, {"checkerboard", checkerboard}, {"tiny", tiny},
-      {"lattice-polygons", lattice_polygons}, {"shared-borders", shared_borders}, {"half-cells", half_cells}, {"dust", dust}};
+  static const std::vector<NamedMaker> makers{{"islands", islands},
+                                              {"one-over-many", one_over_many},
+                                              {"nested", nested},
+                                              {"checkerboard", checkerboard},
+                                              {"tiny", tiny},
+                                              {"lattice-polygons", lattice_polygons},
+                                              {"shared-borders", shared_borders},
+                                              {"half-cells", half_cells},
+                                              {"dust", dust}};
   return makers;
 }
 

@@ -17,7 +17,8 @@ Volume grid(RandomNumbers& random, int width, int height, int depth) {
   Volume volume;
   volume.size = {std::size_t(width), std::size_t(height), std::size_t(depth)};
   const double spacing = one_of(random, spacings);
-  volume.spacing = {spacing, random.chance(0.8) ? spacing : one_of(random, spacings), random.chance(0.7) ? spacing : one_of(random, spacings)};
+  volume.spacing = {spacing, random.chance(0.8) ? spacing : one_of(random, spacings),
+                    random.chance(0.7) ? spacing : one_of(random, spacings)};
   volume.origin = {one_of(random, origins), one_of(random, origins), one_of(random, origins)};
   volume.values.assign(volume.size[0] * volume.size[1] * volume.size[2], 0);
   return volume;
@@ -31,14 +32,15 @@ ContourStack contours_of(const Volume& volume) {
   if (levels.empty()) return {};
   try {
     return label_contours(volume, levels).stack;
-  } catch (const InputError&) {   // all contours in one slice
+  } catch (const InputError&) {  // all contours in one slice
     return {};
   }
 }
 
 /// Two to four labels and void, drawn for each pixel, or smoothed by the vote of its neighbours.
 ContourStack label_noise(RandomNumbers& random, int points) {
-  const int side = std::clamp(int(std::sqrt(points / 6.0)), 3, 18), depth = random.whole(2, 4), labels = random.whole(2, 4);
+  const int side = std::clamp(int(std::sqrt(points / 6.0)), 3, 18), depth = random.whole(2, 4),
+            labels = random.whole(2, 4);
   Volume volume = grid(random, side, side, depth);
   const bool with_void = random.chance(0.7);
   for (float& value : volume.values) value = float(random.below(labels + with_void) + !with_void);
@@ -65,7 +67,8 @@ ContourStack speckles(RandomNumbers& random, int points) {
 ContourStack noisy_tooth(RandomNumbers& random, int points) {
   const int side = std::clamp(int(points / 12.0), 8, 40), depth = random.whole(3, 6);
   Volume volume = grid(random, side, side, depth);
-  const double lean_x = random.between(-0.6, 0.6), lean_y = random.between(-0.6, 0.6), noise = random.between(0, 0.35), narrow = random.between(0.02, 0.15);
+  const double lean_x = random.between(-0.6, 0.6), lean_y = random.between(-0.6, 0.6), noise = random.between(0, 0.35),
+               narrow = random.between(0.02, 0.15);
   for (int k = 0; k < depth; ++k)
     for (int j = 0; j < side; ++j)
       for (int i = 0; i < side; ++i) {
@@ -77,9 +80,11 @@ ContourStack noisy_tooth(RandomNumbers& random, int points) {
   return contours_of(volume);
 }
 
-/// A board in all three directions, of one label and void, or of two to four labels, fields one or two voxels wide: every corner is a crossing.
+/// A board in all three directions, of one label and void, or of two to four labels, fields one or two voxels wide:
+/// every corner is a crossing.
 ContourStack label_boards(RandomNumbers& random, int points) {
-  const int wide = random.whole(1, 2), side = std::clamp(int(std::sqrt(points / 6.0)) * wide, 3, 30), depth = random.whole(2, 4), labels = random.whole(1, 4);
+  const int wide = random.whole(1, 2), side = std::clamp(int(std::sqrt(points / 6.0)) * wide, 3, 30),
+            depth = random.whole(2, 4), labels = random.whole(1, 4);
   Volume volume = grid(random, side, side, depth);
   const bool whole_columns = random.chance(0.3), with_void = labels == 1 || random.chance(0.5);
   for (int k = 0; k < depth; ++k)
@@ -95,7 +100,10 @@ ContourStack label_boards(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& label_makers() {
-  static const std::vector<NamedMaker> makers{{"label-noise", label_noise}, {"speckles", speckles}, {"noisy-tooth", noisy_tooth}, {"label-boards", label_boards}};
+  static const std::vector<NamedMaker> makers{{"label-noise", label_noise},
+                                              {"speckles", speckles},
+                                              {"noisy-tooth", noisy_tooth},
+                                              {"label-boards", label_boards}};
   return makers;
 }
 

@@ -19,7 +19,9 @@ Ring simple_one(auto draw) {
   return {{0, 0}, {2, 0}, {0.5, 1.75}};
 }
 
-Point2 somewhere(RandomNumbers& random, double reach) { return {random.between(-reach, reach), random.between(-reach, reach)}; }
+Point2 somewhere(RandomNumbers& random, double reach) {
+  return {random.between(-reach, reach), random.between(-reach, reach)};
+}
 
 Ring koch(RandomNumbers& random, int points) {
   return simple_one([&] {
@@ -30,7 +32,8 @@ Ring koch(RandomNumbers& random, int points) {
       Ring finer;
       for (std::size_t i = 0; i < ring.size(); ++i) {
         const Point2 a = ring[i], b = ring[(i + 1) % ring.size()], d{b.x - a.x, b.y - a.y};
-        const double side = alike || random.chance(0.5) ? height : -height, jitter = alike ? 0 : random.between(-0.05, 0.05);
+        const double side = alike || random.chance(0.5) ? height : -height,
+                     jitter = alike ? 0 : random.between(-0.05, 0.05);
         const auto at = [&](double along, double off) {
           return Point2{settled(a.x + along * d.x + off * d.y), settled(a.y + along * d.y - off * d.x)};
         };
@@ -71,10 +74,11 @@ std::vector<Rings> slices_of_rings(RandomNumbers& random, int points, auto draw)
       if (c > 0) ring = random.chance(0.5) ? scaled(ring, 0.3) : moved(ring, {random.between(2, 5), 0});
       add_if_it_fits(rings, ring);
     }
-    if (k > 0 && random.chance(0.2)) rings = result.back();   // the same again, turned or moved a little
+    if (k > 0 && random.chance(0.2)) rings = result.back();  // the same again, turned or moved a little
     if (k > 0 && random.chance(0.3) && !result.back().empty()) {
       rings = result.back();
-      for (Ring& ring : rings) ring = random.chance(0.5) ? turned(ring, random.between(0, 0.3)) : moved(ring, somewhere(random, 0.2));
+      for (Ring& ring : rings)
+        ring = random.chance(0.5) ? turned(ring, random.between(0, 0.3)) : moved(ring, somewhere(random, 0.2));
     }
     result.push_back(rings);
   }
@@ -82,14 +86,16 @@ std::vector<Rings> slices_of_rings(RandomNumbers& random, int points, auto draw)
 }
 
 ContourStack kochs(RandomNumbers& random, int points) { return stacked(random, slices_of_rings(random, points, koch)); }
-ContourStack coastlines(RandomNumbers& random, int points) { return stacked(random, slices_of_rings(random, points, coastline)); }
+ContourStack coastlines(RandomNumbers& random, int points) {
+  return stacked(random, slices_of_rings(random, points, coastline));
+}
 
 /// A bar with teeth that point up.
 Ring comb(int teeth, double pitch, double width, double height, double bar) {
   Ring ring{{0, -bar}, {pitch * (teeth - 1) + width, -bar}};
   for (int i = teeth - 1; i >= 0; --i)
     for (Point2 p : {Point2{pitch * i + width, 0}, {pitch * i + width, height}, {pitch * i, height}, {pitch * i, 0}})
-      if (!(ring.size() == 2 && p.y == 0)) ring.push_back(p);   // the bar's corner and the last tooth are in line
+      if (!(ring.size() == 2 && p.y == 0)) ring.push_back(p);  // the bar's corner and the last tooth are in line
   ring.pop_back();
   return ring;
 }
@@ -98,7 +104,7 @@ Ring comb(int teeth, double pitch, double width, double height, double bar) {
 ContourStack fingers(RandomNumbers& random, int points) {
   const int teeth = std::max(2, points / 16);
   const double gap = random.chance(0.5) ? random.between(0.05, 0.4) : small(random, 2, 9);
-  const double pitch = 1, width = (pitch - 2 * gap) * random.between(0.3, 1) , height = random.between(0.5, 6);
+  const double pitch = 1, width = (pitch - 2 * gap) * random.between(0.3, 1), height = random.between(0.5, 6);
   const Ring up = comb(teeth, pitch, width, height, 0.5);
   Ring down = comb(teeth, pitch, width, height, 0.5);
   for (Point2& p : down) p = {settled(p.x + pitch / 2), settled(height + std::max(gap, 0.05) - p.y)};
@@ -155,16 +161,20 @@ ContourStack spirals(RandomNumbers& random, int points) {
 /// Toothed wheels, bored or not, each turned by half a tooth or so against the one below.
 ContourStack gears(RandomNumbers& random, int points) {
   const int count = random.whole(2, 4), teeth = std::max(3, points / count / 4);
-  const double tip = random.between(1, 4), root = tip * random.between(0.2, 0.95), bore = root * random.between(0.1, 0.95);
+  const double tip = random.between(1, 4), root = tip * random.between(0.2, 0.95),
+               bore = root * random.between(0.1, 0.95);
   const bool bored = random.chance(0.5);
   std::vector<Rings> slices;
   double angle = 0;
   for (int k = 0; k < count; ++k) {
     Rings rings{ring_around({0, 0}, 2 * teeth, angle, [&](int i) { return i % 2 == 0 ? tip : root; })};
-    if (bored) add_if_it_fits(rings, random.chance(0.5) ? regular({0, 0}, 2 * teeth, angle, bore)
-                                                        : ring_around({0, 0}, 2 * teeth, angle, [&](int i) { return (i % 2 == 0 ? 0.9 : 0.5) * bore; }));
+    if (bored)
+      add_if_it_fits(rings, random.chance(0.5) ? regular({0, 0}, 2 * teeth, angle, bore)
+                                               : ring_around({0, 0}, 2 * teeth, angle,
+                                                             [&](int i) { return (i % 2 == 0 ? 0.9 : 0.5) * bore; }));
     slices.push_back(rings);
-    angle += one_of(random, {0.0, 0.25, 0.5, 1.0}) * full_turn / teeth + (random.chance(0.2) ? random.between(-0.1, 0.1) : 0);
+    angle += one_of(random, {0.0, 0.25, 0.5, 1.0}) * full_turn / teeth +
+             (random.chance(0.2) ? random.between(-0.1, 0.1) : 0);
   }
   return stacked(random, slices);
 }
@@ -181,7 +191,9 @@ ContourStack needles(RandomNumbers& random, int points) {
       const double angle = parallel ? 0.3 : random.between(0, full_turn), length = random.between(0.5, 6);
       const double wide = random.chance(0.3) ? random.between(0.01, 0.3) : small(random, 2, 9);
       const Point2 d{settled(length * std::cos(angle)), settled(length * std::sin(angle))};
-      add_if_it_fits(rings, {a, {a.x + d.x, a.y + d.y}, {settled(a.x + d.x * 0.5 - wide * d.y), settled(a.y + d.y * 0.5 + wide * d.x)}});
+      add_if_it_fits(
+          rings,
+          {a, {a.x + d.x, a.y + d.y}, {settled(a.x + d.x * 0.5 - wide * d.y), settled(a.y + d.y * 0.5 + wide * d.x)}});
     }
     slices.push_back(rings);
   }
@@ -214,8 +226,9 @@ ContourStack hooks(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& outline_makers() {
-  static const std::vector<NamedMaker> makers{{"koch", kochs}, {"coastline", coastlines}, {"fingers", fingers}, {"spirals", spirals},
-                                              {"gears", gears}, {"needles", needles}, {"hooks", hooks}};
+  static const std::vector<NamedMaker> makers{{"koch", kochs},      {"coastline", coastlines}, {"fingers", fingers},
+                                              {"spirals", spirals}, {"gears", gears},          {"needles", needles},
+                                              {"hooks", hooks}};
   return makers;
 }
 

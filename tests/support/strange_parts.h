@@ -1,6 +1,6 @@
 #pragma once
-// What the makers of strange stacks share. A maker draws one stack of about `points` points, which may break the rules of
-// contour_stack.h now and then: strange_stack draws again.
+// What the makers of strange stacks share. A maker draws one stack of about `points` points, which may break the rules
+// of contour_stack.h now and then: strange_stack draws again.
 
 #include <vector>
 
@@ -32,7 +32,9 @@ Ring turned(const Ring& ring, double angle);
 
 /// One of the given values.
 template <class T, std::size_t n>
-T one_of(RandomNumbers& random, const T (&values)[n]) { return values[random.below(int(n))]; }
+T one_of(RandomNumbers& random, const T (&values)[n]) {
+  return values[random.below(int(n))];
+}
 
 /// 10^-k for a k between the two, whole numbers.
 double small(RandomNumbers& random, int largest_k, int smallest_k);

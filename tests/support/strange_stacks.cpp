@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "recon/core/limits.h"
@@ -85,7 +85,9 @@ bool is_valid(const ContourStack& stack) {
 int points_wanted(RandomNumbers& random, StrangeSize size) {
   if (size == StrangeSize::large) return 2000;
   if (size == StrangeSize::cheap || random.chance(0.4)) return random.whole(12, 60);
-  return random.chance(0.6) ? random.whole(60, 250) : random.chance(0.7) ? random.whole(250, 700) : random.whole(700, 2000);
+  return random.chance(0.6)   ? random.whole(60, 250)
+         : random.chance(0.7) ? random.whole(250, 700)
+                              : random.whole(700, 2000);
 }
 
 using Transform = std::function<Point2(Point2)>;
@@ -99,8 +101,8 @@ void apply_if_valid(ContourStack& stack, const Transform& transform) {
   if (is_valid(result)) stack = result;
 }
 
-/// Now and then the stack is scaled by a decimal, rounded to some digits as files are, moved a kilometre away, made flat or tall, or a slice is
-/// emptied.
+/// Now and then the stack is scaled by a decimal, rounded to some digits as files are, moved a kilometre away, made
+/// flat or tall, or a slice is emptied.
 void disturb(RandomNumbers& random, ContourStack& stack) {
   if (random.chance(0.1)) {
     const double factor = one_of(random, {0.1, 1e-3, 0.3, 1e-6, 10.0});
@@ -108,7 +110,9 @@ void disturb(RandomNumbers& random, ContourStack& stack) {
   }
   if (random.chance(0.2)) {
     const double grain = one_of(random, {10.0, 100.0, 1e3, 1e4, 1e6});
-    apply_if_valid(stack, [&](Point2 p) { return Point2{std::round(p.x * grain) / grain, std::round(p.y * grain) / grain}; });
+    apply_if_valid(stack, [&](Point2 p) {
+      return Point2{std::round(p.x * grain) / grain, std::round(p.y * grain) / grain};
+    });
   }
   if (random.chance(0.08)) {
     const Point2 by{one_of(random, {999000.0, -987654.3, 0.0}), one_of(random, {999000.1, -1e5})};
@@ -156,7 +160,8 @@ ContourStack medley(RandomNumbers& random, int points) {
 const std::vector<NamedMaker>& all_makers() {
   static const std::vector<NamedMaker> all = [] {
     std::vector<NamedMaker> makers;
-    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers(), &ploy_makers(), &trifle_makers(), &assault_makers()})
+    for (const auto* some : {&outline_makers(), &number_makers(), &crowd_makers(), &label_makers(), &attack_makers(),
+                             &ploy_makers(), &trifle_makers(), &assault_makers()})
       makers.insert(makers.end(), some->begin(), some->end());
     makers.push_back({"medley", medley});
     return makers;
@@ -187,10 +192,12 @@ std::vector<Link> random_links(RandomNumbers& random, const ContourStack& stack,
   const double forced = random.between(0, 1);
   for (const std::string& structure : structures)
     for (std::size_t k = 0; k + 1 < stack.slices.size(); ++k) {
-      const auto lower = outer_contours(stack.slices[k], structure), upper = outer_contours(stack.slices[k + 1], structure);
+      const auto lower = outer_contours(stack.slices[k], structure),
+                 upper = outer_contours(stack.slices[k + 1], structure);
       if (lower.empty() || upper.empty()) continue;
       for (int i = random.whole(0, most); i > 0; --i) {
-        const std::size_t a = lower[std::size_t(random.below(int(lower.size())))], b = upper[std::size_t(random.below(int(upper.size())))];
+        const std::size_t a = lower[std::size_t(random.below(int(lower.size())))],
+                          b = upper[std::size_t(random.below(int(upper.size())))];
         if (taken.insert({k, a, b}).second) links.push_back({structure, k, a, b, random.chance(forced)});
       }
     }
@@ -211,12 +218,14 @@ StrangeStack strange_stack(std::uint64_t seed, StrangeSize size) {
   RandomNumbers random(seed ^ 0x5ca1ab1e00000000u);
   StrangeStack result;
   result.kind = maker.kind;
-  double share = 1;   // of what is wanted: makers keep to it roughly
+  double share = 1;  // of what is wanted: makers keep to it roughly
   for (;; ++result.thrown_away) {
     result.stack = maker.make(random, std::max(12, int(share * points_wanted(random, size))));
     const std::size_t points = points_of(result.stack);
-    if (size == StrangeSize::large && points > largest_strange_stack) share *= 0.9;
-    else if (is_valid(result.stack)) break;
+    if (size == StrangeSize::large && points > largest_strange_stack)
+      share *= 0.9;
+    else if (is_valid(result.stack))
+      break;
   }
   disturb(random, result.stack);
   const bool knotted = result.kind == "knots";

@@ -1,5 +1,5 @@
-// Stacks that are awkward by trifles: numbers at the very ends of doubles, points that say nothing, slices that differ in next to nothing,
-// the same again in another order.
+// Stacks that are awkward by trifles: numbers at the very ends of doubles, points that say nothing, slices that differ
+// in next to nothing, the same again in another order.
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,8 @@ namespace odontoscope::test {
 namespace {
 
 Ring blob(RandomNumbers& random, int points, double radius) {
-  return ring_around({0, 0}, std::max(3, points), random.between(0, 6), [&](int) { return radius * random.between(0.5, 1); });
+  return ring_around({0, 0}, std::max(3, points), random.between(0, 6),
+                     [&](int) { return radius * random.between(0.5, 1); });
 }
 
 /// Contours so small that squares of their size are denormal, or nothing.
@@ -24,7 +25,8 @@ ContourStack minute(RandomNumbers& random, int points) {
     const Ring ring = blob(random, points / count, 2), inner = scaled(ring, 0.5);
     add_if_it_fits(rings, scaled(ring, size));
     if (random.chance(0.3)) add_if_it_fits(rings, scaled(inner, size));
-    if (random.chance(0.3)) add_if_it_fits(rings, moved(blob(random, 4, 1), {random.between(-5, 5), 5}));   // beside something large
+    if (random.chance(0.3))
+      add_if_it_fits(rings, moved(blob(random, 4, 1), {random.between(-5, 5), 5}));  // beside something large
     slices.push_back(rings);
   }
   ContourStack stack = stacked(random, slices);
@@ -40,16 +42,19 @@ ContourStack vast(RandomNumbers& random, int points) {
   for (int k = 0; k < count; ++k) {
     Rings rings{scaled(random.chance(0.5) ? box_of({-1, -1}, {1, 1}) : blob(random, points / count / 2, 1), 1e6)};
     for (int c = 0; c < 3; ++c)
-      add_if_it_fits(rings, moved(scaled(blob(random, points / count / 6, 1), small(random, -4, 3)), {1e6 * random.between(-1, 1), 1e6 * random.between(-1, 1)}));
+      add_if_it_fits(rings, moved(scaled(blob(random, points / count / 6, 1), small(random, -4, 3)),
+                                  {1e6 * random.between(-1, 1), 1e6 * random.between(-1, 1)}));
     slices.push_back(rings);
   }
   ContourStack stack = stacked(random, slices);
   const double low = random.chance(0.5) ? -1e6 : -1e-3;
-  for (std::size_t k = 0; k < stack.slices.size(); ++k) stack.slices[k].z = low * (1 - 2.0 * double(k) / double(count - 1));
+  for (std::size_t k = 0; k < stack.slices.size(); ++k)
+    stack.slices[k].z = low * (1 - 2.0 * double(k) / double(count - 1));
   return stack;
 }
 
-/// Boxes with points by the hundred exactly on their edges; in the next slice between those, on fewer edges, or in other numbers.
+/// Boxes with points by the hundred exactly on their edges; in the next slice between those, on fewer edges, or in
+/// other numbers.
 ContourStack exactly_straight(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3);
   std::vector<Rings> slices;
@@ -64,7 +69,7 @@ ContourStack exactly_straight(RandomNumbers& random, int points) {
       }
       return ring;
     };
-    int each = 1;   // a power of two, so that all points lie on their edge exactly
+    int each = 1;  // a power of two, so that all points lie on their edge exactly
     while (each * 16 * count < points) each *= 2;
     const double shift = one_of(random, {0.0, 0.0, 0.5, 1.0 / each});
     Rings rings;
@@ -76,7 +81,8 @@ ContourStack exactly_straight(RandomNumbers& random, int points) {
   return stacked(random, slices);
 }
 
-/// A fractal over the one a step coarser, which has every other of its corners, edges in common, or over its mirror image.
+/// A fractal over the one a step coarser, which has every other of its corners, edges in common, or over its mirror
+/// image.
 ContourStack generations(RandomNumbers& random, int points) {
   Ring ring = regular({0, 0}, random.whole(3, 5), 0.25, 2);
   const double height = random.between(0.1, 0.28), side = random.chance(0.7) ? 1 : -1;
@@ -86,7 +92,9 @@ ContourStack generations(RandomNumbers& random, int points) {
     Ring finer;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point2 a = ring[i], b = ring[(i + 1) % ring.size()], d{b.x - a.x, b.y - a.y};
-      finer.insert(finer.end(), {a, {a.x + d.x / 3, a.y + d.y / 3}, {a.x + d.x / 2 + side * height * d.y, a.y + d.y / 2 - side * height * d.x},
+      finer.insert(finer.end(), {a,
+                                 {a.x + d.x / 3, a.y + d.y / 3},
+                                 {a.x + d.x / 2 + side * height * d.y, a.y + d.y / 2 - side * height * d.x},
                                  {a.x + 2 * d.x / 3, a.y + 2 * d.y / 3}});
     }
     ring = finer;
@@ -115,12 +123,20 @@ ContourStack nearly_equal(RandomNumbers& random, int points) {
     const Ring before = ring;
     const std::size_t at = std::size_t(random.below(int(ring.size())));
     switch (random.below(4)) {
-      case 0: std::rotate(ring.begin(), ring.begin() + long(at), ring.end()); break;
-      case 1: std::reverse(ring.begin(), ring.end()); break;
-      case 2: ring[at].x += small(random, 3, 12); break;
-      default: ring[at] = {ring[at].x == 0 ? -0.0 : ring[at].x, stepped(ring[at].y, random.whole(-3, 3))};
+      case 0:
+        std::rotate(ring.begin(), ring.begin() + long(at), ring.end());
+        break;
+      case 1:
+        std::reverse(ring.begin(), ring.end());
+        break;
+      case 2:
+        ring[at].x += small(random, 3, 12);
+        break;
+      default:
+        ring[at] = {ring[at].x == 0 ? -0.0 : ring[at].x, stepped(ring[at].y, random.whole(-3, 3))};
     }
-    if (Rings all = {}; !std::all_of(rings.begin(), rings.end(), [&](const Ring& r) { return add_if_it_fits(all, r); })) ring = before;
+    if (Rings all = {}; !std::all_of(rings.begin(), rings.end(), [&](const Ring& r) { return add_if_it_fits(all, r); }))
+      ring = before;
     slices.push_back(rings);
   }
   return stacked(random, slices);
@@ -129,7 +145,7 @@ ContourStack nearly_equal(RandomNumbers& random, int points) {
 /// A square with holes within holes' places, over it the same holes as islands, or the next generation of holes.
 ContourStack carpets(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3);
-  const double part = one_of(random, {1.0, 0.9, 0.5, 0.999999});   // of a third, that a hole takes
+  const double part = one_of(random, {1.0, 0.9, 0.5, 0.999999});  // of a third, that a hole takes
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     Rings holes;
@@ -152,18 +168,22 @@ ContourStack carpets(RandomNumbers& random, int points) {
   return stacked(random, slices);
 }
 
-/// Needles as a fan from one place, those of the next slice from another, so that all cross all; tips end at any length.
+/// Needles as a fan from one place, those of the next slice from another, so that all cross all; tips end at any
+/// length.
 ContourStack fans(RandomNumbers& random, int points) {
   const int count = random.whole(2, 3), needles = std::clamp(points / count / 3, 2, 60);
   std::vector<Rings> slices;
   for (int k = 0; k < count; ++k) {
     const Point2 from{random.between(-1, 1), random.between(-1, 1)};
-    const double spread = random.between(0.1, 3), thin = random.chance(0.3) ? 0.2 : small(random, 1, 8), first = random.between(0, 6);
+    const double spread = random.between(0.1, 3), thin = random.chance(0.3) ? 0.2 : small(random, 1, 8),
+                 first = random.between(0, 6);
     Rings rings;
     for (int i = 0; i < needles; ++i) {
-      const double at = first + spread * i / needles, near = random.between(0.05, 0.2), far = random.between(1, 4), wide = near * thin * spread / needles;
+      const double at = first + spread * i / needles, near = random.between(0.05, 0.2), far = random.between(1, 4),
+                   wide = near * thin * spread / needles;
       const Point2 d{std::cos(at), std::sin(at)};
-      const Ring needle{{from.x + near * d.x - wide * d.y, from.y + near * d.y + wide * d.x}, {from.x + near * d.x + wide * d.y, from.y + near * d.y - wide * d.x},
+      const Ring needle{{from.x + near * d.x - wide * d.y, from.y + near * d.y + wide * d.x},
+                        {from.x + near * d.x + wide * d.y, from.y + near * d.y - wide * d.x},
                         {from.x + far * d.x, from.y + far * d.y}};
       add_if_it_fits(rings, random.chance(0.5) ? needle : Ring{needle[2], needle[1], needle[0]});
     }
@@ -175,8 +195,13 @@ ContourStack fans(RandomNumbers& random, int points) {
 }  // namespace
 
 const std::vector<NamedMaker>& trifle_makers() {
-  static const std::vector<NamedMaker> makers{{"minute", minute}, {"vast", vast}, {"exactly-straight", exactly_straight}, {"generations", generations},
-                                              {"nearly-equal", nearly_equal}, {"carpets", carpets}, {"fans", fans}};
+  static const std::vector<NamedMaker> makers{{"minute", minute},
+                                              {"vast", vast},
+                                              {"exactly-straight", exactly_straight},
+                                              {"generations", generations},
+                                              {"nearly-equal", nearly_equal},
+                                              {"carpets", carpets},
+                                              {"fans", fans}};
   return makers;
 }
 

@@ -21,15 +21,26 @@ constexpr auto same_height = [](double z) { return z; };
 }  // namespace
 
 ContourStack rotated(ContourStack stack) {
-  return mapped(std::move(stack), [](Point2 p) { return Point2{-p.y, p.x}; }, same_height);
+  return mapped(
+      std::move(stack),
+      [](Point2 p) {
+        return Point2{-p.y, p.x};
+      },
+      same_height);
 }
 
 ContourStack mirrored(ContourStack stack) {
-  return mapped(std::move(stack), [](Point2 p) { return Point2{-p.x, p.y}; }, same_height);
+  return mapped(
+      std::move(stack),
+      [](Point2 p) {
+        return Point2{-p.x, p.y};
+      },
+      same_height);
 }
 
 ContourStack reversed(ContourStack stack) {
-  return mapped(std::move(stack), [](Point2 p) { return p; }, [](double z) { return -z; });
+  return mapped(
+      std::move(stack), [](Point2 p) { return p; }, [](double z) { return -z; });
 }
 
 ContourStack permuted(ContourStack stack, std::uint64_t seed) {
@@ -47,7 +58,12 @@ ContourStack permuted(ContourStack stack, std::uint64_t seed) {
 }
 
 ContourStack doubled(ContourStack stack) {
-  return mapped(std::move(stack), [](Point2 p) { return Point2{2 * p.x, 2 * p.y}; }, [](double z) { return 2 * z; });
+  return mapped(
+      std::move(stack),
+      [](Point2 p) {
+        return Point2{2 * p.x, 2 * p.y};
+      },
+      [](double z) { return 2 * z; });
 }
 
 std::vector<Variant> variants_of(const ContourStack& stack, std::uint64_t seed) {

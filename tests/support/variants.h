@@ -1,6 +1,6 @@
 #pragma once
-// The same stack seen differently. All of these are exact in floating point, so whatever an engine decides on the original it
-// can decide on the variant.
+// The same stack seen differently. All of these are exact in floating point, so whatever an engine decides on the
+// original it can decide on the variant.
 
 #include <cstdint>
 #include <vector>
@@ -12,8 +12,9 @@ namespace odontoscope::test {
 struct Variant {
   const char* name;
   ContourStack stack;
-  /// Turning, mirroring and reversing permute the lexicographic order of points, by which ties between cocircular or cospherical
-  /// points are broken; only stacks without such ties must then keep their topology. Permuting and doubling keep that order.
+  /// Turning, mirroring and reversing permute the lexicographic order of points, by which ties between cocircular or
+  /// cospherical points are broken; only stacks without such ties must then keep their topology. Permuting and doubling
+  /// keep that order.
   bool keeps_order_of_points;
 };
 

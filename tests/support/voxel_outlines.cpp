@@ -19,14 +19,15 @@ struct Samples {
   }
 };
 
-/// In each cell, contour pieces from one crossed side to the next, the inside on the left. Where two inside corners face each
-/// other across a diagonal they stay apart.
+/// In each cell, contour pieces from one crossed side to the next, the inside on the left. Where two inside corners
+/// face each other across a diagonal they stay apart.
 void add_cell(const Samples& samples, int x, int y, std::map<LatticeEdge, LatticeEdge>& next) {
   const std::array<bool, 4> inside{samples.at(x, y) > 0, samples.at(x + 1, y) > 0, samples.at(x + 1, y + 1) > 0,
                                    samples.at(x, y + 1) > 0};
   const std::array<LatticeEdge, 4> sides{LatticeEdge{x, y, 0}, {x + 1, y, 1}, {x, y + 1, 0}, {x, y, 1}};
-  // Walking counter-clockwise round the cell, side i leads from corner i to i + 1. A run of inside corners is left over the side
-  // where it ends; the piece starts there and ends at the side where the run began, which keeps the run on its left.
+  // Walking counter-clockwise round the cell, side i leads from corner i to i + 1. A run of inside corners is left over
+  // the side where it ends; the piece starts there and ends at the side where the run began, which keeps the run on its
+  // left.
   for (std::size_t out = 0; out < 4; ++out) {
     if (!inside[out] || inside[(out + 1) % 4]) continue;
     std::size_t in = out;

@@ -1,6 +1,6 @@
 #pragma once
-// Iso-contours of a random field by marching squares: closed, simple and disjoint by construction, and as full of holes, islands,
-// forks and pits that open elsewhere as real volumes are.
+// Iso-contours of a random field by marching squares: closed, simple and disjoint by construction, and as full of
+// holes, islands, forks and pits that open elsewhere as real volumes are.
 
 #include <array>
 #include <vector>

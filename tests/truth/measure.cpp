@@ -37,7 +37,8 @@ Planes planes_of(const ContourStack& stack, const Truth& truth) {
 
 /// `found_at` gives what was made of the plane of that number.
 template <class FoundAt>
-void add_areas(MethodResult& result, const Truth& truth, const Planes& planes, std::size_t structure, const FoundAt& found_at) {
+void add_areas(MethodResult& result, const Truth& truth, const Planes& planes, std::size_t structure,
+               const FoundAt& found_at) {
   const double cell = truth.raster.step * truth.raster.step;
   double of_slab = 0;
   for (std::size_t h = 0; h < planes.heights.size(); ++h) {
@@ -69,7 +70,8 @@ std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
   for (std::size_t i = 0; i < distance_samples && area > 0; ++i) {
     const double target = area * (static_cast<double>(i) + 0.5) / static_cast<double>(distance_samples);
     const auto t = static_cast<std::size_t>(std::lower_bound(areas.begin(), areas.end(), target) - areas.begin());
-    double u = std::fmod(golden * static_cast<double>(i + 1), 1.0), v = std::fmod(golden2 * static_cast<double>(i + 1), 1.0);
+    double u = std::fmod(golden * static_cast<double>(i + 1), 1.0),
+           v = std::fmod(golden2 * static_cast<double>(i + 1), 1.0);
     if (u + v > 1) {
       u = 1 - u;
       v = 1 - v;
@@ -83,7 +85,8 @@ std::vector<Point3> spread_over(const SurfaceMesh& mesh) {
 }
 
 /// `on_truth`: points spread over the true surface.
-void add_distances(MethodResult& result, const SurfaceMesh& surface, const SurfaceMesh& truth, const std::vector<Point3>& on_truth) {
+void add_distances(MethodResult& result, const SurfaceMesh& surface, const SurfaceMesh& truth,
+                   const std::vector<Point3>& on_truth) {
   const auto there = distance_to_surface(spread_over(surface), truth);
   const auto back = distance_to_surface(on_truth, surface);
   if (!there || !back) return;
@@ -197,14 +200,15 @@ Topology topology_of(const SurfaceReport& report) {
 }
 
 const std::vector<std::string>& method_names() {
-  static const std::vector<std::string> names{"DT plain", "DT blended", "DT partition", "DB 64", "DB 128",
-                                              "DB 256",   "SBI linear", "SBI cubic"};
+  static const std::vector<std::string> names{"DT plain", "DT blended", "DT partition", "DB 64",
+                                              "DB 128",   "DB 256",     "SBI linear",   "SBI cubic"};
   return names;
 }
 
 const char* method_name(Between way) { return way == Between::delaunay ? "DT plain" : "DT blended"; }
 
-MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth, std::size_t structure) {
+MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth,
+                             std::size_t structure) {
   MethodResult result;
   if (report.closed_oriented_manifold()) result.topology = topology_of(report);
   result.triangles = surface.triangles.size();
@@ -213,7 +217,8 @@ MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& re
   return result;
 }
 
-Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared) {
+Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options,
+                const ContourStack* shared) {
   Measuring measuring(stack, truth, options);
   for (const Between way : options.ways) measuring.reconstruct_by_delaunay(way);
   if (shared) measuring.reconstruct_as_partition(*shared);

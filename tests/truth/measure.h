@@ -32,8 +32,8 @@ struct Truth {
 
 struct MethodResult {
   std::optional<Topology> topology;
-  bool warned = false;  // the verdict is amber for the sake of this structure
-  std::string refused;  // the message, if it came to nothing
+  bool warned = false;                  // the verdict is amber for the sake of this structure
+  std::string refused;                  // the message, if it came to nothing
   double wrong_area = 0, own_area = 0;  // summed over planes at a quarter, half and three quarters of every slab, mm^2
   double worst_area = 0;                // of one slab, mm^2 over the same three planes
   std::size_t worst_slab = 0;
@@ -44,23 +44,27 @@ struct MethodResult {
 struct MeasureOptions {
   ReconstructOptions engine;
   std::vector<Between> ways{ReconstructOptions{}.between};  // of DT; each is a method
-  bool shape = false;       // areas and distances too, not topology alone
-  bool references = false;  // DB and shape-based interpolation, too
+  bool shape = false;                                       // areas and distances too, not topology alone
+  bool references = false;                                  // DB and shape-based interpolation, too
 };
 
-/// "DT plain", "DT blended", "DT partition", "DB 64", "DB 128", "DB 256", "SBI linear", "SBI cubic": in the order of tables.
+/// "DT plain", "DT blended", "DT partition", "DB 64", "DB 128", "DB 256", "SBI linear", "SBI cubic": in the order of
+/// tables.
 const std::vector<std::string>& method_names();
 const char* method_name(Between way);
 
 struct Results {
   std::map<std::string, std::vector<MethodResult>> methods;  // for each structure in the truth's order
-  std::vector<bool> visible;  // whether the slices can tell of it at all, see visible.h
+  std::vector<bool> visible;                                 // whether the slices can tell of it at all, see visible.h
 };
 
 /// Anybody's surface of `structure` (its number): topology if it is closed, distances in any case.
-MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth, std::size_t structure);
+MethodResult measure_surface(const SurfaceMesh& surface, const SurfaceReport& report, const Truth& truth,
+                             std::size_t structure);
 
-/// `shared`: the same tooth's contours as a partition wants them, structures filled or sharing their walls; none: no partition is made.
-Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options, const ContourStack* shared = nullptr);
+/// `shared`: the same tooth's contours as a partition wants them, structures filled or sharing their walls; none: no
+/// partition is made.
+Results measure(const ContourStack& stack, const Truth& truth, const MeasureOptions& options,
+                const ContourStack* shared = nullptr);
 
 }  // namespace odontoscope::test

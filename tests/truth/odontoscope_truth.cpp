@@ -34,7 +34,7 @@ struct Asked {
   std::vector<double> spacings;
   bool every_spacing = false, labels = false, failing = false, tables = false, partition = false;
   std::optional<double> smooth;
-  std::vector<std::string> meshes;   // "dentine=FILE"
+  std::vector<std::string> meshes;  // "dentine=FILE"
   std::string folder = std::string(ODONTOSCOPE_DATA) + "/incisor_meshes", output;
   MeasureOptions measure;
   unsigned threads = 0;
@@ -132,7 +132,8 @@ void run_family(const Asked& asked) {
 
 void run_incisor(const Asked& asked) {
   const std::optional<RealTooth> tooth = incisor_meshes(asked.folder);
-  if (!tooth) throw UsageError("the incisor's meshes are not in " + asked.folder, "Name the folder that has URI1_pulp.stl");
+  if (!tooth)
+    throw UsageError("the incisor's meshes are not in " + asked.folder, "Name the folder that has URI1_pulp.stl");
   const Truth truth = tooth->truth();
   const std::vector<double> spacings = asked.spacings.empty() ? std::vector{0.1, 0.25, 0.5} : asked.spacings;
   Output output(0, asked);
@@ -160,14 +161,23 @@ void hold_meshes(const Asked& asked) {
   for (const std::string& one : asked.meshes) {
     const std::size_t sign = one.find('=');
     const auto known = std::find(truth.names.begin(), truth.names.end(), one.substr(0, sign));
-    if (sign == one.npos || known == truth.names.end()) throw UsageError(one + " names no structure of the tooth", "Write dentine=FILE");
+    if (sign == one.npos || known == truth.names.end())
+      throw UsageError(one + " names no structure of the tooth", "Write dentine=FILE");
     const auto s = static_cast<std::size_t>(known - truth.names.begin());
     const SurfaceMesh surface = read_mesh(one.substr(sign + 1)).front().surface;
     const SurfaceReport report = inspect(surface);
     const MethodResult held = measure_surface(surface, report, truth, s);
-    nlohmann::json line{{"structure", *known}, {"closed", report.closed_oriented_manifold()}, {"boundary_edges", report.boundary_edges}, {"nonmanifold_edges", report.nonmanifold_edges},
-                        {"misoriented_edges", report.misoriented_edges}, {"degenerate_triangles", report.degenerate_triangles}, {"true", told(truth.topology[s])}, {"triangles", held.triangles},
-                        {"found", nullptr}, {"mean", nullptr}, {"largest", nullptr}};
+    nlohmann::json line{{"structure", *known},
+                        {"closed", report.closed_oriented_manifold()},
+                        {"boundary_edges", report.boundary_edges},
+                        {"nonmanifold_edges", report.nonmanifold_edges},
+                        {"misoriented_edges", report.misoriented_edges},
+                        {"degenerate_triangles", report.degenerate_triangles},
+                        {"true", told(truth.topology[s])},
+                        {"triangles", held.triangles},
+                        {"found", nullptr},
+                        {"mean", nullptr},
+                        {"largest", nullptr}};
     if (held.topology) line["found"] = told(*held.topology);
     if (held.mean) line["mean"] = *held.mean;
     if (held.largest) line["largest"] = *held.largest;
@@ -184,18 +194,23 @@ void add_cutting(CLI::App& command, Asked& asked) {
 
 void add_measuring(CLI::App& command, Asked& asked) {
   command.add_flag("--shape", asked.measure.shape, "Measure areas and distances between slices too");
-  command.add_flag("--partition", asked.partition, "Structures share their walls; beside DT of each the partition of all, of filled contours or of the label map");
+  command.add_flag(
+      "--partition", asked.partition,
+      "Structures share their walls; beside DT of each the partition of all, of filled contours or of the label map");
   command.add_flag("--references", asked.measure.references, "DB and shape-based interpolation beside DT");
-  command.add_flag("--tables", asked.tables, "All methods and measures, as tables in Markdown; single teeth on the error output");
+  command.add_flag("--tables", asked.tables,
+                   "All methods and measures, as tables in Markdown; single teeth on the error output");
   command.add_flag("--failing", asked.failing, "Print only what DT has wrong though the slices tell of it");
   command.add_option("--threads", asked.threads, "Teeth at a time; all processors if not given");
-  const std::map<std::string, Correspondence> criteria{
-      {"reverse", Correspondence::reverse}, {"medial", Correspondence::medial}, {"overlap", Correspondence::overlap},
-      {"tracked", Correspondence::tracked}};
+  const std::map<std::string, Correspondence> criteria{{"reverse", Correspondence::reverse},
+                                                       {"medial", Correspondence::medial},
+                                                       {"overlap", Correspondence::overlap},
+                                                       {"tracked", Correspondence::tracked}};
   command.add_option("--correspondence", asked.measure.engine.correspondence, "tracked, reverse, medial or overlap")
       ->transform(CLI::CheckedTransformer(criteria));
   const std::map<std::string, Between> ways{{"blended", Between::blended}, {"delaunay", Between::delaunay}};
-  command.add_option("--between", asked.measure.ways, "blended or delaunay, or both; the program's default if not given")
+  command
+      .add_option("--between", asked.measure.ways, "blended or delaunay, or both; the program's default if not given")
       ->transform(CLI::CheckedTransformer(ways));
 }
 
@@ -213,7 +228,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   CLI::App& family = *app.add_subcommand("family", "Teeth drawn at random from formulas");
   family.add_option("--seeds", asked.seeds, "A..B, one tooth each");
-  family.add_flag("--every-spacing", asked.every_spacing, "0.1, 0.2, 0.25, 0.35 and 0.5 mm for each tooth, not one in turn");
+  family.add_flag("--every-spacing", asked.every_spacing,
+                  "0.1, 0.2, 0.25, 0.35 and 0.5 mm for each tooth, not one in turn");
   CLI::App& incisor = *app.add_subcommand("incisor", "The meshes of a real incisor");
   incisor.add_option("FOLDER", asked.folder, "Where they lie");
   incisor.add_option("--spacing", asked.spacings, "Distance of slices, mm (several may be given)");

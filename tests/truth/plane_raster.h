@@ -28,8 +28,8 @@ using Mask = std::vector<std::uint8_t>;
 /// What lies inside an odd number of the structure's contours.
 Mask inside_contours(const Raster& raster, const Slice& slice, const std::string& structure);
 
-/// Sections of a closed surface by planes of constant z: what an odd number of its triangles lies below. Parity needs no
-/// winding and no repair, so it judges anybody's mesh. Heights ascending.
+/// Sections of a closed surface by planes of constant z: what an odd number of its triangles lies below. Parity needs
+/// no winding and no repair, so it judges anybody's mesh. Heights ascending.
 class SurfaceSections {
  public:
   SurfaceSections(const SurfaceMesh& mesh, const std::vector<double>& heights);

@@ -14,8 +14,8 @@ using namespace sample;
 using std::numbers::pi;
 
 constexpr double least_wall = 0.25, least_roof = 0.3, least_canal = 0.13;  // mm
-constexpr double cervix = 14;                                             // about, in all three sample teeth
-constexpr std::uint64_t attempt_stride = 0x51ab'7e0d'9e37'79b9;           // parts the attempts of one seed
+constexpr double cervix = 14;                                              // about, in all three sample teeth
+constexpr std::uint64_t attempt_stride = 0x51ab'7e0d'9e37'79b9;            // parts the attempts of one seed
 
 template <class Change>
 Profile changed(const Profile& profile, Change change) {
@@ -91,7 +91,8 @@ class Drawing {
     };
     for (Root& root : shape_.roots) {
       root.apex_z = moved(root.apex_z);
-      for (Profile* p : {&root.x, &root.y, &root.half_mesiodistal, &root.half_buccolingual, &root.lobe_offset}) move(*p);
+      for (Profile* p : {&root.x, &root.y, &root.half_mesiodistal, &root.half_buccolingual, &root.lobe_offset})
+        move(*p);
     }
     for (Canal& canal : shape_.canals)
       for (Profile* p : {&canal.half_mesiodistal, &canal.half_buccolingual}) move(*p);
@@ -207,9 +208,12 @@ class Drawing {
       const char* name;
       double x, y, half;
     };
-    const std::vector<Foot> three{{"mesiobuccal", 2.2, 2.0, 2.0}, {"distobuccal", -2.2, 1.9, 1.9}, {"lingual", 0, -2.3, 2.2}};
-    const std::vector<Foot> four{{"mesiobuccal", 2.3, 2.2, 1.9}, {"distobuccal", -2.3, 2.1, 1.9},
-                                 {"mesiolingual", 2.2, -2.2, 1.9}, {"distolingual", -2.2, -2.2, 1.9}};
+    const std::vector<Foot> three{
+        {"mesiobuccal", 2.2, 2.0, 2.0}, {"distobuccal", -2.2, 1.9, 1.9}, {"lingual", 0, -2.3, 2.2}};
+    const std::vector<Foot> four{{"mesiobuccal", 2.3, 2.2, 1.9},
+                                 {"distobuccal", -2.3, 2.1, 1.9},
+                                 {"mesiolingual", 2.2, -2.2, 1.9},
+                                 {"distolingual", -2.2, -2.2, 1.9}};
     for (const Foot& foot : roots == 3 ? three : four) {
       shape_.roots.push_back(free_root(foot.name, foot.x, foot.y, foot.half, furcation));
       add_canals(shape_.roots.size() - 1, random_.between(0.3, 0.5), 0.5, random_.chance(0.2));
@@ -325,15 +329,16 @@ class Drawing {
     if (!random_.chance(0.35)) return;
     const int count = random_.whole(1, 2);
     for (int i = 0; i < count; ++i) {
-      const Canal& from = shape_.canals[static_cast<std::size_t>(random_.below(static_cast<int>(shape_.canals.size())))];
+      const Canal& from =
+          shape_.canals[static_cast<std::size_t>(random_.below(static_cast<int>(shape_.canals.size())))];
       const double low = shape_.roots[from.root].apex_z;
       const double z = random_.between(low + 2.5, std::min(low + 7, 11.0));
       const double turn = random_.between(-pi, pi), fall = random_.between(35, 70) * pi / 180;
       const Point3 start = canal_centre(shape_, from, z);
       const double radius = random_.between(0.13, 0.2);
       const auto at = [&](double length) {
-        return Point3{start.x + length * std::cos(fall) * std::cos(turn), start.y + length * std::cos(fall) * std::sin(turn),
-                      start.z - length * std::sin(fall)};
+        return Point3{start.x + length * std::cos(fall) * std::cos(turn),
+                      start.y + length * std::cos(fall) * std::sin(turn), start.z - length * std::sin(fall)};
       };
       for (double length = 0.3; length < 5; length += 0.1) {
         const Point3 end = at(length);
@@ -375,7 +380,8 @@ bool pulp_keeps_inside(const ToothShape& shape) {
   for (const double z : {box.low.z, (box.low.z + box.high.z) / 2, box.high.z}) {
     for (const double x : {box.low.x, 0.0, box.high.x})
       for (const double y : {box.low.y, 0.0, box.high.y})
-        if (std::abs(x) + std::abs(y) > 0 && (x == 0 || y == 0) && dentine_at(shape, {x, y, z}) > -least_roof) return false;
+        if (std::abs(x) + std::abs(y) > 0 && (x == 0 || y == 0) && dentine_at(shape, {x, y, z}) > -least_roof)
+          return false;
   }
   return canals_keep_inside(shape);
 }

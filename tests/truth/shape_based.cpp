@@ -26,7 +26,8 @@ void ShapeBased::fill_empty(const ContourStack& stack, const std::string& struct
   empty_.resize(slices);
   for (std::size_t i = 0; i < slices; ++i) {
     const std::vector<Contour>& contours = stack.slices[i].contours;
-    empty_[i] = std::none_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == structure; });
+    empty_[i] =
+        std::none_of(contours.begin(), contours.end(), [&](const Contour& c) { return c.structure == structure; });
     if (!empty_[i]) depth[i] = -*std::min_element(layer(i), layer(i) + raster_.size());
   }
   constexpr double nothing_near = 1;  // mm; between two empty slices, where any value beyond 0 does

@@ -28,7 +28,8 @@ class ShapeBased {
   /// At `share` (0 to 1) of the way from slice `slab` to the next.
   Mask between(std::size_t slab, double share, Blend blend) const;
 
-  /// Of the whole, by marching cubes on the raster and on layers at most twice its step apart; flat at the stack's ends.
+  /// Of the whole, by marching cubes on the raster and on layers at most twice its step apart; flat at the stack's
+  /// ends.
   SurfaceMesh surface(Blend blend) const;
 
  private:

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <utility>
 
+#include "recon/contours/simplify_contours.h"
 #include "recon/core/limits.h"
 #include "recon/input/validate.h"
 #include "recon/sample/trace.h"
 #include "recon/volume/volume_contours.h"
-#include "recon/contours/simplify_contours.h"
 
 namespace odontoscope::test {
 namespace {
@@ -21,7 +21,8 @@ double height_of(const TurnedTooth& tooth, double spacing, std::size_t i) {
 
 ContourStack contours_of(const TurnedTooth& tooth, double spacing, const Fineness& fineness) {
   const Raster raster = tooth.raster(fineness.step);
-  sample::Grid grid{{raster.x0, raster.y0}, raster.step, raster.columns, raster.rows, std::vector<double>(raster.size())};
+  sample::Grid grid{
+      {raster.x0, raster.y0}, raster.step, raster.columns, raster.rows, std::vector<double>(raster.size())};
   ContourStack stack;
   stack.source = "tooth " + std::to_string(tooth.tooth().seed);
   for (std::size_t i = 0; height_of(tooth, spacing, i) < tooth.highest(); ++i) {

@@ -27,7 +27,8 @@ VoxelSize voxel_size(const RandomTooth& tooth, double spacing);
 /// Each voxel is what its centre lies in: 1 enamel, 2 dentine, 3 pulp, 0 none; no gap between structures.
 Volume label_map(const TurnedTooth& tooth, const VoxelSize& voxel);
 
-/// Contours of that label map, as `odontoscope contours --label 1=enamel --label 2=dentine --label 3=pulp` has them, with
+/// Contours of that label map, as `odontoscope contours --label 1=enamel --label 2=dentine --label 3=pulp` has them,
+/// with
 /// --smooth and --simplify if they are given (mm): on the volume's lattice.
 ContourStack label_map_contours(const TurnedTooth& tooth, double spacing, std::optional<double> smooth = {},
                                 std::optional<double> simplify = {});

@@ -35,7 +35,8 @@ std::string lines_of(const std::string& tooth, double spacing, const Truth& trut
                      in_short(truth.topology[s]), method, result.topology ? in_short(*result.topology) : "-",
                      verdict(result, truth.topology[s], results.visible[s]));
       if (result.own_area > 0)
-        fmt::format_to(out, "  {:.2f} % wrong, most in slab {}", 100 * result.wrong_area / result.own_area, result.worst_slab);
+        fmt::format_to(out, "  {:.2f} % wrong, most in slab {}", 100 * result.wrong_area / result.own_area,
+                       result.worst_slab);
       if (result.mean) fmt::format_to(out, "  off {:.4f}, most {:.3f} mm", *result.mean, *result.largest);
       if (!result.refused.empty()) fmt::format_to(out, "  {}", result.refused);
       text += '\n';
@@ -82,8 +83,8 @@ std::vector<std::string> Summary::methods() const {
 
 std::string Summary::text() const {
   std::string text = fmt::format("{:11} {:9} {:>7} {:>10} {:>7} {:>7} {:>12} {:>9} {:>9} {:>9} {:>10}\n", "method",
-                                 "structure", "spacing", "right", "warned", "refused", "hidden,right", "wrong %", "off, mm",
-                                 "most, mm", "triangles");
+                                 "structure", "spacing", "right", "warned", "refused", "hidden,right", "wrong %",
+                                 "off, mm", "most, mm", "triangles");
   const auto out = std::back_inserter(text);
   std::map<std::pair<std::string, double>, Cell> sums;
   for (const auto& [key, cell] : cells_) {
@@ -110,7 +111,8 @@ std::string Summary::text() const {
     fmt::format_to(out, " {:>10.0f}\n", cell.triangles / static_cast<double>(cell.all()));
   }
   for (const auto& [key, sum] : sums) {
-    fmt::format_to(out, "{:11} {:9} {:>7.3f} {:>10} {:>7} {:>7} {:>12}  {:.1f} % of those visible right, {:.1f} % of all\n",
+    fmt::format_to(out,
+                   "{:11} {:9} {:>7.3f} {:>10} {:>7} {:>7} {:>12}  {:.1f} % of those visible right, {:.1f} % of all\n",
                    key.first, "together", key.second, fmt::format("{}/{}", sum.right, sum.visible), sum.warned, "",
                    fmt::format("{},{}", sum.hidden, sum.hidden_right),
                    sum.visible > 0 ? 100.0 * static_cast<double>(sum.right) / static_cast<double>(sum.visible) : 0.0,
@@ -142,9 +144,8 @@ std::string Summary::table(const std::string& title, std::string (*in_words)(con
 }
 
 std::string Summary::markdown() const {
-  std::string text = table("Right pieces, handles and bubbles, of those that the slices can tell of:", [](const Cell& cell) {
-    return fmt::format("{} of {}", cell.right, cell.visible);
-  });
+  std::string text = table("Right pieces, handles and bubbles, of those that the slices can tell of:",
+                           [](const Cell& cell) { return fmt::format("{} of {}", cell.right, cell.visible); });
   text += table("Amber where it is wrong; amber where it is right:", [](const Cell& cell) {
     return fmt::format("{} of {}; {} of {}", cell.warned, cell.visible - cell.right, cell.false_alarms, cell.right);
   });

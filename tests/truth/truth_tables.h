@@ -13,8 +13,8 @@ namespace odontoscope::test {
 /// Pieces, handles and bubbles as they are.
 bool is_right(const MethodResult& result, const Topology& truth);
 
-/// One line for each structure and method: "   7 0.25 pulp    true 1/0/0  DT plain   2/0/0  wrong, warned". Only what DT
-/// has wrong though the slices tell of it, if asked for.
+/// One line for each structure and method: "   7 0.25 pulp    true 1/0/0  DT plain   2/0/0  wrong, warned". Only what
+/// DT has wrong though the slices tell of it, if asked for.
 std::string lines_of(const std::string& tooth, double spacing, const Truth& truth, const Results& results,
                      bool failing_only);
 

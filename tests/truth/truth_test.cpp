@@ -17,7 +17,7 @@ constexpr double raster_step = 0.12;  // mm; the narrowest canal is 0.2 mm wide
 
 struct Tally {
   std::size_t right = 0, visible = 0, hidden = 0, refused = 0, warned = 0;  // warned: of what is visible and wrong
-  std::string wrong;  // line by line
+  std::string wrong;                                                        // line by line
 };
 
 ContourStack cut(const TurnedTooth& tooth) {
@@ -65,8 +65,8 @@ TEST_P(Family, HasTheTopologyOfTheTruthAsOftenAsTheBarSays) {
   const Bar& bar = GetParam();
   const Tally tally = tally_of(bar.first, bar.first + 9);
   RecordProperty("right", static_cast<int>(tally.right));
-  std::printf("%zu of %zu right, %zu hidden from their slices, %zu of those wrong warned of\n%s", tally.right, tally.visible,
-              tally.hidden, tally.warned, tally.wrong.c_str());
+  std::printf("%zu of %zu right, %zu hidden from their slices, %zu of those wrong warned of\n%s", tally.right,
+              tally.visible, tally.hidden, tally.warned, tally.wrong.c_str());
   EXPECT_EQ(tally.refused, 0u);
   EXPECT_GE(tally.right, bar.right) << tally.wrong;
   EXPECT_EQ(tally.warned, tally.visible - tally.right) << "wrong and green\n" << tally.wrong;

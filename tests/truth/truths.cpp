@@ -75,7 +75,8 @@ ContourStack RealTooth::cut(const std::vector<double>& heights) const {
   for (const double z : heights) stack.slices.push_back({z, {}});
   for (const Part& part : parts_) {
     const ContourStack own =
-        cut_surfaces({part.mesh}, heights, part.mesh.name, {.repair = part.repair, .widest_gap = part.widest_gap}).stack;
+        cut_surfaces({part.mesh}, heights, part.mesh.name, {.repair = part.repair, .widest_gap = part.widest_gap})
+            .stack;
     for (std::size_t i = 0; i < heights.size(); ++i) {
       auto& contours = stack.slices[i].contours;
       contours.insert(contours.end(), own.slices[i].contours.begin(), own.slices[i].contours.end());
@@ -147,7 +148,8 @@ std::optional<RealTooth> incisor_meshes(const std::string& folder) {
   const auto part = [&](const char* file, const char* name, bool repair, double widest_gap) {
     return RealTooth::Part{{name, read_mesh(folder + "/URI1_" + file + ".stl").at(0).surface}, repair, widest_gap};
   };
-  return RealTooth({part("enamel", "enamel", true, 7), part("dentin", "dentine", true, 0.5), part("pulp", "pulp", false, 0.5)});
+  return RealTooth(
+      {part("enamel", "enamel", true, 7), part("dentin", "dentine", true, 0.5), part("pulp", "pulp", false, 0.5)});
 }
 
 }  // namespace odontoscope::test

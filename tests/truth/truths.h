@@ -21,7 +21,8 @@ const std::vector<double>& usual_steps();
 /// `tooth` must outlive it; one thread at a time may ask it. `raster_step`: of masks, mm.
 Truth tooth_truth(const TurnedTooth& tooth, std::vector<Topology> topology, double raster_step = 0.05);
 
-/// A real tooth, each part a mesh, perhaps torn; gaps in a section up to `widest_gap` (mm) are closed by straight lines.
+/// A real tooth, each part a mesh, perhaps torn; gaps in a section up to `widest_gap` (mm) are closed by straight
+/// lines.
 class RealTooth {
  public:
   struct Part {

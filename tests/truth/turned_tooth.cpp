@@ -14,17 +14,18 @@ namespace {
 
 using namespace sample;
 
-constexpr double steepest = 2.0;     // change of a value per mm of way, outside the steep heights
-constexpr std::size_t block = 8;     // points on the side of the largest block that is judged by its middle alone
-constexpr double box_step = 0.2;     // mm; of the grid by which boxes are found
-constexpr double margin = 0.5;       // mm; that boxes leave beyond what that grid found
-constexpr double far_above = 100;    // mm; an occlusal surface that plays no part
-constexpr double widest = 7.5;       // mm; half the width of any tooth of the family before it is stretched
+constexpr double steepest = 2.0;   // change of a value per mm of way, outside the steep heights
+constexpr std::size_t block = 8;   // points on the side of the largest block that is judged by its middle alone
+constexpr double box_step = 0.2;   // mm; of the grid by which boxes are found
+constexpr double margin = 0.5;     // mm; that boxes leave beyond what that grid found
+constexpr double far_above = 100;  // mm; an occlusal surface that plays no part
+constexpr double widest = 7.5;     // mm; half the width of any tooth of the family before it is stretched
 
 Values values_at(const ToothSection& section, const OcclusalHeights& heights, Point2 at, TurnedTooth::Walls walls) {
   const HardTissue tissue = section.hard_tissue(heights, at);
   const double pulp = section.pulp(at), gap = walls == TurnedTooth::Walls::apart ? limits::sample_gap : 0;
-  if (walls == TurnedTooth::Walls::filled) return {std::max(tissue.tooth, tissue.below_margin), tissue.dentine, std::max(pulp, tissue.tooth)};
+  if (walls == TurnedTooth::Walls::filled)
+    return {std::max(tissue.tooth, tissue.below_margin), tissue.dentine, std::max(pulp, tissue.tooth)};
   return {std::max({tissue.tooth, gap - tissue.dentine, tissue.below_margin}), std::max(tissue.dentine, gap - pulp),
           std::max(pulp, tissue.tooth)};
 }
@@ -89,7 +90,8 @@ void TurnedTooth::find_boxes() {
   for (double y = -widest; y < widest; y += step) {
     for (double x = -widest; x < widest; x += step) {
       const OcclusalHeights none{far_above, far_above};
-      if (cervical.hard_tissue(none, {x, y}).tooth > beyond && middle.hard_tissue(none, {x, y}).tooth > beyond) continue;
+      if (cervical.hard_tissue(none, {x, y}).tooth > beyond && middle.hard_tissue(none, {x, y}).tooth > beyond)
+        continue;
       const OcclusalHeights heights = occlusal_heights(shape, {x, y});
       crown_z_ = std::min({crown_z_, heights.enamel - below, heights.dentine - below});
     }
@@ -146,8 +148,8 @@ Point3 TurnedTooth::to_image(const Point3& own) const {
 class TurnedTooth::Line {
  public:
   Line(const TurnedTooth& tooth, const Raster& raster, std::size_t row, double z)
-      : Line(tooth, tooth.to_own({raster.x0, raster.y(row), z}),
-             tooth.to_own({raster.x0 + 1, raster.y(row), z}), raster.step) {}
+      : Line(tooth, tooth.to_own({raster.x0, raster.y(row), z}), tooth.to_own({raster.x0 + 1, raster.y(row), z}),
+             raster.step) {}
 
   double z() const { return z_; }
   Values at(std::size_t column) const {
@@ -210,7 +212,9 @@ Mask TurnedTooth::mask(const Raster& raster, double z) const {
 
 Grid TurnedTooth::own_grid(double step) const {
   Grid grid{own_box_.low.x, own_box_.low.y, step, step, 0, 0, {}};
-  const auto points = [step](double low, double high) { return static_cast<std::size_t>(std::ceil((high - low) / step)) + 1; };
+  const auto points = [step](double low, double high) {
+    return static_cast<std::size_t>(std::ceil((high - low) / step)) + 1;
+  };
   grid.columns = points(own_box_.low.x, own_box_.high.x);
   grid.rows = points(own_box_.low.y, own_box_.high.y);
   for (std::size_t k = 0; k < points(own_box_.low.z, own_box_.high.z); ++k)

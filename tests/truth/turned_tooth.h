@@ -1,5 +1,6 @@
 #pragma once
-// A tooth of the family as it lies in the image: values of its structures at any place of a plane or of a grid in space.
+// A tooth of the family as it lies in the image: values of its structures at any place of a plane or of a grid in
+// space.
 
 #include <array>
 #include <cstdint>
@@ -17,7 +18,8 @@ inline constexpr std::array<const char*, 3> structure_names{"enamel", "dentine",
 inline constexpr std::size_t structure_count = structure_names.size();
 
 /// Of each structure: negative inside, near its surface about the distance, mm. The dentine is hollow; a gap of
-/// limits::sample_gap parts neighbours; the pulp ends at the root's surface where an apex or an accessory canal is open.
+/// limits::sample_gap parts neighbours; the pulp ends at the root's surface where an apex or an accessory canal is
+/// open.
 using Values = std::array<double, structure_count>;
 
 struct Box {
@@ -38,7 +40,8 @@ class TurnedTooth {
   /// Values at all points of a plane. Far from every surface a point holds the values of one nearby, which are on the
   /// same side (see `far_from_surfaces`).
   std::vector<Values> plane(const Raster& raster, double z) const;
-  /// Neighbours are parted by a gap (limits::sample_gap), share their walls, or are filled, so that each overlaps those within it.
+  /// Neighbours are parted by a gap (limits::sample_gap), share their walls, or are filled, so that each overlaps those
+  /// within it.
   enum class Walls { apart, shared, filled };
   void choose(Walls walls) { walls_ = walls; }
   /// The same as bits: bit s where structure s is.
@@ -67,7 +70,7 @@ class TurnedTooth {
 
   RandomTooth tooth_;
   double least_stretch_ = 1;
-  double crown_z_ = 0;  // below it the occlusal surface need not be asked for
+  double crown_z_ = 0;                            // below it the occlusal surface need not be asked for
   std::vector<std::pair<double, double>> steep_;  // heights of the unstretched tooth where values change fast along z
   Box own_box_, image_box_;
   bool skip_ = true;

@@ -25,8 +25,9 @@ class Components {
   /// Of a layer, its component at a point that is of the kind asked for.
   std::uint32_t at(std::size_t layer, std::size_t column, std::size_t row) {
     const std::size_t line = layer * raster_.rows + row;
-    const auto run = std::partition_point(runs_.begin() + offset(first_[line]), runs_.begin() + offset(first_[line + 1]),
-                                          [column](const Run& r) { return r.end <= column; });
+    const auto run =
+        std::partition_point(runs_.begin() + offset(first_[line]), runs_.begin() + offset(first_[line + 1]),
+                             [column](const Run& r) { return r.end <= column; });
     return sets_.find(static_cast<std::uint32_t>(run - runs_.begin()));
   }
 
@@ -93,7 +94,7 @@ class Components {
 
 /// A slice's regions of material and of void, numbered through the whole stack. The first void is the outside.
 struct Section {
-  std::vector<Components::Part> material, voids;  // points that lie in them
+  std::vector<Components::Part> material, voids;   // points that lie in them
   std::vector<std::vector<std::uint32_t>> beside;  // for each region of material the voids that border on it, as places
   std::uint32_t first_material = 0, first_void = 0;
 
@@ -105,9 +106,9 @@ Section section_of(const Raster& raster, const Mask& mask) {
   Components material(raster, {mask}, true), voids(raster, {mask}, false);
   Section section{material.parts(0), voids.parts(0), {}, 0, 0};
   const auto place_of = [](const std::vector<Components::Part>& parts, std::uint32_t component) {
-    return static_cast<std::size_t>(std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
-                                      return part.component == component;
-                                    }) - parts.begin());
+    return static_cast<std::size_t>(
+        std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.component == component; }) -
+        parts.begin());
   };
   std::vector<std::set<std::uint32_t>> beside(section.material.size());
   const auto look = [&](std::size_t column, std::size_t row, std::size_t next_column, std::size_t next_row) {
@@ -167,14 +168,18 @@ std::vector<Joined> joined(Components components, std::size_t last, const std::v
   return all;
 }
 
-/// A slab's layers without the passages that neither slice shows: what lies, seen from above, over nothing of its kind in either slice, and
-/// joins regions all of which go on from one slice to the other without it. Where it begins or ends in a region that goes on to nothing
-/// else, that region tells of it.
+/// A slab's layers without the passages that neither slice shows: what lies, seen from above, over nothing of its kind
+/// in either slice, and joins regions all of which go on from one slice to the other without it. Where it begins or
+/// ends in a region that goes on to nothing else, that region tells of it.
 class ShownPassages {
  public:
   ShownPassages(const Raster& raster, const std::vector<Mask>& layers, bool material)
-      : raster_(raster), layers_(layers), material_(material), found_(layers),
-        shown_(raster, split(true), material), passages_(raster, split(false), material) {}
+      : raster_(raster),
+        layers_(layers),
+        material_(material),
+        found_(layers),
+        shown_(raster, split(true), material),
+        passages_(raster, split(false), material) {}
 
   std::vector<Mask> layers() {
     find_ends();
@@ -249,7 +254,8 @@ class ShownPassages {
 /// The whole solid, put together slab by slab.
 class Simplest {
  public:
-  explicit Simplest(std::vector<Section> sections) : sections_(number(std::move(sections))), pieces_(materials_), voids_(all_voids_) {
+  explicit Simplest(std::vector<Section> sections)
+      : sections_(number(std::move(sections))), pieces_(materials_), voids_(all_voids_) {
     for (std::size_t i = 1; i + 1 < sections_.size(); ++i) euler_ -= sections_[i].euler();
     for (const Section& section : sections_) voids_.join(sections_.front().first_void, section.first_void);
     for (const Section* end : {&sections_.front(), &sections_.back()})  // beyond the ends of the stack nothing goes on
@@ -257,7 +263,8 @@ class Simplest {
   }
 
   /// `over`: pairs of regions of material, as places in their sections, that lie partly over each other.
-  void add_slab(std::size_t slab, const std::vector<Joined>& material, const std::vector<Joined>& voids, const Pairs& over) {
+  void add_slab(std::size_t slab, const std::vector<Joined>& material, const std::vector<Joined>& voids,
+                const Pairs& over) {
     const Section &lower = sections_[slab], &upper = sections_[slab + 1];
     const auto lower_voids = static_cast<std::uint32_t>(lower.voids.size());
     UnionFind own(lower.voids.size() + upper.voids.size());
@@ -272,8 +279,10 @@ class Simplest {
       }
       ++pieces;
       most_cycles_ += cycles_of(piece, over);
-      for (const std::uint32_t i : piece.lower) pieces_.join(lower.first_material + piece.lower[0], lower.first_material + i);
-      for (const std::uint32_t i : piece.upper) pieces_.join(lower.first_material + piece.lower[0], upper.first_material + i);
+      for (const std::uint32_t i : piece.lower)
+        pieces_.join(lower.first_material + piece.lower[0], lower.first_material + i);
+      for (const std::uint32_t i : piece.upper)
+        pieces_.join(lower.first_material + piece.lower[0], upper.first_material + i);
     }
     for (const Joined& of : voids) {
       if (!of.both()) continue;
@@ -281,7 +290,9 @@ class Simplest {
       for (const std::uint32_t i : of.upper) own.join(of.lower[0], lower_voids + i);
     }
     long blind = 0;
-    const auto whole = [&](std::uint32_t i) { return i < lower_voids ? lower.first_void + i : upper.first_void + i - lower_voids; };
+    const auto whole = [&](std::uint32_t i) {
+      return i < lower_voids ? lower.first_void + i : upper.first_void + i - lower_voids;
+    };
     for (std::uint32_t i = 0; i < lower.voids.size() + upper.voids.size(); ++i) {
       blind += own.find(i) == i && own.find(0) != i;
       voids_.join(whole(i), whole(own.find(i)));

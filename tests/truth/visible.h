@@ -3,10 +3,11 @@
 // in none of them: no reconstruction can have it, and none is to be blamed.
 //
 // The rule: in every slab the regions of its two slices are joined as they truly are, material and void: through the
-// truth's own voxels between them; but not by a passage that neither slice shows: one that lies over nothing of its kind
-// in either, and joins only what goes on without it. What is joined to nothing ends flat on its slice. The simplest solid with these links
-// (docs/reconstruction.md, "Topology") has pieces, handles and bubbles; a structure is visible if they are the truth's.
-// Where one piece joins several regions of each slice, any choice of links that keeps it whole is allowed.
+// truth's own voxels between them; but not by a passage that neither slice shows: one that lies over nothing of its
+// kind in either, and joins only what goes on without it. What is joined to nothing ends flat on its slice. The
+// simplest solid with these links (docs/reconstruction.md, "Topology") has pieces, handles and bubbles; a structure is
+// visible if they are the truth's. Where one piece joins several regions of each slice, any choice of links that keeps
+// it whole is allowed.
 //
 // It asks the truth and the slices alone, never an engine.
 

@@ -1,11 +1,12 @@
 // Counting voxels, and the rule by which slices can or cannot tell of the truth: on pictures drawn by hand.
 
+#include "visible.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "visible.h"
 #include "voxel_topology.h"
 
 namespace odontoscope::test {
@@ -82,23 +83,30 @@ TEST(Visible, ABubbleOrTunnelBetweenTwoSlicesIsNot) {
   EXPECT_FALSE(visible_of({disc, tunnel, disc}));
 }
 
-// An accessory canal from a canal that goes on to the outside, between two slices: what it joins is in both, and nothing tells that it is joined.
+// An accessory canal from a canal that goes on to the outside, between two slices: what it joins is in both, and
+// nothing tells that it is joined.
 TEST(Visible, ACanalBetweenTwoSlicesFromOneThatGoesOnIsNot) {
-  const Picture pierced{"#####", "#####", "....#", "#####", "#####"}, hollow{"#####", "#####", "##.##", "#####", "#####"};
+  const Picture pierced{"#####", "#####", "....#", "#####", "#####"},
+      hollow{"#####", "#####", "##.##", "#####", "#####"};
   EXPECT_FALSE(visible_of({hollow, hollow, hollow, pierced, hollow, hollow, hollow}));
   EXPECT_TRUE(visible_of({hollow, hollow, hollow, pierced, pierced, pierced, hollow}));
 }
 
 // Its bead in a slice tells of it: it must come from somewhere.
 TEST(Visible, ACanalOfWhichOneSliceShowsABeadIs) {
-  const Picture bead{"#######", "#######", "#.#.###", "#######", "#######"}, hollow{"#######", "#######", "###.###", "#######", "#######"},
+  const Picture bead{"#######", "#######", "#.#.###", "#######", "#######"},
+      hollow{"#######", "#######", "###.###", "#######", "#######"},
       branch{"#######", "#######", "#...###", "#######", "#######"};
   EXPECT_TRUE(visible_of({hollow, hollow, hollow, branch, bead, bead, hollow}));
 }
 
-TEST(Visible, ABridgeBetweenTwoSlicesOfWhatGoesOnIsNot) { EXPECT_FALSE(visible_of({two, two, two, disc, two, two, two})); }
+TEST(Visible, ABridgeBetweenTwoSlicesOfWhatGoesOnIsNot) {
+  EXPECT_FALSE(visible_of({two, two, two, disc, two, two, two}));
+}
 
-TEST(Visible, APieceBetweenTwoSlicesIsNot) { EXPECT_FALSE(visible_of({nothing, disc, nothing, nothing, disc, disc, disc})); }
+TEST(Visible, APieceBetweenTwoSlicesIsNot) {
+  EXPECT_FALSE(visible_of({nothing, disc, nothing, nothing, disc, disc, disc}));
+}
 
 TEST(Visible, AnEndThatClosesBeyondTheLastSliceOfAHoleIsNot) {
   EXPECT_FALSE(visible_of({ring, ring, ring, disc, nothing}));
@@ -123,7 +131,8 @@ TEST(Visible, AnyLinksThatKeepAPieceWholeAreAllowed) {
   EXPECT_TRUE(visible_of({two, four, two_across}));  // a handle: all four
 }
 
-// Between these slices nothing happens that is not on one of them: the links make the truth's pieces and bubbles, no others.
+// Between these slices nothing happens that is not on one of them: the links make the truth's pieces and bubbles, no
+// others.
 TEST(Visible, NeverTakesOtherPiecesOrBubblesThanTheLinksMake) {
   std::minstd_rand random(5);
   int seen = 0;

@@ -2,9 +2,9 @@
 // Pieces, handles and bubbles of a solid that is given by voxels, by counting.
 //
 // Voxels are closed cubes: two belong together if they share so much as a corner (26 neighbours); what is not material
-// belongs together through faces (6). Euler characteristic: corners - edges + faces - cubes of that complex, summed over
-// grid points from their eight voxels (after S. B. Gray, "Local properties of binary images in two dimensions", IEEE
-// Transactions on Computers C-20(5), 1971). Handles follow: pieces - handles + bubbles.
+// belongs together through faces (6). Euler characteristic: corners - edges + faces - cubes of that complex, summed
+// over grid points from their eight voxels (after S. B. Gray, "Local properties of binary images in two dimensions",
+// IEEE Transactions on Computers C-20(5), 1971). Handles follow: pieces - handles + bubbles.
 
 #include <cstddef>
 #include <cstdint>

@@ -41,7 +41,8 @@ class CanalsTest : public FlightTest {
         for (const CentreLine* line : lines())
           for (const CentrePoint& point : line->points) {
             const glm::dvec3 place(point.at.x, point.at.y, point.at.z);
-            if (glm::length(place - middle) > known.chamber_radius) nearest = std::min(nearest, glm::length(pixel(place) - at));
+            if (glm::length(place - middle) > known.chamber_radius)
+              nearest = std::min(nearest, glm::length(pixel(place) - at));
           }
         if (nearest > farthest) farthest = nearest, best = at;
       }
@@ -70,18 +71,19 @@ TEST_F(CanalsTest, AreNamedByAClickFromEverySide) {
         const glm::dvec3 place = place_on_canal(line, part);
         const glm::dvec2 at = pixel(place);
         click(at.x, at.y);
-        frame(1);   // the next one is no double click
+        frame(1);  // the next one is no double click
         ++tried;
         ASSERT_TRUE(canal()) << "view " << static_cast<int>(side - U'0') << ", canal " << line << " at " << part;
         if (canal()->line == line) ++hit;
         // Another one, or the chamber, only where it lies before this one.
-        else EXPECT_LT(depth_of(pane().camera, canal()->at), depth_of(pane().camera, place) + 0.2);
+        else
+          EXPECT_LT(depth_of(pane().camera, canal()->at), depth_of(pane().camera, place) + 0.2);
       }
     }
     if (side == U'1') keep_picture("canal-clicked");
   }
   EXPECT_GT(hit, tried * 3 / 5);
-  click(20, 160);   // beside the tooth
+  click(20, 160);  // beside the tooth
   EXPECT_FALSE(canal());
 }
 
@@ -97,14 +99,15 @@ TEST_F(CanalsTest, HideBehindWhatIsOpaqueAndShowInASection) {
   click(at.x, at.y);
   EXPECT_FALSE(canal());
   frame(1);
-  const glm::dvec3 aside(6, 0, 0);   // its handle would take the click
+  const glm::dvec3 aside(6, 0, 0);  // its handle would take the click
   viewer().state().scene.section = Section{place + aside, {0, 1, 0}};
   frame(1);
   click(at.x, at.y);
   ASSERT_TRUE(canal());
   EXPECT_EQ(canal()->line, hindmost);
   keep_picture("canal-in-section");
-  viewer().state().scene.section = Section{place + aside - glm::dvec3(0, 3, 0), {0, 1, 0}};   // all of the canal is cut away here
+  viewer().state().scene.section =
+      Section{place + aside - glm::dvec3(0, 3, 0), {0, 1, 0}};  // all of the canal is cut away here
   frame(1);
   click(at.x, at.y);
   EXPECT_FALSE(canal());
@@ -156,7 +159,7 @@ TEST_F(CanalsTest, TheChamberIsNamedAndEnteredByEnterWhileADoubleClickTurnsRound
 }
 
 TEST_F(CanalsTest, TheSmallPictureCanBeClickedInFlight) {
-  size_ = {640, 480};   // it needs room
+  size_ = {640, 480};  // it needs room
   type(U'c');
   fade();
   for (std::size_t line = 0; line < 3; ++line) {
@@ -179,7 +182,7 @@ TEST_F(CanalsTest, ThePanelListsThemOutside) {
   viewer_with(sample_tooth_loaded());
   click_control("Canals");
   const CentreLine& canal = *lines()[1];
-  const double length = canal.length_to_wall();   // as the anatomy tells it
+  const double length = canal.length_to_wall();  // as the anatomy tells it
   char words[100];
   std::snprintf(words, sizeof words, "%s   %.1f mm", canal.name.c_str(), length);
   click_control(words);

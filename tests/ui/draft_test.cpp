@@ -45,25 +45,29 @@ TEST_F(Drafts, ADraftIsShownUntilTheModelIsThere) {
   EXPECT_TRUE(viewer().loading());
   keep_picture("draft");
   const Area area = viewer().panes().front().area;
-  drag(area.left + 200, area.top + 200, area.left + 300, area.top + 220);   // it can be turned,
+  drag(area.left + 200, area.top + 200, area.left + 300, area.top + 220);  // it can be turned,
   const Camera turned = viewer().state().scene.camera;
   let = true;
   wait_until_loaded();
   EXPECT_FALSE(viewer().state().draft);
   EXPECT_EQ(viewer().state().shown->title, "Toy tooth");
-  EXPECT_EQ(viewer().state().scene.camera, turned);   // and the model goes on from there
+  EXPECT_EQ(viewer().state().scene.camera, turned);  // and the model goes on from there
 }
 
-/// From nothing to the picture; a machine that draws in software and has other work may take a little longer than the second that is aimed at.
+/// From nothing to the picture; a machine that draws in software and has other work may take a little longer than the
+/// second that is aimed at.
 TEST_F(Drafts, TheSamplesDraftIsSeenSoon) {
   std::atomic<bool> let = false;
   size_ = {1280, 800};
   const auto start = std::chrono::steady_clock::now();
-  make_viewer({.load = [&let](const LoadRequest& request, const Progress& progress) {
-    request.show_meanwhile(app::draft_of_sample("Sample molar", progress));
-    while (!let) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return toy_tooth();
-  }, .with_drafts = true}).open({});
+  make_viewer({.load =
+                   [&let](const LoadRequest& request, const Progress& progress) {
+                     request.show_meanwhile(app::draft_of_sample("Sample molar", progress));
+                     while (!let) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                     return toy_tooth();
+                   },
+               .with_drafts = true})
+      .open({});
   while (!viewer().state().shown && std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) frame();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   RecordProperty("first_picture_ms", static_cast<int>(1000 * seconds));
@@ -82,10 +86,13 @@ TEST_F(Drafts, ADraftIsShownOnlyToWhomWantsItAndHasNothingElse) {
   }}).open({});
   wait_until_loaded();
   std::atomic<int> wanted = 0;
-  make_viewer({.load = [&](const LoadRequest& request, const Progress&) {
-    if (request.show_meanwhile) ++wanted;
-    return toy_tooth();
-  }, .with_drafts = true}).open({});
+  make_viewer({.load =
+                   [&](const LoadRequest& request, const Progress&) {
+                     if (request.show_meanwhile) ++wanted;
+                     return toy_tooth();
+                   },
+               .with_drafts = true})
+      .open({});
   wait_until_loaded();
   viewer().open({});
   wait_until_loaded();
@@ -139,7 +146,7 @@ TEST(Draft, OfTheSampleIsThereAtOnceAndStillItsOwn) {
   for (const ModelPart& part : draft.model.parts)
     if (!part.cavity) drafted.insert(part.structure);
   EXPECT_EQ(drafted, structures);
-  constexpr double off = 0.3;   // what simplifying and the ends beyond the last slices come to
+  constexpr double off = 0.3;  // what simplifying and the ends beyond the last slices come to
   for (int k = 0; k < 3; ++k) {
     EXPECT_NEAR(draft.model.bounds_mm.low[k], low[k], off);
     EXPECT_NEAR(draft.model.bounds_mm.high[k], high[k], off);
@@ -150,7 +157,8 @@ TEST(Draft, OfTheSampleIsThereAtOnceAndStillItsOwn) {
 TEST(Draft, IsNotMadeOfLittleOrOfWhatCannotBe) {
   ContourStack stack = sample_tooth(ToothKind::molar);
   for (Slice& slice : stack.slices)
-    for (Contour& contour : slice.contours) std::swap(contour.points[0], contour.points[contour.points.size() / 2]);   // crosses itself
+    for (Contour& contour : slice.contours)
+      std::swap(contour.points[0], contour.points[contour.points.size() / 2]);  // crosses itself
   EXPECT_FALSE(app::draft_of(stack, "x", {}));
   stack.slices.resize(10);
   EXPECT_FALSE(app::draft_of(stack, "x", {}));

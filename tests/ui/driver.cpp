@@ -1,5 +1,4 @@
 #include "tests/ui/driver.h"
-#include "engine/navigate/wall_depth.h"
 
 #include <imgui_internal.h>
 
@@ -7,6 +6,7 @@
 #include <cstdlib>
 #include <thread>
 
+#include "engine/navigate/wall_depth.h"
 #include "engine/picture/png.h"
 #include "tests/render/shapes.h"
 
@@ -15,7 +15,8 @@ namespace odontoscope::testing_support {
 LoadedModel toy_tooth() {
   LoadedModel loaded;
   loaded.title = "Toy tooth";
-  const std::vector<NamedSurface> surfaces = {{"enamel", ball({{0, 0, 4}, 6})}, {"dentine", ball({{0, 0, 1}, 5})}, {"pulp", ball({{0.5, 0, 1}, 2})}};
+  const std::vector<NamedSurface> surfaces = {
+      {"enamel", ball({{0, 0, 4}, 6})}, {"dentine", ball({{0, 0, 1}, 5})}, {"pulp", ball({{0.5, 0, 1}, 2})}};
   loaded.model = make_model(surfaces);
   loaded.overlays.faulty_edges = faulty_edges(surfaces, loaded.model);
   loaded.scene = usual_scene(loaded.model, 1.2);
@@ -129,13 +130,15 @@ void ViewerTest::press_key(Key key, Modifiers with) {
   frames(2);
 }
 
-unsigned ViewerTest::control_id(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
+unsigned ViewerTest::control_id(const std::string& label, const std::vector<std::string>& inside,
+                                const std::string& window) {
   ImGuiID id = ImHashStr(window.c_str());
   for (const std::string& part : inside) id = ImHashStr(part.c_str(), 0, id);
   return label.empty() ? id : ImHashStr(label.c_str(), 0, id);
 }
 
-glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
+glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::string>& inside,
+                               const std::string& window) {
   const ImGuiID id = control_id(label, inside, window);
   for (const Interface::Place& place : viewer_->interface().places)
     if (place.id == id) return {0.96 * place.right + 0.04 * place.left, 0.5 * (place.top + place.bottom)};
@@ -143,9 +146,11 @@ glm::dvec2 ViewerTest::control(const std::string& label, const std::vector<std::
   return {0, 0};
 }
 
-void ViewerTest::click_control(const std::string& label, const std::vector<std::string>& inside, const std::string& window) {
+void ViewerTest::click_control(const std::string& label, const std::vector<std::string>& inside,
+                               const std::string& window) {
   glm::dvec2 place = control(label, inside, window);
-  for (int turns = 0; turns < 30 && place.y > static_cast<double>(size_.height) - 12; ++turns) {   // below what the panel shows
+  for (int turns = 0; turns < 30 && place.y > static_cast<double>(size_.height) - 12;
+       ++turns) {  // below what the panel shows
     scroll(place.x, size_.height / 2.0, -1);
     place = control(label, inside, window);
   }

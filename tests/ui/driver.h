@@ -42,17 +42,20 @@ class ViewerTest : public ::testing::Test {
   void press_key(Key key, Modifiers with = {});
 
   /// As ImGui counts it, of a control with this label, inside the ids given.
-  static unsigned control_id(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
+  static unsigned control_id(const std::string& label, const std::vector<std::string>& inside = {},
+                             const std::string& window = "panel");
   /// Near the right end of the control with this label, inside the ids given.
-  glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
-  void click_control(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel");
+  glm::dvec2 control(const std::string& label, const std::vector<std::string>& inside = {},
+                     const std::string& window = "panel");
+  void click_control(const std::string& label, const std::vector<std::string>& inside = {},
+                     const std::string& window = "panel");
 
   Image picture();
   /// Kept in the build's folder tests/ui/pictures, to be looked at.
   void keep_picture(const std::string& name);
   Viewer& viewer() { return *viewer_; }
   const Gl& gl() const { return context_->gl(); }
-  bool first_run_ = false;   // with the strip of hints
+  bool first_run_ = false;  // with the strip of hints
   float scale_ = 1;
   PixelSize size_ = size;
 

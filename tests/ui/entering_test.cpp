@@ -51,14 +51,15 @@ TEST_F(EnteringTest, AKeyThatIsHeldRepeatsAndEntersOnce) {
   const Camera before = viewer().state().scene.camera;
   viewer().handle(TextTyped{U'c'});
   frame(0.1);
-  viewer().handle(TextTyped{U'c'});   // in the middle of the dive
+  viewer().handle(TextTyped{U'c'});  // in the middle of the dive
   frame(0.1);
   fade();
   expect_in_pulp();
   type(U'c');
   fade();
   EXPECT_FALSE(fly().on);
-  EXPECT_LT(glm::length(viewer().state().scene.camera.position - before.position), 1e-9) << "back to the middle of the dive, not to where one was";
+  EXPECT_LT(glm::length(viewer().state().scene.camera.position - before.position), 1e-9)
+      << "back to the middle of the dive, not to where one was";
 }
 
 TEST_F(EnteringTest, UnderTheListOfKeysItWorksAfterItIsClosedAndADialogKeepsItsLetters) {
@@ -82,13 +83,13 @@ TEST_F(EnteringTest, UnderTheListOfKeysItWorksAfterItIsClosedAndADialogKeepsItsL
 TEST_F(EnteringTest, KeyboardsWithoutLatinLettersGoByThePlaceOfTheKey) {
   viewer_with_tooth();
   viewer().handle(KeyChanged{Key::other, true, {}, 'c'});
-  viewer().handle(TextTyped{U'\x441'});   // Cyrillic es, where c is
+  viewer().handle(TextTyped{U'\x441'});  // Cyrillic es, where c is
   viewer().handle(KeyChanged{Key::other, false, {}, 'c'});
   frame();
   fade();
   expect_in_pulp();
   viewer().handle(KeyChanged{Key::other, true, {}, 'c'});
-  viewer().handle(TextTyped{U'\x3c8'});   // Greek psi
+  viewer().handle(TextTyped{U'\x3c8'});  // Greek psi
   frame();
   fade();
   EXPECT_FALSE(fly().on);

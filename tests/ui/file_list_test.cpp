@@ -15,7 +15,8 @@ void put(const std::filesystem::path& file) { std::ofstream(file) << "x"; }
 
 TEST(FileList, HasFoldersThenWhatCanBeOpened) {
   const ScratchFolder scratch;
-  for (const char* name : {"b.GLB", "a.tour.json", "notes.txt", ".hidden.json", "scan.nii.gz"}) put(scratch.path() / name);
+  for (const char* name : {"b.GLB", "a.tour.json", "notes.txt", ".hidden.json", "scan.nii.gz"})
+    put(scratch.path() / name);
   std::filesystem::create_directory(scratch.path() / "teeth");
   const FolderList list = list_folder(scratch.path());
   EXPECT_EQ(list.entries, (std::vector<FolderEntry>{{"teeth", true}, {"a.tour.json"}, {"b.GLB"}, {"scan.nii.gz"}}));
@@ -26,9 +27,10 @@ TEST(FileList, HasFoldersThenWhatCanBeOpened) {
 
 TEST(FileList, HasDicomWhateverItsName) {
   const ScratchFolder scratch;
-  for (const char* name : {"IM0001", "1.2.840.9", "DICOMDIR"}) std::ofstream(scratch.path() / name) << std::string(128, '\0') << "DICM and more";
+  for (const char* name : {"IM0001", "1.2.840.9", "DICOMDIR"})
+    std::ofstream(scratch.path() / name) << std::string(128, '\0') << "DICM and more";
   put(scratch.path() / "README");
-  ASSERT_EQ(::mkfifo((scratch.path() / "pipe").c_str(), 0600), 0);   // to be left alone: nobody writes to it
+  ASSERT_EQ(::mkfifo((scratch.path() / "pipe").c_str(), 0600), 0);  // to be left alone: nobody writes to it
   EXPECT_EQ(list_folder(scratch.path()).entries, (std::vector<FolderEntry>{{"1.2.840.9"}, {"DICOMDIR"}, {"IM0001"}}));
 }
 
@@ -59,17 +61,20 @@ TEST_F(OpeningAFile, IsAClickOnItsNameAndIsRemembered) {
     loaded.push_back(request.file);
     return toy_tooth();
   }});
-  viewer().state().settings.recent = {(scratch.path() / "gone.json").string()};   // where one was last
+  viewer().state().settings.recent = {(scratch.path() / "gone.json").string()};  // where one was last
   press_key(Key::o, {.control = true});
   frames(3);
   ASSERT_TRUE(viewer().state().file_asked_for);
   EXPECT_EQ(viewer().state().folder.folder, scratch.path());
   keep_picture("open-card");
-  const auto entry = std::find_if(viewer().interface().places.begin(), viewer().interface().places.end(), [&](const Interface::Place& place) {
-    return place.bottom - place.top > 10 && place.window != control_id("", {}, "open") && place.window != control_id("", {}, "panel");
-  });
+  const auto entry = std::find_if(
+      viewer().interface().places.begin(), viewer().interface().places.end(), [&](const Interface::Place& place) {
+        return place.bottom - place.top > 10 && place.window != control_id("", {}, "open") &&
+               place.window != control_id("", {}, "panel");
+      });
   ASSERT_NE(entry, viewer().interface().places.end()) << "the folder's own list";
-  const auto last = std::find_if(viewer().interface().places.rbegin(), viewer().interface().places.rend(), [&](const Interface::Place& place) { return place.window == entry->window; });
+  const auto last = std::find_if(viewer().interface().places.rbegin(), viewer().interface().places.rend(),
+                                 [&](const Interface::Place& place) { return place.window == entry->window; });
   click(0.5 * (last->left + last->right), 0.5 * (last->top + last->bottom));
   wait_until_loaded();
   EXPECT_EQ(loaded.back(), (scratch.path() / "mine.json").string());

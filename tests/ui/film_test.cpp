@@ -58,7 +58,8 @@ TEST_F(FilmPanel, HasTheUsualFilmsUprightAndAcross) {
   click_control("As an X-ray film shows it");
   frames(2);
   const Image whole = picture();
-  for (const auto& [size, mm] : {std::pair{"1", glm::dvec2(24, 40)}, {"2", {31, 41}}, {"3", {27, 54}}, {"4", {57, 76}}}) {
+  for (const auto& [size, mm] :
+       {std::pair{"1", glm::dvec2(24, 40)}, {"2", {31, 41}}, {"3", {27, 54}}, {"4", {57, 76}}}) {
     click_control(size, {"film"});
     EXPECT_EQ(state().scene.volume.film_mm, mm);
   }

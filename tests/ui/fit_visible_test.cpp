@@ -15,7 +15,9 @@ double distance_of(const Camera& camera) { return glm::length(camera.position - 
 
 TEST(FitVisible, ComesNearerTheLessIsShown) {
   const Model model = toy_tooth().model;
-  const auto fitted = [&](const std::vector<std::string>& hidden) { return fit_without(hidden, NamedView::buccal, model, 1.2, Camera::Projection::perspective); };
+  const auto fitted = [&](const std::vector<std::string>& hidden) {
+    return fit_without(hidden, NamedView::buccal, model, 1.2, Camera::Projection::perspective);
+  };
   const Camera whole = fit(NamedView::buccal, model, 1.2);
   EXPECT_EQ(fitted({}), whole);
   EXPECT_LT(distance_of(fitted({"enamel"})), 0.95 * distance_of(whole));

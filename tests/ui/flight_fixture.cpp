@@ -15,7 +15,8 @@ void FlightTest::expect_closed_in() {
   for (const ModelPart& part : state.shown->model.parts)
     if (part.structure == spaces().cavities.at(fly().cavity.value()).structure) solid = part.solid;
   for (const ModelPart& part : state.shown->model.parts) scene.look_of(part.structure)->visible = part.solid == solid;
-  const FaceVerdict verdict = judge(counter.count(model, scene, view_of(state.scene.camera, state.shown->model, 4.0 / 3), pixels));
+  const FaceVerdict verdict =
+      judge(counter.count(model, scene, view_of(state.scene.camera, state.shown->model, 4.0 / 3), pixels));
   EXPECT_EQ(verdict.covered, static_cast<std::size_t>(pixels.width) * pixels.height) << "background seen";
   // A body that fills the void is shown inside out: its backs are the wall's fronts.
   const bool body = spaces().cavities.at(fly().cavity.value()).body;

@@ -13,7 +13,7 @@ class FlightTest : public ViewerTest {
  protected:
   void SetUp() override {
     ViewerTest::SetUp();
-    size_ = {480, 320};   // frames are many
+    size_ = {480, 320};  // frames are many
   }
   Viewer& viewer_with(LoadedModel model, ViewerOptions options = {}) {
     options.load = [model](const LoadRequest&, const Progress&) { return model; };

@@ -13,7 +13,7 @@ TEST_F(FlightTest, DISABLED_FrameCost) {
   size_ = {1280, 800};
   viewer_with(ct_molar_there() ? ct_molar_loaded() : sample_tooth_loaded());
   struct Cost {
-    double wall = 0, processor = 0;   // ms; the second over all threads, so that a busy machine does not count
+    double wall = 0, processor = 0;  // ms; the second over all threads, so that a busy machine does not count
   };
   const auto milliseconds = [&] {
     constexpr int count = 40;
@@ -25,7 +25,9 @@ TEST_F(FlightTest, DISABLED_FrameCost) {
     return Cost{std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() / count,
                 1e3 * static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC / count};
   };
-  const auto tell = [](const char* what, const Cost& cost) { std::printf("%-28s %6.2f ms, %6.2f ms of processors\n", what, cost.wall, cost.processor); };
+  const auto tell = [](const char* what, const Cost& cost) {
+    std::printf("%-28s %6.2f ms, %6.2f ms of processors\n", what, cost.wall, cost.processor);
+  };
   std::printf("a frame that redraws nothing of the model:\n");
   tell("outside", milliseconds());
   type(U'c');

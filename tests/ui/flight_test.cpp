@@ -17,7 +17,7 @@ TEST_F(FlightTest, OneKeyEntersThePulpFromTenViewsAndOneLeaves) {
   teeth.push_back(sample_tooth_loaded(ToothKind::incisor));
   for (const LoadedModel& tooth : teeth) {
     viewer_with(tooth, {.settings = {.comfort = {.reduced_motion = true}}});
-    for (Look& look : viewer().state().scene.looks) look.opacity = 1;   // quicker to draw
+    for (Look& look : viewer().state().scene.looks) look.opacity = 1;  // quicker to draw
     const int stride = &tooth < &teeth[from_all_sides] ? 1 : 3;
     for (int view = 0; view < 10; view += stride) {
       SCOPED_TRACE(tooth.title + ", view " + std::to_string(view));
@@ -59,7 +59,7 @@ TEST_F(FlightTest, LettersFlyInsideAndKeepTheirMeaningOutside) {
   hold('w', 0.3);
   EXPECT_GT(glm::dot(fly().flight.eye - start.eye, start.sight), 0.05);
   const Flight ahead = fly().flight;
-  hold('j', 0.3);   // the left-handed keys
+  hold('j', 0.3);  // the left-handed keys
   EXPECT_LT(glm::dot(fly().flight.eye - ahead.eye, glm::cross(ahead.sight, ahead.up)), -0.05);
   press_key(Key::escape);
   fade();
@@ -80,7 +80,7 @@ TEST_F(FlightTest, HoldingAgainstAWallStopsAtTheStatedDistanceAndTheWallStaysWho
     const double distance = pulp.walls.nearest(fly().flight.eye).distance;
     EXPECT_GE(distance, spaces().rules.clearance);
     nearest = std::min(nearest, distance);
-    expect_closed_in();   // the near plane cuts nothing
+    expect_closed_in();  // the near plane cuts nothing
   }
   EXPECT_LT(nearest, 1.1 * spaces().rules.clearance) << "it never came to a wall";
 }
@@ -110,13 +110,15 @@ TEST_F(FlightTest, ArrowsADragTheCaughtMouseAndAStickLookAround) {
               viewer().handle(KeyChanged{Key::right, true});
               frames(20);
               viewer().handle(KeyChanged{Key::right, false});
-            }).x, 0.2);
+            }).x,
+            0.2);
   EXPECT_GT(turned_by([&] { drag(360, 200, 360, 150); }).y, 0.2);
   EXPECT_GT(turned_by([&] {
               viewer().handle(GamepadChanged{.present = true, .turn_right = 1});
               frames(20);
               viewer().handle(GamepadChanged{.present = true});
-            }).x, 0.2);
+            }).x,
+            0.2);
   type(U'm');
   frame();
   EXPECT_EQ(viewer().pointer(), Pointer::caught);
@@ -157,8 +159,9 @@ TEST_F(FlightTest, AKeyGoesThroughTheWallInTheDark) {
   EXPECT_EQ(fly().dark, 0);
   ASSERT_TRUE(fly().on);
   ASSERT_FALSE(fly().cavity);
-  EXPECT_TRUE(std::isfinite(spaces().outside.free_distance(fly().flight.eye, fly().flight.sight))) << "the tooth must be seen";
-  type(U'x');   // and back in
+  EXPECT_TRUE(std::isfinite(spaces().outside.free_distance(fly().flight.eye, fly().flight.sight)))
+      << "the tooth must be seen";
+  type(U'x');  // and back in
   fade();
   EXPECT_EQ(fly().cavity, std::optional<std::size_t>(0));
 }
@@ -173,7 +176,8 @@ TEST_F(FlightTest, OutdoorsOneCannotFlyIntoTheTooth) {
   hold('w', 8, 10);
   EXPECT_TRUE(spaces().outdoors(fly().flight.eye));
   EXPECT_GE(spaces().outside.nearest(fly().flight.eye).distance, spaces().rules.clearance);
-  EXPECT_LT(spaces().outside.nearest(fly().flight.eye).distance, 2 * spaces().rules.clearance) << "it never came to the tooth";
+  EXPECT_LT(spaces().outside.nearest(fly().flight.eye).distance, 2 * spaces().rules.clearance)
+      << "it never came to the tooth";
   press_key(Key::backspace);
   fade();
   EXPECT_FALSE(fly().on);
@@ -182,7 +186,7 @@ TEST_F(FlightTest, OutdoorsOneCannotFlyIntoTheTooth) {
 TEST_F(FlightTest, AnotherModelEndsTheFlight) {
   viewer_with_tooth();
   type(U'c');
-  frame(0.1);   // in the middle of the fade
+  frame(0.1);  // in the middle of the fade
   viewer().open({});
   wait_until_loaded();
   fade();

@@ -12,7 +12,8 @@ namespace {
 
 using Pad = PadState;
 
-PadState pushed(std::initializer_list<std::pair<Pad::Axis, float>> axes, std::initializer_list<Pad::Button> buttons = {}) {
+PadState pushed(std::initializer_list<std::pair<Pad::Axis, float>> axes,
+                std::initializer_list<Pad::Button> buttons = {}) {
   PadState state;
   for (const auto& [axis, value] : axes) state.axes[axis] = value;
   for (const Pad::Button button : buttons) state.held[button] = true;
@@ -23,7 +24,11 @@ TEST(Gamepad, AtRestWantsNothingHoweverWorn) {
   EXPECT_FALSE(in_use(gamepad_from({})));
   EXPECT_TRUE(gamepad_from({}).present);
   // As recorded from a pad that lies on the table: sticks off their middles, triggers not quite out.
-  EXPECT_FALSE(in_use(gamepad_from(pushed({{Pad::left_x, 0.078f}, {Pad::left_y, -0.11f}, {Pad::right_x, -0.094f}, {Pad::right_y, 0.1f}, {Pad::left_trigger, -0.97f}}))));
+  EXPECT_FALSE(in_use(gamepad_from(pushed({{Pad::left_x, 0.078f},
+                                           {Pad::left_y, -0.11f},
+                                           {Pad::right_x, -0.094f},
+                                           {Pad::right_y, 0.1f},
+                                           {Pad::left_trigger, -0.97f}}))));
   // A driver that has not heard of the triggers yet.
   EXPECT_FALSE(in_use(gamepad_from(pushed({{Pad::left_trigger, 0}, {Pad::right_trigger, 0}}))));
   EXPECT_EQ(gamepad_from(pushed({{Pad::left_trigger, 0}})).rise, 0);
@@ -38,7 +43,8 @@ TEST(Gamepad, SticksPointWhereTheyArePushed) {
   EXPECT_DOUBLE_EQ(gamepad_from(pushed({{Pad::left_x, -1}})).move_right, -1);
   EXPECT_DOUBLE_EQ(gamepad_from(pushed({{Pad::right_y, -1}})).turn_up, 1);
   EXPECT_DOUBLE_EQ(gamepad_from(pushed({{Pad::right_x, 1}})).turn_right, 1);
-  const GamepadChanged aslant = gamepad_from(pushed({{Pad::left_x, 0.9f}, {Pad::left_y, -0.1f}}));   // the smaller part is kept: no cross is dead
+  const GamepadChanged aslant =
+      gamepad_from(pushed({{Pad::left_x, 0.9f}, {Pad::left_y, -0.1f}}));  // the smaller part is kept: no cross is dead
   EXPECT_NEAR(aslant.move_ahead / aslant.move_right, 1.0 / 9, 1e-6);
   const GamepadChanged corner = gamepad_from(pushed({{Pad::left_x, 1}, {Pad::left_y, 1}}));
   EXPECT_NEAR(std::hypot(corner.move_right, corner.move_ahead), 1, 1e-9) << "square sticks are no faster";
@@ -55,17 +61,25 @@ TEST(Gamepad, SticksPointWhereTheyArePushed) {
 }
 
 TEST(Gamepad, EachButtonIsOneWish) {
-  const std::pair<Pad::Button, bool GamepadChanged::*> known[] = {
-      {Pad::a, &GamepadChanged::play},           {Pad::b, &GamepadChanged::leave},          {Pad::x, &GamepadChanged::pass},
-      {Pad::y, &GamepadChanged::next},           {Pad::left_bumper, &GamepadChanged::faster}, {Pad::right_bumper, &GamepadChanged::faster},
-      {Pad::start, &GamepadChanged::help},       {Pad::back, &GamepadChanged::outdoors},    {Pad::dpad_right, &GamepadChanged::next_note},
-      {Pad::dpad_left, &GamepadChanged::previous_note}, {Pad::dpad_up, &GamepadChanged::labels}, {Pad::dpad_down, &GamepadChanged::pictures}};
+  const std::pair<Pad::Button, bool GamepadChanged::*> known[] = {{Pad::a, &GamepadChanged::play},
+                                                                  {Pad::b, &GamepadChanged::leave},
+                                                                  {Pad::x, &GamepadChanged::pass},
+                                                                  {Pad::y, &GamepadChanged::next},
+                                                                  {Pad::left_bumper, &GamepadChanged::faster},
+                                                                  {Pad::right_bumper, &GamepadChanged::faster},
+                                                                  {Pad::start, &GamepadChanged::help},
+                                                                  {Pad::back, &GamepadChanged::outdoors},
+                                                                  {Pad::dpad_right, &GamepadChanged::next_note},
+                                                                  {Pad::dpad_left, &GamepadChanged::previous_note},
+                                                                  {Pad::dpad_up, &GamepadChanged::labels},
+                                                                  {Pad::dpad_down, &GamepadChanged::pictures}};
   for (const auto& [button, wish] : known) {
     GamepadChanged expected{.present = true};
     expected.*wish = true;
     EXPECT_EQ(gamepad_from(pushed({}, {button})), expected) << button;
   }
-  for (const Pad::Button unused : {Pad::guide, Pad::left_thumb, Pad::right_thumb}) EXPECT_FALSE(in_use(gamepad_from(pushed({}, {unused}))));
+  for (const Pad::Button unused : {Pad::guide, Pad::left_thumb, Pad::right_thumb})
+    EXPECT_FALSE(in_use(gamepad_from(pushed({}, {unused}))));
 }
 
 class GamepadFlightTest : public FlightTest {
@@ -102,7 +116,7 @@ TEST_F(GamepadFlightTest, GoesInRidesAndComesOutWithoutKeys) {
   push_button(Pad::start);
   EXPECT_TRUE(viewer().state().help);
   keep_picture("gamepad-list");
-  push_button(Pad::b);   // what is open first
+  push_button(Pad::b);  // what is open first
   EXPECT_FALSE(viewer().state().help);
   EXPECT_TRUE(fly().on);
   push_button(Pad::back);
@@ -124,7 +138,7 @@ TEST_F(GamepadFlightTest, AButtonThatIsHeldCountsOnce) {
   hand(pushed({}, {Pad::a}));
   fade();
   ASSERT_TRUE(fly().on);
-  hand(pushed({{Pad::left_x, 0.5f}}, {Pad::a}));   // still held while something else changes
+  hand(pushed({{Pad::left_x, 0.5f}}, {Pad::a}));  // still held while something else changes
   frames(3);
   hand({});
   push_button(Pad::b);
@@ -139,13 +153,13 @@ TEST_F(GamepadFlightTest, PulledOutInTheMiddleOfAFlightItStops) {
   hand(pushed({{Pad::right_x, 1}}));
   frames(20);
   EXPECT_EQ(viewer().patience(), 0);
-  viewer().handle(GamepadChanged{});   // gone, as Window::events tells it
+  viewer().handle(GamepadChanged{});  // gone, as Window::events tells it
   frames(180);
   EXPECT_GT(viewer().patience(), 0.1) << "it flies on by itself";
   EXPECT_FALSE(viewer().state().pad_in_hand);
   ASSERT_FALSE(viewer().state().notices.empty());
   EXPECT_NE(viewer().state().notices.back().words.find("gone"), std::string::npos);
-  hand(pushed({{Pad::left_y, -1}}));   // and back again
+  hand(pushed({{Pad::left_y, -1}}));  // and back again
   const glm::dvec3 before = fly().flight.eye;
   frames(20);
   EXPECT_GT(glm::length(fly().flight.eye - before), 0.05);

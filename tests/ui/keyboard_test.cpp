@@ -1,4 +1,5 @@
-// The viewer without a mouse: Tab goes through the panels, arrows change sliders, Enter presses, Escape goes back to the picture.
+// The viewer without a mouse: Tab goes through the panels, arrows change sliders, Enter presses, Escape goes back to
+// the picture.
 
 #include <glm/geometric.hpp>
 #include <set>
@@ -19,7 +20,8 @@ class KeyboardTest : public FlightTest {
   Scene& scene() { return viewer().state().scene; }
   bool on(const Interface::Place& place) { return interface().on_control(place.id); }
   /// Tab, until the keyboard is on this control.
-  bool tab_to(const std::string& label, const std::vector<std::string>& inside = {}, const std::string& window = "panel") {
+  bool tab_to(const std::string& label, const std::vector<std::string>& inside = {},
+              const std::string& window = "panel") {
     const unsigned wanted = control_id(label, inside, window);
     for (int i = 0; i < 200; ++i) {
       press_key(Key::tab);
@@ -42,8 +44,10 @@ TEST_F(KeyboardTest, TabReachesEveryControlOfThePanelAndShiftTabGoesBack) {
       EXPECT_GE(place.top, -1) << "out of sight";
       EXPECT_LE(place.bottom, static_cast<float>(size_.height) + 1) << "out of sight";
     }
-    if (steps == 0) first = *reached.begin();
-    else if (interface().on_control(first)) break;
+    if (steps == 0)
+      first = *reached.begin();
+    else if (interface().on_control(first))
+      break;
   }
   EXPECT_GT(reached.size(), 25u);
   EXPECT_EQ(reached, there);
@@ -64,7 +68,7 @@ TEST_F(KeyboardTest, ArrowsMoveASliderAndNotTheCamera) {
   press_key(Key::left);
   EXPECT_NEAR(scene().look_of("enamel")->opacity, opacity + 0.02, 1e-5);
   EXPECT_TRUE(interface().on_control(control_id("enamel", {"enamel"}))) << "it went to the neighbour";
-  press_key(Key::enter);   // presses nothing there
+  press_key(Key::enter);  // presses nothing there
   EXPECT_NEAR(scene().look_of("enamel")->opacity, opacity + 0.02, 1e-5);
   EXPECT_EQ(scene().camera, before);
   press_key(Key::escape);
@@ -82,11 +86,11 @@ TEST_F(KeyboardTest, EnterAndSpacePress) {
   ASSERT_TRUE(tab_to("Tint", {"back faces"}));
   press_key(Key::enter);
   EXPECT_EQ(scene().back_faces, BackFaces::tint);
-  press_key(Key::left);   // ImGui's own navigation, between neighbours
+  press_key(Key::left);  // ImGui's own navigation, between neighbours
   press_key(Key::space);
   EXPECT_EQ(scene().back_faces, BackFaces::show);
   ASSERT_TRUE(tab_to("Section"));
-  press_key(Key::enter);   // folds it up
+  press_key(Key::enter);  // folds it up
   for (const Interface::Place& place : interface().places) EXPECT_NE(place.id, control_id("Cut the model open"));
   press_key(Key::down);
   EXPECT_TRUE(interface().by_keys());
@@ -113,14 +117,14 @@ TEST_F(KeyboardTest, TabShowsThePanelIfItIsAway) {
 
 TEST_F(KeyboardTest, ANoteIsWrittenWithoutAMouse) {
   ASSERT_TRUE(tab_to("Notes"));
-  press_key(Key::enter);   // unfolds it
+  press_key(Key::enter);  // unfolds it
   ASSERT_TRUE(tab_to("Note this view"));
   press_key(Key::enter);
   NotesState& notes = viewer().state().notes;
   ASSERT_TRUE(notes.draft);
   frames(3);
   for (const char32_t letter : {U'A', U'b'}) type(letter);
-  press_key(Key::tab);   // into the text
+  press_key(Key::tab);  // into the text
   frames(3);
   for (const char32_t letter : {U'c', U'd'}) type(letter);
   ASSERT_TRUE(notes.draft) << "a letter was a command";
@@ -147,7 +151,7 @@ TEST_F(KeyboardTest, ADialogIsAnsweredByTabAndEnter) {
       }
     }
   }
-  press_key(Key::enter);   // the third: stay
+  press_key(Key::enter);  // the third: stay
   frames(2);
   EXPECT_FALSE(viewer().state().notes.leaving);
   EXPECT_FALSE(viewer().state().close);

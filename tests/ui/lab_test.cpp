@@ -82,7 +82,7 @@ TEST_F(Lab, OneKeyLeadsInAndOutAgain) {
   const Scene before = viewer().state().scene;
   type(U'd');
   EXPECT_TRUE(lab().on);
-  EXPECT_EQ(viewer().panes().size(), 1u);   // DT stays until DB is ready
+  EXPECT_EQ(viewer().panes().size(), 1u);  // DT stays until DB is ready
   EXPECT_FALSE(viewer().panes()[0].db);
   keep_picture("lab-making");
   wait_until_made();
@@ -115,7 +115,7 @@ TEST_F(Lab, ThePanelHasAButtonForIt) {
 }
 
 TEST_F(Lab, IsOnlyForWhatHasContours) {
-  viewer_with_tooth();   // three balls that came from nowhere
+  viewer_with_tooth();  // three balls that came from nowhere
   type(U'd');
   EXPECT_FALSE(lab().on);
   ASSERT_FALSE(viewer().state().notices.empty());
@@ -134,7 +134,8 @@ TEST_F(Lab, HolesOfTheUnorientedTableVanishWhenBothSidesAreDrawn) {
   const Image both_sides = picture();
   keep_picture("lab-two-sided");
   EXPECT_GT(share_that_differs(culled, both_sides, db), 0.05);
-  EXPECT_LT(share_that_differs(culled, both_sides, dt), 1e-4);   // single pixels on a rim, where front and back are equally deep
+  EXPECT_LT(share_that_differs(culled, both_sides, dt),
+            1e-4);  // single pixels on a rim, where front and back are equally deep
   // A table whose cases are turned over has no such holes.
   type(U'b');
   type(U'b');
@@ -162,7 +163,7 @@ TEST_F(Lab, ASplitViewShowsWhatEachMethodShowsInPlace) {
   const Image split = picture();
   keep_picture("lab-split");
   Area left = viewer().panes()[0].shown(), right = viewer().panes()[1].shown();
-  left.width -= 20;   // the line
+  left.width -= 20;  // the line
   right.left += 20;
   right.width -= 20;
   EXPECT_EQ(share_that_differs(split, dt, left), 0);
@@ -187,7 +188,7 @@ TEST_F(Lab, LinkedCamerasTurnTogether) {
   EXPECT_NE(viewer().state().scene.camera, before);
   EXPECT_EQ(viewer().panes()[0].camera, viewer().panes()[1].camera);
   // What is pointed at is the method's that one points at.
-  move(right.left + right.width / 2, 250);   // the crown
+  move(right.left + right.width / 2, 250);  // the crown
   EXPECT_TRUE(viewer().state().under_pointer);
 }
 
@@ -198,7 +199,7 @@ TEST_F(Lab, ASliderRunsOnlyWhatItTouchesWhileThePictureStays) {
   EXPECT_EQ(first->ran.size(), 5u);
   click_control("Consistent", {"cases"});
   frame();
-  EXPECT_EQ(lab().made, first);   // until the next is ready
+  EXPECT_EQ(lab().made, first);  // until the next is ready
   EXPECT_EQ(viewer().panes().size(), 2u);
   wait_until_made();
   EXPECT_EQ(lab().made->ran, (std::vector{LabStage::surface, LabStage::decimation, LabStage::inspection}));
@@ -208,7 +209,8 @@ TEST_F(Lab, ASliderRunsOnlyWhatItTouchesWhileThePictureStays) {
   EXPECT_EQ(lab().made->ran, (std::vector{LabStage::decimation, LabStage::inspection}));
   EXPECT_LT(lab().made->triangles(), first->triangles() / 9);
   const glm::dvec2 slider = control("Grid points across");
-  drag(slider.x - 150, slider.y, slider.x - 190, slider.y);   // a run for each place that it passes, all but the last outdated
+  drag(slider.x - 150, slider.y, slider.x - 190,
+       slider.y);  // a run for each place that it passes, all but the last outdated
   wait_until_made();
   EXPECT_LT(lab().made->options.grid, 64u);
   EXPECT_EQ(lab().made->options.grid % 4, 0u);
@@ -237,7 +239,7 @@ TEST_F(Lab, TheNextArtefactIsFlownToAndExplained) {
   const Camera before = viewer().state().scene.camera;
   type(U'n');
   ASSERT_TRUE(lab().artefact);
-  EXPECT_EQ(viewer().patience(), 0);   // on its way
+  EXPECT_EQ(viewer().patience(), 0);  // on its way
   settle();
   const LabArtefact& first = lab().made->artefacts[0];
   EXPECT_LT(glm::distance(viewer().state().scene.camera.target, first.at), 1e-6);
@@ -273,14 +275,16 @@ TEST_F(Lab, CountsOfDtAreThoseOfItsSurface) {
   const FaultyEdges dt = faulty_edges_of(molar());
   EXPECT_EQ(dt.cracks + dt.misoriented + dt.nonmanifold, 0u);
   LoadedModel broken = molar();
-  broken.overlays.faulty_edges = {{LineKind::boundary_edge, "pulp", std::vector<glm::vec3>(6)}, {LineKind::misoriented_edge, "pulp", std::vector<glm::vec3>(2)}};
+  broken.overlays.faulty_edges = {{LineKind::boundary_edge, "pulp", std::vector<glm::vec3>(6)},
+                                  {LineKind::misoriented_edge, "pulp", std::vector<glm::vec3>(2)}};
   EXPECT_EQ(faulty_edges_of(broken).cracks, 3u);
   EXPECT_EQ(faulty_edges_of(broken).misoriented, 1u);
 }
 
 TEST_F(Lab, TheLessonGoesStepByStep) {
   size_ = {1280, 800};
-  viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return load({}); }});   // its claims are of the sample as it is
+  viewer_with_tooth(
+      {.load = [](const LoadRequest&, const Progress&) { return load({}); }});  // its claims are of the sample as it is
   begin_lesson();
   ASSERT_TRUE(lab().lesson);
   const std::size_t steps = lab().lesson->steps.size();
@@ -318,7 +322,7 @@ TEST_F(Lab, TheCrackOfTheLessonIsLookedAtInBothHalves) {
   ASSERT_EQ(viewer().panes().size(), 2u);
   keep_picture("lesson-crack");
   for (const ViewPane& pane : viewer().panes()) {
-    int met = 0;   // not in the very middle, which is the crack
+    int met = 0;  // not in the very middle, which is the crack
     for (const double across : {0.4, 0.6})
       for (const double down : {0.4, 0.6}) {
         move(pane.area.left + pane.area.width * across, pane.area.top + pane.area.height * down);

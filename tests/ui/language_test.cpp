@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "engine/ui/lesson_words.h"
 #include "engine/navigate/built_in_lessons.h"
+#include "engine/ui/lesson_words.h"
 #include "tests/ui/driver.h"
 
 namespace odontoscope::testing_support {
@@ -14,7 +14,7 @@ class LanguageInTheWindow : public ViewerTest {
  protected:
   void SetUp() override {
     ViewerTest::SetUp();
-    size_ = {1280, 1700};   // all of the panel
+    size_ = {1280, 1700};  // all of the panel
   }
 
   Viewer& german() {
@@ -43,7 +43,7 @@ TEST_F(LanguageInTheWindow, IsChosenInThePanelAndRemembered) {
   frames(2);
   EXPECT_EQ(viewer().state().settings.language, "de");
   EXPECT_EQ(viewer().interface().say("Fly inside (C)"), "Hinein (C)");
-  click_control("Structures");   // controls keep their names for keyboard and scripts
+  click_control("Structures");  // controls keep their names for keyboard and scripts
   const ReadSettings read = settings_from_json(to_json(viewer().state().settings));
   EXPECT_EQ(read.complaint, "");
   EXPECT_EQ(read.settings.language, "de");

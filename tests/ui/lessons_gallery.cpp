@@ -1,4 +1,5 @@
-// Pictures of every note of the built-in lessons, to be looked at, for whoever changes one: run with --gtest_also_run_disabled_tests.
+// Pictures of every note of the built-in lessons, to be looked at, for whoever changes one: run with
+// --gtest_also_run_disabled_tests.
 
 #include "engine/navigate/built_in_lessons.h"
 #include "tests/ui/flight_fixture.h"
@@ -19,7 +20,7 @@ TEST_F(FlightTest, DISABLED_LessonsGallery) {
     for (std::size_t note = 0; note < count; ++note) {
       viewer().state().notes.go_to = note;
       frame();
-      size_ = {64, 48};   // on the way nobody looks
+      size_ = {64, 48};  // on the way nobody looks
       for (int i = 0; i < 8; ++i) frame(0.3);
       size_ = {1280, 800};
       frames(4, 0.01);

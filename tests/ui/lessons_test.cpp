@@ -3,9 +3,8 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <thread>
-
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/screen.h"
@@ -51,14 +50,19 @@ TourNotes toy_quiz(const Viewer& viewer, bool at_end = false) {
   tour.feedback_at_end = at_end;
   TourNote note = note_of(viewer.state().scene, false);
   note.title = "Click";
-  note.question = TourQuestion{.kind = TourQuestion::Kind::click, .ask = "Click the enamel.", .explain = "It is outside.", .structure = "enamel"};
+  note.question = TourQuestion{.kind = TourQuestion::Kind::click,
+                               .ask = "Click the enamel.",
+                               .explain = "It is outside.",
+                               .structure = "enamel"};
   tour.notes.push_back(note);
   note.title = "Choose";
-  note.question = TourQuestion{.kind = TourQuestion::Kind::choice, .ask = "Which is inside?", .choices = {"enamel", "pulp"}, .answer = 1};
+  note.question = TourQuestion{
+      .kind = TourQuestion::Kind::choice, .ask = "Which is inside?", .choices = {"enamel", "pulp"}, .answer = 1};
   note.marks = {{{0, 0, 4}, ""}};
   tour.notes.push_back(note);
   note.title = "Count";
-  note.question = TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How wide?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  note.question =
+      TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How wide?", .answer = 12.5, .within = 0.5, .unit = "mm"};
   tour.notes.push_back(note);
   return tour;
 }
@@ -110,14 +114,14 @@ TEST_F(LessonsTest, AQuizIsTakenByTheKeyboardAloneAndItsMarksAreSaved) {
   ASSERT_TRUE(lesson().quiz());
   EXPECT_TRUE(lesson().wants_click(notes()));
   EXPECT_FALSE(viewer().names_shown()) << "they would give it away";
-  press_key(Key::right);   // turns the tooth
-  press_key(Key::enter);   // at the cross
+  press_key(Key::right);  // turns the tooth
+  press_key(Key::enter);  // at the cross
   EXPECT_EQ(lesson().feedback(notes()), "Right: enamel.");
   press_key(Key::enter);
   settle();
   ASSERT_EQ(notes().shown, std::optional<std::size_t>(1));
   frame(0.5);
-  type(U'3');   // there is no third: from mesial, as ever
+  type(U'3');  // there is no third: from mesial, as ever
   EXPECT_TRUE(lesson().asked(notes()));
   type(U'1');
   EXPECT_EQ(lesson().feedback(notes()), "You said enamel. It is pulp.");
@@ -164,7 +168,7 @@ TEST_F(LessonsTest, AQuizIsTakenByTheMouse) {
   size_ = {960, 640};
   take(toy_quiz(viewer(), true));
   const Area& area = viewer().panes().front().area;
-  click(area.left + 4, area.top + area.height - 4);   // nothing there
+  click(area.left + 4, area.top + area.height - 4);  // nothing there
   EXPECT_TRUE(lesson().wants_click(notes()));
   drag(middle().x, middle().y, middle().x + 60, middle().y);
   EXPECT_TRUE(lesson().wants_click(notes())) << "a drag turns the tooth";
@@ -176,7 +180,7 @@ TEST_F(LessonsTest, AQuizIsTakenByTheMouse) {
   EXPECT_EQ(lesson().row(notes())->given, "pulp");
   click_control("Next (Page down)", {}, "note");
   settle();
-  click_control("Result (Page down)", {}, "note");   // the last one is passed over
+  click_control("Result (Page down)", {}, "note");  // the last one is passed over
   frames(2);
   ASSERT_TRUE(lesson().result());
   EXPECT_EQ(lesson().quiz()->score(), 2u);
@@ -221,7 +225,7 @@ TEST_F(LessonsTest, ANoteRidesDownTheCanalThatItNames) {
   const auto lines = rideable(spaces().cavities.at(*fly().cavity).lines);
   EXPECT_EQ(lines[fly().ride->line]->name, "mesiobuccal canal");
   EXPECT_TRUE(fly().ride->playing);
-  viewer().state().settings.comfort.reduced_motion = true;   // to where the ride ends, without riding
+  viewer().state().settings.comfort.reduced_motion = true;  // to where the ride ends, without riding
   notes().go_to = 4;
   frames(2);
   settle();
@@ -265,13 +269,16 @@ TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
     for (const TourNote& note : tour.notes) {
       if (note.inside) {
         const auto inside = [&](const FlightSpace& space) {
-          return space.walls.locate(note.camera.position) == Walls::Side::inside && space.walls.nearest(note.camera.position).distance >= spaces().rules.clearance;
+          return space.walls.locate(note.camera.position) == Walls::Side::inside &&
+                 space.walls.nearest(note.camera.position).distance >= spaces().rules.clearance;
         };
         EXPECT_TRUE(std::any_of(spaces().cavities.begin(), spaces().cavities.end(), inside)) << note.title;
       }
       for (const TourMark& mark : note.marks) {
         const Box& box = viewer().state().shown->model.bounds_mm;
-        for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(mark.at[axis] >= box.low[axis] - 0.3 && mark.at[axis] <= box.high[axis] + 0.3) << note.title << ": " << mark.label;
+        for (int axis = 0; axis < 3; ++axis)
+          EXPECT_TRUE(mark.at[axis] >= box.low[axis] - 0.3 && mark.at[axis] <= box.high[axis] + 0.3)
+              << note.title << ": " << mark.label;
       }
     }
   }
@@ -289,7 +296,7 @@ TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
     notes().go_to = i;
     frame();
     for (int wait = 0; wait < 4; ++wait) frame(0.5);
-    glm::dvec3 at{0, 4.5, 17};   // the crown's buccal side
+    glm::dvec3 at{0, 4.5, 17};  // the crown's buccal side
     for (const CentreLine* line : rideable(spaces().cavities.front().lines))
       if (line->name == tour.notes[i].question->part) {
         const Point3& half_way = line->points[line->points.size() / 2].at;
@@ -329,7 +336,7 @@ TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
   keep_picture("note-editor");
   click_control("Show what is right", {}, "note draft");
   frames(2);
-  press_key(Key::enter);   // at the cross
+  press_key(Key::enter);  // at the cross
   EXPECT_EQ(notes().draft->question->structure.empty(), false);
   frames(2);
   click_control("Keep the note", {}, "note draft");
@@ -374,7 +381,7 @@ TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
   press_key(Key::escape);
   EXPECT_EQ(notes().tour.notes[1].title, "Click") << "Esc changes nothing";
   edit_note(notes(), 1);
-  notes().draft->title = "Click it";   // before the field has the keyboard
+  notes().draft->title = "Click it";  // before the field has the keyboard
   frames(2);
   viewer().state().scene.camera.position.x += 3;
   notes().retake = true;
@@ -396,7 +403,7 @@ TEST_F(LessonsTest, WhileANoteIsWrittenLettersAndTabStayWithIt) {
       if (viewer().interface().on_control(place.id)) {
         EXPECT_NE(place.window, control_id("", {}, "panel")) << "the panel lies behind";
       }
-    type(U's');   // into a field, or nowhere
+    type(U's');  // into a field, or nowhere
   }
   EXPECT_FALSE(viewer().state().scene.section);
   EXPECT_TRUE(notes().draft);
@@ -424,7 +431,7 @@ TEST_F(FirstRunTest, HintsAreTickedAndGoForGood) {
   fade();
   EXPECT_TRUE(viewer().hints().flown());
   EXPECT_TRUE(viewer().state().settings.hints);
-  type(U'1');   // a canal by its number
+  type(U'1');  // a canal by its number
   fade();
   EXPECT_FALSE(viewer().state().settings.hints);
   const Settings next = settings_from_json(to_json(viewer().state().settings)).settings;

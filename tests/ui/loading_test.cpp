@@ -61,14 +61,16 @@ TEST_F(Loading, FramesGoOnWhileItWorks) {
   viewer.open({});
   for (int i = 0; i < 10; ++i) frame();
   EXPECT_TRUE(viewer.loading());
-  EXPECT_GT(viewer.patience(), 0);          // no busy waiting either
+  EXPECT_GT(viewer.patience(), 0);  // no busy waiting either
   EXPECT_LT(viewer.patience(), 0.1);
 }
 
 TEST_F(Loading, ANewOneReplacesOneThatRuns) {
   std::atomic<bool> stopped = false;
   const Loader first = endless(stopped);
-  make_viewer({.load = [&first](const LoadRequest& request, const Progress& progress) { return request.file == "first" ? first(request, progress) : toy_tooth(); }});
+  make_viewer({.load = [&first](const LoadRequest& request, const Progress& progress) {
+    return request.file == "first" ? first(request, progress) : toy_tooth();
+  }});
   viewer().open({.file = "first"});
   frames(3);
   viewer().open({.file = "second"});
@@ -106,7 +108,8 @@ TEST_F(Loading, WhateverIsThrownIsSaid) {
     }});
     viewer().open({});
     wait_until_loaded();
-    EXPECT_NE(viewer().state().trouble.find(memory ? "memory" : "map::at"), std::string::npos) << viewer().state().trouble;
+    EXPECT_NE(viewer().state().trouble.find(memory ? "memory" : "map::at"), std::string::npos)
+        << viewer().state().trouble;
   }
 }
 
@@ -114,7 +117,12 @@ bool is_nrrd(const LoadRequest& request) { return !request.volume && request.fil
 
 TEST_F(Loading, AVolumeIsAskedAbout) {
   LoadRequest got;
-  make_viewer({.load = [&got](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); }, .wants_level = is_nrrd});
+  make_viewer({.load =
+                   [&got](const LoadRequest& request, const Progress&) {
+                     got = request;
+                     return toy_tooth();
+                   },
+               .wants_level = is_nrrd});
   viewer().handle(FilesDropped{{"/data/tooth.nrrd"}});
   frames(3);
   ASSERT_TRUE(viewer().state().question);
@@ -138,10 +146,16 @@ Volume ball(bool labels) {
   for (std::size_t k = 0; k < 20; ++k)
     for (std::size_t j = 0; j < 30; ++j)
       for (std::size_t i = 0; i < 40; ++i) {
-        const double x = 0.5 * (static_cast<double>(i) - 20), y = 0.5 * (static_cast<double>(j) - 14), z = static_cast<double>(k) - 9;
+        const double x = 0.5 * (static_cast<double>(i) - 20), y = 0.5 * (static_cast<double>(j) - 14),
+                     z = static_cast<double>(k) - 9;
         const double radius = std::sqrt(x * x + y * y + z * z);
         const bool hollow = radius < 2, inside = radius < 6;
-        volume.values.push_back(labels ? (hollow ? 1.0f : inside ? 2.0f : 0.0f) : hollow ? 100.0f : inside ? 200.0f : 0.37f * static_cast<float>((i + j + k) % 3));
+        volume.values.push_back(labels   ? (hollow   ? 1.0f
+                                            : inside ? 2.0f
+                                                     : 0.0f)
+                                : hollow ? 100.0f
+                                : inside ? 200.0f
+                                         : 0.37f * static_cast<float>((i + j + k) % 3));
       }
   if (labels) volume.labels = {{1, "pulp"}, {2, "dentine"}};
   return volume;
@@ -160,10 +174,18 @@ TEST(VolumePreviews, TellTheSizeOfTheFileAndNotOfTheSamples) {
 class VolumeAsked : public Loading {
  protected:
   /// As ImGui names a window within another.
-  static std::string child_of(const std::string& window, const std::string& name) { return fmt::format("{}/{}_{:08X}", window, name, control_id(name, {}, window)); }
+  static std::string child_of(const std::string& window, const std::string& name) {
+    return fmt::format("{}/{}_{:08X}", window, name, control_id(name, {}, window));
+  }
 
   void ask(Previewer preview) {
-    make_viewer({.load = [this](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); }, .wants_level = is_nrrd, .preview = std::move(preview)});
+    make_viewer({.load =
+                     [this](const LoadRequest& request, const Progress&) {
+                       got = request;
+                       return toy_tooth();
+                     },
+                 .wants_level = is_nrrd,
+                 .preview = std::move(preview)});
     viewer().open({.file = "/data/tooth.nrrd", .volume = {}, .from_command_line = true});
     for (int i = 0; i < 500 && viewer().state().question && viewer().state().question->reading; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -178,9 +200,9 @@ TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
   ask([](const LoadRequest&, const Progress&) { return volume_preview(ball(false)); });
   ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
   const VolumeQuestion& question = *viewer().state().question;
-  EXPECT_GT(question.iso, 2);   // Otsu's
+  EXPECT_GT(question.iso, 2);  // Otsu's
   EXPECT_LT(question.iso, 200);
-  EXPECT_EQ(question.slice, 10u);   // the middle one, of three with as much of the ball
+  EXPECT_EQ(question.slice, 10u);  // the middle one, of three with as much of the ball
   EXPECT_GT(question.drawn.outline.size(), 40u);
   keep_picture("volume-preview");
   const Image before = picture();
@@ -191,7 +213,7 @@ TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
   frames(2);
   const std::size_t outline = question.drawn.outline.size();
   const glm::dvec2 bar = control("##histogram", {}, child_of("question", "answers"));
-  click(bar.x, bar.y);   // near its right end: above all but the last values
+  click(bar.x, bar.y);  // near its right end: above all but the last values
   frames(2);
   EXPECT_GT(question.iso, 150);
   EXPECT_NE(question.drawn.outline.size(), outline);
@@ -202,7 +224,7 @@ TEST_F(VolumeAsked, ShowsASliceItsOutlineAndTheGreyValues) {
   ASSERT_TRUE(got.volume);
   EXPECT_EQ(got.volume->iso, iso);
   EXPECT_TRUE(got.volume->labels.empty());
-  EXPECT_TRUE(got.from_command_line);   // its looks and the rest of what was said hold
+  EXPECT_TRUE(got.from_command_line);  // its looks and the rest of what was said hold
 }
 
 TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
@@ -225,7 +247,7 @@ TEST_F(VolumeAsked, TheValueMovesWithTheMouseAndItsOutlineWithIt) {
   }
   release();
   frame();
-  move(bar.x - 190, bar.y);   // without the button nothing moves
+  move(bar.x - 190, bar.y);  // without the button nothing moves
   frames(2);
   EXPECT_EQ(question.iso, before);
   EXPECT_GT(std::set<std::size_t>(outlines.begin(), outlines.end()).size(), 1u);
@@ -238,16 +260,31 @@ TEST_F(VolumeAsked, OfSeveralSeriesItIsAskedFirstWhichOne) {
     if (!request.series.empty()) return volume_preview(ball(false));
     VolumePreview several;
     several.series.resize(3);
-    several.series[0] = {.modality = "CT", .description = "Scout", .columns = 512, .rows = 512, .slices = 2, .first_file = "/data/A/IM0001", .files = 2};
-    several.series[1] = {.modality = "CT", .description = "Bone 0.5", .columns = 512, .rows = 512, .slices = 300, .pixel_mm = std::array<double, 2>{0.25, 0.25}, .apart_mm = 0.5, .first_file = "/data/B/IM0001", .files = 300};
-    several.series[2] = {.modality = "MR", .description = "Film", .trouble = "time-series", .first_file = "/data/C/IM0001", .files = 9};
+    several.series[0] = {.modality = "CT",
+                         .description = "Scout",
+                         .columns = 512,
+                         .rows = 512,
+                         .slices = 2,
+                         .first_file = "/data/A/IM0001",
+                         .files = 2};
+    several.series[1] = {.modality = "CT",
+                         .description = "Bone 0.5",
+                         .columns = 512,
+                         .rows = 512,
+                         .slices = 300,
+                         .pixel_mm = std::array<double, 2>{0.25, 0.25},
+                         .apart_mm = 0.5,
+                         .first_file = "/data/B/IM0001",
+                         .files = 300};
+    several.series[2] = {
+        .modality = "MR", .description = "Film", .trouble = "time-series", .first_file = "/data/C/IM0001", .files = 9};
     return several;
   });
   ASSERT_TRUE(viewer().state().question);
   EXPECT_EQ(viewer().state().question->series.size(), 3u);
   EXPECT_FALSE(viewer().state().question->preview);
   keep_picture("series-question");
-  press_key(Key::enter);   // nothing to make yet
+  press_key(Key::enter);  // nothing to make yet
   frames(2);
   ASSERT_TRUE(viewer().state().question);
   click_control("2   CT   Bone 0.5", {"/data/B/IM0001"}, child_of("question", "series"));
@@ -267,12 +304,13 @@ TEST_F(VolumeAsked, OfSeveralSeriesItIsAskedFirstWhichOne) {
 
 TEST_F(VolumeAsked, OfTheCtMolarOtsuFindsTheTooth) {
   const std::filesystem::path file = std::filesystem::path(ODONTOSCOPE_DATA) / "ct_molar" / "tooth.nrrd";
-  if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file)) GTEST_SKIP() << "the data set ct_molar is not here";
+  if (std::string(ODONTOSCOPE_DATA).empty() || !std::filesystem::exists(file))
+    GTEST_SKIP() << "the data set ct_molar is not here";
   ask([file](const LoadRequest&, const Progress&) { return volume_preview(read_volume(file.string())); });
   ASSERT_TRUE(viewer().state().question && viewer().state().question->preview);
   keep_picture("volume-preview-ct");
   EXPECT_FALSE(viewer().state().question->of_labels());
-  EXPECT_GT(viewer().state().question->iso, 60);    // 120 is what the examples take
+  EXPECT_GT(viewer().state().question->iso, 60);  // 120 is what the examples take
   EXPECT_LT(viewer().state().question->iso, 160);
 }
 
@@ -287,7 +325,7 @@ TEST_F(VolumeAsked, ListsTheLabelsOfALabelMap) {
   viewer().state().question->as_grey = false;
   viewer().state().question->labels = {};
   frames(2);
-  press_key(Key::enter);   // nothing to make
+  press_key(Key::enter);  // nothing to make
   frames(2);
   ASSERT_TRUE(viewer().state().question);
   viewer().state().question->labels = {2};
@@ -301,14 +339,20 @@ TEST_F(VolumeAsked, ListsTheLabelsOfALabelMap) {
 }
 
 TEST_F(VolumeAsked, WhatCannotBeReadIsSaidAtOnce) {
-  ask([](const LoadRequest&, const Progress&) -> VolumePreview { throw FileError("tooth.nrrd", "its pixels end early", "Fetch it again."); });
+  ask([](const LoadRequest&, const Progress&) -> VolumePreview {
+    throw FileError("tooth.nrrd", "its pixels end early", "Fetch it again.");
+  });
   EXPECT_FALSE(viewer().state().question);
   EXPECT_NE(viewer().state().trouble.find("end early"), std::string::npos);
 }
 
 TEST_F(VolumeAsked, AnAnswerNeedNotWaitForThePicture) {
   std::atomic<bool> stopped = false;
-  make_viewer({.load = [this](const LoadRequest& request, const Progress&) { got = request; return toy_tooth(); },
+  make_viewer({.load =
+                   [this](const LoadRequest& request, const Progress&) {
+                     got = request;
+                     return toy_tooth();
+                   },
                .wants_level = is_nrrd,
                .preview = [&stopped](const LoadRequest&, const Progress& progress) -> VolumePreview {
                  while (!progress.stop.stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -332,7 +376,7 @@ TEST_F(Loading, AViewerMayEndWhileItLoads) {
   std::atomic<bool> stopped = false;
   make_viewer({.load = endless(stopped)}).open({});
   frame();
-  make_viewer();   // ends the first
+  make_viewer();  // ends the first
   EXPECT_TRUE(stopped);
 }
 

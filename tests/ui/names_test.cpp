@@ -15,7 +15,9 @@ class Names : public ViewerTest {
     ViewerTest::SetUp();
     if (!IsSkipped()) viewer_with_tooth();
   }
-  std::vector<DrawnName> drawn() { return drawn_names(viewer().state(), viewer().panes().front(), viewer().interface(), 1); }
+  std::vector<DrawnName> drawn() {
+    return drawn_names(viewer().state(), viewer().panes().front(), viewer().interface(), 1);
+  }
   const std::string& structure(const DrawnName& name) { return viewer().state().names[name.which].structure; }
   std::vector<std::string> seen() {
     std::vector<std::string> all;
@@ -33,11 +35,14 @@ TEST_F(Names, StandBesideWhatTheyName) {
   const auto all = drawn();
   for (const DrawnName& name : all) {
     EXPECT_TRUE(area.holds(name.place.x, name.place.y)) << structure(name);
-    EXPECT_TRUE(area.holds(name.box.left, name.box.top) && area.holds(name.box.left + name.box.width - 1, name.box.top + name.box.height - 1)) << structure(name);
+    EXPECT_TRUE(area.holds(name.box.left, name.box.top) &&
+                area.holds(name.box.left + name.box.width - 1, name.box.top + name.box.height - 1))
+        << structure(name);
     for (const DrawnName& other : all) {
       if (other.which <= name.which) continue;
-      const bool apart = name.box.left + name.box.width <= other.box.left || other.box.left + other.box.width <= name.box.left ||
-                         name.box.top + name.box.height <= other.box.top || other.box.top + other.box.height <= name.box.top;
+      const bool apart =
+          name.box.left + name.box.width <= other.box.left || other.box.left + other.box.width <= name.box.left ||
+          name.box.top + name.box.height <= other.box.top || other.box.top + other.box.height <= name.box.top;
       EXPECT_TRUE(apart) << structure(name) << " over " << structure(other);
     }
   }
@@ -48,7 +53,7 @@ TEST_F(Names, AreOfWhatIsSeen) {
   frame();
   EXPECT_EQ(seen(), (Strings{"enamel", "pulp"}));
   scene().look_of("dentine")->visible = true;
-  scene().look_of("dentine")->opacity = 1;   // the pulp is inside
+  scene().look_of("dentine")->opacity = 1;  // the pulp is inside
   frame();
   EXPECT_EQ(seen(), (Strings{"dentine", "enamel"}));
   type(U's');

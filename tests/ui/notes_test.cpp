@@ -1,11 +1,10 @@
 // A teacher's notes in the viewer: written, saved, played, and never lost without a question.
 
-#include <glm/geometric.hpp>
-
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <thread>
 
 #include "tests/ui/flight_fixture.h"
@@ -78,7 +77,7 @@ TEST_F(NotesTest, ANoteBringsBackTheWholeViewPixelByPixel) {
   fade();
   EXPECT_TRUE(fly().on);
   EXPECT_EQ(viewer().state().scene.headlight.has_value(), true);
-  press_key(Key::page_up);   // out of the pulp, by a fade
+  press_key(Key::page_up);  // out of the pulp, by a fade
   fade();
   EXPECT_FALSE(fly().on);
   EXPECT_EQ(viewer().state().scene, scene_noted);
@@ -128,7 +127,7 @@ TEST_F(NotesTest, ALessonLeadsSmoothlyFromNoteToNote) {
   EXPECT_FALSE(viewer().state().scene.look_of("enamel")->visible);
   viewer().handle(GamepadChanged{.present = true, .previous_note = true});
   frame();
-  viewer().handle(MouseButtonChanged{MouseButton::left, true});   // a person who takes over finds what was on its way
+  viewer().handle(MouseButtonChanged{MouseButton::left, true});  // a person who takes over finds what was on its way
   frame();
   EXPECT_EQ(shown(), 0.2f);
 }
@@ -160,7 +159,7 @@ TEST_F(NotesTest, AnotherModelAsksBeforeNotesAreLost) {
   ASSERT_FALSE(saved.empty());
   EXPECT_EQ(read_tour(saved.string()).notes.at(0).title, "Mine");
 
-  notes().write = true;   // only begun, and yet somebody's words
+  notes().write = true;  // only begun, and yet somebody's words
   frame();
   notes().draft->text = "Half a thought";
   drop_another();
@@ -219,7 +218,10 @@ TEST_F(NotesTest, WhereNothingCanBeSavedNothingIsLost) {
 TEST_F(NotesTest, OverAVolumeNameNoFileThatWouldBeAskedAbout) {
   const ScratchFolder scratch;
   make_viewer({.load = [](const LoadRequest&, const Progress&) { return toy_tooth(); },
-               .wants_level = [](const LoadRequest& request) { return !request.from_command_line && request.file.ends_with(".nrrd"); },   // the command line said it
+               .wants_level =
+                   [](const LoadRequest& request) {
+                     return !request.from_command_line && request.file.ends_with(".nrrd");
+                   },  // the command line said it
                .folder = scratch.path()});
   for (const char* file : {"tooth.nrrd", "tooth.json"}) {
     viewer().open({.file = file, .volume = {}, .from_command_line = true});
@@ -242,7 +244,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   type(U'n');
   NotesState& notes = viewer().state().notes;
   ASSERT_TRUE(notes.draft);
-  for (const char32_t letter : std::u32string(U"wwww")) type(letter);   // into the title, not into the wall
+  for (const char32_t letter : std::u32string(U"wwww")) type(letter);  // into the title, not into the wall
   press_key(Key::enter);
   frames(2);
   ASSERT_EQ(notes.tour.notes.size(), 1u);

@@ -16,7 +16,7 @@ class Panels : public ViewerTest {
   void SetUp() override {
     ViewerTest::SetUp();
     if (IsSkipped()) return;
-    size_ = {760, 1500};   // all sections fit
+    size_ = {760, 1500};  // all sections fit
     viewer_with_tooth();
   }
 };
@@ -32,7 +32,7 @@ TEST_F(Panels, EyesHideStructures) {
 }
 
 TEST_F(Panels, SlidersMakeStructuresClear) {
-  const glm::dvec2 slider = control("enamel", {"enamel"});   // near the right end
+  const glm::dvec2 slider = control("enamel", {"enamel"});  // near the right end
   click(slider.x, slider.y);
   EXPECT_GT(viewer().state().scene.look_of("enamel")->opacity, 0.8f);
   drag(slider.x, slider.y, 60, slider.y);
@@ -45,7 +45,8 @@ TEST_F(Panels, OpacitiesAreRememberedAndGivenBack) {
   click(slider.x - 60, slider.y);
   const float chosen = viewer().state().scene.look_of("enamel")->opacity;
   ASSERT_NE(chosen, usual.opacity);
-  const Settings settings = settings_from_json(to_json(viewer().state().settings)).settings;   // as the next run finds them
+  const Settings settings =
+      settings_from_json(to_json(viewer().state().settings)).settings;  // as the next run finds them
   viewer_with_tooth({.settings = settings});
   EXPECT_EQ(viewer().state().scene.look_of("enamel")->opacity, chosen);
   EXPECT_EQ(viewer().state().shown->scene.look_of("enamel")->opacity, usual.opacity);
@@ -53,9 +54,10 @@ TEST_F(Panels, OpacitiesAreRememberedAndGivenBack) {
   EXPECT_EQ(*viewer().state().scene.look_of("enamel"), usual);
   EXPECT_TRUE(viewer().state().settings.looks.empty());
   frames(2);
-  for (const Interface::Place& place : viewer().interface().places) EXPECT_NE(place.id, control_id("Usual colours and opacities")) << "nothing to give back";
+  for (const Interface::Place& place : viewer().interface().places)
+    EXPECT_NE(place.id, control_id("Usual colours and opacities")) << "nothing to give back";
 
-  LoadedModel given = toy_tooth();   // by the command line
+  LoadedModel given = toy_tooth();  // by the command line
   given.looks_given = true;
   ViewerOptions options{.load = [given](const LoadRequest&, const Progress&) { return given; }, .settings = settings};
   viewer_with_tooth(std::move(options));
@@ -66,7 +68,8 @@ TEST_F(Panels, ColoursHaveAPicker) {
   click_control("swatch", {"pulp", "colour"});
   frames(3);
   keep_picture("picker");
-  click(control("swatch", {"pulp", "colour"}).x + 110, control("swatch", {"pulp", "colour"}).y + 110);   // into the picker
+  click(control("swatch", {"pulp", "colour"}).x + 110,
+        control("swatch", {"pulp", "colour"}).y + 110);  // into the picker
   EXPECT_NE(viewer().state().scene.look_of("pulp")->colour, usual_colour("pulp", 0));
 }
 
@@ -74,7 +77,7 @@ TEST_F(Panels, BackFacesAreChosen) {
   click_control("Tint", {"back faces"});
   EXPECT_EQ(viewer().state().scene.back_faces, BackFaces::tint);
   frame();
-  EXPECT_EQ(viewer().state().settings.back_faces, BackFaces::tint);   // remembered
+  EXPECT_EQ(viewer().state().settings.back_faces, BackFaces::tint);  // remembered
   keep_picture("tint");
 }
 
@@ -160,7 +163,7 @@ TEST_F(Panels, APictureIsTakenByTheButton) {
   keep_picture("picture-panel");
   click_control("Take a picture");
   frames(2);
-  for (int i = 0; i < 3000 && viewer().patience() < 0.2; ++i) {   // until it is written
+  for (int i = 0; i < 3000 && viewer().patience() < 0.2; ++i) {  // until it is written
     frame(0);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
@@ -209,7 +212,10 @@ TEST_F(Panels, TypingAFileNameIsNoCommand) {
 
 TEST_F(Panels, EnterOpensTheFile) {
   std::string asked;
-  viewer_with_tooth({.load = [&asked](const LoadRequest& request, const Progress&) { asked = request.file; return toy_tooth(); }});
+  viewer_with_tooth({.load = [&asked](const LoadRequest& request, const Progress&) {
+    asked = request.file;
+    return toy_tooth();
+  }});
   press_key(Key::o, {.control = true});
   frames(3);
   for (const char32_t c : {U'a', U'.', U's'}) type(c);

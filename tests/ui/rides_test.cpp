@@ -34,7 +34,7 @@ TEST_F(FlightTest, ARideLeadsAlongACanalAndStopsAtItsEnd) {
   type(U'r');
   frames(40);
   EXPECT_LT(fly().ride->along, fly().ride->track.points.back().along);
-  hold('w', 0.1);   // flying ends the ride where it is
+  hold('w', 0.1);  // flying ends the ride where it is
   EXPECT_FALSE(fly().ride);
   EXPECT_EQ(pulp.walls.locate(fly().flight.eye), Walls::Side::inside);
   type(U'9');
@@ -67,7 +67,8 @@ TEST_F(FlightTest, AClickOnACanalsNameBeginsTheRide) {
   const Track track = track_of(*rideable(pulp.lines)[1], spaces().rules.clearance);
   fly().flight = flight_on(track, track.orifice - 2 * place_on(track, track.orifice).radius);
   frames(3);
-  const auto seen = seen_labels(fly().labels, viewer().state().scene.camera, viewer().panes().front().area.aspect(), pulp.walls, 3 * spaces().rules.clearance);
+  const auto seen = seen_labels(fly().labels, viewer().state().scene.camera, viewer().panes().front().area.aspect(),
+                                pulp.walls, 3 * spaces().rules.clearance);
   ASSERT_FALSE(seen.empty());
   for (const SeenLabel& label : seen) {
     if (&fly().labels[label.label] != orifice) continue;

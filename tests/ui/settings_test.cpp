@@ -75,12 +75,28 @@ TEST(Settings, MissingAreNoComplaint) {
 
 TEST(Settings, WhatMakesNoSenseIsLeftAloneAndSaid) {
   const std::string head = R"({"format":"odontoscope.viewer-settings",)";
-  for (const char* wrong : {R"("window":{"width":-4})", R"("window":{"width":1e300})", R"("window":7)", R"("panel":"yes")", R"("text_scale":1000)",
-                            R"("back_faces":"everything")", R"("projection":3)", R"("backdrop":null)", R"("picture":{"samples_a_side":0})",
-                            R"("picture":{"height":"tall"})", R"("picture":[])", R"("flight":{"field_of_view_deg":200})", R"("flight":{"vignette":1})",
-                            R"("flight":{"speed_limit":0})", R"("looks":[])", R"("looks":{"a":1})", R"("looks":{"":{"colour":"#112233","opacity":1}})",
-                            R"("looks":{"a":{"opacity":1}})", R"("looks":{"a":{"colour":"red","opacity":1}})", R"("looks":{"a":{"colour":7,"opacity":1}})",
-                            R"("looks":{"a":{"colour":"#112233"}})", R"("looks":{"a":{"colour":"#112233","opacity":-1}})",
+  for (const char* wrong : {R"("window":{"width":-4})",
+                            R"("window":{"width":1e300})",
+                            R"("window":7)",
+                            R"("panel":"yes")",
+                            R"("text_scale":1000)",
+                            R"("back_faces":"everything")",
+                            R"("projection":3)",
+                            R"("backdrop":null)",
+                            R"("picture":{"samples_a_side":0})",
+                            R"("picture":{"height":"tall"})",
+                            R"("picture":[])",
+                            R"("flight":{"field_of_view_deg":200})",
+                            R"("flight":{"vignette":1})",
+                            R"("flight":{"speed_limit":0})",
+                            R"("looks":[])",
+                            R"("looks":{"a":1})",
+                            R"("looks":{"":{"colour":"#112233","opacity":1}})",
+                            R"("looks":{"a":{"opacity":1}})",
+                            R"("looks":{"a":{"colour":"red","opacity":1}})",
+                            R"("looks":{"a":{"colour":7,"opacity":1}})",
+                            R"("looks":{"a":{"colour":"#112233"}})",
+                            R"("looks":{"a":{"colour":"#112233","opacity":-1}})",
                             R"("looks":{"a":{"colour":"#112233","opacity":"1"}})"}) {
     const ReadSettings read = settings_from_json(head + wrong + "}");
     EXPECT_NE(read.complaint, "") << wrong;
@@ -89,14 +105,16 @@ TEST(Settings, WhatMakesNoSenseIsLeftAloneAndSaid) {
 }
 
 TEST(Settings, OneWrongMemberLeavesTheOthers) {
-  const ReadSettings read = settings_from_json(R"({"format":"odontoscope.viewer-settings","panel":3,"backdrop":"light"})");
+  const ReadSettings read =
+      settings_from_json(R"({"format":"odontoscope.viewer-settings","panel":3,"backdrop":"light"})");
   EXPECT_NE(read.complaint.find("panel"), std::string::npos);
   EXPECT_EQ(read.settings.backdrop, Backdrop::light);
 }
 
 TEST(Settings, LooksAreRememberedByNameAndNotForEver) {
   Settings settings;
-  for (std::size_t i = 0; i < most_remembered_looks + 3; ++i) remember(settings, Look{"structure " + std::to_string(i), {}, 0.5f});
+  for (std::size_t i = 0; i < most_remembered_looks + 3; ++i)
+    remember(settings, Look{"structure " + std::to_string(i), {}, 0.5f});
   remember(settings, Look{"structure 10", colour_of(0xff0000), 0.75f});
   remember(settings, Look{std::string(most_structure_bytes + 1, 'x'), {}, 1});
   remember(settings, Look{"no text \xff", {}, 1});
@@ -107,12 +125,14 @@ TEST(Settings, LooksAreRememberedByNameAndNotForEver) {
   EXPECT_EQ(scene.looks[0].opacity, 0.75f);
   EXPECT_EQ(scene.looks[0].colour, colour_of(0xff0000));
   EXPECT_EQ(scene.looks[1].opacity, 1) << "forgotten";
-  EXPECT_EQ(settings_from_json(to_json(settings)).settings.looks.size(), most_remembered_looks) << "what is no text does not spoil the file";
+  EXPECT_EQ(settings_from_json(to_json(settings)).settings.looks.size(), most_remembered_looks)
+      << "what is no text does not spoil the file";
 }
 
 TEST(Settings, NoTextCanBreakTheReader) {
   const std::string deep(60'000, '['), sound = to_json(unusual());
-  for (const std::string& text : {std::string(), std::string("null"), std::string("[]"), std::string("{"), deep, std::string(1 << 20, 'x'), std::string(100, '\0')})
+  for (const std::string& text : {std::string(), std::string("null"), std::string("[]"), std::string("{"), deep,
+                                  std::string(1 << 20, 'x'), std::string(100, '\0')})
     EXPECT_EQ(settings_from_json(text).settings, Settings()) << text.substr(0, 20);
   std::mt19937 random(7);
   for (int i = 0; i < 3000; ++i) {
@@ -152,7 +172,7 @@ TEST(Settings, LieWhereThePlatformPutsThem) {
   const std::string before = config ? config : "";
   ::setenv("XDG_CONFIG_HOME", "/tmp/of-mine", 1);
   EXPECT_EQ(settings_file(), "/tmp/of-mine/odontoscope/viewer.json");
-  ::setenv("XDG_CONFIG_HOME", "relative", 1);   // the rule: as if it were not set
+  ::setenv("XDG_CONFIG_HOME", "relative", 1);  // the rule: as if it were not set
   EXPECT_TRUE(settings_file().empty() || settings_file().is_absolute());
   ::unsetenv("XDG_CONFIG_HOME");
   if (const char* home = std::getenv("HOME")) {

@@ -1,9 +1,9 @@
 #include "tests/ui/teeth.h"
-#include "engine/navigate/wall_depth.h"
 
 #include <filesystem>
 #include <map>
 
+#include "engine/navigate/wall_depth.h"
 #include "engine/scene/shells.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/volume/iso_contours.h"
@@ -40,14 +40,16 @@ const std::filesystem::path& ct_file() {
 LoadedModel sample_tooth_loaded(ToothKind kind) {
   static std::map<ToothKind, LoadedModel> made;
   auto known = made.find(kind);
-  if (known == made.end()) known = made.emplace(kind, loaded(sample_tooth(kind), std::string("Sample ") + name(kind))).first;
+  if (known == made.end())
+    known = made.emplace(kind, loaded(sample_tooth(kind), std::string("Sample ") + name(kind))).first;
   return known->second;
 }
 
 bool ct_molar_there() { return !std::string(ODONTOSCOPE_DATA).empty() && std::filesystem::exists(ct_file()); }
 
 LoadedModel ct_molar_loaded() {
-  static const LoadedModel model = loaded(iso_contours(read_volume(ct_file().string()), {{120, "tooth"}}, {.min_area = 4}).stack, "CT molar");
+  static const LoadedModel model =
+      loaded(iso_contours(read_volume(ct_file().string()), {{120, "tooth"}}, {.min_area = 4}).stack, "CT molar");
   return model;
 }
 

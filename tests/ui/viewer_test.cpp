@@ -1,6 +1,6 @@
 // Looking: mouse and keys to camera, scene and pixels.
-#include <glm/geometric.hpp>
 #include <chrono>
+#include <glm/geometric.hpp>
 #include <set>
 #include <thread>
 
@@ -47,10 +47,12 @@ TEST_F(Looking, ShowsTheModelThatRenderShows) {
   PictureOptions options{{static_cast<int>(area().width), static_cast<int>(area().height)}, {1}};
   Renderer renderer(gl(), ShaderLibrary{});
   const GpuModel gpu_model = upload(gl(), viewer().state().shown->model);
-  const Image alone = picture_of(gl(), renderer, gpu_model, viewer().state().shown->model, viewer().state().scene, options);
+  const Image alone =
+      picture_of(gl(), renderer, gpu_model, viewer().state().shown->model, viewer().state().scene, options);
   std::size_t different = 0;
   for (int y = 150; y < 560; ++y)
-    for (int x = 150; x < 500; ++x) different += window.pixel(static_cast<int>(area().left) + x, y) != alone.pixel(x, y) ? 1 : 0;
+    for (int x = 150; x < 500; ++x)
+      different += window.pixel(static_cast<int>(area().left) + x, y) != alone.pixel(x, y) ? 1 : 0;
   EXPECT_EQ(different, 0u);
 }
 
@@ -66,7 +68,8 @@ TEST_F(Looking, DraggingTurnsTheModelWithTheHand) {
 
 TEST_F(Looking, RightAndShiftDragMoveWhatIsUnderThePointer) {
   for (const bool shift : {false, true}) {
-    const auto hit = pick(*viewer().state().shown->pickable, viewer().state().scene, {sight_line(camera(), {0, 0}).origin, sight_line(camera(), {0, 0}).direction});
+    const auto hit = pick(*viewer().state().shown->pickable, viewer().state().scene,
+                          {sight_line(camera(), {0, 0}).origin, sight_line(camera(), {0, 0}).direction});
     ASSERT_TRUE(hit);
     const glm::dvec2 from = pixel(hit->point_mm);
     drag(from.x, from.y, from.x + 60, from.y - 40, shift ? MouseButton::left : MouseButton::right, {.shift = shift});
@@ -109,11 +112,12 @@ TEST_F(Looking, TwoSlowClicksAreNoDoubleClick) {
 
 TEST_F(Looking, EachStandardViewIsWhereItSays) {
   const AnatomicalFrame tooth;
-  const std::pair<char32_t, glm::dvec3> views[] = {{U'1', tooth.buccal}, {U'2', -tooth.buccal}, {U'3', tooth.mesial},
-                                                   {U'4', -tooth.mesial}, {U'5', tooth.occlusal}, {U'6', -tooth.occlusal}};
+  const std::pair<char32_t, glm::dvec3> views[] = {{U'1', tooth.buccal},   {U'2', -tooth.buccal},
+                                                   {U'3', tooth.mesial},   {U'4', -tooth.mesial},
+                                                   {U'5', tooth.occlusal}, {U'6', -tooth.occlusal}};
   for (const auto& [key, side] : views) {
     type(key);
-    EXPECT_EQ(viewer().patience(), 0);   // on its way
+    EXPECT_EQ(viewer().patience(), 0);  // on its way
     frames(5, 0.1);
     EXPECT_NEAR(glm::dot(axes_of(camera()).towards_eye, side), 1, 1e-9);
     EXPECT_GT(content_of(picture()).colours, 100u);
@@ -176,7 +180,7 @@ TEST_F(Looking, TheSectionsHandleMovesAndTurnsIt) {
   const glm::dvec2 grip = pixel_of(area(), now.tip);
   drag(grip.x, grip.y, grip.x + 25, grip.y - 20);
   EXPECT_LT(glm::dot(glm::normalize(viewer().state().scene.section->normal), glm::normalize(moved.normal)), 0.99);
-  EXPECT_EQ(camera(), still);   // the handle, not the tooth
+  EXPECT_EQ(camera(), still);  // the handle, not the tooth
   keep_picture("section-turned");
 }
 
@@ -218,7 +222,7 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   viewer_with_tooth({.settings = {.picture = {300, 200, false, 2, true}}, .folder = scratch.path()});
   type(U's');
   press_key(Key::s, {.control = true});
-  viewer().state().todo = {Action::take_picture, Action::take_picture};   // the second while the first is being written
+  viewer().state().todo = {Action::take_picture, Action::take_picture};  // the second while the first is being written
   frame();
   rest();
   EXPECT_EQ(viewer().state().trouble, "");
@@ -226,7 +230,7 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   EXPECT_EQ(saved, read_png((scratch.path() / "Toy-tooth-002.png").string()));
   EXPECT_EQ(saved.width, 300);
   EXPECT_EQ(saved.height, 200);
-  EXPECT_EQ(saved.pixel(0, 0)[3], 0);   // transparent
+  EXPECT_EQ(saved.pixel(0, 0)[3], 0);  // transparent
   const Scene scene = read_scene((scratch.path() / "Toy-tooth-scene-001.json").string(), Scene{});
   EXPECT_EQ(scene, viewer().scene_of_picture());
   ASSERT_TRUE(scene.picture);
@@ -252,8 +256,8 @@ TEST_F(Looking, APictureHoldsTheWindowUpForNoTime) {
   RecordProperty("drawn_here_ms", static_cast<int>(1000 * drawn_here));
   RecordProperty("held_up_ms", static_cast<int>(1000 * held_up));
   EXPECT_LT(held_up, 0.3 * drawn_here);
-  EXPECT_LT(viewer().patience(), 0.1);   // its words are awaited
-  viewer().state().scene.camera.position.z += 1;   // what is changed meanwhile is not in it
+  EXPECT_LT(viewer().patience(), 0.1);            // its words are awaited
+  viewer().state().scene.camera.position.z += 1;  // what is changed meanwhile is not in it
   rest();
   EXPECT_EQ(read_png((scratch.path() / "Toy-tooth-001.png").string()).width, 1500);
   EXPECT_EQ(viewer().state().trouble, "");
@@ -316,13 +320,28 @@ TEST_F(Looking, NoSequenceOfEventsBreaksIt) {
   constexpr const char32_t characters[] = U"123456 fpbwsrmt+-?";
   for (int i = 0; i < 600; ++i) {
     switch (random(7)) {
-      case 0: viewer().handle(MouseMoved{static_cast<double>(random(700)), static_cast<double>(random(460))}); break;
-      case 1: viewer().handle(MouseButtonChanged{static_cast<MouseButton>(random(3)), random(2) == 0, {.shift = random(4) == 0}}); break;
-      case 2: viewer().handle(Scrolled{0, static_cast<double>(random(9)) - 4, {}}); break;
-      case 3: viewer().handle(TextTyped{characters[random(18)]}); break;
-      case 4: viewer().handle(KeyChanged{static_cast<Key>(1 + random(14)), random(2) == 0, {}}); break;
-      case 5: viewer().handle(FocusLost{}); break;
-      default: frame(0.05); break;
+      case 0:
+        viewer().handle(MouseMoved{static_cast<double>(random(700)), static_cast<double>(random(460))});
+        break;
+      case 1:
+        viewer().handle(
+            MouseButtonChanged{static_cast<MouseButton>(random(3)), random(2) == 0, {.shift = random(4) == 0}});
+        break;
+      case 2:
+        viewer().handle(Scrolled{0, static_cast<double>(random(9)) - 4, {}});
+        break;
+      case 3:
+        viewer().handle(TextTyped{characters[random(18)]});
+        break;
+      case 4:
+        viewer().handle(KeyChanged{static_cast<Key>(1 + random(14)), random(2) == 0, {}});
+        break;
+      case 5:
+        viewer().handle(FocusLost{});
+        break;
+      default:
+        frame(0.05);
+        break;
     }
     ASSERT_NO_THROW(validate(camera(), "after event"));
   }
@@ -340,7 +359,7 @@ TEST(Actions, EveryKeyIsOneActionAndHasWords) {
     }
   }
   EXPECT_EQ(action_for(TextTyped{U'W'}), Action::toggle_wire);
-  EXPECT_FALSE(action_for(KeyChanged{Key::s, true, {}}));   // only with Ctrl
+  EXPECT_FALSE(action_for(KeyChanged{Key::s, true, {}}));  // only with Ctrl
 }
 
 TEST(ScaleBars, AreRoundNumbersThatFit) {
@@ -351,7 +370,11 @@ TEST(ScaleBars, AreRoundNumbersThatFit) {
     const ScaleBar bar = scale_bar({{0, 0, 1000, 800}, camera}, 160);
     EXPECT_LE(bar.pixels, 160.0001) << bar.words;
     EXPECT_GT(bar.pixels, 60) << bar.words;
-    EXPECT_NEAR(std::stod(bar.words) * (bar.words.ends_with(" mm") ? 1 : bar.words.ends_with(" m") ? 1000 : 0.001), bar.pixels * height / 800, 1e-6 * height) << bar.words;
+    EXPECT_NEAR(std::stod(bar.words) * (bar.words.ends_with(" mm")  ? 1
+                                        : bar.words.ends_with(" m") ? 1000
+                                                                    : 0.001),
+                bar.pixels * height / 800, 1e-6 * height)
+        << bar.words;
   }
 }
 

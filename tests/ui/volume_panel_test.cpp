@@ -20,7 +20,10 @@ LoadedModel tooth_of_a_volume() {
   for (std::size_t k = 0; k < 26; ++k)
     for (std::size_t j = 0; j < 22; ++j)
       for (std::size_t i = 0; i < 24; ++i)
-        grid->values.push_back(static_cast<float>(1700 * std::max(0.0, 1 - std::hypot((static_cast<double>(i) - 11.5) / 11, (static_cast<double>(j) - 10.5) / 10, (static_cast<double>(k) - 12.5) / 12))));
+        grid->values.push_back(
+            static_cast<float>(1700 * std::max(0.0, 1 - std::hypot((static_cast<double>(i) - 11.5) / 11,
+                                                                   (static_cast<double>(j) - 10.5) / 10,
+                                                                   (static_cast<double>(k) - 12.5) / 12))));
   grid->range = {0, 1700};
   grid->usual = {0, 1600};
   loaded.values = grid;
@@ -103,7 +106,7 @@ TEST_F(VolumePanel, HasTransferFunctions) {
   EXPECT_EQ(look().transfer, transfer_of(TransferPreset::enamel, 10, 800));
   EXPECT_TRUE(differs(before));
   const double usual = look().transfer.back().extinction;
-  const glm::dvec2 slider = control("Density");   // near the right end
+  const glm::dvec2 slider = control("Density");  // near the right end
   click(slider.x, slider.y);
   EXPECT_GT(look().transfer.back().extinction, 2 * usual);
   const double place = look().transfer.back().value;
@@ -123,7 +126,9 @@ TEST_F(VolumePanel, HasAnEditorOfTransferFunctions) {
     ADD_FAILURE() << "there is no editor";
     return Interface::Place{};
   }();
-  const auto at = [&](double right, double up) { return glm::dvec2(found.left + right * (found.right - found.left), found.bottom - up * (found.bottom - found.top)); };
+  const auto at = [&](double right, double up) {
+    return glm::dvec2(found.left + right * (found.right - found.left), found.bottom - up * (found.bottom - found.top));
+  };
   const std::vector<TransferPoint> ready = look().transfer;
   const Image before = picture();
   const glm::dvec2 fresh = at(0.06, 0.7), moved = at(0.12, 0.9);
@@ -133,16 +138,16 @@ TEST_F(VolumePanel, HasAnEditorOfTransferFunctions) {
   EXPECT_NEAR(look().transfer[0].extinction, std::expm1(0.7 * std::log1p(60.0)), 1.5);
   EXPECT_TRUE(sensible(look().transfer));
   drag(fresh.x, fresh.y, moved.x, moved.y);
-  EXPECT_NEAR(look().transfer[0].value, 0.12 * 1700, 20);   // the button comes up in a frame of its own
+  EXPECT_NEAR(look().transfer[0].value, 0.12 * 1700, 20);  // the button comes up in a frame of its own
   EXPECT_GT(look().transfer[0].extinction, 30);
   EXPECT_TRUE(differs(before));
   keep_picture("transfer-editor");
-  drag(moved.x, moved.y, at(0.99, 0.9).x, moved.y);   // not beyond its neighbour
+  drag(moved.x, moved.y, at(0.99, 0.9).x, moved.y);  // not beyond its neighbour
   EXPECT_TRUE(sensible(look().transfer));
   EXPECT_LT(look().transfer[0].value, ready[0].value);
   const double dense = look().transfer[0].extinction;
   const glm::dvec2 density = control("Density");
-  click(density.x, density.y);   // edits stay
+  click(density.x, density.y);  // edits stay
   EXPECT_EQ(look().transfer.size(), ready.size() + 1);
   EXPECT_GT(look().transfer[0].extinction, 2 * dense);
   click_control("Remove");
@@ -196,7 +201,7 @@ TEST_F(VolumePanel, ComparesWithTheCtWhenAsked) {
   ASSERT_TRUE(viewer().state().shown->deviations);
   EXPECT_EQ(viewer().state().shown->deviations->median_mm, deviations_in(right.model)->median_mm);
   EXPECT_TRUE(differs(own));
-  click_control("Slope", {"data colours"});   // known by now
+  click_control("Slope", {"data colours"});  // known by now
   EXPECT_EQ(viewer().state().scene.data_colours->of, DataColours::Of::slope);
 }
 
@@ -205,13 +210,15 @@ TEST_F(VolumePanel, ShowsBordersOnly) {
   frames(3);
   const Image all = picture();
   click_control("Borders only");
-  const double steepest = 1600 / std::min({viewer().state().shown->values->step_mm.x, viewer().state().shown->values->step_mm.y, viewer().state().shown->values->step_mm.z});
+  const double steepest =
+      1600 / std::min({viewer().state().shown->values->step_mm.x, viewer().state().shown->values->step_mm.y,
+                       viewer().state().shown->values->step_mm.z});
   EXPECT_TRUE(look().slopes.count());
   EXPECT_NEAR(look().slopes.steep, 0.2 * steepest, 1e-9);
   EXPECT_TRUE(differs(all));
   keep_picture("borders-only");
   frames(2);
-  const glm::dvec2 flat = control("Too flat, values/mm");   // near the right end: what is steep enough stays above
+  const glm::dvec2 flat = control("Too flat, values/mm");  // near the right end: what is steep enough stays above
   click(flat.x, flat.y);
   EXPECT_GT(look().slopes.flat, 0.5 * steepest);
   EXPECT_TRUE(look().slopes.sensible());
@@ -234,7 +241,8 @@ TEST_F(VolumePanel, SlidesFromModelToData) {
 TEST_F(VolumePanel, IsNotThereWithoutAVolume) {
   viewer_with_tooth();
   frames(2);
-  for (const Interface::Place& place : viewer().interface().places) EXPECT_NE(place.id, control_id("Volume", {"volume shows"}));
+  for (const Interface::Place& place : viewer().interface().places)
+    EXPECT_NE(place.id, control_id("Volume", {"volume shows"}));
 }
 
 TEST_F(VolumePanel, AnotherModelBeginsAnew) {

@@ -30,7 +30,8 @@ Model tube(double length) {
   for (int ring = 0; ring <= 200; ++ring)
     for (int around = 0; around < 24; ++around) {
       const double angle = glm::two_pi<double>() * around / 24;
-      part.positions.push_back(glm::vec3(metres_per_mm * glm::dvec3(0.5 * std::cos(angle), 0.5 * std::sin(angle), -length * ring / 200)));
+      part.positions.push_back(
+          glm::vec3(metres_per_mm * glm::dvec3(0.5 * std::cos(angle), 0.5 * std::sin(angle), -length * ring / 200)));
     }
   return model;
 }
@@ -68,7 +69,8 @@ TEST(WallDepth, OfATubeWithoutAChamberCountsFromItsBeginning) {
   Model model = tube(16);
   const std::string pulp = "pulp";
   mark_wall_depths(model, {{&pulp, &lines}});
-  for (std::size_t i = 0; i < model.parts[0].positions.size(); ++i) EXPECT_NEAR(model.parts[0].depths_mm[i], -model.parts[0].positions[i].z / metres_per_mm, 1e-4);
+  for (std::size_t i = 0; i < model.parts[0].positions.size(); ++i)
+    EXPECT_NEAR(model.parts[0].depths_mm[i], -model.parts[0].positions[i].z / metres_per_mm, 1e-4);
 }
 
 TEST(WallDepth, HasFewRingsHoweverLargeTheNumbers) {
@@ -84,14 +86,14 @@ class DepthInFlight : public FlightTest {};
 
 TEST_F(DepthInFlight, IsSeenAndCanBeSwitchedOff) {
   viewer_with(sample_tooth_loaded());
-  type(U'1');   // outside: a view
+  type(U'1');  // outside: a view
   type(U'c');
   fade();
   type(U'1');
   fade();
   press_key(Key::space);
   fly().ride->along = 0.5 * fly().ride->track.points.back().along;
-  frames(40, 0.05);   // until it has come to rest
+  frames(40, 0.05);  // until it has come to rest
   ASSERT_TRUE(viewer().state().scene.wall_depth);
   const Image with = picture();
   keep_picture("wall-depth");
@@ -111,7 +113,7 @@ TEST_F(DepthInFlight, NumbersLieOnTheWallAtTheirDepth) {
   viewer_with(sample_tooth_loaded());
   const FlightSpace& space = spaces().cavities[0];
   const auto labels = depth_labels(space, 1);
-  EXPECT_GE(labels.size(), 30u);   // three canals of 12 to 14 mm
+  EXPECT_GE(labels.size(), 30u);  // three canals of 12 to 14 mm
   for (const FlightLabel& label : labels) {
     EXPECT_LT(space.walls.nearest(label.at).distance, 1e-6) << label.words;
     EXPECT_TRUE(label.depth);

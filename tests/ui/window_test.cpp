@@ -1,4 +1,7 @@
-// The window, on a display that exists in memory only. Each case runs in a process of its own under xvfb-run: the display ends with it.
+// The window, on a display that exists in memory only. Each case runs in a process of its own under xvfb-run: the
+// display ends with it.
+#include "engine/view/window.h"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -8,7 +11,6 @@
 
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
-#include "engine/view/window.h"
 #include "tests/render/shapes.h"
 
 namespace odontoscope::testing_support {
@@ -25,7 +27,9 @@ int exit_code_of(const std::string& command) {
 void run_on_display(const std::string& name) {
   const std::string xvfb = ODONTOSCOPE_XVFB_RUN;
   if (xvfb.empty()) GTEST_SKIP() << "xvfb-run is missing: no display to open a window on";
-  EXPECT_EQ(exit_code_of(xvfb + " -a -s '-screen 0 1400x1000x24' '" + this_program() + "' --gtest_also_run_disabled_tests --gtest_filter='OnADisplay.DISABLED_" + name + "' >&2"), 0);
+  EXPECT_EQ(exit_code_of(xvfb + " -a -s '-screen 0 1400x1000x24' '" + this_program() +
+                         "' --gtest_also_run_disabled_tests --gtest_filter='OnADisplay.DISABLED_" + name + "' >&2"),
+            0);
 }
 
 TEST(Window, DrawsTheSamePixelsAsEglAndOsmesa) { run_on_display("SamePixels"); }
@@ -41,7 +45,9 @@ TEST(Window, WithoutADisplayTheProgramSaysSo) {
 TEST(Window, TooOldAnOpenGlIsSaid) {
   const std::string xvfb = ODONTOSCOPE_XVFB_RUN;
   if (xvfb.empty()) GTEST_SKIP() << "xvfb-run is missing";
-  EXPECT_EQ(exit_code_of("MESA_GL_VERSION_OVERRIDE=3.3 " + xvfb + " -a '" ODONTOSCOPE_PROGRAM "' view 2>&1 | grep -q gl-too-old"), 0);
+  EXPECT_EQ(exit_code_of("MESA_GL_VERSION_OVERRIDE=3.3 " + xvfb +
+                         " -a '" ODONTOSCOPE_PROGRAM "' view 2>&1 | grep -q gl-too-old"),
+            0);
 }
 
 TEST(OnADisplay, DISABLED_SamePixels) {
@@ -51,7 +57,8 @@ TEST(OnADisplay, DISABLED_SamePixels) {
   std::vector<Image> pictures;
   for (const Backend backend : {Backend::window, Backend::egl, Backend::osmesa}) {
     const auto context = make_context({.backend = backend, .debug = true});
-    if (context->in_words().find("llvmpipe") == std::string::npos) return;   // a processor that draws by itself need not agree
+    if (context->in_words().find("llvmpipe") == std::string::npos)
+      return;  // a processor that draws by itself need not agree
     pictures.push_back(picture_of(*context, model, scene, {{320, 240}, {2}}));
     EXPECT_TRUE(context->debug_messages().empty());
   }
@@ -61,16 +68,20 @@ TEST(OnADisplay, DISABLED_SamePixels) {
 }
 
 TEST(OnADisplay, DISABLED_OpensShowsAndCloses) {
-  small_molar();   // made once, before the clock runs
+  small_molar();  // made once, before the clock runs
   Window window({.size = {900, 600}, .debug = true});
-  Viewer viewer(window.context().gl(), ShaderLibrary{}, {.load = [](const LoadRequest&, const Progress&) {
-    LoadedModel loaded;
-    loaded.title = "Small molar";
-    loaded.model = small_molar();
-    loaded.scene = usual_scene(loaded.model, 1);
-    loaded.pickable = std::make_shared<const Pickable>(loaded.model);
-    return loaded;
-  }, .side = 1, .coarse_when_slow = false});
+  Viewer viewer(window.context().gl(), ShaderLibrary{},
+                {.load =
+                     [](const LoadRequest&, const Progress&) {
+                       LoadedModel loaded;
+                       loaded.title = "Small molar";
+                       loaded.model = small_molar();
+                       loaded.scene = usual_scene(loaded.model, 1);
+                       loaded.pickable = std::make_shared<const Pickable>(loaded.model);
+                       return loaded;
+                     },
+                 .side = 1,
+                 .coarse_when_slow = false});
   viewer.open({});
   std::stop_source stop;
   std::jthread closer([&stop] {

@@ -1,4 +1,5 @@
-// Folders as people have them: strangers beside the wanted series, several series, series below, damaged files, codings of all kinds.
+// Folders as people have them: strangers beside the wanted series, several series, series below, damaged files, codings
+// of all kinds.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@ namespace fs = std::filesystem;
 using DicomFolder = CtFolder;
 
 TEST_F(DicomFolder, IsReadInEveryCoding) {
-  for (const DicomCoding coding : {DicomCoding::explicit_little, DicomCoding::implicit_little, DicomCoding::explicit_big, DicomCoding::deflated}) {
+  for (const DicomCoding coding :
+       {DicomCoding::explicit_little, DicomCoding::implicit_little, DicomCoding::explicit_big, DicomCoding::deflated}) {
     put_series(four_, [coding](Ct& ct) { ct.coding = coding; });
     expect_whole(read());
     expect_whole(read("IM2"));
@@ -24,7 +26,8 @@ TEST_F(DicomFolder, IsReadInEveryCoding) {
 TEST_F(DicomFolder, OfFilesWithoutPreambleIsRead) {
   for (const DicomCoding coding : {DicomCoding::explicit_little, DicomCoding::implicit_little}) {
     for (int n = 0; n < 4; ++n) {
-      put(folder_ / ("IM" + std::to_string(n)), Ct{.z = four_[std::size_t(n)], .number = n, .instance = n + 1, .coding = coding}.object().bare());
+      put(folder_ / ("IM" + std::to_string(n)),
+          Ct{.z = four_[std::size_t(n)], .number = n, .instance = n + 1, .coding = coding}.object().bare());
     }
     expect_whole(read());
     expect_whole(read("IM0"));
@@ -33,7 +36,12 @@ TEST_F(DicomFolder, OfFilesWithoutPreambleIsRead) {
 
 TEST_F(DicomFolder, WithStrangersGivesTheNamedSeries) {
   put_series(four_);
-  DicomObject colour = DicomObject().text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.7").text(0x20, 0xe, "UI", "9.9").shorts(0x28, 2, {3}).shorts(0x28, 0x10, {3}).shorts(0x28, 0x11, {4});
+  DicomObject colour = DicomObject()
+                           .text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.7")
+                           .text(0x20, 0xe, "UI", "9.9")
+                           .shorts(0x28, 2, {3})
+                           .shorts(0x28, 0x10, {3})
+                           .shorts(0x28, 0x11, {4});
   put(folder_ / "SC", colour.shorts(0x28, 0x100, {8}).text(0x7fe0, 0x10, "OB", std::string(36, 'c')).file());
   const std::string other = Ct{.series = "8.8"}.object().file();
   put(folder_ / "cut", other.substr(0, other.size() - 5));
@@ -63,24 +71,32 @@ TEST_F(DicomFolder, WithADamagedFileOfNoKnownSeriesAsksForAFileAndSaysWhatItPass
 
 TEST_F(DicomFolder, OfSeveralSeriesListsThemToChooseFrom) {
   put_series(four_, [](Ct& ct) { ct.description = "Bone 0.5"; });
-  put_series({"0", "1", "2"}, [](Ct& ct) {
-    ct.series = "7.7";
-    ct.description = "Soft";
-  }, "S");
+  put_series(
+      {"0", "1", "2"},
+      [](Ct& ct) {
+        ct.series = "7.7";
+        ct.description = "Soft";
+      },
+      "S");
   const std::string words = message();
-  EXPECT_NE(words.find("1: CT \"Bone 0.5\", 4 x 3 pixels of 0.25 x 0.5 mm, 4 slices 2 mm apart"), std::string::npos) << words;
-  EXPECT_NE(words.find("2: CT \"Soft\", 4 x 3 pixels of 0.25 x 0.5 mm, 3 slices 1 mm apart"), std::string::npos) << words;
+  EXPECT_NE(words.find("1: CT \"Bone 0.5\", 4 x 3 pixels of 0.25 x 0.5 mm, 4 slices 2 mm apart"), std::string::npos)
+      << words;
+  EXPECT_NE(words.find("2: CT \"Soft\", 4 x 3 pixels of 0.25 x 0.5 mm, 3 slices 1 mm apart"), std::string::npos)
+      << words;
   for (const char* chosen : {"1", "1.2.3.4", "Bone 0.5", "bone 0.5"}) expect_whole(read({}, {.series = chosen}));
   EXPECT_EQ(read({}, {.series = "2"}).size[2], 3u);
   EXPECT_EQ(read({}, {.series = "7.7"}).size[2], 3u);
-  for (const char* wrong : {"0", "3", "7", "nothing"}) EXPECT_EQ(cause({}, {.series = wrong}), "no-such-series") << wrong;
+  for (const char* wrong : {"0", "3", "7", "nothing"})
+    EXPECT_EQ(cause({}, {.series = wrong}), "no-such-series") << wrong;
 }
 
 TEST_F(DicomFolder, TakesANumberFromTheListThatItTold) {
   fs::create_directories(folder_ / "A");
-  put_series({"0", "1", "2"}, [](Ct& ct) { ct.series = "5.5"; }, "A/IM");
+  put_series(
+      {"0", "1", "2"}, [](Ct& ct) { ct.series = "5.5"; }, "A/IM");
   put_series(four_);
-  put_series({"0", "1"}, [](Ct& ct) { ct.series = "7.7"; }, "S");
+  put_series(
+      {"0", "1"}, [](Ct& ct) { ct.series = "7.7"; }, "S");
   const std::string words = message();
   EXPECT_NE(words.find("1: CT, 4 x 3 pixels of 0.25 x 0.5 mm, 4 slices"), std::string::npos) << words;
   expect_whole(read({}, {.series = "1"}));
@@ -131,9 +147,11 @@ TEST_F(DicomFolder, WithRoundedPlacesIsTakenEvenlyAndSaysSo) {
 }
 
 TEST_F(DicomFolder, WithWholeMillimetresHidesNoMissingSlice) {
-  for (const std::vector<std::string>& heights : std::vector<std::vector<std::string>>{{"0", "1", "3"}, {"0", "2", "6", "8"}, {"0", "1", "3", "4"}, {"0", "2", "3", "4", "5"}}) {
+  for (const std::vector<std::string>& heights : std::vector<std::vector<std::string>>{
+           {"0", "1", "3"}, {"0", "2", "6", "8"}, {"0", "1", "3", "4"}, {"0", "2", "3", "4", "5"}}) {
     const TemporaryFolder own;
-    for (std::size_t n = 0; n < heights.size(); ++n) put(own / std::to_string(n), Ct{.z = heights[n], .instance = int(n) + 1}.object().file());
+    for (std::size_t n = 0; n < heights.size(); ++n)
+      put(own / std::to_string(n), Ct{.z = heights[n], .instance = int(n) + 1}.object().file());
     EXPECT_THROW(read_volume(own.path().string()), InputError) << heights.back();
   }
 }
@@ -160,7 +178,8 @@ TEST_F(DicomFolder, WithoutPlacesNeedsASpacingAndThenSaysWhatItAssumes) {
 
 TEST_F(DicomFolder, LeavesOutLocalizersAndDoubles) {
   put_series(four_);
-  put(folder_ / "scout", Ct{.image_type = "ORIGINAL\\PRIMARY\\LOCALIZER", .position = "0\\0\\99", .instance = 50}.object().file());
+  put(folder_ / "scout",
+      Ct{.image_type = "ORIGINAL\\PRIMARY\\LOCALIZER", .position = "0\\0\\99", .instance = 50}.object().file());
   put(folder_ / "copy", Ct{.z = "34", .number = 2, .instance = 3}.object().file());
   const Volume volume = read();
   expect_whole(volume);
@@ -180,16 +199,28 @@ TEST_F(DicomFolder, OfOneMomentAfterTheOtherIsRefused) {
 TEST_F(DicomFolder, WithoutImagesSaysSo) {
   put(folder_ / "a.txt", "text");
   EXPECT_EQ(cause(), "no-dicom-images");
-  put(folder_ / "report", DicomObject().text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.88.11").text(0x20, 0xe, "UI", "1.2").file());
+  put(folder_ / "report",
+      DicomObject().text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.88.11").text(0x20, 0xe, "UI", "1.2").file());
   EXPECT_EQ(cause("report"), "no-dicom-images");
 }
 
 /// Bits that are allocated but not stored may hold anything (overlays of old).
 TEST_F(DicomFolder, TakesTheStoredBitsAlone) {
   for (int n = 0; n < 2; ++n) {
-    DicomObject data = DicomObject().text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2").text(0x20, 0xe, "UI", "1.2.3.4").text(0x20, 0x32, "DS", "0\\0\\" + std::to_string(n));
-    data.text(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0").shorts(0x28, 2, {1}).text(0x28, 4, "CS", "MONOCHROME2").shorts(0x28, 0x10, {1 + 1}).shorts(0x28, 0x11, {2});
-    data.text(0x28, 0x30, "DS", "1\\1").shorts(0x28, 0x100, {16}).shorts(0x28, 0x101, {12}).shorts(0x28, 0x102, {11}).shorts(0x28, 0x103, {1});
+    DicomObject data = DicomObject()
+                           .text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2")
+                           .text(0x20, 0xe, "UI", "1.2.3.4")
+                           .text(0x20, 0x32, "DS", "0\\0\\" + std::to_string(n));
+    data.text(0x20, 0x37, "DS", "1\\0\\0\\0\\1\\0")
+        .shorts(0x28, 2, {1})
+        .text(0x28, 4, "CS", "MONOCHROME2")
+        .shorts(0x28, 0x10, {1 + 1})
+        .shorts(0x28, 0x11, {2});
+    data.text(0x28, 0x30, "DS", "1\\1")
+        .shorts(0x28, 0x100, {16})
+        .shorts(0x28, 0x101, {12})
+        .shorts(0x28, 0x102, {11})
+        .shorts(0x28, 0x103, {1});
     put(folder_ / std::to_string(n), data.words(0x7fe0, 0x10, {0xf001, 0x0fff, 0x17ff, 0x0800}).file());
   }
   const Volume volume = read();

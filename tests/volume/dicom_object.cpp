@@ -17,7 +17,8 @@ std::string little(std::uint32_t value, std::size_t bytes) {
 std::string bare_deflated(const std::string& bytes) {
   z_stream stream{};
   constexpr int bare_window = -15, memory = 8;
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, bare_window, memory, Z_DEFAULT_STRATEGY) != Z_OK) throw std::runtime_error("zlib");
+  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, bare_window, memory, Z_DEFAULT_STRATEGY) != Z_OK)
+    throw std::runtime_error("zlib");
   std::string result(deflateBound(&stream, bytes.size()), '\0');
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());
@@ -53,9 +54,12 @@ std::string DicomObject::number(std::uint32_t value, std::size_t bytes) const {
 
 void DicomObject::head(std::uint16_t group, std::uint16_t element, const std::string& vr, std::uint32_t length) {
   bytes_ += number(group, 2) + number(element, 2);
-  if (coding_ == DicomCoding::implicit_little || group == 0xfffe) bytes_ += number(length, 4);
-  else if (has_long_length(vr)) bytes_ += vr + std::string(2, '\0') + number(length, 4);
-  else bytes_ += vr + number(length, 2);
+  if (coding_ == DicomCoding::implicit_little || group == 0xfffe)
+    bytes_ += number(length, 4);
+  else if (has_long_length(vr))
+    bytes_ += vr + std::string(2, '\0') + number(length, 4);
+  else
+    bytes_ += vr + number(length, 2);
 }
 
 DicomObject& DicomObject::text(std::uint16_t group, std::uint16_t element, const std::string& vr, std::string value) {
@@ -65,13 +69,15 @@ DicomObject& DicomObject::text(std::uint16_t group, std::uint16_t element, const
   return *this;
 }
 
-DicomObject& DicomObject::shorts(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values, const std::string& vr) {
+DicomObject& DicomObject::shorts(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values,
+                                 const std::string& vr) {
   head(group, element, vr, static_cast<std::uint32_t>(2 * values.size()));
   for (const std::uint16_t value : values) bytes_ += number(value, 2);
   return *this;
 }
 
-DicomObject& DicomObject::sequence(std::uint16_t group, std::uint16_t element, const std::vector<DicomObject>& items, bool open) {
+DicomObject& DicomObject::sequence(std::uint16_t group, std::uint16_t element, const std::vector<DicomObject>& items,
+                                   bool open) {
   constexpr std::uint32_t undefined = 0xffffffff;
   DicomObject inner(coding_);
   for (const DicomObject& item : items) {
@@ -105,14 +111,20 @@ DicomObject& DicomObject::all(const DicomObject& other) {
 std::string DicomObject::file(const std::string& syntax, const std::string& storage_class) const {
   std::string name = syntax;
   if (name.empty()) {
-    name = coding_ == DicomCoding::implicit_little ? "1.2.840.10008.1.2" : coding_ == DicomCoding::explicit_big ? "1.2.840.10008.1.2.2"
-         : coding_ == DicomCoding::deflated ? "1.2.840.10008.1.2.1.99" : "1.2.840.10008.1.2.1";
+    name = coding_ == DicomCoding::implicit_little ? "1.2.840.10008.1.2"
+           : coding_ == DicomCoding::explicit_big  ? "1.2.840.10008.1.2.2"
+           : coding_ == DicomCoding::deflated      ? "1.2.840.10008.1.2.1.99"
+                                                   : "1.2.840.10008.1.2.1";
   }
   DicomObject meta;
-  meta.text(2, 2, "UI", storage_class).text(2, 3, "UI", "1.2.3.4.1").text(2, 0x10, "UI", name).text(2, 0x12, "UI", "1.2.3");
+  meta.text(2, 2, "UI", storage_class)
+      .text(2, 3, "UI", "1.2.3.4.1")
+      .text(2, 0x10, "UI", name)
+      .text(2, 0x12, "UI", "1.2.3");
   DicomObject length;
   length.shorts(2, 0, {static_cast<std::uint16_t>(meta.bytes_.size()), 0}, "UL");
-  return std::string(128, '\0') + "DICM" + length.bytes_ + meta.bytes_ + (coding_ == DicomCoding::deflated ? bare_deflated(bytes_) : bytes_);
+  return std::string(128, '\0') + "DICM" + length.bytes_ + meta.bytes_ +
+         (coding_ == DicomCoding::deflated ? bare_deflated(bytes_) : bytes_);
 }
 
 std::vector<std::uint16_t> ct_pixels(int number) {
@@ -127,7 +139,8 @@ std::string rle_packed(const std::vector<std::uint16_t>& pixels) {
     const std::size_t run = std::min<std::size_t>(128, pixels.size() - n);
     for (int part = 0; part < 2; ++part) {
       segments[std::size_t(part)] += static_cast<char>(run - 1);
-      for (std::size_t m = n; m < n + run; ++m) segments[std::size_t(part)] += static_cast<char>(part == 0 ? pixels[m] >> 8 : pixels[m] & 0xff);
+      for (std::size_t m = n; m < n + run; ++m)
+        segments[std::size_t(part)] += static_cast<char>(part == 0 ? pixels[m] >> 8 : pixels[m] & 0xff);
     }
   }
   for (std::string& segment : segments)
@@ -139,23 +152,37 @@ std::string rle_packed(const std::vector<std::uint16_t>& pixels) {
 
 std::string EnhancedCt::bytes() const {
   const auto object = [this] { return DicomObject(coding); };
-  const auto plane_orientation = [&] { return object().sequence(0x20, 0x9116, {object().text(0x20, 0x37, "DS", axes)}, open_items); };
-  const auto pixel_measures = [&] { return object().sequence(0x28, 0x9110, {object().text(0x18, 0x50, "DS", "2").text(0x28, 0x30, "DS", "0.5\\0.25")}, open_items); };
+  const auto plane_orientation = [&] {
+    return object().sequence(0x20, 0x9116, {object().text(0x20, 0x37, "DS", axes)}, open_items);
+  };
+  const auto pixel_measures = [&] {
+    return object().sequence(0x28, 0x9110, {object().text(0x18, 0x50, "DS", "2").text(0x28, 0x30, "DS", "0.5\\0.25")},
+                             open_items);
+  };
   const auto rescaling = [&](const CtFrame& frame) {
     return object().text(0x28, 0x1052, "DS", decimal(frame.intercept)).text(0x28, 0x1053, "DS", decimal(frame.slope));
   };
   const auto groups = [&](Where where, const CtFrame* frame) {
     DicomObject item(coding);
-    if (frame != nullptr && has_places) item.sequence(0x20, 0x9113, {object().text(0x20, 0x32, "DS", frame->position)}, open_items);
+    if (frame != nullptr && has_places)
+      item.sequence(0x20, 0x9113, {object().text(0x20, 0x32, "DS", frame->position)}, open_items);
     if (orientation == where) item.all(plane_orientation());
     if (measures == where) item.all(pixel_measures());
-    if (transformation == where) item.sequence(0x28, 0x9145, {rescaling(frame != nullptr ? *frame : frames.front())}, open_items);
+    if (transformation == where)
+      item.sequence(0x28, 0x9145, {rescaling(frame != nullptr ? *frame : frames.front())}, open_items);
     return item;
   };
   DicomObject data(coding);
-  data.text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2.1").text(8, 0x18, "UI", instance).text(8, 0x60, "CS", "CT").text(0x20, 0xe, "UI", series);
+  data.text(8, 0x16, "UI", "1.2.840.10008.5.1.4.1.1.2.1")
+      .text(8, 0x18, "UI", instance)
+      .text(8, 0x60, "CS", "CT")
+      .text(0x20, 0xe, "UI", series);
   if (orientation == Where::top) data.text(0x20, 0x37, "DS", axes);
-  data.shorts(0x28, 2, {1}).text(0x28, 4, "CS", "MONOCHROME2").text(0x28, 8, "IS", std::to_string(frames.size())).shorts(0x28, 0x10, {3}).shorts(0x28, 0x11, {4});
+  data.shorts(0x28, 2, {1})
+      .text(0x28, 4, "CS", "MONOCHROME2")
+      .text(0x28, 8, "IS", std::to_string(frames.size()))
+      .shorts(0x28, 0x10, {3})
+      .shorts(0x28, 0x11, {4});
   if (measures == Where::top) data.text(0x28, 0x30, "DS", "0.5\\0.25");
   data.shorts(0x28, 0x100, {16}).shorts(0x28, 0x101, {16}).shorts(0x28, 0x102, {15}).shorts(0x28, 0x103, {1});
   if (transformation == Where::top) data.all(rescaling(frames.front()));

@@ -1,5 +1,6 @@
 #pragma once
-// DICOM objects of any coding, element by element, and Enhanced CT with its functional groups wherever the standard lets them lie.
+// DICOM objects of any coding, element by element, and Enhanced CT with its functional groups wherever the standard
+// lets them lie.
 
 #include <array>
 #include <cstdint>
@@ -16,17 +17,22 @@ class DicomObject {
   explicit DicomObject(DicomCoding coding = DicomCoding::explicit_little) : coding_(coding) {}
 
   DicomObject& text(std::uint16_t group, std::uint16_t element, const std::string& vr, std::string value);
-  DicomObject& shorts(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values, const std::string& vr = "US");
-  DicomObject& words(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values) { return shorts(group, element, values, "OW"); }
+  DicomObject& shorts(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values,
+                      const std::string& vr = "US");
+  DicomObject& words(std::uint16_t group, std::uint16_t element, const std::vector<std::uint16_t>& values) {
+    return shorts(group, element, values, "OW");
+  }
   /// Items without a length, with a delimiter, where `open`.
-  DicomObject& sequence(std::uint16_t group, std::uint16_t element, const std::vector<DicomObject>& items, bool open = false);
+  DicomObject& sequence(std::uint16_t group, std::uint16_t element, const std::vector<DicomObject>& items,
+                        bool open = false);
   /// Pixels in pieces, the first of which is the (empty) table of offsets.
   DicomObject& pieces(const std::vector<std::string>& fragments);
   /// All elements of another object of the same coding.
   DicomObject& all(const DicomObject& other);
 
   /// With preamble and meta information, or bare.
-  std::string file(const std::string& syntax = {}, const std::string& storage_class = "1.2.840.10008.5.1.4.1.1.2") const;
+  std::string file(const std::string& syntax = {},
+                   const std::string& storage_class = "1.2.840.10008.5.1.4.1.1.2") const;
   const std::string& bare() const { return bytes_; }
 
  private:
@@ -39,9 +45,9 @@ class DicomObject {
 
 /// A frame of 4 columns and 3 rows, whose stored numbers tell the frame and the pixel.
 struct CtFrame {
-  std::string position;                  // "x\\y\\z"
+  std::string position;  // "x\\y\\z"
   double slope = 1, intercept = 0;
-  int number = 0;                        // pixels are 100 number + (0 to 11)
+  int number = 0;  // pixels are 100 number + (0 to 11)
 };
 
 struct EnhancedCt {
@@ -50,7 +56,7 @@ struct EnhancedCt {
   Where orientation = Where::shared, measures = Where::shared, transformation = Where::shared;
   std::string axes = "1\\0\\0\\0\\1\\0", series = "1.2.3.4", instance = "1.2.3.4.1";
   bool has_places = true, open_items = false;
-  DicomObject more = DicomObject();      // before the pixels
+  DicomObject more = DicomObject();  // before the pixels
   DicomCoding coding = DicomCoding::explicit_little;
   std::string bytes() const;
 };

@@ -67,7 +67,7 @@ TEST(LabelContours, ShareTheWallBetweenTwo) {
     const auto& other = slice.contours[1].points;
     if (std::find(other.begin(), other.end(), p) != other.end()) shared.push_back(p);
   }
-  EXPECT_EQ(shared.size(), 7u);   // four rows, the step between, and the wall's ends on the border
+  EXPECT_EQ(shared.size(), 7u);  // four rows, the step between, and the wall's ends on the border
   // All but the corners of the image, cut off by 1/8 each.
   EXPECT_DOUBLE_EQ(region_area(slice, "a") + region_area(slice, "b"), 20 - 4.0 / 8);
 }
@@ -83,9 +83,10 @@ double area_of_all(const ContourStack& stack) {
 TEST(LabelContours, LeaveNothingWhereThreeOrFourMeet) {
   const std::vector<LabelLevel> four{{1, "a"}, {2, "b"}, {3, "c"}, {4, "d"}};
   const auto of = [&](const std::vector<std::string>& rows, std::size_t labels) {
-    return label_contours(volume_of_rows(rows), {four.begin(), four.begin() + static_cast<std::ptrdiff_t>(labels)}).stack;
+    return label_contours(volume_of_rows(rows), {four.begin(), four.begin() + static_cast<std::ptrdiff_t>(labels)})
+        .stack;
   };
-  constexpr double corners = 4.0 / 8;   // of the image
+  constexpr double corners = 4.0 / 8;  // of the image
   EXPECT_DOUBLE_EQ(area_of_all(of({"12", "34"}, 4)), 4 - corners);
   EXPECT_DOUBLE_EQ(area_of_all(of({"12", "33"}, 3)), 4 - corners);
   EXPECT_DOUBLE_EQ(area_of_all(of({"13", "23"}, 3)), 4 - corners);
@@ -93,8 +94,10 @@ TEST(LabelContours, LeaveNothingWhereThreeOrFourMeet) {
   EXPECT_DOUBLE_EQ(area_of_all(of({"21", "13"}, 3)), 4 - corners);
   // Of the pair that is cut off each gets its diamond alone; of the other two each half of what is between as well.
   const ContourStack four_meet = of({"12", "34"}, 4);
-  for (const char* structure : {"a", "d"}) EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 - 1.0 / 8) << structure;
-  for (const char* structure : {"b", "c"}) EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 + 1.0 / 8) << structure;
+  for (const char* structure : {"a", "d"})
+    EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 - 1.0 / 8) << structure;
+  for (const char* structure : {"b", "c"})
+    EXPECT_DOUBLE_EQ(region_area(four_meet.slices[0], structure), 1 - 1.0 / 8 + 1.0 / 8) << structure;
 }
 
 TEST(LabelContours, LeaveASmallVoidWhereTwoTakeTurns) {

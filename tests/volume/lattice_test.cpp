@@ -31,7 +31,8 @@ Volume toothlike(RandomNumbers& random) {
 void give_decimal_place(Volume& volume, RandomNumbers& random) {
   constexpr double spacings[] = {0.2, 0.15, 0.075, 0.1, 0.35};
   for (double& spacing : volume.spacing) spacing = spacings[random.whole(0, 4)];
-  volume.origin = {random.whole(-4000, 4000) / 100.0, random.whole(-40000, 40000) / 1000.0, random.whole(-99, 99) / 10.0};
+  volume.origin = {random.whole(-4000, 4000) / 100.0, random.whole(-40000, 40000) / 1000.0,
+                   random.whole(-99, 99) / 10.0};
 }
 
 struct WholeNumbers {
@@ -49,7 +50,7 @@ TEST(Lattice, OfLabelMapsIsTheScaledLatticeOfWholeNumbersPointForPoint) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     RandomNumbers random(seed);
     Volume volume = seed % 2 == 0 ? noise(seed, {7, 8, 4}, 3) : toothlike(random);
-    volume.spacing = {4, 4, 4};   // so that quarters are whole, too
+    volume.spacing = {4, 4, 4};  // so that quarters are whole, too
     const ContourStack whole = label_contours(volume, {{1, "a"}, {2, "b"}}).stack;
     give_decimal_place(volume, random);
     const ContourStack scaled = label_contours(volume, {{1, "a"}, {2, "b"}}).stack;
@@ -63,8 +64,10 @@ TEST(Lattice, OfLabelMapsIsTheScaledLatticeOfWholeNumbersPointForPoint) {
         ASSERT_EQ(expected.contours[c].points.size(), slice.contours[c].points.size());
         for (std::size_t p = 0; p < slice.contours[c].points.size(); ++p) {
           const Point2 at = slice.contours[c].points[p], number = expected.contours[c].points[p];
-          ASSERT_EQ(at.x * half_steps, double(lattice.origin[0]) + number.x / 2 * double(lattice.spacing[0])) << "seed " << seed;
-          ASSERT_EQ(at.y * half_steps, double(lattice.origin[1]) + number.y / 2 * double(lattice.spacing[1])) << "seed " << seed;
+          ASSERT_EQ(at.x * half_steps, double(lattice.origin[0]) + number.x / 2 * double(lattice.spacing[0]))
+              << "seed " << seed;
+          ASSERT_EQ(at.y * half_steps, double(lattice.origin[1]) + number.y / 2 * double(lattice.spacing[1]))
+              << "seed " << seed;
         }
       }
     }

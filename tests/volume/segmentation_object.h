@@ -10,10 +10,11 @@
 
 namespace odontoscope::test {
 
-/// Four columns and three rows; pixel n of a binary one is set if bit n of `pixels` is, of a fractional one it is values[n].
+/// Four columns and three rows; pixel n of a binary one is set if bit n of `pixels` is, of a fractional one it is
+/// values[n].
 struct SegmentFrame {
-  std::uint16_t segment = 1;   // 0: it does not say
-  std::string position;        // "x\\y\\z"
+  std::uint16_t segment = 1;  // 0: it does not say
+  std::string position;       // "x\\y\\z"
   std::uint16_t pixels = 0;
   std::vector<std::uint8_t> values = {};
 };
@@ -21,11 +22,12 @@ struct SegmentFrame {
 struct SegmentationObject {
   std::vector<std::pair<std::uint16_t, std::string>> segments{{1, "tooth"}, {2, "pulp"}};
   std::vector<SegmentFrame> frames;
-  std::string kind = "BINARY", axes = "1\\0\\0\\0\\1\\0", slice_spacing = "2", character_set = {}, series = "1.2.3.9", instance = "1.2.3.9.1", study = "1.2.3";
+  std::string kind = "BINARY", axes = "1\\0\\0\\0\\1\\0", slice_spacing = "2", character_set = {}, series = "1.2.3.9",
+              instance = "1.2.3.9.1", study = "1.2.3";
   std::uint16_t fraction_of = 255;
   bool has_places = true, shared_segment = false, refers = false;
   DicomCoding coding = DicomCoding::explicit_little;
-  bool words = false;   // pixels as words of 16 bits (OW) and not as bytes
+  bool words = false;  // pixels as words of 16 bits (OW) and not as bytes
   std::string bytes() const;
 };
 

@@ -1,4 +1,5 @@
-// DICOM segmentations as label maps: each segment lies where its frames say, whatever their order, and whichever are left out.
+// DICOM segmentations as label maps: each segment lies where its frames say, whatever their order, and whichever are
+// left out.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ constexpr std::uint16_t row_of(int j, unsigned pixels) { return static_cast<std:
 /// Tooth in slices 30 to 36, pulp in two of them, disjoint.
 SegmentationObject tooth_with_pulp() {
   SegmentationObject map;
-  for (const double z : {30.0, 32.0, 34.0, 36.0}) map.frames.push_back({1, place(z), static_cast<std::uint16_t>(row_of(0, 0xf) | row_of(1, 0x9))});
+  for (const double z : {30.0, 32.0, 34.0, 36.0})
+    map.frames.push_back({1, place(z), static_cast<std::uint16_t>(row_of(0, 0xf) | row_of(1, 0x9))});
   map.frames.push_back({2, place(32), row_of(1, 0x6)});
   map.frames.push_back({2, place(34), row_of(1, 0x4)});
   return map;
@@ -58,7 +60,8 @@ void expect_tooth_with_pulp(const Volume& volume) {
   for (std::size_t k = 0; k < 4; ++k)
     for (std::size_t j = 0; j < 3; ++j)
       for (std::size_t i = 0; i < 4; ++i) {
-        const bool pulp = j == 1 && ((k == 1 && (i == 1 || i == 2)) || (k == 2 && i == 2)), tooth = j == 0 || (j == 1 && (i == 0 || i == 3));
+        const bool pulp = j == 1 && ((k == 1 && (i == 1 || i == 2)) || (k == 2 && i == 2)),
+                   tooth = j == 0 || (j == 1 && (i == 0 || i == 3));
         ASSERT_EQ(has(volume, 1, i, j, k), tooth) << i << " " << j << " " << k;
         ASSERT_EQ(has(volume, 2, i, j, k), pulp) << i << " " << j << " " << k;
       }
@@ -76,19 +79,21 @@ TEST(DicomSegmentations, LieWhereTheirFramesSayInAnyOrder) {
 
 TEST(DicomSegmentations, OfAnyCodingAndAlongAnyAxis) {
   SegmentationObject map = tooth_with_pulp();
-  for (const DicomCoding coding : {DicomCoding::explicit_little, DicomCoding::implicit_little, DicomCoding::explicit_big, DicomCoding::deflated}) {
+  for (const DicomCoding coding :
+       {DicomCoding::explicit_little, DicomCoding::implicit_little, DicomCoding::explicit_big, DicomCoding::deflated}) {
     map.coding = coding;
-    for (const bool words : {false, true}) {   // of a big-endian file, words have their bytes the other way round
+    for (const bool words : {false, true}) {  // of a big-endian file, words have their bytes the other way round
       map.words = words;
       expect_tooth_with_pulp(read(map.bytes()));
     }
   }
   SegmentationObject turned = tooth_with_pulp();
-  turned.axes = "0\\1\\0\\1\\0\\0";   // rows along x, so that the normal runs down
+  turned.axes = "0\\1\\0\\1\\0\\0";  // rows along x, so that the normal runs down
   const Volume volume = read(turned.bytes());
   EXPECT_EQ(volume.size, (std::array<std::size_t, 3>{3, 4, 4}));
   EXPECT_EQ(volume.origin, (Point3{10, 20, 30}));
-  EXPECT_TRUE(has(volume, 2, 1, 1, 1) && has(volume, 2, 1, 2, 1) && has(volume, 2, 1, 2, 2) && !has(volume, 2, 1, 1, 2));
+  EXPECT_TRUE(has(volume, 2, 1, 1, 1) && has(volume, 2, 1, 2, 1) && has(volume, 2, 1, 2, 2) &&
+              !has(volume, 2, 1, 1, 2));
 }
 
 TEST(DicomSegmentations, HaveTheNamesOfTheirSegments) {
@@ -105,7 +110,7 @@ TEST(DicomSegmentations, ThatOverlapGiveEachSegmentAllOfItsVoxels) {
   SegmentationObject map = tooth_with_pulp();
   map.segments.emplace_back(7, "whole");
   for (const double z : {30.0, 32.0, 34.0, 36.0}) map.frames.push_back({7, place(z), 0xfff});
-  map.frames[0].pixels = 0xfff;   // the tooth fills the lowest slice
+  map.frames[0].pixels = 0xfff;  // the tooth fills the lowest slice
   std::mt19937 random(2);
   std::vector<float> values;
   for (int n = 0; n < 6; ++n) {
@@ -138,7 +143,7 @@ TEST(DicomSegmentations, ThatOverlapAreContouredEachByItself) {
   const ContourStack stack = contours_of_volume(volume, options).stack;
   ASSERT_EQ(stack.slices.size(), 2u);
   for (const Slice& slice : stack.slices) {
-    ASSERT_EQ(slice.contours.size(), 2u);   // one outline each: the tooth has no hole where the pulp is
+    ASSERT_EQ(slice.contours.size(), 2u);  // one outline each: the tooth has no hole where the pulp is
     EXPECT_EQ(slice.contours[0].structure, "tooth");
     EXPECT_EQ(slice.contours[1].structure, "pulp");
   }
@@ -154,12 +159,14 @@ TEST(DicomSegmentations, LeaveOutEmptyFrames) {
   EXPECT_EQ(volume.spacing[2], 2);
   EXPECT_TRUE(std::all_of(volume.slice(2), volume.slice(3), [](float value) { return value == 0; }));
   EXPECT_TRUE(has(volume, 1, 0, 0, 3));
-  EXPECT_TRUE(std::any_of(volume.remarks.begin(), volume.remarks.end(), [](const std::string& r) { return r.find("1 slice between its frames has none") != r.npos || r.find("1 slice between") != r.npos; }));
+  EXPECT_TRUE(std::any_of(volume.remarks.begin(), volume.remarks.end(), [](const std::string& r) {
+    return r.find("1 slice between its frames has none") != r.npos || r.find("1 slice between") != r.npos;
+  }));
 }
 
 TEST(DicomSegmentations, TakeTheDistanceThatTheirFramesHave) {
   SegmentationObject map = tooth_with_pulp();
-  for (const char* told : {"2", "", "1", "0.5", "0.7"}) {   // "1": drawn in every second slice, not in thin plates
+  for (const char* told : {"2", "", "1", "0.5", "0.7"}) {  // "1": drawn in every second slice, not in thin plates
     map.slice_spacing = told;
     expect_tooth_with_pulp(read(map.bytes()));
   }
@@ -171,7 +178,8 @@ TEST(DicomSegmentations, TakeTheDistanceThatTheirFramesHave) {
 TEST(DicomSegmentations, OfPositionsThatAreRounded) {
   SegmentationObject map;
   map.slice_spacing = "0.333";
-  for (const char* z : {"0", "0.3", "0.7", "1", "1.3", "1.7", "2"}) map.frames.push_back({1, std::string("0\\0\\") + z, 0xfff});
+  for (const char* z : {"0", "0.3", "0.7", "1", "1.3", "1.7", "2"})
+    map.frames.push_back({1, std::string("0\\0\\") + z, 0xfff});
   const Volume volume = read(map.bytes());
   EXPECT_EQ(volume.size[2], 7u);
   EXPECT_NEAR(volume.spacing[2], 1.0 / 3, 0.01);
@@ -183,7 +191,8 @@ TEST(DicomSegmentations, ThatAreFractionalAreTakenFromHalfOn) {
   map.fraction_of = 100;
   for (const double z : {30.0, 32.0}) map.frames.push_back({1, place(z), 0, {0, 49, 50, 100, 0, 0, 0, 0, 0, 0, 0, 51}});
   const Volume volume = read(map.bytes());
-  EXPECT_EQ(std::vector<float>(volume.slice(0), volume.slice(1)), (std::vector<float>{0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(std::vector<float>(volume.slice(0), volume.slice(1)),
+            (std::vector<float>{0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 1}));
   EXPECT_NE(volume.remarks.back().find("at least half"), std::string::npos);
 }
 
@@ -191,10 +200,13 @@ TEST(DicomSegmentations, MayBeMapsOfNumbers) {
   SegmentationObject map;
   map.kind = "LABELMAP";
   map.coding = DicomCoding::explicit_big;
-  map.words = true;   // bytes in words of a big-endian file
-  for (const double z : {32.0, 30.0}) map.frames.push_back({0, place(z), 0, {0, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(z == 30 ? 1 : 2)}});
+  map.words = true;  // bytes in words of a big-endian file
+  for (const double z : {32.0, 30.0})
+    map.frames.push_back(
+        {0, place(z), 0, {0, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(z == 30 ? 1 : 2)}});
   const Volume volume = read(map.bytes());
-  EXPECT_EQ(std::vector<float>(volume.slice(0), volume.slice(1)), (std::vector<float>{0, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, 1}));
+  EXPECT_EQ(std::vector<float>(volume.slice(0), volume.slice(1)),
+            (std::vector<float>{0, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, 1}));
   EXPECT_EQ(volume.slice(1)[11], 2);
   ASSERT_EQ(volume.labels.size(), 2u);
   EXPECT_EQ(volume.labels[1].name, "pulp");
@@ -225,10 +237,10 @@ TEST(DicomSegmentations, ThatSayTooLittleOrLieAreRefused) {
   map.has_places = false;
   EXPECT_EQ(cause_of(map.bytes()), "no-positions");
   map = tooth_with_pulp();
-  map.frames[1].position = place(30);   // twice in one place
+  map.frames[1].position = place(30);  // twice in one place
   EXPECT_EQ(cause_of(map.bytes()), "time-series");
   map = tooth_with_pulp();
-  map.frames[4].position = "11\\20\\32";   // a tile beside another
+  map.frames[4].position = "11\\20\\32";  // a tile beside another
   EXPECT_EQ(cause_of(map.bytes()), "sheared-volume");
   map = tooth_with_pulp();
   map.frames.resize(1);
@@ -237,7 +249,7 @@ TEST(DicomSegmentations, ThatSayTooLittleOrLieAreRefused) {
   map.segments = {{1, "tooth"}, {1, "pulp"}};
   EXPECT_EQ(cause_of(map.bytes()), "unreadable-volume");
   map = tooth_with_pulp();
-  map.frames[3].position = place(900000);   // a gap that would fill memory
+  map.frames[3].position = place(900000);  // a gap that would fill memory
   EXPECT_EQ(cause_of(map.bytes()), "uneven-slices");
 }
 
@@ -247,7 +259,8 @@ TEST(DicomSegmentations, ThatOverlapInTooManyWaysAreRefused) {
   map.segments.clear();
   std::mt19937 random(3);
   for (int slice = 0; slice < 400; ++slice)
-    for (std::uint16_t segment = 1; segment <= 14; ++segment) map.frames.push_back({segment, place(2.0 * slice), static_cast<std::uint16_t>(random() & 0xfff)});
+    for (std::uint16_t segment = 1; segment <= 14; ++segment)
+      map.frames.push_back({segment, place(2.0 * slice), static_cast<std::uint16_t>(random() & 0xfff)});
   EXPECT_EQ(cause_of(map.bytes()), "too-many-structures");
 }
 

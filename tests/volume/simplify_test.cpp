@@ -9,10 +9,10 @@
 #include <limits>
 #include <set>
 
+#include "recon/contours/simplify_contours.h"
 #include "recon/core/error.h"
 #include "recon/volume/iso_contours.h"
 #include "recon/volume/label_contours.h"
-#include "recon/contours/simplify_contours.h"
 #include "tests/support/plane_check.h"
 #include "tests/support/random_numbers.h"
 #include "tests/volume/volumes.h"

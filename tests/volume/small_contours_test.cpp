@@ -1,4 +1,5 @@
-// What --min-area leaves out is counted, and canals among it are told from noise; a canal of one voxel that runs aslant is told of.
+// What --min-area leaves out is counted, and canals among it are told from noise; a canal of one voxel that runs aslant
+// is told of.
 
 #include <gtest/gtest.h>
 
@@ -18,14 +19,16 @@ Volume block_with_canal(bool speck = true) {
   });
 }
 
-LevelReport report_of(const Volume& volume, double min_area) { return iso_contours(volume, {{0.5, "tooth"}}, {min_area}).levels.front(); }
+LevelReport report_of(const Volume& volume, double min_area) {
+  return iso_contours(volume, {{0.5, "tooth"}}, {min_area}).levels.front();
+}
 
 TEST(SmallContours, AreCountedByKind) {
   const LevelReport report = report_of(block_with_canal(), 4);
   EXPECT_EQ(report.dropped, 9u);
   EXPECT_EQ(report.small.holes, 9u);
   EXPECT_EQ(report.small.islands, 0u);
-  EXPECT_NEAR(report.small.largest_area, 0.5, 1e-6);   // a diamond through the middles of a pixel's sides
+  EXPECT_NEAR(report.small.largest_area, 0.5, 1e-6);  // a diamond through the middles of a pixel's sides
 }
 
 TEST(SmallContours, ThatGoOnFromSliceToSliceAreToldWithTheirLongestRun) {
@@ -40,7 +43,7 @@ TEST(SmallContours, ThatGoOnFromSliceToSliceAreToldWithTheirLongestRun) {
 
 TEST(SmallContours, OfOneSliceAloneGoNowhere) {
   Volume volume = block_with_canal();
-  for (std::size_t k = 0; k < 8; ++k) volume.values[k * 144 + 4 * 12 + 4] = 1;   // the canal filled
+  for (std::size_t k = 0; k < 8; ++k) volume.values[k * 144 + 4 * 12 + 4] = 1;  // the canal filled
   const LevelReport report = report_of(volume, 4);
   EXPECT_EQ(report.dropped, 1u);
   EXPECT_EQ(report.small.going_on, 0u);

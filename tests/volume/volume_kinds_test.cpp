@@ -1,4 +1,5 @@
-// Headers as programs write them: every space, unit and packing gives the same volume in the same place; what cannot be known is said or refused.
+// Headers as programs write them: every space, unit and packing gives the same volume in the same place; what cannot be
+// known is said or refused.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,8 @@ float value_at(const Volume& volume, const std::array<double, 3>& at) {
   std::array<std::size_t, 3> n{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double index = (at[axis] - origin[axis]) / volume.spacing[axis];
-    if (std::abs(index - std::round(index)) > 1e-4 || index < -0.5 || index > double(volume.size[axis]) - 0.5) return -1;
+    if (std::abs(index - std::round(index)) > 1e-4 || index < -0.5 || index > double(volume.size[axis]) - 0.5)
+      return -1;
     n[axis] = std::size_t(std::lround(index));
   }
   return volume.slice(n[2])[n[1] * volume.size[0] + n[0]];
@@ -50,41 +52,60 @@ float value_at(const Volume& volume, const std::array<double, 3>& at) {
 /// Voxel (i, j, k) lies at (10 + 0.5 i, 20 + 2 j, 30 + 3 k) mm, LPS.
 void expect_in_place(const Volume& volume, const std::string& what) {
   for (std::size_t v = 0; v < telling_voxels().size(); ++v) {
-    ASSERT_EQ(value_at(volume, {10 + 0.5 * double(v % 5), 20 + 2 * double(v / 5 % 4), 30 + 3 * double(v / 20)}), float(1 + v)) << what;
+    ASSERT_EQ(value_at(volume, {10 + 0.5 * double(v % 5), 20 + 2 * double(v / 5 % 4), 30 + 3 * double(v / 20)}),
+              float(1 + v))
+        << what;
   }
 }
 
-std::string triple(double x, double y, double z) { return "(" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + ")"; }
+std::string triple(double x, double y, double z) {
+  return "(" + std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(z) + ")";
+}
 
 /// A space in which LPS has the signs given, in units of which a millimetre has `scale`.
 std::string geometry(const std::string& space, std::array<double, 3> s, double scale = 1) {
-  return "space: " + space + "\nspace directions: " + triple(s[0] * 0.5 * scale, 0, 0) + " " + triple(0, s[1] * 2 * scale, 0) + " " + triple(0, 0, s[2] * 3 * scale) +
+  return "space: " + space + "\nspace directions: " + triple(s[0] * 0.5 * scale, 0, 0) + " " +
+         triple(0, s[1] * 2 * scale, 0) + " " + triple(0, 0, s[2] * 3 * scale) +
          "\nspace origin: " + triple(s[0] * 10 * scale, s[1] * 20 * scale, s[2] * 30 * scale) + "\n";
 }
 
 TEST(VolumeKinds, EverySpaceOfNrrdIsTurnedIntoLeftPosteriorSuperior) {
   const std::array<double, 3> lps{1, 1, 1}, ras{-1, -1, 1}, las{1, -1, 1};
-  const std::vector<std::pair<std::string, std::array<double, 3>>> spaces{
-      {"left-posterior-superior", lps}, {"LPS", lps}, {"right-anterior-superior", ras}, {"RAS", ras}, {"left-anterior-superior", las}, {"LAS", las},
-      {"Left-Anterior-Superior", las}, {"scanner-xyz", lps}, {"3D-right-handed", lps}, {"left-anterior-superior-time", las}, {"RAST", ras}};
-  for (const auto& [space, signs] : spaces) expect_in_place(read("a.nrrd", Nrrd{.more = geometry(space, signs)}.bytes()), space);
+  const std::vector<std::pair<std::string, std::array<double, 3>>> spaces{{"left-posterior-superior", lps},
+                                                                          {"LPS", lps},
+                                                                          {"right-anterior-superior", ras},
+                                                                          {"RAS", ras},
+                                                                          {"left-anterior-superior", las},
+                                                                          {"LAS", las},
+                                                                          {"Left-Anterior-Superior", las},
+                                                                          {"scanner-xyz", lps},
+                                                                          {"3D-right-handed", lps},
+                                                                          {"left-anterior-superior-time", las},
+                                                                          {"RAST", ras}};
+  for (const auto& [space, signs] : spaces)
+    expect_in_place(read("a.nrrd", Nrrd{.more = geometry(space, signs)}.bytes()), space);
   EXPECT_EQ(cause_of("a.nrrd", Nrrd{.more = geometry("3D-left-handed", lps)}.bytes()), "left-handed-space");
   EXPECT_EQ(cause_of("a.nrrd", Nrrd{.more = geometry("somewhere", lps)}.bytes()), "unreadable-volume");
 }
 
 TEST(VolumeKinds, EveryUnitOfNrrdIsTurnedIntoMillimetres) {
-  const std::vector<std::pair<std::string, double>> units{{"mm", 1}, {"millimeters", 1}, {"um", 1e3}, {"\xC2\xB5m", 1e3}, {"\xCE\xBCm", 1e3}, {"micron", 1e3}, {"microns", 1e3},
-                                                          {"micrometer", 1e3}, {"UM", 1e3}, {"nm", 1e6}, {"cm", 0.1}, {"m", 1e-3}, {"meters", 1e-3}};
+  const std::vector<std::pair<std::string, double>> units{
+      {"mm", 1},       {"millimeters", 1}, {"um", 1e3},         {"\xC2\xB5m", 1e3}, {"\xCE\xBCm", 1e3},
+      {"micron", 1e3}, {"microns", 1e3},   {"micrometer", 1e3}, {"UM", 1e3},        {"nm", 1e6},
+      {"cm", 0.1},     {"m", 1e-3},        {"meters", 1e-3}};
   for (const auto& [unit, scale] : units) {
     const std::string quoted = "\"" + unit + "\"";
     const std::string units_line = "space units: " + quoted + " " + quoted + " " + quoted + "\n";
-    const std::string more = "space: left-posterior-superior\nspace directions: " + triple(0.5 * scale, 0, 0) + " " + triple(0, 2 * scale, 0) + " " + triple(0, 0, 3 * scale);
+    const std::string more = "space: left-posterior-superior\nspace directions: " + triple(0.5 * scale, 0, 0) + " " +
+                             triple(0, 2 * scale, 0) + " " + triple(0, 0, 3 * scale);
     std::ostringstream exact;
-    exact << "space: left-posterior-superior\n" << units_line << "space directions: (" << 0.5 * scale << ",0,0) (0," << 2 * scale << ",0) (0,0," << 3 * scale << ")\nspace origin: (" << 10 * scale
-          << "," << 20 * scale << "," << 30 * scale << ")\n";
+    exact << "space: left-posterior-superior\n"
+          << units_line << "space directions: (" << 0.5 * scale << ",0,0) (0," << 2 * scale << ",0) (0,0," << 3 * scale
+          << ")\nspace origin: (" << 10 * scale << "," << 20 * scale << "," << 30 * scale << ")\n";
     expect_in_place(read("a.nrrd", Nrrd{.more = exact.str()}.bytes()), unit);
     std::ostringstream plain;
-    plain << "units: " << quoted << " " << quoted << " " << quoted << "\nspacings: " << 0.5 * scale << " " << 2 * scale << " " << 3 * scale << "\n";
+    plain << "units: " << quoted << " " << quoted << " " << quoted << "\nspacings: " << 0.5 * scale << " " << 2 * scale
+          << " " << 3 * scale << "\n";
     const Volume volume = read("a.nrrd", Nrrd{.more = plain.str()}.bytes());
     EXPECT_NEAR(volume.spacing[0], 0.5, 1e-9) << unit;
     EXPECT_NEAR(volume.spacing[2], 3, 1e-9) << unit;
@@ -93,7 +114,9 @@ TEST(VolumeKinds, EveryUnitOfNrrdIsTurnedIntoMillimetres) {
 }
 
 TEST(VolumeKinds, AnUnknownUnitIsRefusedAndTheRemedyGivesTheRightVolume) {
-  const std::string bytes = Nrrd{.more = "space units: \"furlong\" \"furlong\" \"furlong\"\n" + geometry("left-posterior-superior", {1, 1, 1}, 7)}.bytes();
+  const std::string bytes = Nrrd{.more = "space units: \"furlong\" \"furlong\" \"furlong\"\n" +
+                                         geometry("left-posterior-superior", {1, 1, 1}, 7)}
+                                .bytes();
   EXPECT_EQ(cause_of("a.nrrd", bytes), "unknown-unit");
   expect_in_place(read("a.nrrd", bytes, {.spacing = std::array<double, 3>{0.5, 2, 3}}), "furlong");
 }
@@ -104,7 +127,8 @@ TEST(VolumeKinds, WhatAFileDoesNotSayIsSaid) {
     for (const std::string& remark : read(name, bytes).remarks) all += remark + "\n";
     return all;
   };
-  EXPECT_NE(remarks("a.nrrd", Nrrd{}.bytes()).find("no spacing along axis 1 and 2 and 3: 1 mm is assumed"), std::string::npos);
+  EXPECT_NE(remarks("a.nrrd", Nrrd{}.bytes()).find("no spacing along axis 1 and 2 and 3: 1 mm is assumed"),
+            std::string::npos);
   EXPECT_NE(remarks("a.nrrd", Nrrd{.more = "spacings: 2 2 nan\n"}.bytes()).find("along axis 3"), std::string::npos);
   EXPECT_NE(remarks("a.nrrd", Nrrd{.more = "spacings: 2 2 2\n"}.bytes()).find("no unit of length"), std::string::npos);
   EXPECT_EQ(remarks("a.nrrd", Nrrd{.more = geometry("LPS", {1, 1, 1})}.bytes()), "");
@@ -118,7 +142,8 @@ TEST(VolumeKinds, NrrdWithoutSpacingsTakesThemFromItsEnds) {
   const Volume cells = read("a.nrrd", Nrrd{.more = "axis mins: 0 0 0\naxis maxs: 2.5 8 9\n"}.bytes());
   EXPECT_EQ(cells.spacing, (std::array<double, 3>{0.5, 2, 3}));
   EXPECT_EQ(cells.origin, (Point3{0.25, 1, 1.5}));
-  const Volume nodes = read("a.nrrd", Nrrd{.more = "axis mins: 0 0 0\naxis maxs: 2 6 6\ncenters: node node node\n"}.bytes());
+  const Volume nodes =
+      read("a.nrrd", Nrrd{.more = "axis mins: 0 0 0\naxis maxs: 2 6 6\ncenters: node node node\n"}.bytes());
   EXPECT_EQ(nodes.spacing, (std::array<double, 3>{0.5, 2, 3}));
   EXPECT_EQ(nodes.origin, (Point3{0, 0, 0}));
 }
@@ -126,22 +151,30 @@ TEST(VolumeKinds, NrrdWithoutSpacingsTakesThemFromItsEnds) {
 TEST(VolumeKinds, PixelsMayLieInManyFiles) {
   const std::string pixels = bytes_of(telling_voxels()), geo = geometry("LPS", {1, 1, 1});
   const TemporaryFolder folder;
-  for (int k = 0; k < 3; ++k) put(folder / ("s" + std::to_string(k + 1) + ".raw"), pixels.substr(std::size_t(20 * k), 20));
-  for (int k = 0; k < 3; ++k) put(folder / ("p00" + std::to_string(9 - k) + ".raw"), pixels.substr(std::size_t(20 * k), 20));
+  for (int k = 0; k < 3; ++k)
+    put(folder / ("s" + std::to_string(k + 1) + ".raw"), pixels.substr(std::size_t(20 * k), 20));
+  for (int k = 0; k < 3; ++k)
+    put(folder / ("p00" + std::to_string(9 - k) + ".raw"), pixels.substr(std::size_t(20 * k), 20));
   const std::string head = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 5 4 3\n" + geo + "encoding: raw\n";
   put(folder / "list.nhdr", head + "data file: LIST\ns1.raw\ns2.raw\ns3.raw\n");
-  put(folder / "crlf.nhdr", "NRRD0004\r\ntype: uint8\r\ndimension: 3\r\nsizes: 5 4 3\r\nspace: LPS\r\nspace directions: (0.5,0,0) (0,2,0) (0,0,3)\r\nspace origin: (10,20,30)\r\nencoding: raw\r\ndata file: LIST\r\ns1.raw\r\ns2.raw\r\ns3.raw\r\n");
+  put(folder / "crlf.nhdr",
+      "NRRD0004\r\ntype: uint8\r\ndimension: 3\r\nsizes: 5 4 3\r\nspace: LPS\r\nspace directions: (0.5,0,0) (0,2,0) "
+      "(0,0,3)\r\nspace origin: (10,20,30)\r\nencoding: raw\r\ndata file: LIST\r\ns1.raw\r\ns2.raw\r\ns3.raw\r\n");
   put(folder / "up.nhdr", head + "data file: s%d.raw 1 3 1\n");
   put(folder / "down.nhdr", head + "datafile: p%03d.raw 9 7 -1\n");
-  const std::string meta = "ObjectType = Image\nNDims = 3\nElementSpacing = 0.5 2 3\nOffset = 10 20 30\nDimSize = 5 4 3\nElementType = MET_UCHAR\n";
+  const std::string meta =
+      "ObjectType = Image\nNDims = 3\nElementSpacing = 0.5 2 3\nOffset = 10 20 30\nDimSize = 5 4 3\nElementType = "
+      "MET_UCHAR\n";
   put(folder / "list.mhd", meta + "ElementDataFile = LIST\ns1.raw\ns2.raw\ns3.raw\n");
   put(folder / "list2.mhd", meta + "ElementDataFile = LIST 2\ns1.raw\ns2.raw\ns3.raw\n");
   put(folder / "pattern.mhd", meta + "ElementDataFile = s%d.raw 1 3 1\n");
-  for (const char* name : {"list.nhdr", "crlf.nhdr", "up.nhdr", "down.nhdr", "list.mhd", "list2.mhd", "pattern.mhd"}) expect_in_place(read_volume((folder / name).string()), name);
+  for (const char* name : {"list.nhdr", "crlf.nhdr", "up.nhdr", "down.nhdr", "list.mhd", "list2.mhd", "pattern.mhd"})
+    expect_in_place(read_volume((folder / name).string()), name);
   put(folder / "few.nhdr", head + "data file: s%d.raw 1 2 1\n");
   put(folder / "nonsense.nhdr", head + "data file: s%s%n.raw 1 3 1\n");
   put(folder / "endless.nhdr", head + "data file: s%d.raw 1 999999 1\n");
-  for (const char* name : {"few.nhdr", "nonsense.nhdr", "endless.nhdr"}) EXPECT_THROW(read_volume((folder / name).string()), InputError) << name;
+  for (const char* name : {"few.nhdr", "nonsense.nhdr", "endless.nhdr"})
+    EXPECT_THROW(read_volume((folder / name).string()), InputError) << name;
 }
 
 TEST(VolumeKinds, AHeaderNamesNoFileOutsideItsFolderUnlessItMay) {
@@ -150,10 +183,13 @@ TEST(VolumeKinds, AHeaderNamesNoFileOutsideItsFolderUnlessItMay) {
   put(folder / "secret.raw", bytes_of(telling_voxels()));
   put(folder / "inner/below/own.raw", bytes_of(telling_voxels()));
   std::filesystem::create_symlink(folder / "secret.raw", folder / "inner/link.raw");
-  const auto nrrd = [](const std::string& file) { return Nrrd{.more = "data file: " + file + "\n", .pixels = ""}.bytes(); };
+  const auto nrrd = [](const std::string& file) {
+    return Nrrd{.more = "data file: " + file + "\n", .pixels = ""}.bytes();
+  };
   const auto meta = [](const std::string& file) { return MetaImage{.data_file = file, .pixels = ""}.bytes(); };
   const std::string absolute = (folder / "secret.raw").string();
-  for (const std::string& file : {std::string("../secret.raw"), absolute, std::string("below/../../secret.raw"), std::string("link.raw")}) {
+  for (const std::string& file :
+       {std::string("../secret.raw"), absolute, std::string("below/../../secret.raw"), std::string("link.raw")}) {
     put(folder / "inner/a.nhdr", nrrd(file));
     put(folder / "inner/a.mhd", meta(file));
     for (const char* header : {"inner/a.nhdr", "inner/a.mhd"}) {
@@ -199,9 +235,14 @@ TEST(VolumeKinds, NrrdComesInEveryEncoding) {
   expect_in_place(read("a.nrrd", Nrrd{.encoding = "hex", .more = geo, .pixels = hex}.bytes()), "hex");
   expect_in_place(read("a.nrrd", Nrrd{.encoding = "txt", .more = geo, .pixels = text}.bytes()), "text");
   expect_in_place(read("a.nrrd", Nrrd{.encoding = "gz", .more = geo, .pixels = gzip_packed(pixels)}.bytes()), "gz");
-  expect_in_place(read("a.nrrd", Nrrd{.more = geo + "line skip: 2\nbyte skip: 3\n", .pixels = "one\ntwo\nabc" + pixels}.bytes()), "skips");
+  expect_in_place(
+      read("a.nrrd", Nrrd{.more = geo + "line skip: 2\nbyte skip: 3\n", .pixels = "one\ntwo\nabc" + pixels}.bytes()),
+      "skips");
   expect_in_place(read("a.nrrd", Nrrd{.more = geo + "byte skip: -1\n", .pixels = "whatever" + pixels}.bytes()), "end");
-  expect_in_place(read("a.nrrd", Nrrd{.encoding = "gzip", .more = geo + "byte skip: 3\n", .pixels = gzip_packed("abc" + pixels)}.bytes()), "skip within");
+  expect_in_place(
+      read("a.nrrd",
+           Nrrd{.encoding = "gzip", .more = geo + "byte skip: 3\n", .pixels = gzip_packed("abc" + pixels)}.bytes()),
+      "skip within");
   expect_in_place(read("a.nrrd", gzip_packed(Nrrd{.more = geo}.bytes())), "whole file packed");
   EXPECT_EQ(cause_of("a.nrrd", Nrrd{.encoding = "bzip2"}.bytes()), "unreadable-volume");
   // Two bytes a number: in which order is said, or asked for.
@@ -298,14 +339,31 @@ TEST(VolumeKinds, NiftiQformIsARotationAndTheScannersFormGoesFirst) {
 TEST(VolumeKinds, MetaImageComesInAnyOrderAndUnit) {
   const std::string pixels = bytes_of(telling_voxels());
   const std::string tail = "Offset = 10 20 30\nElementSpacing = 0.5 2 3\nElementDataFile = LOCAL\n";
-  expect_in_place(read("a.mha", "DimSize = 5 4 3\nComment = made by hand\nElementType = MET_UCHAR\nNDims = 3\nObjectType = Image\n" + tail + pixels), "order");
-  expect_in_place(read("a.mha", "NDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\nCompressedData = True\n" + tail + zlib_packed(pixels)), "no packed size");
-  expect_in_place(read("a.txt", "ObjectType = Image\nNDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\n" + tail + pixels), "any name");
-  expect_in_place(read("a.mha", "NDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\nDistanceUnits = um\nOffset = 10000 20000 30000\nElementSpacing = 500 2000 3000\nElementDataFile = LOCAL\n" + pixels), "um");
+  expect_in_place(
+      read("a.mha",
+           "DimSize = 5 4 3\nComment = made by hand\nElementType = MET_UCHAR\nNDims = 3\nObjectType = Image\n" + tail +
+               pixels),
+      "order");
+  expect_in_place(read("a.mha", "NDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\nCompressedData = True\n" + tail +
+                                    zlib_packed(pixels)),
+                  "no packed size");
+  expect_in_place(
+      read("a.txt", "ObjectType = Image\nNDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\n" + tail + pixels),
+      "any name");
+  expect_in_place(read("a.mha",
+                       "NDims = 3\nDimSize = 5 4 3\nElementType = MET_UCHAR\nDistanceUnits = um\nOffset = 10000 20000 "
+                       "30000\nElementSpacing = 500 2000 3000\nElementDataFile = LOCAL\n" +
+                           pixels),
+                  "um");
   std::string text;
   for (const int value : telling_voxels()) text += std::to_string(value) + " ";
-  expect_in_place(read("a.mha", "NDims = 3\nBinaryData = False\nDimSize = 5 4 3\nElementType = MET_UCHAR\n" + tail + text), "text");
-  expect_in_place(read("a.mha", "NDims = 4\nDimSize = 5 4 3 1\nElementType = MET_UCHAR\nOffset = 10 20 30 0\nElementSpacing = 0.5 2 3 1\nElementDataFile = LOCAL\n" + pixels), "four axes");
+  expect_in_place(
+      read("a.mha", "NDims = 3\nBinaryData = False\nDimSize = 5 4 3\nElementType = MET_UCHAR\n" + tail + text), "text");
+  expect_in_place(read("a.mha",
+                       "NDims = 4\nDimSize = 5 4 3 1\nElementType = MET_UCHAR\nOffset = 10 20 30 0\nElementSpacing = "
+                       "0.5 2 3 1\nElementDataFile = LOCAL\n" +
+                           pixels),
+                  "four axes");
 }
 
 TEST(VolumeKinds, OneImageOnEdgeIsNoVolume) {
@@ -318,13 +376,22 @@ TEST(VolumeKinds, FewBytesThatBecomeGigabytesAreRefusedBeforeTheyDo) {
   std::string member = gzip_packed(std::string(1u << 24, '\0')), bomb;
   for (int n = 0; n < 32; ++n) bomb += member;
   ASSERT_LT(bomb.size(), 1u << 20);
-  EXPECT_EQ(cause_of("a.nrrd", Nrrd{.sizes = "1024 1024 512", .encoding = "gzip", .pixels = bomb}.bytes()), "too-well-packed");
-  EXPECT_EQ(cause_of("a.nii.gz", gzip_packed(Nifti{.dim = {3, 1024, 1024, 512, 1, 1, 1, 1}, .pixels = ""}.bytes()) + bomb), "too-well-packed");
-  EXPECT_EQ(cause_of("a.mha", MetaImage{.size = "1024 1024 512", .more = "CompressedData = True\n", .pixels = bomb}.bytes()), "too-well-packed");
+  EXPECT_EQ(cause_of("a.nrrd", Nrrd{.sizes = "1024 1024 512", .encoding = "gzip", .pixels = bomb}.bytes()),
+            "too-well-packed");
+  EXPECT_EQ(
+      cause_of("a.nii.gz", gzip_packed(Nifti{.dim = {3, 1024, 1024, 512, 1, 1, 1, 1}, .pixels = ""}.bytes()) + bomb),
+      "too-well-packed");
+  EXPECT_EQ(
+      cause_of("a.mha", MetaImage{.size = "1024 1024 512", .more = "CompressedData = True\n", .pixels = bomb}.bytes()),
+      "too-well-packed");
 }
 
 TEST(VolumeKinds, SegmentsKeepTheNamesThatSlicerGaveThem) {
-  const Volume volume = read("a.seg.nrrd", Nrrd{.more = "Segment0_Name:=Pulp chamber\nSegment0_LabelValue:=2\nSegment1_Name:=Dentine\nSegment1_LabelValue:=1\nSegment10_Name:=odd\nSegment10_LabelValue:=x\n"}.bytes());
+  const Volume volume =
+      read("a.seg.nrrd", Nrrd{.more = "Segment0_Name:=Pulp "
+                                      "chamber\nSegment0_LabelValue:=2\nSegment1_Name:=Dentine\nSegment1_LabelValue:="
+                                      "1\nSegment10_Name:=odd\nSegment10_LabelValue:=x\n"}
+                             .bytes());
   ASSERT_EQ(volume.labels.size(), 2u);
   EXPECT_EQ(volume.labels[0].value, 1);
   EXPECT_EQ(volume.labels[0].name, "Dentine");
@@ -332,12 +399,16 @@ TEST(VolumeKinds, SegmentsKeepTheNamesThatSlicerGaveThem) {
 }
 
 TEST(LabelNames, AreReadAsItkSnapWritesThem) {
-  const auto labels = parse_label_names("# ITK-SnAP Label Description File\n\n    0     0    0    0        0  0  0    \"Clear Label\"\n    2   0  255 0  1  1  1    \"Pulp \"\n    1   255    0    0        1  1  1    \"Dentine\"\r\n", "names.txt");
+  const auto labels = parse_label_names(
+      "# ITK-SnAP Label Description File\n\n    0     0    0    0        0  0  0    \"Clear Label\"\n    2   0  255 0  "
+      "1  1  1    \"Pulp \"\n    1   255    0    0        1  1  1    \"Dentine\"\r\n",
+      "names.txt");
   ASSERT_EQ(labels.size(), 2u);
   EXPECT_EQ(labels[0].name, "Dentine");
   EXPECT_EQ(labels[1].value, 2);
   EXPECT_EQ(labels[1].name, "Pulp");
-  for (const char* bad : {"1 2 3 \"few\"", "1 0 0 0 1 1 1 none", "x 0 0 0 1 1 1 \"x\"", "1e99 0 0 0 1 1 1 \"x\""}) EXPECT_THROW(parse_label_names(bad, "f"), InputError) << bad;
+  for (const char* bad : {"1 2 3 \"few\"", "1 0 0 0 1 1 1 none", "x 0 0 0 1 1 1 \"x\"", "1e99 0 0 0 1 1 1 \"x\""})
+    EXPECT_THROW(parse_label_names(bad, "f"), InputError) << bad;
 }
 
 }  // namespace

@@ -41,15 +41,19 @@ class Packet {
     for (int i = 0; i < count; ++i) number(0);
   }
   void pose(const Pose& pose) {
-    for (const double value : {pose.turn.x, pose.turn.y, pose.turn.z, pose.turn.w, pose.position.x, pose.position.y, pose.position.z}) number(value);
+    for (const double value :
+         {pose.turn.x, pose.turn.y, pose.turn.z, pose.turn.w, pose.position.x, pose.position.y, pose.position.z})
+      number(value);
   }
   void hand(const RemoteBody::Hand& hand) {
     pose(hand.pose);
-    zeros(3 + 3 + 5);   // velocities, curls of the fingers
+    zeros(3 + 3 + 5);  // velocities, curls of the fingers
     for (const double value : {hand.trigger, hand.squeeze, hand.squeeze, hand.stick.x, hand.stick.y}) number(value);
-    zeros(3);           // trackpad
+    zeros(3);  // trackpad
     const bool pulled = hand.trigger > 0.5;
-    for (const bool value : {false, hand.there, false, false, false, false, hand.b, hand.b, pulled, pulled, false, false, false, false, false, false}) flag(value);
+    for (const bool value : {false, hand.there, false, false, false, false, hand.b, hand.b, pulled, pulled, false,
+                             false, false, false, false, false})
+      flag(value);
   }
   const std::string& bytes() const { return bytes_; }
 
@@ -59,7 +63,8 @@ class Packet {
 
 std::string packet_of(const RemoteBody& body) {
   Packet packet;
-  for (int eye = 0; eye < 2; ++eye) packet.zeros(4 + 7 + 1);   // fields and places of the eyes: not told, so Monado's own
+  for (int eye = 0; eye < 2; ++eye)
+    packet.zeros(4 + 7 + 1);  // fields and places of the eyes: not told, so Monado's own
   packet.pose(body.head);
   for (int i = 0; i < 4; ++i) packet.flag(false);
   packet.hand(body.left);
@@ -92,10 +97,12 @@ Monado::Monado(const std::vector<std::string>& words) {
     const int log = open(log_file, O_WRONLY | O_CREAT | O_TRUNC, 0600);
     dup2(log, 1);
     dup2(log, 2);
-    for (const char* word : {"XRT_COMPOSITOR_NULL=TRUE", "XRT_NO_STDIN=1", "P_OVERRIDE_ACTIVE_CONFIG=remote"}) putenv(const_cast<char*>(word));
+    for (const char* word : {"XRT_COMPOSITOR_NULL=TRUE", "XRT_NO_STDIN=1", "P_OVERRIDE_ACTIVE_CONFIG=remote"})
+      putenv(const_cast<char*>(word));
     for (const std::string& word : words) putenv(const_cast<char*>(word.c_str()));
-    unsetenv("LD_LIBRARY_PATH");   // what this program brought along is not for it
-    // The right to be scheduled first makes it lock up machines of one processor; without the right it says so and goes on.
+    unsetenv("LD_LIBRARY_PATH");  // what this program brought along is not for it
+    // The right to be scheduled first makes it lock up machines of one processor; without the right it says so and goes
+    // on.
     execlp("setpriv", "setpriv", "--bounding-set", "-sys_nice", "--inh-caps", "-sys_nice", "monado-service", nullptr);
     _exit(127);
   }
@@ -108,8 +115,10 @@ Monado::Monado(const std::vector<std::string>& words) {
     }
     if (std::filesystem::exists(socket_of_service())) devices_ = connected();
   }
-  if (devices_ < 0) ADD_FAILURE() << "Monado does not start:\n" << log();
-  else say({});
+  if (devices_ < 0)
+    ADD_FAILURE() << "Monado does not start:\n" << log();
+  else
+    say({});
 }
 
 Monado::~Monado() {
@@ -129,7 +138,8 @@ void Monado::kill() {
 
 void Monado::say(const RemoteBody& body) {
   const std::string bytes = packet_of(body);
-  if (send(devices_, bytes.data(), bytes.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(bytes.size())) ADD_FAILURE() << "Monado's devices do not listen";
+  if (send(devices_, bytes.data(), bytes.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(bytes.size()))
+    ADD_FAILURE() << "Monado's devices do not listen";
 }
 
 std::string Monado::log() {

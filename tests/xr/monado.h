@@ -1,5 +1,6 @@
 #pragma once
-// Monado, an OpenXR runtime, as a test starts and stops it: no headset, no graphics card. Only inside the root of tests/xr/run_in_root.
+// Monado, an OpenXR runtime, as a test starts and stops it: no headset, no graphics card. Only inside the root of
+// tests/xr/run_in_root.
 
 #include <sys/types.h>
 
@@ -18,7 +19,7 @@ struct RemoteBody {
     Pose pose{{0, 1.3, -0.3}, {1, 0, 0, 0}};
     double trigger = 0, squeeze = 0;
     glm::dvec2 stick{0};
-    bool b = false;   // the upper button
+    bool b = false;  // the upper button
   };
   Hand left{.pose = {{-0.2, 1.3, -0.3}, {1, 0, 0, 0}}}, right{.pose = {{0.2, 1.3, -0.3}, {1, 0, 0, 0}}};
 };
@@ -41,7 +42,7 @@ class Monado {
 
  private:
   pid_t service_ = -1;
-  int devices_ = -1;   // a socket
+  int devices_ = -1;  // a socket
   int keeps_input_ = -1;
 };
 

@@ -29,10 +29,15 @@ Depths look_only(const HeadsetFrame&) { return {}; }
 bool reach_focus(Headset& headset) {
   for (int i = 0; i < 600; ++i) {
     switch (headset.poll()) {
-      case HeadsetState::focused: return true;
-      case HeadsetState::over: return false;
-      case HeadsetState::waiting: std::this_thread::sleep_for(std::chrono::milliseconds(5)); break;
-      default: headset.frame(look_only);
+      case HeadsetState::focused:
+        return true;
+      case HeadsetState::over:
+        return false;
+      case HeadsetState::waiting:
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        break;
+      default:
+        headset.frame(look_only);
     }
   }
   return false;
@@ -44,8 +49,10 @@ bool leave(Headset& headset) {
   for (int i = 0; i < 600; ++i) {
     const HeadsetState state = headset.poll();
     if (state == HeadsetState::over) return true;
-    if (state == HeadsetState::waiting) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    else headset.frame(look_only);
+    if (state == HeadsetState::waiting)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    else
+      headset.frame(look_only);
   }
   return false;
 }
@@ -96,7 +103,8 @@ TEST_P(Session, ReachesFocusRunsAHundredFramesAndEnds) {
   EXPECT_EQ(context->gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-INSTANTIATE_TEST_SUITE_P(Bindings, Session, ::testing::Values(Through::xlib, Through::egl), [](const auto& param) { return param.param == Through::xlib ? "Xlib" : "Egl"; });
+INSTANTIATE_TEST_SUITE_P(Bindings, Session, ::testing::Values(Through::xlib, Through::egl),
+                         [](const auto& param) { return param.param == Through::xlib ? "Xlib" : "Egl"; });
 
 // The layer checks every call against the specification; it refuses the binding through EGL, which is Monado's own.
 TEST(Validation, IsSilent) {
@@ -121,7 +129,8 @@ TEST(Failure, AFrameThatThrowsIsEndedAllTheSame) {
   const auto headset = open_headset(context->gl(), {});
   ASSERT_TRUE(reach_focus(*headset));
   for (int i = 0; i < 3; ++i) {
-    EXPECT_THROW(headset->frame([](const HeadsetFrame&) -> Depths { throw std::runtime_error("a bug"); }), std::runtime_error);
+    EXPECT_THROW(headset->frame([](const HeadsetFrame&) -> Depths { throw std::runtime_error("a bug"); }),
+                 std::runtime_error);
     headset->poll();
   }
   bool drawn = false;
@@ -156,7 +165,7 @@ bool frames_until(Headset& headset, const std::function<bool(HeadsetState, const
   return there;
 }
 
-constexpr const char* enough = "/tmp/enough";   // the other program ends when there is such a file
+constexpr const char* enough = "/tmp/enough";  // the other program ends when there is such a file
 
 /// Not a test: another program that wants the headset, in a process of its own.
 TEST(OtherProgram, DISABLED_WantsTheHeadset) {
@@ -172,11 +181,19 @@ TEST(States, AnotherProgramTakesTheFocusAndGivesItBack) {
   const auto context = context_for(Through::egl);
   const auto headset = open_headset(context->gl(), {});
   ASSERT_TRUE(reach_focus(*headset));
-  const auto in_hand = [](const HeadsetFrame& frame) { return frame.input.hands[0].tracked && frame.input.hands[1].tracked; };
-  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) { return state == HeadsetState::focused && frame.draw && in_hand(frame); }));
+  const auto in_hand = [](const HeadsetFrame& frame) {
+    return frame.input.hands[0].tracked && frame.input.hands[1].tracked;
+  };
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) {
+    return state == HeadsetState::focused && frame.draw && in_hand(frame);
+  }));
   const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
   std::thread other([program] {
-    EXPECT_EQ(std::system(("'" + program + "' --gtest_also_run_disabled_tests --gtest_filter=OtherProgram.DISABLED_WantsTheHeadset >/tmp/other.log 2>&1").c_str()), 0);
+    EXPECT_EQ(std::system(("'" + program +
+                           "' --gtest_also_run_disabled_tests --gtest_filter=OtherProgram.DISABLED_WantsTheHeadset "
+                           ">/tmp/other.log 2>&1")
+                              .c_str()),
+              0);
   });
   int unseen = 0;
   EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) {
@@ -186,7 +203,9 @@ TEST(States, AnotherProgramTakesTheFocusAndGivesItBack) {
     return ++unseen == 20;
   })) << Monado::log();
   std::ofstream(enough) << '\n';
-  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) { return state == HeadsetState::focused && frame.draw && in_hand(frame); })) << Monado::log();
+  EXPECT_TRUE(frames_until(*headset, [&](HeadsetState state, const HeadsetFrame& frame) {
+    return state == HeadsetState::focused && frame.draw && in_hand(frame);
+  })) << Monado::log();
   other.join();
   EXPECT_TRUE(leave(*headset));
 }
@@ -211,7 +230,8 @@ TEST(States, RecentringIsTold) {
     after = frame.input.head.position;
     return frame.input.recentred;
   })) << Monado::log();
-  std::printf("measured: the head was %.2f %.2f %.2f from the middle and is %.2f %.2f %.2f\n", before.x, before.y, before.z, after.x, after.y, after.z);
+  std::printf("measured: the head was %.2f %.2f %.2f from the middle and is %.2f %.2f %.2f\n", before.x, before.y,
+              before.z, after.x, after.y, after.z);
   EXPECT_TRUE(leave(*headset));
 }
 

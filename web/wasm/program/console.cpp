@@ -1,5 +1,6 @@
-// In place of engine/app/console.cpp: progress goes to JavaScript as numbers, every time; words go where the module's print functions take them. JavaScript is
-// on the first thread alone: what others have done is told with what it does itself.
+// In place of engine/app/console.cpp: progress goes to JavaScript as numbers, every time; words go where the module's
+// print functions take them. JavaScript is on the first thread alone: what others have done is told with what it does
+// itself.
 #include "engine/app/console.h"
 
 #include <emscripten.h>
@@ -25,7 +26,9 @@ void Console::say(std::string_view line) {
   if (!quiet_) std::fputs(fmt::format("{}\n", line).c_str(), stdout);
 }
 
-void Console::complain(std::string_view message) { std::fputs(fmt::format("odontoscope: {}\n", message).c_str(), stderr); }
+void Console::complain(std::string_view message) {
+  std::fputs(fmt::format("odontoscope: {}\n", message).c_str(), stderr);
+}
 
 void Console::progress(std::string_view stage, double fraction) {
   constexpr auto interval = std::chrono::milliseconds(40);

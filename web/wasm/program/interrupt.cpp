@@ -1,4 +1,5 @@
-// In place of engine/app/interrupt.cpp: there are no signals and no second thread. Whoever runs the module ends its worker instead.
+// In place of engine/app/interrupt.cpp: there are no signals and no second thread. Whoever runs the module ends its
+// worker instead.
 #include "engine/app/interrupt.h"
 
 namespace odontoscope::app {

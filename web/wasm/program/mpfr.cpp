@@ -1,6 +1,7 @@
-// The few functions of MPFR that CGAL 5.5 calls, for the one thing that it wants of them: the double next to an exact number, away from zero, to be one
-// bound of an interval (To_interval of Gmpq, Gmpz and their likes in Boost). MPFR as a whole is not built for WebAssembly. What else is declared in
-// mpfr.h stays undefined, so that a call to it does not link.
+// The few functions of MPFR that CGAL 5.5 calls, for the one thing that it wants of them: the double next to an exact
+// number, away from zero, to be one bound of an interval (To_interval of Gmpq, Gmpz and their likes in Boost). MPFR as
+// a whole is not built for WebAssembly. What else is declared in mpfr.h stays undefined, so that a call to it does not
+// link.
 #include <gmp.h>
 #include <mpfr.h>
 
@@ -20,7 +21,7 @@ void keep(mpfr_ptr in, double value) { std::memcpy(in->_mpfr_d, &value, sizeof v
 
 /// `towards_zero` is the number rounded towards zero, `beyond` the sign of what was cut off.
 int keep_away_from_zero(mpfr_ptr in, double towards_zero, int beyond, mpfr_rnd_t rounding) {
-  if (rounding != MPFR_RNDA) std::abort();   // nothing else is asked for
+  if (rounding != MPFR_RNDA) std::abort();  // nothing else is asked for
   keep(in, beyond == 0 ? towards_zero : std::nextafter(towards_zero, beyond > 0 ? infinity : -infinity));
   return beyond;
 }

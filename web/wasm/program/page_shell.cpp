@@ -1,4 +1,5 @@
-// In place of the page that engine/web builds into the program: here JavaScript puts it into the file system, so that a module without pages stays small.
+// In place of the page that engine/web builds into the program: here JavaScript puts it into the file system, so that a
+// module without pages stays small.
 #include <fstream>
 #include <iterator>
 #include <string>

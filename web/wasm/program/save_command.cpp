@@ -1,5 +1,5 @@
-// Of the program in browsers alone: the model of the page that an instance made last, as files, without making it again. JavaScript holds it for as long as it
-// keeps the instance.
+// Of the program in browsers alone: the model of the page that an instance made last, as files, without making it
+// again. JavaScript holds it for as long as it keeps the instance.
 #include <emscripten.h>
 
 #include <memory>
@@ -27,7 +27,8 @@ struct SaveArguments {
 /// Meshed anew, where elements are asked for.
 std::unique_ptr<MadeModel> meshed(const MadeModel& kept, const std::string& size, Session& session) {
   const std::optional<double> wanted = element_size_from(size);
-  if (!kept.model.simplifications.empty()) throw UsageError("--elements and --triangles both make the surfaces anew", "Make the model without --triangles");
+  if (!kept.model.simplifications.empty())
+    throw UsageError("--elements and --triangles both make the surfaces anew", "Make the model without --triangles");
   auto made = std::make_unique<MadeModel>(kept);
   mesh_model(made->model, wanted, session.progress());
   return made;
@@ -58,9 +59,14 @@ void keep(MadeModel&& model) {
 Command save_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("save", "The model of the page that was made last, as files");
   const auto options = std::make_shared<SaveArguments>();
-  repeatable(parser->add_option("-o,--output", options->outputs, "Model to write; its ending tells the format; repeatable"))->type_name("FILE");
+  repeatable(
+      parser->add_option("-o,--output", options->outputs, "Model to write; its ending tells the format; repeatable"))
+      ->type_name("FILE");
   parser->add_option("--report", options->report, "Certificate, counts, links and times")->type_name("FILE.json");
-  parser->add_option("--elements", options->elements, "Mesh anew for simulation: edges of about MM, or quality: a size that fits")->type_name("MM");
+  parser
+      ->add_option("--elements", options->elements,
+                   "Mesh anew for simulation: edges of about MM, or quality: a size that fits")
+      ->type_name("MM");
   return {parser, [options](Session& session) { return save(*options, session); }};
 }
 

@@ -1,4 +1,5 @@
 #include <emscripten.h>
+#include <tbb/pool.h>
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +9,6 @@
 #include <mutex>
 #include <thread>
 #include <vector>
-
-#include <tbb/pool.h>
 
 // clang-format off
 EM_JS(int, odontoscope_threads, (), { return Module.threads || 1; });
@@ -23,9 +22,9 @@ struct Job {
   std::size_t count;
   void (*call)(const void*, std::size_t);
   const void* work;
-  int bound;   // threads in all
+  int bound;  // threads in all
   std::atomic<std::size_t> next{0};
-  int helpers = 0;   // besides who began it; the pool's mutex guards what follows
+  int helpers = 0;  // besides who began it; the pool's mutex guards what follows
   std::size_t failed = std::numeric_limits<std::size_t>::max();
   std::exception_ptr failure;
 };
@@ -35,7 +34,7 @@ thread_local int bound_here = std::numeric_limits<int>::max();
 class Pool {
  public:
   Pool() : size_(odontoscope_threads()) {
-    for (int n = 1; n < size_; ++n) std::thread([this] { help(); }).detach();   // they end with the module
+    for (int n = 1; n < size_; ++n) std::thread([this] { help(); }).detach();  // they end with the module
   }
   int size() const { return size_; }
   void be_alone() { size_ = 1; }
@@ -99,7 +98,7 @@ class Pool {
 };
 
 Pool& pool() {
-  static Pool& made = *new Pool;   // its threads outlive all that could end it
+  static Pool& made = *new Pool;  // its threads outlive all that could end it
   return made;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// TBB's parallel_for on the one thread that a WebAssembly module has: the same calls, in order. What this project uses of it, no more.
+// TBB's parallel_for on the one thread that a WebAssembly module has: the same calls, in order. What this project uses
+// of it, no more.
 
 #include <tbb/blocked_range.h>
 

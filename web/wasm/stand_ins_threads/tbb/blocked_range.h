@@ -1,10 +1,10 @@
 #pragma once
 // See pool.h.
 
+#include <tbb/pool.h>
+
 #include <algorithm>
 #include <cstddef>
-
-#include <tbb/pool.h>
 
 namespace tbb {
 
@@ -19,12 +19,14 @@ class blocked_range {
 
   /// How many parts it is done in.
   std::size_t parts() const {
-    constexpr std::size_t each = 8;   // parts a thread, so that none waits long for the last
+    constexpr std::size_t each = 8;  // parts a thread, so that none waits long for the last
     const std::size_t most = (size() + grain_ - 1) / grain_;
     return std::min(most, each * static_cast<std::size_t>(detail::allowed()));
   }
   blocked_range part(std::size_t i, std::size_t of) const {
-    const auto at = [&](std::size_t n) { return static_cast<Value>(from_ + static_cast<Value>(size() / of * n + std::min(n, size() % of))); };
+    const auto at = [&](std::size_t n) {
+      return static_cast<Value>(from_ + static_cast<Value>(size() / of * n + std::min(n, size() % of)));
+    };
     return {at(i), at(i + 1), grain_};
   }
 

@@ -1,9 +1,9 @@
 #pragma once
 // See pool.h.
 
-#include <cstddef>
-
 #include <tbb/pool.h>
+
+#include <cstddef>
 
 namespace tbb {
 

@@ -1,10 +1,10 @@
 #pragma once
 // See pool.h.
 
+#include <tbb/pool.h>
+
 #include <cstddef>
 #include <functional>
-
-#include <tbb/pool.h>
 
 namespace tbb {
 

@@ -1,9 +1,9 @@
 #pragma once
 // See pool.h.
 
-#include <vector>
-
 #include <tbb/blocked_range.h>
+
+#include <vector>
 
 namespace tbb {
 

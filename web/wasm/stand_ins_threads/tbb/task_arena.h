@@ -1,9 +1,9 @@
 #pragma once
 // See pool.h.
 
-#include <algorithm>
-
 #include <tbb/pool.h>
+
+#include <algorithm>
 
 namespace tbb {
 
