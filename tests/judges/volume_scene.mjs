@@ -31,8 +31,10 @@ export const giveSeen = page =>
   page.evaluate(() => {
     viewer.renderer.setAnimationLoop(null);
     /// As a screen shows it before black: the shoulder and the sRGB curve of shaders/tone.glsl, exactly.
-    const shown = light => {
-      const soft = light > 0.78 ? 0.78 + 0.22 * (1 - Math.exp(-(light - 0.78) / 0.22)) : light;
+    const shown = (sum, alpha) => {
+      if (alpha === 0) return 0;
+      const light = sum / alpha;
+      const soft = alpha * (light > 0.78 ? 0.78 + 0.22 * (1 - Math.exp(-(light - 0.78) / 0.22)) : light);
       return 255 * (soft <= 0.0031308 ? 12.92 * soft : 1.055 * soft ** (1 / 2.4) - 0.055);
     };
     globalThis.seen = () => {
@@ -49,7 +51,7 @@ export const giveSeen = page =>
       viewer.renderer.setRenderTarget(layers.sum);
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, light);
       viewer.renderer.setRenderTarget(null);
-      return {width, height, shown: Array.from(light, shown)};
+      return {width, height, shown: Array.from(light, (sum, i) => shown(sum, light[i - (i % 4) + 3]))};
     };
     globalThis.told = () => {
       const {orbit, camera, volume, section, data} = viewer,

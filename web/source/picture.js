@@ -15,12 +15,14 @@ uniform bool dark;       // of a film, nothing lies behind
 in vec2 at;
 layout(location = 0) out vec4 out_colour;
 
+/// What lies behind is shown as it is, however much of it is covered (as shaders/resolve.frag does).
 vec3 seen(vec2 place) {
   vec4 drawn = texture(light, place);
-  return dark ? drawn.rgb : drawn.rgb + (1.0 - drawn.a) * mix(bottom, top, at.y);
+  vec3 toned = drawn.a > 0.0 ? shoulder(drawn.rgb / drawn.a) * drawn.a : vec3(0.0);
+  return dark ? toned : toned + (1.0 - drawn.a) * mix(bottom, top, at.y);
 }
 
-float brightness(vec3 colour) { return sqrt(dot(min(colour, 1.0), vec3(0.2, 0.7, 0.1))); }
+float brightness(vec3 colour) { return sqrt(dot(colour, vec3(0.2, 0.7, 0.1))); }
 
 /// Across an edge brightness changes, along it does not: the mean of what lies along it (the idea of Lottes, FXAA, NVIDIA 2009).
 vec3 smoothed_edge(vec3 middle) {
@@ -41,7 +43,7 @@ void main() {
   vec3 colour = empty ? mix(bottom, top, at.y) : seen(at);
   if (smoothed) colour = smoothed_edge(colour);
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;   // no bands in the background
-  out_colour = vec4(encoded(clamp(shoulder(colour), 0.0, 1.0)) + noise / 255.0, 1.0);
+  out_colour = vec4(encoded(clamp(colour, 0.0, 1.0)) + noise / 255.0, 1.0);
 }`;
 
 /// Where in its pixel the n-th sample lies: the first in the middle, the others spread evenly (Roberts' R2 sequence).
