@@ -146,7 +146,23 @@ export class Engine {
 
   /// One run of the program with these words. Never throws for what the program says: `exitCode` tells.
   async run(line, {files = {}, onProgress} = {}) {
-    const instance = await this.#instance(onProgress), {FS} = instance;
+    const instance = await this.#instance(onProgress);
+    let result;
+    try {
+      result = await this.#ran(instance, line, files);
+    } finally {
+      await endThreads(instance);   // which would keep Node.js from its end
+    }
+    // A page's model lives on with the instance, for as long as somebody holds the result.
+    result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
+      instance.onProgress = listener;
+      return ran(instance, words('save', options), files);
+    } : null;
+    return result;
+  }
+
+  async #ran(instance, line, files) {
+    const {FS} = instance;
     FS.mkdir(folder);
     FS.mkdir('/odontoscope');
     putFiles(FS, files);
@@ -154,14 +170,7 @@ export class Engine {
     if (line[0] === 'web') FS.writeFile(pageFile, bytesOf(await this.#page()));
     FS.chdir(folder);
     const threads = this.threads > 1 && !line.includes('--threads') ? ['--threads', this.threads] : [];
-    const result = ran(instance, [...threads, ...line], files);
-    await endThreads(instance);
-    // A page's model lives on with the instance, for as long as somebody holds the result.
-    result.save = instance.keptModel ? async ({onProgress: listener, ...options}) => {
-      instance.onProgress = listener;
-      return ran(instance, words('save', options), files);
-    } : null;
-    return result;
+    return ran(instance, [...threads, ...line], files);
   }
 
   async #instance(onProgress) {
