@@ -63,16 +63,16 @@ void limit(int what, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
 }
 
-void bind(const ChildLimits& limits, rlim_t address_space) {
+void bind(const ChildLimits& limits) {
   limit(RLIMIT_CORE, 0);
   if (limits.processor_seconds > 0) limit(RLIMIT_CPU, limits.processor_seconds);
-  if (address_space > 0) limit(RLIMIT_AS, address_space);
+  if (limits.bytes > 0) limit(RLIMIT_AS, limits.bytes);
 }
 
 [[noreturn]] void become_this_program(char* const* argv, int errors, const ChildLimits& limits) {
   ::setpgid(0, 0);  // so that its own children end with it
   reset_signals();
-  bind(limits, limits.bytes);
+  bind(limits);
   const int nothing = ::open("/dev/null", O_RDWR);
   if (::dup2(nothing, STDIN_FILENO) >= 0 && ::dup2(nothing, STDOUT_FILENO) >= 0 && ::dup2(errors, STDERR_FILENO) >= 0)
     ::execv("/proc/self/exe", argv);
@@ -80,12 +80,11 @@ void bind(const ChildLimits& limits, rlim_t address_space) {
   ::_exit(no_program);
 }
 
-[[noreturn]] void be_worker(const std::function<void()>& work, const ChildLimits& limits, rlim_t address_space,
-                            pid_t parent) {
+[[noreturn]] void be_worker(const std::function<void()>& work, const ChildLimits& limits, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(1);
   reset_signals();
-  bind(limits, address_space);
+  bind(limits);
   limit(RLIMIT_FSIZE, 0);
   const int nothing = ::open("/dev/null", O_RDWR);
   for (const int standard : standard_files) ::dup2(nothing, standard);
@@ -249,10 +248,11 @@ bool Process::start_this_program(const std::vector<std::string>& arguments, cons
 }
 
 bool Process::start_work(const std::function<void()>& work, const ChildLimits& limits) {
-  const rlim_t address_space = limits.more_bytes > 0 ? own_address_space() + limits.more_bytes : 0;
+  ChildLimits all = limits;
+  if (limits.bytes > 0) all.bytes += own_address_space();
   const pid_t parent = ::getpid();
   number_ = ::fork();
-  if (number_ == 0) be_worker(work, limits, address_space, parent);
+  if (number_ == 0) be_worker(work, all, parent);
   return runs();
 }
 

@@ -77,8 +77,7 @@ struct Ending {
 
 /// What a child may take.
 struct ChildLimits {
-  std::size_t more_bytes = 0;      // of memory, beyond what this process has; 0: unlimited
-  std::size_t bytes = 0;           // of memory; 0: unlimited
+  std::size_t bytes = 0;           // of memory, for a copy of this process beyond what it has; 0: unlimited
   unsigned processor_seconds = 0;  // 0: unlimited
 };
 

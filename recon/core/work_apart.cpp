@@ -45,7 +45,7 @@ DoneApart work_apart(const std::function<void(const SendToParent&)>& work, const
     if (!system::write(connection.childs, {bytes, count})) system::end_at_once(1);
   };
   system::Process child;
-  const bool started = child.start_work([&] { work(send); }, {.more_bytes = memory_is_bounded ? limits.bytes : 0,
+  const bool started = child.start_work([&] { work(send); }, {.bytes = memory_is_bounded ? limits.bytes : 0,
                                                               .processor_seconds = limits.processor_seconds});
   if (!started)
     throw FileError("", fmt::format("no process can be started ({})", std::strerror(errno)), "End other programs");

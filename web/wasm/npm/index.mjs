@@ -149,7 +149,7 @@ export class Engine {
     const instance = await this.#instance(onProgress);
     let result;
     try {
-      result = await this.#ran(instance, line, files);
+      result = await this.#runIn(instance, line, files);
     } finally {
       await endThreads(instance);   // which would keep Node.js from its end
     }
@@ -161,7 +161,7 @@ export class Engine {
     return result;
   }
 
-  async #ran(instance, line, files) {
+  async #runIn(instance, line, files) {
     const {FS} = instance;
     FS.mkdir(folder);
     FS.mkdir('/odontoscope');
