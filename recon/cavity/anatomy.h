@@ -137,7 +137,7 @@ struct Anatomy {
   CentreLines lines;  // what all this was measured along; canals in the same order
 };
 
-/// Of the largest void of `model`, or dent (see cavity.h). Not measured: open shells. Deterministic. Stages: those of
+/// Of the largest void of `model`, or pocket (see cavity.h). Not measured: open shells. Deterministic. Stages: those of
 /// centre_lines, "measure". `slices`: how many the whole model was made from, from its lowest place to its highest, if
 /// that is known: a wall alone does not tell slices from those that were interpolated between them.
 Anatomy measure_anatomy(const std::vector<StructureSurface>& model, const Progress& progress = {},

@@ -6,8 +6,8 @@
 #include <tuple>
 #include <utility>
 
-#include "recon/cavity/dents.h"
 #include "recon/cavity/limits.h"
+#include "recon/cavity/pockets.h"
 #include "recon/core/lower_case.h"
 
 namespace odontoscope {
@@ -108,9 +108,9 @@ std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model) {
     std::vector<const SurfaceMesh*> others;
     for (std::size_t o = 0; o < model.size(); ++o)
       if (o != s) others.push_back(model[o].surface);
-    std::vector<Cavity> dents = cavity::dents_of(model[s], reports[s], others);
-    std::erase_if(dents, [&](const Cavity& dent) { return dent.volume <= largest; });
-    add(std::move(dents));
+    std::vector<Cavity> pockets = cavity::pockets_of(model[s], reports[s], others);
+    std::erase_if(pockets, [&](const Cavity& pocket) { return pocket.volume <= largest; });
+    add(std::move(pockets));
   }
   // Beside a body of pulp a bubble in the material round it is no pulp.
   for (const Cavity& cavity : all) largest = std::max(largest, cavity.volume);

@@ -4,8 +4,8 @@
 // A void is known by its wall, a closed shell of negative volume: its triangles are counter-clockwise seen from within
 // the void, so that an eye inside sees their fronts. Units: millimetres.
 //
-// What is open to the outside (a canal whose root is cut off, a chamber with an access cavity) is no void but a dent.
-// Where it is deep and narrow, and opens along z, it is closed by flat caps (see dents.h): they are no material, but
+// What is open to the outside (a canal whose root is cut off, a chamber with an access cavity) is no void but a pocket.
+// Where it is deep and narrow, and opens along z, it is closed by flat caps (see pockets.h): they are no material, but
 // walls for everything here.
 
 #include <cstddef>
@@ -25,14 +25,14 @@ struct Cavity {
   double volume = 0;      // of the void, mm^3: positive
   bool body = false;      // the structure does not lie around the void, but fills it
 
-  /// Of a dent; empty for a void.
+  /// Of a pocket; empty for a void.
   struct Mouth {
     Point3 at;        // middle of the cap
     double area = 0;  // mm^2
   };
   std::vector<Mouth> mouths;
   std::size_t cap_triangles = 0;        // the wall's last ones
-  std::vector<std::uint32_t> cut_from;  // the structure's triangles that line the dent, in part at least, ascending
+  std::vector<std::uint32_t> cut_from;  // the structure's triangles that line the pocket, in part at least, ascending
 };
 
 /// The shells of negative volume, largest first; ties by the wall's lowest point (x, then y, then z). Those smaller
@@ -50,7 +50,7 @@ struct StructureSurface {
   const SurfaceMesh* surface = nullptr;
 };
 
-/// What can be flown through in a whole model: the cavities of all its structures, and dents that are larger than the
+/// What can be flown through in a whole model: the cavities of all its structures, and pockets that are larger than the
 /// largest of them. If it has none, or only specks beside it, the void that a body with "pulp" in its name fills (in
 /// any case): so a mesh of the pulp alone will do. Largest first, specks left out as above.
 std::vector<Cavity> cavities_in(const std::vector<StructureSurface>& model);

@@ -10,9 +10,9 @@ namespace odontoscope::limits {
 inline constexpr double cavity_speck = 1e-3;
 /// An open canal is at least this many times as deep, along z, as its widest mouth is wide: the dip between a tooth's
 /// cusps is not.
-inline constexpr double dent_depth = 2;
+inline constexpr double pocket_depth = 2;
 /// Planes of constant z in which open canals are looked for, but for the two ends.
-inline constexpr std::size_t dent_levels = 100;
+inline constexpr std::size_t pocket_levels = 100;
 /// A cap at the very end of a surface lies this share of the surface's height inside, where it cuts walls and not the
 /// end itself.
 inline constexpr double cap_inset = 1e-3;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "recon/cavity/dents.h"
 #include "recon/cavity/limits.h"
+#include "recon/cavity/pockets.h"
 #include "recon/cavity/wall_tree.h"
 #include "recon/core/lower_case.h"
 
@@ -16,20 +16,21 @@ namespace odontoscope::cavity {
 namespace {
 
 void add_outside(Outside& outside, const StructureSurface& part, const SurfaceReport& report,
-                 const std::vector<Cavity>& dents) {
+                 const std::vector<Cavity>& pockets) {
   const auto base = static_cast<PointIndex>(outside.surface.points.size());
   outside.surface.points.insert(outside.surface.points.end(), part.surface->points.begin(), part.surface->points.end());
-  const auto lines_a_dent = [&](std::uint32_t t) {
-    return std::any_of(dents.begin(), dents.end(), [&](const Cavity& dent) {
-      return std::binary_search(dent.cut_from.begin(), dent.cut_from.end(), t);
+  const auto lines_a_pocket = [&](std::uint32_t t) {
+    return std::any_of(pockets.begin(), pockets.end(), [&](const Cavity& pocket) {
+      return std::binary_search(pocket.cut_from.begin(), pocket.cut_from.end(), t);
     });
   };
   for (std::uint32_t t = 0; t < part.surface->triangles.size(); ++t) {
-    if (report.shells[report.shell_of[t]].kind != Shell::Kind::external || lines_a_dent(t)) continue;
+    if (report.shells[report.shell_of[t]].kind != Shell::Kind::external || lines_a_pocket(t)) continue;
     const Triangle& triangle = part.surface->triangles[t];
     outside.surface.triangles.push_back({base + triangle[0], base + triangle[1], base + triangle[2]});
   }
-  for (const Cavity& dent : dents) outside.mouths.insert(outside.mouths.end(), dent.mouths.begin(), dent.mouths.end());
+  for (const Cavity& pocket : pockets)
+    outside.mouths.insert(outside.mouths.end(), pocket.mouths.begin(), pocket.mouths.end());
 }
 
 }  // namespace
@@ -47,7 +48,7 @@ Outside outside_of(const std::vector<StructureSurface>& model, const std::vector
   for (std::size_t s = 0; s < model.size(); ++s) {
     const std::string& name = model[s].structure;
     if (pulp && (has_word(name, "dentin") || has_word(name, "tooth")))
-      add_outside(outside, model[s], reports[s], dents_of(model[s], reports[s], {}));
+      add_outside(outside, model[s], reports[s], pockets_of(model[s], reports[s], {}));
     if (pulp || (name != solid && name != solid + " external")) continue;
     add_outside(outside, model[s], reports[s],
                 cavity.mouths.empty() ? std::vector<Cavity>{} : std::vector<Cavity>{cavity});

@@ -66,7 +66,7 @@ class Repair {
     links_waiting_.insert(tets_[t].v.begin(), tets_[t].v.end());
   }
 
-  /// Quickly, what speaks against taking t out again: with at most one open face it would leave a dent shut in at a
+  /// Quickly, what speaks against taking t out again: with at most one open face it would leave a pocket shut in at a
   /// vertex; with two, the edge between the other two faces must have nothing else open around it. A cheap filter:
   /// links are then tested in full.
   bool may_go(std::uint32_t t) const {

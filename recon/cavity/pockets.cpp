@@ -1,4 +1,4 @@
-#include "recon/cavity/dents.h"
+#include "recon/cavity/pockets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,35 +26,35 @@ std::vector<double> wanted_levels(const SurfaceMesh& surface) {
     high = std::max(high, p.z);
   }
   std::vector<double> levels{low + limits::cap_inset * (high - low)};
-  for (std::size_t i = 1; i < limits::dent_levels; ++i)
-    levels.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(limits::dent_levels));
+  for (std::size_t i = 1; i < limits::pocket_levels; ++i)
+    levels.push_back(low + (high - low) * static_cast<double>(i) / static_cast<double>(limits::pocket_levels));
   levels.push_back(high - limits::cap_inset * (high - low));
   return levels;
 }
 
-/// Each piece's dent: pieces that meet in holes only, and are joined through them.
-std::vector<std::size_t> dent_of_piece(const HeightPieces& pieces) {
+/// Each piece's pocket: pieces that meet in holes only, and are joined through them.
+std::vector<std::size_t> pocket_of_piece(const HeightPieces& pieces) {
   std::vector<char> inner(pieces.pieces, 0), outer(pieces.pieces, 0);
   for (const Section& section : pieces.sections)
     for (const std::size_t piece : {section.below, section.above})
       (section.hole || section.island ? inner : outer)[piece] = 1;
-  std::vector<std::size_t> dent(pieces.pieces, outside);
-  for (std::size_t piece = 0; piece < dent.size(); ++piece)
-    if (inner[piece] && !outer[piece]) dent[piece] = piece;
+  std::vector<std::size_t> pocket(pieces.pieces, outside);
+  for (std::size_t piece = 0; piece < pocket.size(); ++piece)
+    if (inner[piece] && !outer[piece]) pocket[piece] = piece;
   for (bool changed = true;
        changed;) {  // sections come from below upwards: twice or thrice at most, but for labyrinths
     changed = false;
     const auto meet = [&](const Section& section) {
-      if (dent[section.below] == outside || dent[section.above] == outside ||
-          dent[section.below] == dent[section.above])
+      if (pocket[section.below] == outside || pocket[section.above] == outside ||
+          pocket[section.below] == pocket[section.above])
         return;
-      dent[section.below] = dent[section.above] = std::min(dent[section.below], dent[section.above]);
+      pocket[section.below] = pocket[section.above] = std::min(pocket[section.below], pocket[section.above]);
       changed = true;
     };
     std::for_each(pieces.sections.begin(), pieces.sections.end(), meet);
     std::for_each(pieces.sections.rbegin(), pieces.sections.rend(), meet);
   }
-  return dent;
+  return pocket;
 }
 
 Loop places(const SurfaceMesh& surface, const Section& section, double level) {
@@ -84,15 +84,17 @@ Point3 middle_of(const Loop& loop, double level) {
   return sum;
 }
 
-/// A dent's lining, cut off at its mouths, and caps.
+/// A pocket's lining, cut off at its mouths, and caps.
 class Lining {
  public:
-  Lining(const SurfaceMesh& surface, const HeightPieces& pieces, const std::vector<std::size_t>& dent_of,
-         std::size_t dent)
+  Lining(const SurfaceMesh& surface, const HeightPieces& pieces, const std::vector<std::size_t>& pocket_of,
+         std::size_t pocket)
       : surface_(surface), pieces_(pieces) {
     for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
       const std::size_t lowest = pieces.lowest_slab[t], count = pieces.first_piece[t + 1] - pieces.first_piece[t];
-      const auto inside = [&](std::size_t i) { return dent_of[pieces.piece_of[pieces.first_piece[t] + i]] == dent; };
+      const auto inside = [&](std::size_t i) {
+        return pocket_of[pieces.piece_of[pieces.first_piece[t] + i]] == pocket;
+      };
       for (std::size_t first = 0; first < count; ++first) {
         if (!inside(first)) continue;
         std::size_t last = first;
@@ -105,12 +107,12 @@ class Lining {
   }
 
   /// False if the mouth is no simple polygon.
-  bool cap(const Section& section, bool dent_below) {
+  bool cap(const Section& section, bool pocket_below) {
     const double level = pieces_.levels[section.level];
     const auto triangles = triangulated(places(surface_, section, level));
     if (!triangles) return false;
     for (Triangle t : *triangles) {
-      if (dent_below) std::swap(t[1], t[2]);
+      if (pocket_below) std::swap(t[1], t[2]);
       for (PointIndex& corner : t) corner = cut_point(section.edges[corner], section.level);
       caps_.push_back(t);
     }
@@ -180,19 +182,19 @@ bool anything_in(const Loop& mouth, double level, const std::vector<const Surfac
 
 }  // namespace
 
-std::vector<Cavity> dents_of(const StructureSurface& part, const SurfaceReport& report,
-                             const std::vector<const SurfaceMesh*>& others) {
+std::vector<Cavity> pockets_of(const StructureSurface& part, const SurfaceReport& report,
+                               const std::vector<const SurfaceMesh*>& others) {
   std::vector<Cavity> found;
   if (!report.closed_oriented_manifold()) return found;
   const SurfaceMesh& surface = *part.surface;
   const HeightPieces pieces = height_pieces(surface, edge_mates(surface), wanted_levels(surface));
-  const std::vector<std::size_t> dent_of = dent_of_piece(pieces);
-  std::map<std::size_t, std::vector<const Section*>> mouths;  // of each dent
+  const std::vector<std::size_t> pocket_of = pocket_of_piece(pieces);
+  std::map<std::size_t, std::vector<const Section*>> mouths;  // of each pocket
   for (const Section& section : pieces.sections)
-    if (dent_of[section.below] != dent_of[section.above])
-      mouths[std::min(dent_of[section.below], dent_of[section.above])].push_back(&section);
-  for (const auto& [dent, sections] : mouths) {
-    Lining lining(surface, pieces, dent_of, dent);
+    if (pocket_of[section.below] != pocket_of[section.above])
+      mouths[std::min(pocket_of[section.below], pocket_of[section.above])].push_back(&section);
+  for (const auto& [pocket, sections] : mouths) {
+    Lining lining(surface, pieces, pocket_of, pocket);
     Cavity cavity;
     cavity.structure = part.structure;
     double widest = 0;
@@ -207,11 +209,11 @@ std::vector<Cavity> dents_of(const StructureSurface& part, const SurfaceReport& 
                is_inside(loop, places(surface, other, level).front());
       });
       return section->hole && !crowded && !anything_in(loop, level, others) &&
-             lining.cap(*section, dent_of[section->below] != outside);
+             lining.cap(*section, pocket_of[section->below] != outside);
     });
     if (!closed) continue;
     lining.take(cavity);
-    if (depth_of(cavity.wall) < limits::dent_depth * widest) continue;
+    if (depth_of(cavity.wall) < limits::pocket_depth * widest) continue;
     const SurfaceReport walls = inspect(cavity.wall);
     if (!walls.closed_oriented_manifold() || walls.shells.size() != 1 ||
         walls.shells.front().kind != Shell::Kind::cavity)
