@@ -110,7 +110,7 @@ struct Visit {
   std::vector<Hit> ends;                             // of a distance: one or two
   std::optional<Ride> tour;                          // inside, along a canal
   glm::dvec3 off_tour_mm{0};                         // where the head leans
-  double tour_haste = 0.5;                           // the person's part of the usual pace
+  double tour_speed_factor = 0.5;                    // the person's part of the usual pace
   bool labels = true;                                // names of canals, inside
   bool wall_depth = true;                            // Scene::wall_depth, inside
   std::vector<VisitAction> todo;

@@ -49,8 +49,9 @@ double speed_near(const Ride& tour, double reach) {
 /// For the next `seconds`: the limit of speed holds on all of the way that they lead over.
 FlightRules tour_rules(const Visit& visit, const ComfortRules& rules, double seconds) {
   FlightRules flight = flight_rules(visit.stage, rules);
-  flight.haste = std::min(visit.tour_haste,
-                          flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
+  flight.speed_factor =
+      std::min(visit.tour_speed_factor,
+               flight.most_speed / std::max(speed_near(*visit.tour, flight.most_speed * seconds), 1e-9));
   return flight;
 }
 
@@ -95,7 +96,8 @@ void step_tour(Visit& visit, const HeadsetInput& input, const ComfortRules& rule
   const bool played = tour.playing;
   const FlightRules limits = tour_rules(visit, rules, seconds);
   const glm::dvec3 before_mm = place_on(tour.track, tour.along).at;
-  tour.pace = std::clamp(tour.pace, -limits.haste, limits.haste);  // where it widens the limit comes before gentleness
+  tour.pace = std::clamp(tour.pace, -limits.speed_factor,
+                         limits.speed_factor);  // where it widens the limit comes before gentleness
   advance(tour, limits, seconds);
   if (played && !tour.playing)  // it has arrived
     for (std::size_t i = 0; i < 2; ++i) feel(visit, i, tap);

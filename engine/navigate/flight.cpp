@@ -70,8 +70,8 @@ Flight ticked(Flight flight, const FlightWish& wish, const Walls& walls, const F
   if (const double length = glm::length(move); length > 1) move /= length;
   const double far = walls.nearest(flight.eye).distance;
   const double speed =
-      rules.haste * std::clamp(rules.speed_per_distance * (std::isfinite(far) ? far : rules.most_speed),
-                               rules.least_speed, rules.most_speed);
+      rules.speed_factor * std::clamp(rules.speed_per_distance * (std::isfinite(far) ? far : rules.most_speed),
+                                      rules.least_speed, rules.most_speed);
   const glm::dvec3 wanted =
       speed * (move.x * glm::cross(flight.sight, flight.up) + move.y * flight.up + move.z * flight.sight);
   const glm::dvec3 by = seconds * wanted + rules.settle_seconds * share * (flight.velocity - wanted);

@@ -17,7 +17,7 @@ struct FlightRules {
   double clearance = 0.03;                    // mm: the stated distance, never nearer to a wall
   double speed_per_distance = 2;              // 1/s: as fast as the nearest wall is far, times this
   double least_speed = 0.3, most_speed = 60;  // mm/s
-  double haste = 1;                           // what the person makes of it; a speed limit
+  double speed_factor = 1;                    // what the person makes of it; a speed limit
   double settle_seconds = 0.12;               // in which a start or stop is two thirds done
   double turn_deg_per_second = 80;            // a key or stick held fully
   /// While it turns the eye rights itself so that this points up in the picture, as far as it looks across it; zero:

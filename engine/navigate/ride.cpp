@@ -98,7 +98,7 @@ Flight flight_on(const Track& track, double along) {
 
 void advance(Ride& ride, const FlightRules& rules, double seconds) {
   if (ride.track.points.empty() || !(seconds > 0)) return;
-  const double wanted = !ride.playing ? 0 : ride.back ? -rules.haste : rules.haste;
+  const double wanted = !ride.playing ? 0 : ride.back ? -rules.speed_factor : rules.speed_factor;
   // The pace nears what is wanted exponentially; so it comes as far in many short frames as in one long one.
   const double share = 1 - portable::exp(-seconds / rules.settle_seconds);
   const double by = seconds * wanted + rules.settle_seconds * share * (ride.pace - wanted);

@@ -10,7 +10,7 @@
 namespace odontoscope {
 
 /// Slower and faster than usual, at most.
-inline constexpr double least_haste = 0.2, most_haste = 8;
+inline constexpr double least_speed_factor = 0.2, most_speed_factor = 8;
 
 /// Names, and where one is: over the picture. Precondition: one flies.
 void draw_flight(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale);

@@ -23,7 +23,7 @@ void flight_section(ViewerState& state, const Interface& interface) {
   widgets::remark(interface,
                   "W A S D fly, Q E down and up, or with the other hand I J K L and U O. Arrow keys or a drag look "
                   "around. Shift: faster. ? lists all keys.");
-  widgets::slider("Speed", fly.haste, least_haste, most_haste, "%.1f \xC3\x97");
+  widgets::slider("Speed", fly.speed_factor, least_speed_factor, most_speed_factor, "%.1f \xC3\x97");
   widgets::toggle("Mouse looks without a button (M)", fly.mouse_caught);
 }
 

@@ -16,7 +16,7 @@ struct FlyState {
   bool on = false;
   std::optional<std::size_t> cavity;  // of LoadedModel::flight; none: outdoors
   Flight flight;
-  double haste = 1;               // the person's factor on all speeds
+  double speed_factor = 1;        // the person's factor on all speeds
   bool mouse_caught = false;      // every move of the mouse turns the eye
   double dark = 0;                // of the fade: 1 hides everything
   double turning = 0;             // 0 to 1, how fast the picture turns: for the vignette,

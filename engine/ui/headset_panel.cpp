@@ -111,7 +111,7 @@ void canals(Visit& visit, const VisitWorld& world) {
     button(visit, tour.playing ? "Stop here" : "Go on", VisitAction::tour_play, true);
     two_buttons(visit, tour.back ? "Forwards" : "Backwards", VisitAction::tour_back, "Leave it here",
                 VisitAction::end_tour);
-    widgets::slider("Pace", visit.tour_haste, 0.1, 1, "%.1f");
+    widgets::slider("Pace", visit.tour_speed_factor, 0.1, 1, "%.1f");
   } else {
     say(lines.empty() ? "No centre line was found here." : "Choose one to be led along it.");
   }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double darken_seconds = 0.30, brighten_seconds = 0.40;
 constexpr double dive_zoom = 2.2;
-constexpr double notch_haste = 1.16, shift_haste = 3;
+constexpr double notch_speed_factor = 1.16, shift_speed_factor = 3;
 /// A drag as long as the picture is high turns by so many fields of view.
 constexpr double drag_fields = 1.3;
 /// As parts of the model's radius: how far the lamp reaches, and what still darkens a corner.
@@ -69,7 +69,7 @@ FlightRules Viewer::flight_rules() const {
   FlightRules rules = state_.shown->flight->rules;
   const Comfort& comfort = state_.settings.comfort;
   const bool hurry = held_.contains(held_as(Key::shift)) || gamepad_.faster;
-  rules.haste = std::min(state_.fly.haste * (hurry ? shift_haste : 1), comfort.speed_limit);
+  rules.speed_factor = std::min(state_.fly.speed_factor * (hurry ? shift_speed_factor : 1), comfort.speed_limit);
   if (comfort.reduced_motion) rules.turn_deg_per_second = 45;
   return rules;
 }
@@ -170,7 +170,7 @@ void Viewer::end_flight() {
   if (!state_.fly.on) return;
   state_.scene = state_.fly.scene_before;
   FlyState ended;  // the next flight begins as this one ended
-  ended.haste = state_.fly.haste;
+  ended.speed_factor = state_.fly.speed_factor;
   ended.show_labels = state_.fly.show_labels;
   ended.show_where = state_.fly.show_where;
   ended.where_from = state_.fly.where_from;
@@ -227,10 +227,10 @@ bool Viewer::perform_in_flight(Action action) {
       fly.mouse_caught = !fly.mouse_caught;
       return true;
     case Action::faster:
-      fly.haste = std::min(fly.haste * notch_haste, most_haste);
+      fly.speed_factor = std::min(fly.speed_factor * notch_speed_factor, most_speed_factor);
       return true;
     case Action::slower:
-      fly.haste = std::max(fly.haste / notch_haste, least_haste);
+      fly.speed_factor = std::max(fly.speed_factor / notch_speed_factor, least_speed_factor);
       return true;
     case Action::take_picture:
     case Action::save_scene:

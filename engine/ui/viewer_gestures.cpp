@@ -213,7 +213,8 @@ void Viewer::on_scroll(const Scrolled& scroll) {
   if (!pane || !state_.shown || scroll.along == 0) return;
   const double notches = std::clamp(scroll.along, -10.0, 10.0);
   if (state_.fly.on) {
-    state_.fly.haste = std::clamp(state_.fly.haste * std::pow(notch_factor, notches), least_haste, most_haste);
+    state_.fly.speed_factor =
+        std::clamp(state_.fly.speed_factor * std::pow(notch_factor, notches), least_speed_factor, most_speed_factor);
     return;
   }
   set_camera(zoom(state_.scene.camera, std::pow(notch_factor, notches), anchor_at(*pane, mouse_x_, mouse_y_)));

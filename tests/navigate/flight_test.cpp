@@ -146,7 +146,7 @@ void fly_wildly(int number, const Walls& walls, const FlightRules& usual, const 
   constexpr double rates[] = {10, 60, 1000};
   const double seconds = 1 / rates[number % 3];
   FlightRules rules = usual;
-  rules.haste = random.chance(0.3) ? random.between(5, 200) : random.between(0.3, 3);
+  rules.speed_factor = random.chance(0.3) ? random.between(5, 200) : random.between(0.3, 3);
   rules.settle_seconds = random.between(0.02, 0.5);
   Flight flight = looking(start, {random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1)});
   const Walls::Side side = walls.locate(start);

@@ -133,7 +133,7 @@ TEST_F(FlightTest, TheWheelSetsTheSpeedAndAStickFlies) {
   type(U'c');
   fade();
   scroll(360, 150, 3);
-  EXPECT_GT(fly().haste, 1.4);
+  EXPECT_GT(fly().speed_factor, 1.4);
   const Flight before = fly().flight;
   viewer().handle(GamepadChanged{.present = true, .move_ahead = 1});
   frames(20);

@@ -162,10 +162,10 @@ TEST_F(KeyboardTest, InFlightThePanelIsReachedAndFlyingGoesOn) {
   type(U'c');
   fade();
   ASSERT_TRUE(tab_to("Speed"));
-  const double haste = fly().haste;
+  const double speed_factor = fly().speed_factor;
   const Flight before = fly().flight;
   press_key(Key::right);
-  EXPECT_GT(fly().haste, haste);
+  EXPECT_GT(fly().speed_factor, speed_factor);
   EXPECT_EQ(fly().flight.sight, before.sight) << "it looked round as well";
   hold('w', 0.2);
   EXPECT_GT(glm::length(fly().flight.eye - before.eye), 0.01);
