@@ -90,14 +90,14 @@ double box_volume(const ModelPart& part) {
 }  // namespace
 
 Ray ray_through(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& size) {
-  const glm::dvec3 sight = glm::normalize(camera.target - camera.position);
-  const glm::dvec3 right = glm::normalize(glm::cross(sight, camera.up));
-  const glm::dvec3 up = glm::cross(right, sight);
+  const glm::dvec3 view_direction = glm::normalize(camera.target - camera.position);
+  const glm::dvec3 right = glm::normalize(glm::cross(view_direction, camera.up));
+  const glm::dvec3 up = glm::cross(right, view_direction);
   const double x = (2 * pixel.x / size.x - 1) * size.x / size.y, y = 1 - 2 * pixel.y / size.y;
   if (camera.projection == Camera::Projection::parallel)
-    return {camera.position + 0.5 * camera.height_mm * (x * right + y * up), sight};
+    return {camera.position + 0.5 * camera.height_mm * (x * right + y * up), view_direction};
   const double slope = std::tan(glm::radians(camera.field_of_view_deg) / 2);
-  return {camera.position, glm::normalize(sight + slope * (x * right + y * up))};
+  return {camera.position, glm::normalize(view_direction + slope * (x * right + y * up))};
 }
 
 Pickable::Pickable(const Model& model, const Progress& progress) : tree(model, progress), origin_mm(model.origin_mm) {

@@ -19,8 +19,8 @@ struct Ray {
   glm::dvec3 direction{0, 0, -1};  // unit length
 };
 
-/// The line of sight through a place of the picture, counted in pixels from its upper left corner (the middle of the
-/// first pixel is at 0.5, 0.5). Precondition: the camera passes `validate`, both sides of `size` are positive.
+/// The line of view_direction through a place of the picture, counted in pixels from its upper left corner (the middle
+/// of the first pixel is at 0.5, 0.5). Precondition: the camera passes `validate`, both sides of `size` are positive.
 Ray ray_through(const Camera& camera, const glm::dvec2& pixel, const glm::dvec2& size);
 
 struct PickOptions {

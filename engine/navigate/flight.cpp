@@ -27,21 +27,21 @@ glm::dvec3 about(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
 
 /// Unit length and at right angles again: rounding must not add up over hours.
 Flight squared_up(Flight flight) {
-  flight.sight = glm::normalize(flight.sight);
-  flight.up = glm::normalize(flight.up - glm::dot(flight.up, flight.sight) * flight.sight);
+  flight.view_direction = glm::normalize(flight.view_direction);
+  flight.up = glm::normalize(flight.up - glm::dot(flight.up, flight.view_direction) * flight.view_direction);
   return flight;
 }
 
 /// Rolls towards upright by at most `most` radians.
 Flight righted(Flight flight, const glm::dvec3& upright, double most) {
   if (upright == glm::dvec3(0)) return flight;
-  const glm::dvec3 wanted = upright - glm::dot(upright, flight.sight) * flight.sight;
+  const glm::dvec3 wanted = upright - glm::dot(upright, flight.view_direction) * flight.view_direction;
   const double across = glm::length(wanted);  // 0: along or against upright, where every roll is as good
   constexpr double least = 1e-3;
   if (across < least) return flight;
   const double angle =
-      portable::atan2(glm::dot(glm::cross(flight.up, wanted), flight.sight), glm::dot(flight.up, wanted));
-  flight.up = about(flight.up, flight.sight, std::clamp(angle, -most * across, most * across));
+      portable::atan2(glm::dot(glm::cross(flight.up, wanted), flight.view_direction), glm::dot(flight.up, wanted));
+  flight.up = about(flight.up, flight.view_direction, std::clamp(angle, -most * across, most * across));
   return flight;
 }
 
@@ -72,8 +72,8 @@ Flight ticked(Flight flight, const FlightWish& wish, const Walls& walls, const F
   const double speed =
       rules.speed_factor * std::clamp(rules.speed_per_distance * (std::isfinite(far) ? far : rules.most_speed),
                                       rules.least_speed, rules.most_speed);
-  const glm::dvec3 wanted =
-      speed * (move.x * glm::cross(flight.sight, flight.up) + move.y * flight.up + move.z * flight.sight);
+  const glm::dvec3 wanted = speed * (move.x * glm::cross(flight.view_direction, flight.up) + move.y * flight.up +
+                                     move.z * flight.view_direction);
   const glm::dvec3 by = seconds * wanted + rules.settle_seconds * share * (flight.velocity - wanted);
   flight.velocity += share * (wanted - flight.velocity);
   const glm::dvec3 to = slid(flight.eye, by, walls, rules.clearance);
@@ -97,15 +97,15 @@ FlightRules rules_for(double model_radius_mm) {
   return rules;
 }
 
-Flight looking(const glm::dvec3& eye, const glm::dvec3& sight, const glm::dvec3& up) {
+Flight looking(const glm::dvec3& eye, const glm::dvec3& view_direction, const glm::dvec3& up) {
   Flight flight;
   flight.eye = eye;
-  flight.sight = glm::normalize(sight);
+  flight.view_direction = glm::normalize(view_direction);
   constexpr double least_sine = 0.05;
   glm::dvec3 upwards = up;
-  if (glm::length(glm::cross(glm::normalize(up), flight.sight)) < least_sine) {
+  if (glm::length(glm::cross(glm::normalize(up), flight.view_direction)) < least_sine) {
     const AnatomicalFrame tooth;
-    upwards = std::abs(glm::dot(tooth.buccal, flight.sight)) < 0.9 ? tooth.buccal : tooth.occlusal;
+    upwards = std::abs(glm::dot(tooth.buccal, flight.view_direction)) < 0.9 ? tooth.buccal : tooth.occlusal;
   }
   flight.up = upwards;
   return squared_up(flight);
@@ -113,9 +113,9 @@ Flight looking(const glm::dvec3& eye, const glm::dvec3& sight, const glm::dvec3&
 
 Flight turned(const Flight& flight, const glm::dvec2& angles, const FlightRules& rules) {
   Flight after = flight;
-  after.sight = about(after.sight, after.up, -angles.x);
-  const glm::dvec3 right = glm::normalize(glm::cross(after.sight, after.up));
-  after.sight = about(after.sight, right, angles.y);
+  after.view_direction = about(after.view_direction, after.up, -angles.x);
+  const glm::dvec3 right = glm::normalize(glm::cross(after.view_direction, after.up));
+  after.view_direction = about(after.view_direction, right, angles.y);
   after.up = about(after.up, right, angles.y);
   return squared_up(righted(squared_up(after), rules.upright, glm::length(angles)));
 }
@@ -161,7 +161,7 @@ bool resting(const Flight& flight, const FlightRules& rules) {
 Camera camera_of(const Flight& flight, double field_of_view_deg, double ahead_mm) {
   Camera camera;
   camera.position = flight.eye;
-  camera.target = flight.eye + ahead_mm * flight.sight;
+  camera.target = flight.eye + ahead_mm * flight.view_direction;
   camera.up = flight.up;
   camera.field_of_view_deg = field_of_view_deg;
   return camera;

@@ -30,9 +30,9 @@ FlightRules rules_for(double model_radius_mm);
 
 struct Flight {
   glm::dvec3 eye{0};
-  glm::dvec3 sight{0, 1, 0}, up{0, 0, 1};  // unit length, at right angles
-  glm::dvec3 velocity{0};                  // mm/s
-  glm::dvec2 turning{0};                   // rad/s: to the right, upwards
+  glm::dvec3 view_direction{0, 1, 0}, up{0, 0, 1};  // unit length, at right angles
+  glm::dvec3 velocity{0};                           // mm/s
+  glm::dvec2 turning{0};                            // rad/s: to the right, upwards
   friend bool operator==(const Flight&, const Flight&) = default;
 };
 
@@ -42,8 +42,8 @@ struct FlightWish {
   glm::dvec2 turn{0};  // right, up
 };
 
-/// An eye that looks along `sight`, its picture's up as near to `up` as that allows.
-Flight looking(const glm::dvec3& eye, const glm::dvec3& sight, const glm::dvec3& up = {0, 0, 1});
+/// An eye that looks along `view_direction`, its picture's up as near to `up` as that allows.
+Flight looking(const glm::dvec3& eye, const glm::dvec3& view_direction, const glm::dvec3& up = {0, 0, 1});
 
 /// The hand's turn, at once: radians to the right and upwards. Where the eye looks along or against `upright` nothing
 /// rolls.

@@ -69,16 +69,16 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
 std::optional<Passage> passage_ahead(const FlightSpaces& spaces, std::optional<std::size_t> from,
                                      const Flight& flight) {
   const double clearance = spaces.rules.clearance;
-  std::vector<double> meetings = spaces.outside.meetings(flight.eye, flight.sight);
+  std::vector<double> meetings = spaces.outside.meetings(flight.eye, flight.view_direction);
   for (const FlightSpace& space : spaces.cavities) {
-    const std::vector<double> more = space.walls.meetings(flight.eye, flight.sight);
+    const std::vector<double> more = space.walls.meetings(flight.eye, flight.view_direction);
     meetings.insert(meetings.end(), more.begin(), more.end());
   }
   std::sort(meetings.begin(), meetings.end());
   for (std::size_t i = 0; i < meetings.size(); ++i) {
     const bool last = i + 1 == meetings.size();
     const double ahead = last ? meetings[i] + outdoors_ahead * clearance : 0.5 * (meetings[i] + meetings[i + 1]);
-    const glm::dvec3 at = flight.eye + ahead * flight.sight;
+    const glm::dvec3 at = flight.eye + ahead * flight.view_direction;
     for (std::size_t c = 0; c < spaces.cavities.size(); ++c) {
       const Walls& walls = spaces.cavities[c].walls;
       if (from != c && walls.locate(at) == Walls::Side::inside && walls.nearest(at).distance >= clearance)

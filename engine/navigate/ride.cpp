@@ -82,9 +82,9 @@ Track::Point place_by(const Track& track, double Track::Point::*member, double v
   const Track::Point &a = *(after - 1), &b = *after;
   const double part = (value - a.*member) / (b.*member - a.*member);
   const auto mixed = [&](const auto& x, const auto& y) { return (1 - part) * x + part * y; };
-  const Flight stands = looking({}, mixed(a.sight, b.sight), mixed(a.up, b.up));
-  return {mixed(a.at, b.at),          stands.sight, stands.up, mixed(a.radius, b.radius), mixed(a.along, b.along),
-          mixed(a.seconds, b.seconds)};
+  const Flight stands = looking({}, mixed(a.view_direction, b.view_direction), mixed(a.up, b.up));
+  return {mixed(a.at, b.at),         stands.view_direction,   stands.up,
+          mixed(a.radius, b.radius), mixed(a.along, b.along), mixed(a.seconds, b.seconds)};
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ Track::Point place_on(const Track& track, double along) { return place_by(track,
 
 Flight flight_on(const Track& track, double along) {
   const Track::Point place = place_on(track, along);
-  return looking(place.at, place.sight, place.up);
+  return looking(place.at, place.view_direction, place.up);
 }
 
 void advance(Ride& ride, const FlightRules& rules, double seconds) {

@@ -22,7 +22,7 @@ double begins_at(const CentreLines& lines, const CentreLine& line);
 /// by length.
 struct Track {
   struct Point {
-    glm::dvec3 at{0}, sight{0}, up{0};
+    glm::dvec3 at{0}, view_direction{0}, up{0};
     double radius = 0, along = 0;  // clearance; mm from the line's start
     double seconds = 0;            // of the tour at usual speed
   };

@@ -66,7 +66,7 @@ double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// The line as samples evenly along it, with what the eye sees there.
 struct Way {
-  std::vector<glm::dvec3> at, sight;
+  std::vector<glm::dvec3> at, view_direction;
   std::vector<double> along, clearance, width;  // width: the radius that sets the speed
 };
 
@@ -142,9 +142,9 @@ Way way_along(const CentreLine& line, bool back) {
     way.clearance.push_back(std::min(points[piece].radius, points[piece + 1].radius));
   }
   for (std::size_t k = 0; k <= samples; ++k)
-    way.sight.push_back(glm::normalize(place_ahead(way, k, look_ahead * way.width[k]) - way.at[k]));
-  smooth(way.sight, 4 * samples_a_piece * samples_a_piece);
-  for (glm::dvec3& sight : way.sight) sight = glm::normalize(sight);
+    way.view_direction.push_back(glm::normalize(place_ahead(way, k, look_ahead * way.width[k]) - way.at[k]));
+  smooth(way.view_direction, 4 * samples_a_piece * samples_a_piece);
+  for (glm::dvec3& view_direction : way.view_direction) view_direction = glm::normalize(view_direction);
   return way;
 }
 
@@ -155,7 +155,8 @@ std::vector<double> speeds(const Way& way, double radii_per_second) {
   for (std::size_t k = 0; k < way.at.size(); ++k) {
     double speed = radii_per_second * way.width[k];
     if (k + 1 < way.at.size()) {
-      const double piece = glm::length(way.at[k + 1] - way.at[k]), turn = angle_between(way.sight[k], way.sight[k + 1]);
+      const double piece = glm::length(way.at[k + 1] - way.at[k]),
+                   turn = angle_between(way.view_direction[k], way.view_direction[k + 1]);
       if (turn * speed > of_bound * glm::radians(Tour::largest_turn_deg_s) * piece)
         speed = of_bound * glm::radians(Tour::largest_turn_deg_s) * piece / turn;
     }
@@ -195,7 +196,7 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
     const std::size_t steps = std::max<std::size_t>(8, static_cast<std::size_t>(std::ceil(whole / table_step)));
     step_ = whole / static_cast<double>(steps);
     frames_.assign(steps + 1, {});
-    std::vector<glm::dvec3> sights(steps + 1);
+    std::vector<glm::dvec3> view_directions(steps + 1);
     std::size_t k = 0;
     for (std::size_t i = 0; i <= steps; ++i) {
       const double time = when.back() * eased(static_cast<double>(i) / static_cast<double>(steps), ease);
@@ -206,19 +207,20 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
       frame.along = spline<double>(way.at.size(), place, [&](std::size_t j) { return way.along[j]; });
       frame.width = spline<double>(way.at.size(), place, [&](std::size_t j) { return way.width[j]; });
       frame.clearance = std::min(way.clearance[k], way.clearance[k + 1]);
-      sights[i] = spline<glm::dvec3>(way.at.size(), place, [&](std::size_t j) { return way.sight[j]; });
+      view_directions[i] =
+          spline<glm::dvec3>(way.at.size(), place, [&](std::size_t j) { return way.view_direction[j]; });
     }
     // Between samples time runs evenly, so that speed changes in steps: both are smoothed over time, too.
     constexpr std::size_t over_a_fifth_second = 150;
-    smooth(sights, over_a_fifth_second);
+    smooth(view_directions, over_a_fifth_second);
     std::vector<glm::dvec3> places;
     for (const Frame& frame : frames_) places.push_back(frame.at);
     smooth(places, over_a_fifth_second);
     for (std::size_t i = 0; i <= steps; ++i) frames_[i].at = places[i];
-    for (std::size_t i = 0; i <= steps; ++i) frames_[i].sight = glm::normalize(sights[i]);
+    for (std::size_t i = 0; i <= steps; ++i) frames_[i].view_direction = glm::normalize(view_directions[i]);
     double turn = 0, jerk = 0;
     for (std::size_t i = 1; i <= steps; ++i)
-      turn = std::max(turn, angle_between(frames_[i - 1].sight, frames_[i].sight) / step_);
+      turn = std::max(turn, angle_between(frames_[i - 1].view_direction, frames_[i].view_direction) / step_);
     for (std::size_t i = 3; i <= steps; ++i) {
       const glm::dvec3 third = frames_[i].at - 3.0 * frames_[i - 1].at + 3.0 * frames_[i - 2].at - frames_[i - 3].at;
       jerk = std::max(jerk, glm::length(third) / (step_ * step_ * step_) / frames_[i].width);
@@ -229,14 +231,15 @@ Tour::Tour(const CentreLine& line, const TourOptions& options) : options_(option
     if (factor <= 1) break;
     slower *= 1.02 * factor;
   }
-  const glm::dvec3& sight = frames_.front().sight;
+  const glm::dvec3& view_direction = frames_.front().view_direction;
   constexpr double nearly_along = 0.9;
-  const glm::dvec3 wanted =
-      std::abs(glm::dot(sight, glm::normalize(options.upright))) < nearly_along ? options.upright : options.otherwise;
-  frames_.front().up = glm::normalize(wanted - glm::dot(wanted, sight) * sight);
+  const glm::dvec3 wanted = std::abs(glm::dot(view_direction, glm::normalize(options.upright))) < nearly_along
+                                ? options.upright
+                                : options.otherwise;
+  frames_.front().up = glm::normalize(wanted - glm::dot(wanted, view_direction) * view_direction);
   for (std::size_t i = 1; i < frames_.size(); ++i) {
-    // The smallest rotation from one line of sight to the next, as two reflections.
-    const glm::dvec3 &a = frames_[i - 1].sight, &b = frames_[i].sight, &u = frames_[i - 1].up;
+    // The smallest rotation from one line of view_direction to the next, as two reflections.
+    const glm::dvec3 &a = frames_[i - 1].view_direction, &b = frames_[i].view_direction, &u = frames_[i - 1].up;
     const glm::dvec3 turned = u - glm::dot(u, b) / (1 + glm::dot(a, b)) * (a + b);
     frames_[i].up = glm::normalize(turned - glm::dot(turned, b) * b);
   }
@@ -254,9 +257,9 @@ TourInstant Tour::at(double seconds) const {
   instant.width = spline<double>(frames_.size(), place, [&](std::size_t i) { return frames_[i].width; });
   Camera& camera = instant.camera;
   camera.position = value(&Frame::at);
-  const glm::dvec3 sight = glm::normalize(value(&Frame::sight)), up = value(&Frame::up);
-  camera.target = camera.position + instant.clearance * sight;
-  camera.up = glm::normalize(up - glm::dot(up, sight) * sight);
+  const glm::dvec3 view_direction = glm::normalize(value(&Frame::view_direction)), up = value(&Frame::up);
+  camera.target = camera.position + instant.clearance * view_direction;
+  camera.up = glm::normalize(up - glm::dot(up, view_direction) * view_direction);
   camera.field_of_view_deg = options_.field_of_view_deg;
   constexpr double share = 0.5;  // of the clearance: points between those of the line are a little nearer to the wall
   camera.near_mm = safe_near_mm(share * instant.clearance, options_.field_of_view_deg, options_.widest_aspect);

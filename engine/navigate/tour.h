@@ -20,8 +20,8 @@ struct TourOptions {
   double field_of_view_deg = 80;
   double widest_aspect = 2.4;     // width over height of the widest picture for which the near plane is safe
   bool back = false;              // from the line's end to its start, looking where it goes
-  glm::dvec3 upright{0, 0, 1};    // up in the picture at the start, as far as the line of sight allows
-  glm::dvec3 otherwise{0, 1, 0};  // the same where the line of sight is nearly along `upright`
+  glm::dvec3 upright{0, 0, 1};    // up in the picture at the start, as far as the line of view_direction allows
+  glm::dvec3 otherwise{0, 1, 0};  // the same where the line of view_direction is nearly along `upright`
 };
 
 struct TourInstant {
@@ -46,7 +46,7 @@ class Tour {
 
  private:
   struct Frame {
-    glm::dvec3 at{0}, sight{0}, up{0};
+    glm::dvec3 at{0}, view_direction{0}, up{0};
     double along = 0, clearance = 0, width = 0;
   };
   std::vector<Frame> frames_;  // `step_` seconds apart, at least two

@@ -40,7 +40,7 @@ TEST(Flight, GoesTheSameWayAtEveryFrameRate) {
   EXPECT_GT(glm::length(usual.eye), 20);
   EXPECT_LT(glm::length(slow.eye - usual.eye), 0.002 * glm::length(usual.eye));
   EXPECT_LT(glm::length(quick.eye - usual.eye), 0.01 * glm::length(usual.eye));
-  EXPECT_LT(glm::degrees(std::acos(glm::dot(quick.sight, slow.sight))), 0.1);
+  EXPECT_LT(glm::degrees(std::acos(glm::dot(quick.view_direction, slow.view_direction))), 0.1);
 }
 
 TEST(Flight, StartsAndStopsSmoothly) {
@@ -109,8 +109,8 @@ TEST(Flight, TurnsWithoutRollAndRightsItself) {
   EXPECT_NEAR(flight.up.z, 1, 1e-12);
   for (int i = 0; i < 40; ++i) flight = turned(flight, {0.05, 0.05}, rules);  // over the top and round
   for (int i = 0; i < 40; ++i) flight = turned(flight, {0.1, -0.02}, rules);
-  EXPECT_NEAR(glm::length(flight.sight), 1, 1e-12);
-  EXPECT_NEAR(glm::dot(flight.sight, flight.up), 0, 1e-12);
+  EXPECT_NEAR(glm::length(flight.view_direction), 1, 1e-12);
+  EXPECT_NEAR(glm::dot(flight.view_direction, flight.up), 0, 1e-12);
   const Flight down = looking({0, 0, 0}, {0, 0, -1});  // along the axis nothing rolls by itself
   const Flight after = turned(down, {0, 0.01}, rules);
   EXPECT_GT(glm::dot(after.up, down.up), 0.999);

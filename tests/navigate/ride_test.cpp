@@ -40,8 +40,8 @@ TEST(Ride, FollowsTheLineAndLooksAlongIt) {
     const Flight eye = flight_on(track, along);
     EXPECT_NEAR(std::hypot(eye.eye.x, eye.eye.z), 10, 0.01);
     const glm::dvec3 tangent(-std::sin(along / 10), 0, -std::cos(along / 10));
-    EXPECT_GT(glm::dot(eye.sight, tangent), 0.96);
-    EXPECT_NEAR(glm::dot(eye.sight, eye.up), 0, 1e-12);
+    EXPECT_GT(glm::dot(eye.view_direction, tangent), 0.96);
+    EXPECT_NEAR(glm::dot(eye.view_direction, eye.up), 0, 1e-12);
     EXPECT_NEAR(eye.up.y, 1, 1e-9) << "a plane bend makes no roll";
     EXPECT_GT(glm::dot(eye.up, before), 0.97);
     before = eye.up;
@@ -93,7 +93,7 @@ TEST(Ride, TheHandLooksAroundOnTheWay) {
   ride.look = {0.5, 0};
   const Flight straight = flight_on(ride.track, 5), aside = flight_of(ride, {});
   EXPECT_EQ(aside.eye, straight.eye);
-  EXPECT_NEAR(std::acos(glm::dot(aside.sight, straight.sight)), 0.5, 1e-9);
+  EXPECT_NEAR(std::acos(glm::dot(aside.view_direction, straight.view_direction)), 0.5, 1e-9);
   EXPECT_NEAR(glm::dot(aside.up, straight.up), 1, 1e-12);
 }
 

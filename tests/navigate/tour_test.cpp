@@ -36,7 +36,7 @@ CentreLine corner() {
   return line;
 }
 
-glm::dvec3 sight(const Camera& camera) { return glm::normalize(camera.target - camera.position); }
+glm::dvec3 view_direction(const Camera& camera) { return glm::normalize(camera.target - camera.position); }
 
 /// By finite differences over the tour, at another rate than its own.
 struct Measured {
@@ -47,12 +47,12 @@ Measured measured(const Tour& tour) {
   Measured most;
   for (double t = 0; t + 3 * step < tour.seconds(); t += step) {
     const TourInstant a = tour.at(t), b = tour.at(t + step), c = tour.at(t + 2 * step), d = tour.at(t + 3 * step);
-    const glm::dvec3 u = sight(a.camera), v = sight(b.camera);
+    const glm::dvec3 u = view_direction(a.camera), v = view_direction(b.camera);
     most.turn_deg_s =
         std::max(most.turn_deg_s, glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v))) / step);
     const glm::dvec3 third = d.camera.position - 3.0 * c.camera.position + 3.0 * b.camera.position - a.camera.position;
     most.jerk = std::max(most.jerk, glm::length(third) / (step * step * step) / std::min(a.width, d.width));
-    // Roll: what is left of the turn of `up` round the line of sight.
+    // Roll: what is left of the turn of `up` round the line of view_direction.
     const glm::dvec3 rate = glm::cross(a.camera.up, b.camera.up) / step;
     const glm::dvec3 middle = glm::normalize(u + v), swing = glm::cross(u, v) / step;
     most.roll_deg_s =
@@ -90,7 +90,7 @@ TEST(Tour, LeadsFromStartToEndAndBack) {
   // Both look where they go.
   for (const Tour* tour : {&there, &back})
     for (double t = 0.3 * tour->seconds(); t < 0.7 * tour->seconds(); t += 0.5)
-      EXPECT_GT(glm::dot(sight(tour->at(t).camera),
+      EXPECT_GT(glm::dot(view_direction(tour->at(t).camera),
                          glm::normalize(tour->at(t + 0.1).camera.position - tour->at(t).camera.position)),
                 0.8);
 }
