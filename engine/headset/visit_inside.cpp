@@ -36,7 +36,7 @@ void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, con
   const glm::dvec3 head_mm = to_model(visit.stage, input.head.position);
   Flight flight;
   flight.eye = slid(visit.eye_mm, head_mm - visit.eye_mm, cavity.walls, flight_limits.clearance);
-  flight.sight = direction_to_model(visit.stage, input.head.ahead());
+  flight.view_direction = direction_to_model(visit.stage, input.head.ahead());
   flight.up = direction_to_model(visit.stage, input.head.up());
   flight.velocity = visit.velocity;
   const glm::dvec3 way = glm::conjugate(input.head.turn) * wanted_way(visit, input);

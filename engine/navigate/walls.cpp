@@ -203,7 +203,7 @@ std::optional<Roomiest> roomiest_place(const Walls& walls, int places) {
   return best;
 }
 
-glm::dvec3 longest_sight(const Walls& walls, const glm::dvec3& eye, int count) {
+glm::dvec3 longest_free_direction(const Walls& walls, const glm::dvec3& eye, int count) {
   glm::dvec3 best = fibonacci(0, count);
   double farthest = -1;
   for (int i = 0; i < count; ++i) {

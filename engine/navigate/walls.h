@@ -72,6 +72,6 @@ std::optional<Roomiest> roomiest_place(const Walls& walls, int places = 4096);
 
 /// The direction of `count` over the sphere in which one sees farthest; unit length. Looking into a place without
 /// walls: the first one.
-glm::dvec3 longest_sight(const Walls& walls, const glm::dvec3& eye, int count = 600);
+glm::dvec3 longest_free_direction(const Walls& walls, const glm::dvec3& eye, int count = 600);
 
 }  // namespace odontoscope

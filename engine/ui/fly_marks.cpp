@@ -190,7 +190,8 @@ void draw_where(const ViewerState& state, const ViewPane& pane, const Interface&
   trail.push_back(pixel(fly.flight.eye));
   list.AddPolyline(trail.data(), static_cast<int>(trail.size()), faded(theme::mark, 0.8), 0, 1.8f * scale);
   const CameraAxes axes = axes_of(camera);
-  const glm::dvec2 ahead(glm::dot(fly.flight.sight, axes.right), -glm::dot(fly.flight.sight, axes.up));
+  const glm::dvec2 ahead(glm::dot(fly.flight.view_direction, axes.right),
+                         -glm::dot(fly.flight.view_direction, axes.up));
   const ImVec2 eye = pixel(fly.flight.eye);
   const float reach = 24 * scale;
   const ImVec2 tip{eye.x + static_cast<float>(ahead.x) * reach, eye.y + static_cast<float>(ahead.y) * reach};
@@ -240,8 +241,8 @@ void draw_slice(const ViewerState& state, const ViewPane& pane, const Interface&
     list.AddPolyline(points.data(), static_cast<int>(points.size()), ink, ImDrawFlags_Closed, 1.5f * scale);
   }
   const ImVec2 at = pixel(eye.x, eye.y);
-  const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.sight.x) * 18 * scale,
-                   at.y - static_cast<float>(state.fly.flight.sight.y) * 18 * scale};
+  const ImVec2 tip{at.x + static_cast<float>(state.fly.flight.view_direction.x) * 18 * scale,
+                   at.y - static_cast<float>(state.fly.flight.view_direction.y) * 18 * scale};
   list.AddLine(at, tip, theme::mark, 2.2f * scale);
   list.AddCircleFilled(at, 5.5f * scale, theme::mark_outline, 24);
   list.AddCircleFilled(at, 4 * scale, theme::mark, 24);

@@ -90,7 +90,7 @@ void Viewer::enter_cavity(std::size_t cavity, std::function<void()> then) {
     go_to(zoom(state_.scene.camera, dive_zoom, space.middle));
   darken_then([this, cavity, then = std::move(then)] {
     const FlightSpace& there = state_.shown->flight->cavities[cavity];
-    const glm::dvec3 sight = longest_sight(there.walls, there.middle);
+    const glm::dvec3 sight = longest_free_direction(there.walls, there.middle);
     arrive(cavity, looking(there.middle, sight));
     if (then) then();
   });
@@ -149,7 +149,7 @@ void Viewer::see_from_flight() {
   const FlyState& fly = state_.fly;
   if (fly.cavity) state_.scene.wall_depth = state_.settings.comfort.wall_depth;
   const double aspect = panes_.front().area.aspect(), angle = state_.settings.comfort.field_of_view_deg;
-  const double ahead = walls_now().free_distance(fly.flight.eye, fly.flight.sight);
+  const double ahead = walls_now().free_distance(fly.flight.eye, fly.flight.view_direction);
   state_.scene.camera = camera_of(fly.flight, angle, std::isfinite(ahead) ? ahead : state_.shown->model.radius_mm);
   // Wide enough for pictures of another shape, too.
   state_.scene.camera.near_mm =
@@ -188,7 +188,8 @@ void Viewer::pass_wall() {
   }
   darken_then([this, passage = *passage] {  // outside one turns round: ahead there would be nothing
     const Flight& flight = state_.fly.flight;
-    arrive(passage.cavity, looking(passage.at, passage.cavity ? flight.sight : -flight.sight, flight.up));
+    arrive(passage.cavity,
+           looking(passage.at, passage.cavity ? flight.view_direction : -flight.view_direction, flight.up));
   });
 }
 
@@ -329,13 +330,14 @@ void Viewer::advance_flight(double seconds) {
   if (fly.trail.empty() || glm::length(fly.flight.eye - fly.trail.back()) > step) fly.trail.push_back(fly.flight.eye);
   if (fly.trail.size() > most_trail) fly.trail.erase(fly.trail.begin());
   // How fast the picture turns, evened out over a few frames.
-  const double angle =
-      sight_before == glm::dvec3(0) ? 0 : std::acos(std::clamp(glm::dot(sight_before, fly.flight.sight), -1.0, 1.0));
+  const double angle = sight_before == glm::dvec3(0)
+                           ? 0
+                           : std::acos(std::clamp(glm::dot(sight_before, fly.flight.view_direction), -1.0, 1.0));
   constexpr double quick = 1.2, evened = 0.15;  // rad/s, seconds
   const double now = seconds > 0 ? std::min(angle / seconds / quick, 1.0) : fly.turning;
   fly.turning += (1 - std::exp(-seconds / evened)) * (now - fly.turning);
   if (fly.turning < 0.01) fly.turning = 0;
-  fly.sight_before = fly.flight.sight;
+  fly.sight_before = fly.flight.view_direction;
   see_from_flight();
 }
 

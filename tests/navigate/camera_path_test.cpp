@@ -51,7 +51,7 @@ Errors errors(const Tour& tour) {
     const TourInstant wanted = tour.at(t);
     const Played now = played(path, t);
     most.place = std::max(most.place, glm::length(now.at - wanted.camera.position) / wanted.clearance);
-    most.view_deg = std::max({most.view_deg, apart(now.sight, wanted.camera.target - wanted.camera.position),
+    most.view_deg = std::max({most.view_deg, apart(now.view_direction, wanted.camera.target - wanted.camera.position),
                               apart(now.up, wanted.camera.up)});
     most.near = std::min(most.near, wanted.camera.near_mm - path.near_mm);
   }

@@ -122,7 +122,7 @@ TEST(Walls, SeesAsFarAsTheWallIs) {
   ASSERT_EQ(through.size(), 2u);
   EXPECT_NEAR(through[0], 7, 1e-12);
   EXPECT_NEAR(through[1], 13, 1e-12);
-  EXPECT_NEAR(std::abs(longest_sight(walls, {0, 0, 0}).z), 3 / std::sqrt(14.0), 0.05);  // into a corner
+  EXPECT_NEAR(std::abs(longest_free_direction(walls, {0, 0, 0}).z), 3 / std::sqrt(14.0), 0.05);  // into a corner
 }
 
 TEST(Walls, TheRoomiestPlaceOfABallIsItsMiddleAndOfARingItsTube) {

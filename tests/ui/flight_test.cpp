@@ -33,7 +33,7 @@ TEST_F(FlightTest, OneKeyEntersThePulpFromTenViewsAndOneLeaves) {
       const FlightSpace& pulp = spaces().cavities.at(fly().cavity.value());
       EXPECT_EQ(pulp.walls.locate(fly().flight.eye), Walls::Side::inside);
       EXPECT_GE(pulp.walls.nearest(fly().flight.eye).distance, spaces().rules.clearance);
-      const double ahead = pulp.walls.free_distance(fly().flight.eye, fly().flight.sight);
+      const double ahead = pulp.walls.free_distance(fly().flight.eye, fly().flight.view_direction);
       EXPECT_GT(ahead, 2 * pulp.room_mm) << "it looks at a wall, not along the pulp";
       expect_closed_in();
       if (view == 0) keep_picture("flight-" + tooth.title);
@@ -57,7 +57,7 @@ TEST_F(FlightTest, LettersFlyInsideAndKeepTheirMeaningOutside) {
   EXPECT_FALSE(viewer().state().scene.section);
   EXPECT_EQ(fly().flight, start) << "typed, not held";
   hold('w', 0.3);
-  EXPECT_GT(glm::dot(fly().flight.eye - start.eye, start.sight), 0.05);
+  EXPECT_GT(glm::dot(fly().flight.eye - start.eye, start.view_direction), 0.05);
   const Flight ahead = fly().flight;
   hold('j', 0.3);  // the left-handed keys
   EXPECT_LT(glm::dot(fly().flight.eye - ahead.eye, glm::cross(ahead.sight, ahead.up)), -0.05);
@@ -104,7 +104,7 @@ TEST_F(FlightTest, ArrowsADragTheCaughtMouseAndAStickLookAround) {
     turn();
     frames(20);
     const glm::dvec3 right = glm::cross(before.sight, before.up);
-    return glm::dvec2(glm::dot(fly().flight.sight, right), glm::dot(fly().flight.sight, before.up));
+    return glm::dvec2(glm::dot(fly().flight.view_direction, right), glm::dot(fly().flight.view_direction, before.up));
   };
   EXPECT_GT(turned_by([&] {
               viewer().handle(KeyChanged{Key::right, true});
@@ -159,7 +159,7 @@ TEST_F(FlightTest, AKeyGoesThroughTheWallInTheDark) {
   EXPECT_EQ(fly().dark, 0);
   ASSERT_TRUE(fly().on);
   ASSERT_FALSE(fly().cavity);
-  EXPECT_TRUE(std::isfinite(spaces().outside.free_distance(fly().flight.eye, fly().flight.sight)))
+  EXPECT_TRUE(std::isfinite(spaces().outside.free_distance(fly().flight.eye, fly().flight.view_direction)))
       << "the tooth must be seen";
   type(U'x');  // and back in
   fade();
