@@ -73,14 +73,14 @@ void place(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
 }  // namespace
 
 Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, const ComfortRules& rules) {
-  const Stage stage = before(head, model, rules.roomy / (metres_per_mm * cavity.room_mm));
+  const Stage stage = before(head, model, rules.roomy / (metres_per_mm * cavity.clearance_mm));
   return moved(stage, head.position - to_room(stage, cavity.middle));
 }
 
 Scene scene_of(const Visit& visit, const VisitWorld& world) {
   if (!visit.cavity) return visit.scene;
   const FlightSpace& space = world.cavities[*visit.cavity];
-  Scene inside = seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.room_mm);
+  Scene inside = seen_within(visit.scene, world.model, space.wall(), lamp_reach * space.clearance_mm);
   inside.wall_depth = visit.wall_depth;
   return inside;
 }

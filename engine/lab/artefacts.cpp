@@ -145,7 +145,7 @@ Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& s
     camera.position = artefact.at + far * towards;
     camera.up = std::abs(towards.z) < 0.95 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
   };
-  double most_room = -1;
+  double largest_clearance = -1;
   glm::dvec3 roomiest = out;
   for (const double tilt : {0.0, 0.4, 0.8, 1.15}) {
     for (int round = 0; round < (tilt > 0 ? 12 : 1); ++round) {
@@ -159,13 +159,13 @@ Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& s
       }
       const auto wall = pick(pickable, scene, {artefact.at + 0.5 * spacing_mm * towards, towards});
       const double room = wall ? wall->distance_mm : distance;
-      if (room <= most_room) continue;
-      most_room = room;
+      if (room <= largest_clearance) continue;
+      largest_clearance = room;
       roomiest = towards;
     }
   }
   // Inside a canal: as far back as its wall lets one.
-  look_from(roomiest, 0.5 * spacing_mm + 0.9 * most_room);
+  look_from(roomiest, 0.5 * spacing_mm + 0.9 * largest_clearance);
   return camera;
 }
 

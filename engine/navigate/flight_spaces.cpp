@@ -13,7 +13,7 @@ namespace odontoscope {
 namespace {
 
 /// With room to turn, not only to be.
-constexpr double least_room = 1.5;
+constexpr double least_clearance = 1.5;
 /// Voids beyond are bubbles.
 constexpr std::size_t most_cavities = 32;
 /// How far outside the wall one comes out, in clearances.
@@ -55,10 +55,10 @@ FlightSpaces flight_spaces(const std::vector<NamedSurface>& surfaces, const Mode
     space.structure = cavity.structure;
     space.walls = Walls(cavity.wall);
     space.volume_mm3 = cavity.volume;
-    const auto roomiest = roomiest_place(space.walls);
-    if (!roomiest || roomiest->clearance < least_room * spaces.rules.clearance) continue;
+    const auto roomiest = place_of_largest_clearance(space.walls);
+    if (!roomiest || roomiest->clearance < least_clearance * spaces.rules.clearance) continue;
     space.middle = roomiest->at;
-    space.room_mm = roomiest->clearance;
+    space.clearance_mm = roomiest->clearance;
     space.body = cavity.body;
     space.lines = lines_of(cavity, axis, progress);
     spaces.cavities.push_back(std::move(space));

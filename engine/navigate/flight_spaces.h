@@ -19,9 +19,9 @@ struct FlightSpace {
   bool body = false;      // that part fills the void: its wall is seen when it is turned inside out
   Walls walls;
   double volume_mm3 = 0;
-  glm::dvec3 middle{0};  // its roomiest place
-  double room_mm = 0;    // clearance there
-  CentreLines lines;     // empty where none could be made
+  glm::dvec3 middle{0};     // its roomiest place
+  double clearance_mm = 0;  // clearance there
+  CentreLines lines;        // empty where none could be made
 
   VoidWall wall() const { return {structure, body}; }
 };

@@ -171,29 +171,29 @@ bool Walls::crosses(const glm::dvec3& from, const glm::dvec3& to) const {
   return touched;
 }
 
-std::optional<Roomiest> roomiest_place(const Walls& walls, int places) {
+std::optional<LargestClearance> place_of_largest_clearance(const Walls& walls, int places) {
   if (walls.empty()) return std::nullopt;
   const Box& bounds = walls.bounds();
   const glm::dvec3 extent = glm::max(bounds.high - bounds.low, glm::dvec3(1e-9));
   const double step = portable::cbrt(extent.x * extent.y * extent.z / std::max(places, 1));
   const glm::ivec3 count = glm::clamp(glm::ivec3(glm::ceil(extent / step)), 3, 256);
-  std::optional<Roomiest> best;
+  std::optional<LargestClearance> best;
   for (int z = 0; z < count.z; ++z)
     for (int y = 0; y < count.y; ++y)
       for (int x = 0; x < count.x; ++x) {
         const glm::dvec3 at = bounds.low + (glm::dvec3(x, y, z) + 0.5) / glm::dvec3(count) * extent;
         const double clearance = walls.nearest(at).distance;
         if ((!best || clearance > best->clearance) && walls.locate(at) == Walls::Side::inside)
-          best = Roomiest{at, clearance};
+          best = LargestClearance{at, clearance};
       }
   if (!best) return best;
   // Then uphill. A step shorter than the clearance cannot leave through a wall.
   for (double reach = 0.5 * best->clearance; reach > 1e-4 * best->clearance;) {
-    const Roomiest before = *best;
+    const LargestClearance before = *best;
     for (int i = 0; i < 14; ++i) {
       const glm::dvec3 at = before.at + reach * fibonacci(i, 14);
       if (const double clearance = walls.nearest(at).distance; clearance > best->clearance)
-        best = Roomiest{at, clearance};
+        best = LargestClearance{at, clearance};
     }
     if (best->at == before.at)
       reach *= 0.5;

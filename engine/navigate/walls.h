@@ -64,11 +64,11 @@ class Walls {
 
 /// The middle of the largest ball that fits inside, as far as a search from a grid of about `places` places finds it;
 /// none if no such place is inside.
-struct Roomiest {
+struct LargestClearance {
   glm::dvec3 at{0};
   double clearance = 0;
 };
-std::optional<Roomiest> roomiest_place(const Walls& walls, int places = 4096);
+std::optional<LargestClearance> place_of_largest_clearance(const Walls& walls, int places = 4096);
 
 /// The direction of `count` over the sphere in which one sees farthest; unit length. Looking into a place without
 /// walls: the first one.

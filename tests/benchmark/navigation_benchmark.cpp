@@ -26,7 +26,7 @@ struct Pulp {
     walls = Walls(ct ? *ct : test::sample_molar_pulp());
     const Walls outside(ct ? *test::ct_molar_outside() : test::sample_molar_outside());
     rules = rules_for(0.5 * glm::length(outside.bounds().high - outside.bounds().low));
-    middle = roomiest_place(walls)->at;
+    middle = place_of_largest_clearance(walls)->at;
     test::RandomNumbers random(7);
     Flight flight = looking(middle, {0, 0, -1});
     FlightWish wish{{0, 0, 1}, {}};
@@ -69,7 +69,7 @@ void walls_made(benchmark::State& state) {
 }
 
 void roomiest(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(roomiest_place(pulp().walls));
+  for (auto _ : state) benchmark::DoNotOptimize(place_of_largest_clearance(pulp().walls));
 }
 
 BENCHMARK(nearest_wall);

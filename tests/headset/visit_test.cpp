@@ -35,7 +35,7 @@ TEST_F(VisitTest, KnowsThePulpAsACavity) {
   ASSERT_EQ(balls.cavities.size(), 1u);
   EXPECT_EQ(balls.cavities[0].structure, "pulp");
   EXPECT_TRUE(balls.cavities[0].body);
-  EXPECT_NEAR(balls.cavities[0].room_mm, 2, 0.1);
+  EXPECT_NEAR(balls.cavities[0].clearance_mm, 2, 0.1);
   const Scene inside = seen_within(balls.scene, balls.model, balls.cavities[0].wall(), 1);
   EXPECT_TRUE(inside.look_of("pulp")->as_body);
   EXPECT_FALSE(inside.look_of("dentine")->visible);

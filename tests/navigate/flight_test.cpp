@@ -169,7 +169,7 @@ void fly_wildly(int number, const Walls& walls, const FlightRules& usual, const 
 void fly_many(const char* name, const SurfaceMesh& surface, double radius, const glm::dvec3* start, int flights) {
   const Walls walls(surface);
   const FlightRules rules = rules_for(radius);
-  const auto roomiest = start ? std::nullopt : roomiest_place(walls);
+  const auto roomiest = start ? std::nullopt : place_of_largest_clearance(walls);
   ASSERT_TRUE(start || roomiest);
   Told told;
   for (int number = 0; number < flights && !testing::Test::HasFatalFailure(); ++number)

@@ -83,7 +83,7 @@ TEST(Walls, NoneIsFarAwayAndHoldsNothing) {
   EXPECT_TRUE(std::isinf(walls.nearest({0, 0, 0}).distance));
   EXPECT_EQ(walls.locate({0, 0, 0}), Walls::Side::outside);
   EXPECT_FALSE(walls.crosses({0, 0, 0}, {1, 0, 0}));
-  EXPECT_FALSE(roomiest_place(walls));
+  EXPECT_FALSE(place_of_largest_clearance(walls));
 }
 
 TEST(Walls, LocatesExactlyToTheLastBitOfACoordinate) {
@@ -126,12 +126,12 @@ TEST(Walls, SeesAsFarAsTheWallIs) {
 }
 
 TEST(Walls, TheRoomiestPlaceOfABallIsItsMiddleAndOfARingItsTube) {
-  const auto in_ball = roomiest_place(Walls(ball({{1, 2, 3}, 2, 48})));
+  const auto in_ball = place_of_largest_clearance(Walls(ball({{1, 2, 3}, 2, 48})));
   ASSERT_TRUE(in_ball);
   EXPECT_NEAR(glm::length(in_ball->at - glm::dvec3(1, 2, 3)), 0, 0.02);
   EXPECT_NEAR(in_ball->clearance, 2, 0.02);
   const Walls tube(ring({}));
-  const auto in_ring = roomiest_place(tube);
+  const auto in_ring = place_of_largest_clearance(tube);
   ASSERT_TRUE(in_ring);
   EXPECT_EQ(tube.locate(in_ring->at), Walls::Side::inside);
   EXPECT_NEAR(in_ring->clearance, 1.5, 0.03);
@@ -143,7 +143,7 @@ TEST(Walls, TheToothsPulpsHoldTheirRoomiestPlaces) {
   for (const SurfaceMesh* pulp : pulps) {
     ASSERT_GT(pulp->triangles.size(), 100u);
     const Walls walls(*pulp);
-    const auto place = roomiest_place(walls);
+    const auto place = place_of_largest_clearance(walls);
     ASSERT_TRUE(place);
     EXPECT_EQ(walls.locate(place->at), Walls::Side::inside);
     EXPECT_NEAR(walls.nearest(place->at).distance, place->clearance, 1e-12);

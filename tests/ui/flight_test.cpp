@@ -34,7 +34,7 @@ TEST_F(FlightTest, OneKeyEntersThePulpFromTenViewsAndOneLeaves) {
       EXPECT_EQ(pulp.walls.locate(fly().flight.eye), Walls::Side::inside);
       EXPECT_GE(pulp.walls.nearest(fly().flight.eye).distance, spaces().rules.clearance);
       const double ahead = pulp.walls.free_distance(fly().flight.eye, fly().flight.view_direction);
-      EXPECT_GT(ahead, 2 * pulp.room_mm) << "it looks at a wall, not along the pulp";
+      EXPECT_GT(ahead, 2 * pulp.clearance_mm) << "it looks at a wall, not along the pulp";
       expect_closed_in();
       if (view == 0) keep_picture("flight-" + tooth.title);
       type(U'c');
