@@ -100,7 +100,7 @@ std::optional<std::size_t> connect(const std::vector<SlabTetrahedron>& tets, con
     for (const TetList* start : apart) {
       const std::uint32_t own = pieces.of(start->front()), by = owner[start->front()];
       Cost cost;
-      TetList way = cheapest_way(
+      TetList way = shortest_path(
           tets, costs, *start, [](std::uint32_t, int) { return true; },
           [&](std::uint32_t t) { return fate[t] == Fate::removed && owner[t] == by; },
           [&](std::uint32_t t) { return fate[t] != Fate::removed && owner[t] == by && pieces.of(t) != own; }, cost,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "recon/delaunay/carve.h"
-#include "recon/delaunay/cheapest_way.h"
+#include "recon/delaunay/shortest_path.h"
 
 namespace odontoscope::delaunay {
 

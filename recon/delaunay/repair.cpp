@@ -125,7 +125,7 @@ class Repair {
     for (const TetList& fan : fans) {
       const std::set<std::uint32_t> own(fan.begin(), fan.end());
       Cost cost;
-      TetList way = cheapest_way(
+      TetList way = shortest_path(
           tets_, costs_, fan, [&](std::uint32_t t, int i) { return tets_[t].v[i] != v; },
           [&](std::uint32_t t) { return !links_.in(t) && owner_[t] != none; },
           [&](std::uint32_t t) { return links_.in(t) && own.count(t) == 0; }, cost, best.empty() ? nullptr : &least);

@@ -36,9 +36,9 @@ inline Cost operator+(const Cost& a, const Cost& b) {
 /// neither end included. `leave(t, i)` says whether the way may cross face i of tetrahedron t. Empty if there is none,
 /// or none cheaper than `*bound`, where one is given. `cost` receives its cost.
 template <class Leave, class MayPass, class IsTarget>
-TetList cheapest_way(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs,
-                     const TetList& from, Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost,
-                     const Cost* bound = nullptr) {
+TetList shortest_path(const std::vector<SlabTetrahedron>& tetrahedra, const std::vector<Cost>& costs,
+                      const TetList& from, Leave leave, MayPass may_pass, IsTarget is_target, Cost& cost,
+                      const Cost* bound = nullptr) {
   struct Step {
     Cost cost;
     std::uint32_t tet;
