@@ -17,14 +17,14 @@ struct MedialGraph {
     double radius;  // distance to the wall's triangles, or up to 5 % less
     double volume;  // of the node's tetrahedron: what part of the void it stands for
   };
-  struct Way {
+  struct Edge {
     std::uint32_t to;
     float length;
   };
   std::vector<Node> nodes;  // in an order that the wall alone decides
   std::vector<std::uint32_t>
-      first_way;          // of each node, and one more: the ways of n are [first_way[n], first_way[n + 1])
-  std::vector<Way> ways;  // both directions
+      first_way;           // of each node, and one more: the ways of n are [first_way[n], first_way[n + 1])
+  std::vector<Edge> ways;  // both directions
 };
 
 /// Nodes are the circumcentres in the void of the Delaunay tetrahedra of the wall's samples (its vertices, and points

@@ -6,7 +6,7 @@
 
 namespace odontoscope::cavity {
 
-double cost_of(const MedialGraph& graph, NodeIndex from, const MedialGraph::Way& way) {
+double cost_of(const MedialGraph& graph, NodeIndex from, const MedialGraph::Edge& way) {
   const double radius = (graph.nodes[from].radius + graph.nodes[way.to].radius) / 2;
   return static_cast<double>(way.length) / (radius * radius);
 }
@@ -26,7 +26,7 @@ PathTree shortest_paths(const MedialGraph& graph, NodeIndex root, NodeIndex unti
     if (n == until) break;
     if (so_far > tree.cost[n]) continue;
     for (std::uint32_t w = graph.first_way[n]; w < graph.first_way[n + 1]; ++w) {
-      const MedialGraph::Way& way = graph.ways[w];
+      const MedialGraph::Edge& way = graph.ways[w];
       const double there = so_far + cost_of(graph, n, way);
       if (there >= tree.cost[way.to]) continue;
       tree.cost[way.to] = there;

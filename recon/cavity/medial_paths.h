@@ -35,7 +35,7 @@ struct PathTree {
   std::vector<double> cost;
 };
 
-double cost_of(const MedialGraph& graph, NodeIndex from, const MedialGraph::Way& way);
+double cost_of(const MedialGraph& graph, NodeIndex from, const MedialGraph::Edge& way);
 /// `until`: it is enough to know the path to this node.
 PathTree shortest_paths(const MedialGraph& graph, NodeIndex root, NodeIndex until = no_node);
 /// From the root.
