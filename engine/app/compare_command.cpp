@@ -54,8 +54,8 @@ void tell(const Comparison& comparison, Console& console) {
     const SurfaceDistance& d = pair.distance;
     console.say(fmt::format("{} to {}: {} mm on average and {} mm at most; back: {} and {}",
                             comparison.methods[pair.first].name, comparison.methods[pair.second].name,
-                            measured(d.there.mean), measured(d.there.largest), measured(d.back.mean),
-                            measured(d.back.largest)));
+                            measured(d.a_to_b.mean), measured(d.a_to_b.largest), measured(d.b_to_a.mean),
+                            measured(d.b_to_a.largest)));
   }
   for (const ComparedMethod& method : comparison.methods) {
     console.say(fmt::format("{}: {}", method.name, method.made_by));

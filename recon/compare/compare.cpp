@@ -138,12 +138,12 @@ ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_
       whole.largest = std::max(whole.largest, part.largest);
       whole.mean += area * part.mean;
     };
-    join(pair.distance.there, distance->there);
-    join(pair.distance.back, distance->back);
+    join(pair.distance.a_to_b, distance->there);
+    join(pair.distance.b_to_a, distance->back);
   }
   if (weight > 0) {
-    pair.distance.there.mean /= weight;
-    pair.distance.back.mean /= weight;
+    pair.distance.a_to_b.mean /= weight;
+    pair.distance.b_to_a.mean /= weight;
   }
   return pair;
 }

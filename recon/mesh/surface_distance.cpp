@@ -154,8 +154,8 @@ std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const Surf
   const auto tree_a = tree_of(of_a), tree_b = tree_of(of_b);
   progress.check();
   SurfaceDistance distance;
-  distance.there = one_way(a, *tree_b, options, progress, {0, 0.5});
-  distance.back = one_way(b, *tree_a, options, progress, {0.5, 1});
+  distance.a_to_b = one_way(a, *tree_b, options, progress, {0, 0.5});
+  distance.b_to_a = one_way(b, *tree_a, options, progress, {0.5, 1});
   return distance;
 }
 

@@ -22,10 +22,10 @@ struct OneWayDistance {
 };
 
 struct SurfaceDistance {
-  OneWayDistance there, back;  // from `a` to `b`, from `b` to `a`
-  double largest() const { return there.largest > back.largest ? there.largest : back.largest; }
+  OneWayDistance a_to_b, b_to_a;  // from `a` to `b`, from `b` to `a`
+  double largest() const { return a_to_b.largest > b_to_a.largest ? a_to_b.largest : b_to_a.largest; }
   /// The larger of the two means: the safe one to quote.
-  double mean() const { return there.mean > back.mean ? there.mean : back.mean; }
+  double mean() const { return a_to_b.mean > b_to_a.mean ? a_to_b.mean : b_to_a.mean; }
 };
 
 /// Samples are placed at equal steps of accumulated area, triangle after triangle, and within a triangle by a

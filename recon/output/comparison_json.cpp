@@ -62,8 +62,8 @@ std::string comparison_json(const Comparison& comparison) {
   for (const ComparedPair& pair : comparison.pairs) {
     report["distances"].push_back({{"from", comparison.methods[pair.first].name},
                                    {"to", comparison.methods[pair.second].name},
-                                   {"there", json_of(pair.distance.there)},
-                                   {"back", json_of(pair.distance.back)}});
+                                   {"there", json_of(pair.distance.a_to_b)},
+                                   {"back", json_of(pair.distance.b_to_a)}});
   }
   report["threads"] = comparison.threads;
   return text_of(report);

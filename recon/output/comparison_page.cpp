@@ -47,8 +47,8 @@ std::string distance_table(const Comparison& comparison) {
     const SurfaceDistance& d = pair.distance;
     html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
                         escaped_html(comparison.methods[pair.first].name),
-                        escaped_html(comparison.methods[pair.second].name), d.there.mean, d.there.largest, d.back.mean,
-                        d.back.largest);
+                        escaped_html(comparison.methods[pair.second].name), d.a_to_b.mean, d.a_to_b.largest,
+                        d.b_to_a.mean, d.b_to_a.largest);
   }
   return html + "</tbody></table>\n";
 }

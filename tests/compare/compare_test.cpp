@@ -42,7 +42,7 @@ TEST(Compare, JudgesWhatTheEnginesMake) {
   EXPECT_EQ(comparison.pairs.size(), 3u);
   EXPECT_GT(comparison.pairs[0].distance.mean(), 0);
   // The extra layers of DB reach beyond DT's flat ends, so the way back is the longer one.
-  EXPECT_GT(comparison.pairs[0].distance.back.largest, 0.1);
+  EXPECT_GT(comparison.pairs[0].distance.b_to_a.largest, 0.1);
 }
 
 TEST(Compare, CountsStructuresWhoseTopologyIsImplied) {

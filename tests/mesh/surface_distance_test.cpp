@@ -54,7 +54,7 @@ TEST(SurfaceDistance, ThreadsChangeNoBit) {
     return *surface_distance(shapes::sphere(5, 4), shapes::torus(5, 1, 40, 20));
   };
   const SurfaceDistance one = with_threads(1), four = with_threads(4);
-  EXPECT_EQ(one.there.mean, four.there.mean);
+  EXPECT_EQ(one.a_to_b.mean, four.a_to_b.mean);
   EXPECT_EQ(one.back.mean, four.back.mean);
   EXPECT_EQ(one.largest(), four.largest());
 }
