@@ -10,9 +10,9 @@
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
+#include "recon/mesh/distribution.h"
 #include "recon/mesh/exact_predicates.h"
 #include "recon/mesh/half_edges.h"
-#include "recon/mesh/spread.h"
 #include "recon/mesh/vector.h"
 
 namespace odontoscope {
@@ -222,8 +222,8 @@ void measure(const SurfaceMesh& mesh, const EdgeMates& edges, SurfaceReport& rep
     measure_triangle(mesh, t, sums[number], shell, angles, aspects, report.degenerate_triangles);
   }
   for (std::uint32_t i = 0; i < report.shells.size(); ++i) finish_shell(mesh, sums[i], i, report);
-  report.smallest_angle_deg = spread_of(angles, 0, limits::angle_histogram_high);
-  report.aspect_ratio = spread_of(aspects, 1, limits::aspect_histogram_high);
+  report.smallest_angle_deg = distribution_of(angles, 0, limits::angle_histogram_high);
+  report.aspect_ratio = distribution_of(aspects, 1, limits::aspect_histogram_high);
 }
 
 void sort_shells(SurfaceReport& report) {

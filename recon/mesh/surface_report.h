@@ -22,7 +22,7 @@ struct Shell {
   double area = 0;    // mm^2
 };
 
-struct Spread {  // of one quality measure over all triangles (or tetrahedra)
+struct Distribution {  // of one quality measure over all triangles (or tetrahedra)
   double min = 0, median = 0, max = 0, mean = 0;
   std::vector<std::size_t>
       histogram;  // ten equal bins over [histogram_low, histogram_high]; what lies beyond is in the outer bins
@@ -39,8 +39,8 @@ struct SurfaceReport {
   std::size_t degenerate_triangles = 0;  // exactly zero area or a repeated vertex, by exact predicate
   std::vector<Shell> shells;             // largest area first; ties by first triangle
   std::vector<std::uint32_t> shell_of;   // for each triangle
-  Spread smallest_angle_deg;             // of each triangle that is not degenerate
-  Spread aspect_ratio;                   // circumradius / (2 inradius), likewise: 1 for equilateral
+  Distribution smallest_angle_deg;       // of each triangle that is not degenerate
+  Distribution aspect_ratio;             // circumradius / (2 inradius), likewise: 1 for equilateral
 
   /// No boundary, non-manifold or misoriented edge, no non-manifold vertex, no degenerate triangle, and not empty.
   bool closed_oriented_manifold() const;

@@ -8,8 +8,8 @@
 
 #include "recon/core/limits.h"
 #include "recon/core/portable_math.h"
+#include "recon/mesh/distribution.h"
 #include "recon/mesh/exact_predicates.h"
-#include "recon/mesh/spread.h"
 #include "recon/mesh/vector.h"
 
 namespace odontoscope {
@@ -110,10 +110,10 @@ TetraReport inspect(const TetraMesh& mesh) {
   report.tetrahedra = mesh.tetrahedra.size();
   for (const double volume : measured.volume_of_chunk) report.volume += volume;
   for (const std::size_t count : measured.non_positive_of_chunk) report.non_positive += count;
-  report.smallest_dihedral_deg = spread_of(measured.smallest, 0, limits::dihedral_histogram_high);
-  report.largest_dihedral_deg = spread_of(measured.largest, 0, limits::dihedral_histogram_high);
-  report.radius_ratio = spread_of(measured.radius, 0, 1);
-  report.radius_edge_ratio = spread_of(measured.radius_edge, 0, limits::radius_edge_histogram_high);
+  report.smallest_dihedral_deg = distribution_of(measured.smallest, 0, limits::dihedral_histogram_high);
+  report.largest_dihedral_deg = distribution_of(measured.largest, 0, limits::dihedral_histogram_high);
+  report.radius_ratio = distribution_of(measured.radius, 0, 1);
+  report.radius_edge_ratio = distribution_of(measured.radius_edge, 0, limits::radius_edge_histogram_high);
   return report;
 }
 

@@ -55,7 +55,7 @@ std::string distance_table(const Comparison& comparison) {
 
 /// Share of triangles by smallest angle, one bar a bin.
 std::string angle_chart(const ComparedMethod& method, const char* colour) {
-  const Spread& angles = method.report.smallest_angle_deg;
+  const Distribution& angles = method.report.smallest_angle_deg;
   std::size_t all = 0, most = 1;
   for (const std::size_t count : angles.histogram) {
     all += count;

@@ -18,7 +18,7 @@ Json json_of(const Point3& place) { return {place.x, place.y, place.z}; }
 
 Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
 
-Json json_of(const Spread& spread) {
+Json json_of(const Distribution& distribution) {
   return {{"min", spread.min},
           {"median", spread.median},
           {"mean", spread.mean},

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 const char* name(Shell::Kind kind);
 Json json_of(const Point3& place);  // three numbers
 Json json_of(const OneWayDistance& distance);
-Json json_of(const Spread& spread);
+Json json_of(const Distribution& distribution);
 /// Counts summed over all reports, and every shell.
 Json json_of(const std::vector<const SurfaceReport*>& reports);
 /// Smallest angles and aspect ratios of one surface.

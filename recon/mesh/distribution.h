@@ -9,6 +9,6 @@ namespace odontoscope {
 
 /// `values` are finite; they are reordered. The first and the last bin also count what lies beyond `low` and `high`.
 /// With an even number of values the median is the mean of the two middle ones. All zeros if there is no value.
-Spread spread_of(std::vector<double>& values, double low, double high);
+Distribution distribution_of(std::vector<double>& values, double low, double high);
 
 }  // namespace odontoscope

@@ -1,4 +1,4 @@
-#include "recon/mesh/spread.h"
+#include "recon/mesh/distribution.h"
 
 #include <algorithm>
 
@@ -6,8 +6,8 @@
 
 namespace odontoscope {
 
-Spread spread_of(std::vector<double>& values, double low, double high) {
-  Spread spread;
+Distribution distribution_of(std::vector<double>& values, double low, double high) {
+  Distribution distribution;
   spread.histogram.assign(limits::histogram_bins, 0);
   spread.histogram_low = low;
   spread.histogram_high = high;
