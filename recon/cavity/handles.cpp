@@ -24,7 +24,7 @@ std::vector<std::uint64_t> shares_from_root(const MedialGraph& graph, const Path
     for (NodeIndex up = n; up != no_node && !known[up]; up = tree.parent[up]) waiting.push_back(up);
     for (; !waiting.empty(); waiting.pop_back()) {
       const NodeIndex here = waiting.back(), p = tree.parent[here];
-      if (p != no_node) from_root[here] = from_root[p] + linking.share(graph.nodes[p].at, graph.nodes[here].at);
+      if (p != no_node) from_root[here] = from_root[p] + linking.contribution(graph.nodes[p].at, graph.nodes[here].at);
       known[here] = 1;
     }
   }
@@ -44,7 +44,8 @@ std::vector<Seam> seams_of(const MedialGraph& graph, const PathTree& tree, const
     for (std::uint32_t w = graph.first_way[a]; w < graph.first_way[a + 1]; ++w) {
       const NodeIndex b = graph.ways[w].to;
       if (b <= a || tree.parent[a] == b || tree.parent[b] == a) continue;
-      const std::uint64_t round = from_root[a] + linking.share(graph.nodes[a].at, graph.nodes[b].at) - from_root[b];
+      const std::uint64_t round =
+          from_root[a] + linking.contribution(graph.nodes[a].at, graph.nodes[b].at) - from_root[b];
       if (round == 0) continue;
       const double cost = tree.cost[a] + tree.cost[b] + cost_of(graph, a, graph.ways[w]);
       Seam& seam = best[std::min(round, 0 - round)];  // either way round

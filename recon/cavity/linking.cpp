@@ -177,7 +177,7 @@ void Linking::crossings(const Point3& start, const Point3& end, Tell tell) const
   }
 }
 
-std::uint64_t Linking::share(const Point3& a, const Point3& b) const {
+std::uint64_t Linking::contribution(const Point3& a, const Point3& b) const {
   std::uint64_t sum = 0;
   crossings(a, b, [&](std::uint32_t loop, int sign) { sum += sign > 0 ? weight(loop) : -weight(loop); });
   return sum;

@@ -31,7 +31,7 @@ class Linking {
   /// What the straight piece from a to b adds to the linking with each loop, all in one number: loop i counts times a
   /// fixed, odd number. The sum over a closed way is 0 if it is linked with none; that it is 0 otherwise takes a
   /// coincidence of one in 2^60. Modulo 2^64.
-  std::uint64_t share(const Point3& a, const Point3& b) const;
+  std::uint64_t contribution(const Point3& a, const Point3& b) const;
 
   /// The same for a closed way (first point not repeated), loop by loop.
   std::vector<std::int64_t> linked(const std::vector<Point3>& closed_way) const;
