@@ -6,7 +6,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
-#include "engine/headset/placards.h"
+#include "engine/headset/billboards.h"
 #include "engine/headset/scale_mark.h"
 
 namespace odontoscope {

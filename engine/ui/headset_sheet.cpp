@@ -25,7 +25,7 @@ constexpr float nowhere = -1e6f;
 HeadsetSheet::HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page)
     : gl_(&gl),
       interface_pass_(gl, shaders),
-      placard_pass_(gl, shaders),
+      billboard_pass_(gl, shaders),
       sheet_(gl, {sheet_size, {GL_RGBA8}}),
       page_(page) {}
 
@@ -45,16 +45,16 @@ void HeadsetSheet::feed(const Visit& visit, const HeadsetInput& input, double se
 
 void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWorld& world,
                           const HeadsetPanelWords& words, double seconds) {
-  const std::vector<Placard> placards = odontoscope::placards(visit, input, world);
+  const std::vector<Billboard> billboards = odontoscope::billboards(visit, input, world);
   std::vector<std::string> wanted;
-  for (const Placard& placard : placards) wanted.push_back(placard.words);
+  for (const Billboard& billboard : billboards) wanted.push_back(billboard.words);
   waited_ += seconds;
   const bool hand_on_it = panel_hand(visit) || down_;
   if (hand_on_it || waited_ > rest_seconds || wanted != written_) {
     feed(visit, input, waited_ > 1 ? seconds : waited_);
     interface_.begin({sheet_size, scale, std::min(waited_, 1.0)});
     if (visit.panel) draw_headset_panel(visit, page_, world, words, interface_, panel_width, panel_height);
-    write(placards, input.head);
+    write(billboards, input.head);
     if (const auto hand = panel_hand(visit)) {  // over everything
       const ImVec2 at = ImGui::GetIO().MousePos;
       ImGui::GetForegroundDrawList()->AddCircleFilled(at, 4.5f * scale, theme::mark_outline, 24);
@@ -71,7 +71,7 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
     written_ = std::move(wanted);
   } else {
     for (std::size_t i = 0; i < labels_.size(); ++i) {
-      const PlacardShape shape = shape_of(placards[i], input.head, labels_[i].width / labels_[i].height);
+      const BillboardShape shape = shape_of(billboards[i], input.head, labels_[i].width / labels_[i].height);
       labels_[i].pose = shape.pose;
       labels_[i].size = shape.size;
     }
@@ -80,22 +80,22 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
 }
 
 /// The labels, row by row below the panel; those for which there is no room are left out.
-void HeadsetSheet::write(const std::vector<Placard>& placards, const Pose& head) {
+void HeadsetSheet::write(const std::vector<Billboard>& billboards, const Pose& head) {
   labels_.clear();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImFont& font = *interface_.bold;
-  for (std::size_t i = 0; i < std::min<std::size_t>(placards.size(), label_rows * label_columns); ++i) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(billboards.size(), label_rows * label_columns); ++i) {
     constexpr float column = static_cast<float>(panel_width) / label_columns, margin = 14, gap = 4;
     const float left = column * static_cast<float>(i % label_columns),
                 top = static_cast<float>(panel_height + label_height * static_cast<int>(i / label_columns));
-    const ImVec2 extent = font.CalcTextSizeA(font.FontSize, 1e9f, 0, interface_.say(placards[i].words).c_str());
+    const ImVec2 extent = font.CalcTextSizeA(font.FontSize, 1e9f, 0, interface_.say(billboards[i].words).c_str());
     const float width = std::min(extent.x + 2 * margin, column), height = label_height - gap;
     list.PushClipRect({left, top}, {left + width, top + height});
     list.AddRectFilled({left, top}, {left + width, top + height}, theme::rgb(0x14181c, 215), 12);
     list.AddText(interface_.bold, font.FontSize, {left + margin, top + 0.5f * (height - extent.y)}, theme::text,
-                 interface_.say(placards[i].words).c_str());
+                 interface_.say(billboards[i].words).c_str());
     list.PopClipRect();
-    const PlacardShape shape = shape_of(placards[i], head, width / height);
+    const BillboardShape shape = shape_of(billboards[i], head, width / height);
     labels_.push_back({shape.pose, shape.size, left, top, width, height});
   }
 }
@@ -118,7 +118,7 @@ void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
 }
 
 void HeadsetSheet::draw(const EyeView& eye, const Target& target) const {
-  placard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_);
+  billboard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_);
 }
 
 }  // namespace odontoscope

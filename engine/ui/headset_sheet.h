@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "engine/headset/placard_pass.h"
-#include "engine/headset/placards.h"
+#include "engine/headset/billboard_pass.h"
+#include "engine/headset/billboards.h"
 #include "engine/ui/headset_panel.h"
 #include "engine/ui/interface.h"
 #include "engine/ui/interface_pass.h"
@@ -30,13 +30,13 @@ class HeadsetSheet {
 
  private:
   void feed(const Visit& visit, const HeadsetInput& input, double seconds);
-  void write(const std::vector<Placard>& placards, const Pose& head);
+  void write(const std::vector<Billboard>& billboards, const Pose& head);
   void place(const Visit& visit, const HeadsetInput& input);
 
   const Gl* gl_;
   Interface interface_;
   InterfacePass interface_pass_;
-  PlacardPass placard_pass_;
+  BillboardPass billboard_pass_;
   Framebuffer sheet_;
   HeadsetPage page_;
   bool down_ = false;                 // the mouse's button, as it was fed

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "engine/headset/placards.h"
+#include "engine/headset/billboards.h"
 #include "engine/measure/wall_thickness.h"
 #include "tests/headset/visiting.h"
 
@@ -33,7 +33,7 @@ TEST_F(Tools, ATriggerNamesWhatItMeets) {
   ASSERT_TRUE(visit.named);
   EXPECT_EQ(visit.named->structure, "dentine");
   EXPECT_FALSE(visit.way);
-  const auto written = placards(visit, input, balls.world());
+  const auto written = billboards(visit, input, balls.world());
   ASSERT_EQ(written.size(), 1u);
   EXPECT_EQ(written[0].words, "dentine");
   // At the spot, and before it.
@@ -44,23 +44,23 @@ TEST_F(Tools, ATriggerNamesWhatItMeets) {
   EXPECT_LT(glm::length(written[0].at - written[0].of), 0.06 * there);
   // It goes along with the tooth.
   visit.stage = moved(visit.stage, {0, 0.1, 0});
-  EXPECT_NEAR(placards(visit, input, balls.world())[0].of.y, written[0].of.y + 0.1, 1e-12);
+  EXPECT_NEAR(billboards(visit, input, balls.world())[0].of.y, written[0].of.y + 0.1, 1e-12);
   visit.todo = {VisitAction::forget_marks};
   step();
-  EXPECT_TRUE(placards(visit, input, balls.world()).empty());
+  EXPECT_TRUE(billboards(visit, input, balls.world()).empty());
 }
 
 TEST_F(Tools, TwoTriggersMeasureAStraightDistance) {
   visit.tool = HandTool::distance;
   pull_at(centre() + glm::dvec3(0.08, 0, 0));
   ASSERT_EQ(visit.ends.size(), 1u);
-  EXPECT_TRUE(placards(visit, input, balls.world()).empty());
+  EXPECT_TRUE(billboards(visit, input, balls.world()).empty());
   pull_at(centre() - glm::dvec3(0.08, 0, 0));
   ASSERT_EQ(visit.ends.size(), 2u);
   // On a ball of 5 mm, 25 times enlarged, seen from before it: two places of the front, level.
   const glm::dvec3 between = visit.ends[0].point_mm - visit.ends[1].point_mm;
   for (const Hit& end : visit.ends) EXPECT_NEAR(glm::length(end.point_mm - glm::dvec3(1, 2, 30)), 5, 0.05);
-  const auto written = placards(visit, input, balls.world());
+  const auto written = billboards(visit, input, balls.world());
   ASSERT_EQ(written.size(), 1u);
   EXPECT_NEAR(std::stod(written[0].words), glm::length(between), 0.0051);
   EXPECT_NE(written[0].words.find(" mm"), std::string::npos);
@@ -87,10 +87,10 @@ TEST_F(Tools, InsideItMeasuresFromWallToWallAndDoesNotGlide) {
   EXPECT_TRUE(visit.ends.empty());
 }
 
-TEST(PlacardShape, IsReadFromTheEyesUprightAndEquallyLargeEverywhere) {
+TEST(BillboardShape, IsReadFromTheEyesUprightAndEquallyLargeEverywhere) {
   const Pose head{{0.3, 1.6, 0.2}, {1, 0, 0, 0}};
   for (const glm::dvec3& at : {glm::dvec3(1, 1, -2), glm::dvec3(-0.2, 1.9, 0.6), glm::dvec3(0.3, 1.1, -0.4)}) {
-    const PlacardShape shape = shape_of({"x", at, at}, head, 3);
+    const BillboardShape shape = shape_of({"x", at, at}, head, 3);
     EXPECT_NEAR(shape.size.x, 3 * shape.size.y, 1e-12);
     EXPECT_NEAR(glm::degrees(2 * std::atan(shape.size.y / 2 / glm::length(head.position - at))), 2.1, 1e-9);
     EXPECT_LT(glm::length(shape.pose.turn * glm::dvec3(0, 0, 1) - glm::normalize(head.position - at)), 1e-9);

@@ -6,7 +6,7 @@
 #include <glm/trigonometric.hpp>
 #include <set>
 
-#include "engine/headset/placards.h"
+#include "engine/headset/billboards.h"
 #include "engine/navigate/labels.h"
 #include "tests/headset/visiting.h"
 
@@ -171,7 +171,7 @@ TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
   ASSERT_GT(labels.size(), 4u);
   const auto written = [&] {
     std::set<std::string> words;
-    for (const Placard& placard : placards(visit, input, world)) words.insert(placard.words);
+    for (const Billboard& billboard : billboards(visit, input, world)) words.insert(billboard.words);
     return words;
   };
   visit.wall_depth = false;

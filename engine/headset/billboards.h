@@ -9,7 +9,7 @@
 
 namespace odontoscope {
 
-struct Placard {
+struct Billboard {
   std::string words;
   glm::dvec3 at{0};  // metres in the room: the middle of its lower edge
   glm::dvec3 of{0};  // what it speaks of
@@ -17,14 +17,14 @@ struct Placard {
 
 /// Towards the head, so that what they speak of does not lie before them; nearest first. Names of canals are hidden by
 /// walls, and by nearer ones that they would run into.
-std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world);
+std::vector<Billboard> billboards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world);
 
 /// Upright and towards the eyes, of a height that is read everywhere alike: an angle. `aspect` is width over height.
-struct PlacardShape {
+struct BillboardShape {
   Pose pose;
   glm::dvec2 size{0};
 };
-PlacardShape shape_of(const Placard& placard, const Pose& head, double aspect);
+BillboardShape shape_of(const Billboard& billboard, const Pose& head, double aspect);
 
 /// What else is drawn with lines: the hands' rays, what is measured or named; two places of the room a line, a dot
 /// where they are one.

@@ -27,9 +27,9 @@ struct Beam {
   glm::vec4 colour{1};   // sRGB, opacity
 };
 
-class PlacardPass {
+class BillboardPass {
  public:
-  PlacardPass(const Gl& gl, const ShaderLibrary& shaders);
+  BillboardPass(const Gl& gl, const ShaderLibrary& shaders);
   /// Over what `target` shows, with `light` of its brightness. `sheet`: its first colours, premultiplied; they are
   /// filtered from now on.
   void draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams,

@@ -1,4 +1,4 @@
-#include "engine/headset/placards.h"
+#include "engine/headset/billboards.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ namespace odontoscope {
 
 namespace {
 
-constexpr double letters_deg = 2.1;  // a placard's height, of which capital letters take half
+constexpr double letters_deg = 2.1;  // a billboard's height, of which capital letters take half
 
 /// A little above the place, and nearer to the eyes than it.
 glm::dvec3 beside(const glm::dvec3& place, const Pose& head) {
@@ -49,8 +49,8 @@ std::vector<const FlightLabel*> seen_names(const Visit& visit, const std::vector
 
 }  // namespace
 
-std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
-  std::vector<Placard> all;
+std::vector<Billboard> billboards(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
+  std::vector<Billboard> all;
   const auto add = [&](const std::string& words, const glm::dvec3& place_mm) {
     const glm::dvec3 place = to_room(visit.stage, place_mm);
     all.push_back({words, beside(place, input.head), place});
@@ -72,14 +72,14 @@ std::vector<Placard> placards(const Visit& visit, const HeadsetInput& input, con
   return all;
 }
 
-PlacardShape shape_of(const Placard& placard, const Pose& head, double aspect) {
-  const glm::dvec3 to_head = head.position - placard.at;
+BillboardShape shape_of(const Billboard& billboard, const Pose& head, double aspect) {
+  const glm::dvec3 to_head = head.position - billboard.at;
   const double distance = std::max(glm::length(to_head), 1e-3),
                height = 2 * distance * std::tan(glm::radians(letters_deg) / 2);
   const double heading = std::atan2(to_head.x, to_head.z),
                rise = std::atan2(to_head.y, std::hypot(to_head.x, to_head.z));
   const glm::dquat turn = glm::angleAxis(heading, glm::dvec3(0, 1, 0)) * glm::angleAxis(-rise, glm::dvec3(1, 0, 0));
-  return {{placard.at + turn * glm::dvec3(0, 0.5 * height, 0), turn}, {aspect * height, height}};
+  return {{billboard.at + turn * glm::dvec3(0, 0.5 * height, 0), turn}, {aspect * height, height}};
 }
 
 std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
@@ -105,7 +105,7 @@ std::vector<glm::dvec3> room_marks(const Visit& visit, const HeadsetInput& input
     line(hand.aim.position, end);
     if (meets) line(end, end);
   }
-  for (const Placard& placard : placards(visit, input, world)) line(placard.of, placard.of);
+  for (const Billboard& billboard : billboards(visit, input, world)) line(billboard.of, billboard.of);
   for (const Hit& hit : visit.ends) line(to_room(visit.stage, hit.point_mm), to_room(visit.stage, hit.point_mm));
   if (visit.ends.size() == 2)
     line(to_room(visit.stage, visit.ends[0].point_mm), to_room(visit.stage, visit.ends[1].point_mm));

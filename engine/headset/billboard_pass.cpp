@@ -1,4 +1,4 @@
-#include "engine/headset/placard_pass.h"
+#include "engine/headset/billboard_pass.h"
 
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
@@ -20,11 +20,11 @@ glm::mat4 to_clip(const EyeView& eye) {
 
 }  // namespace
 
-PlacardPass::PlacardPass(const Gl& gl, const ShaderLibrary& shaders)
-    : gl_(&gl), program_(gl, shaders, {"placard.vert", "placard.frag"}), no_vertices_(make_vertex_array(gl)) {}
+BillboardPass::BillboardPass(const Gl& gl, const ShaderLibrary& shaders)
+    : gl_(&gl), program_(gl, shaders, {"billboard.vert", "billboard.frag"}), no_vertices_(make_vertex_array(gl)) {}
 
-void PlacardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams,
-                       const EyeView& eye, const Target& target, double light) const {
+void BillboardPass::draw(const Framebuffer& sheet, std::span<const SheetPiece> pieces, std::span<const Beam> beams,
+                         const EyeView& eye, const Target& target, double light) const {
   if (pieces.empty() && beams.empty()) return;
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
   gl_->Viewport(target.left, target.bottom, target.size.width, target.size.height);
