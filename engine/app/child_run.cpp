@@ -20,11 +20,11 @@ using Clock = std::chrono::steady_clock;
 /// What it says, the end of it kept, until it ends, the time is over, or the work is stopped. True if it had its time.
 bool listen(const system::Descriptor& child, Clock::time_point deadline, const std::stop_token& stop,
             std::string& text) {
-  constexpr int patience_ms = 50;
+  constexpr int timeout_ms = 50;
   constexpr std::size_t kept = 16384;
   std::array<char, 4096> piece;
   while (!stop.stop_requested() && Clock::now() < deadline) {
-    const std::ptrdiff_t got = system::read_within(child, piece.data(), piece.size(), patience_ms);
+    const std::ptrdiff_t got = system::read_within(child, piece.data(), piece.size(), timeout_ms);
     if (got == 0 || got == -1) return true;
     if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
     if (text.size() > 2 * kept) text.erase(0, text.size() - kept);

@@ -195,7 +195,7 @@ Command compare_images_command(CLI::App& root) {
       ->add_option("--browser", options->shots.browser,
                    "For pages (default: $ODONTOSCOPE_BROWSER, or Chromium in PATH)")
       ->type_name("PROGRAM");
-  parser->add_option("--patience", options->shots.patience_s, "Seconds for each that is drawn")
+  parser->add_option("--timeout", options->shots.timeout_s, "Seconds for each that is drawn")
       ->type_name("S")
       ->check(CLI::Range(1.0, 3600.0).description(""))
       ->capture_default_str();

@@ -88,9 +88,9 @@ std::string browser_program(const std::string& asked) {
 /// Questions and answers, of the browser or of the page that it has open.
 class PageShots::Talk {
  public:
-  Talk(const std::string& program, double patience_s, const Progress& progress)
+  Talk(const std::string& program, double timeout_s, const Progress& progress)
       : program_(program),
-        patience_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(patience_s))),
+        timeout_(std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout_s))),
         progress_(progress),
         process_(words_for(program, profile_.path())) {}
 
@@ -101,7 +101,7 @@ class PageShots::Talk {
 
   void begin(const std::string& page) {
     page_ = page;
-    deadline_ = Clock::now() + patience_;
+    deadline_ = Clock::now() + timeout_;
     session_.clear();
     loaded_ = false;
   }
@@ -139,7 +139,7 @@ class PageShots::Talk {
     progress_.check();
     if (!message && Clock::now() >= deadline_)
       fail(fmt::format("it has not said that it has drawn within {:.0f} s (<html data-drawn>)",
-                       std::chrono::duration<double>(patience_).count()));
+                       std::chrono::duration<double>(timeout_).count()));
     if (!message) gone();
     const json told = json::parse(*message, nullptr, false);
     if (!told.is_object()) gone();
@@ -153,7 +153,7 @@ class PageShots::Talk {
   }
 
   std::string program_, page_, session_;
-  Clock::duration patience_;
+  Clock::duration timeout_;
   Progress progress_;
   OwnFolder profile_;  // outlives the process
   PipedProcess process_;
@@ -162,8 +162,8 @@ class PageShots::Talk {
   bool loaded_ = false;
 };
 
-PageShots::PageShots(const std::string& program, double patience_s, const Progress& progress)
-    : talk_(std::make_unique<Talk>(program, patience_s, progress)) {}
+PageShots::PageShots(const std::string& program, double timeout_s, const Progress& progress)
+    : talk_(std::make_unique<Talk>(program, timeout_s, progress)) {}
 PageShots::~PageShots() = default;
 
 Image PageShots::shoot(const std::string& page, int width, int height) {

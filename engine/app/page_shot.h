@@ -20,7 +20,7 @@ std::string browser_program(const std::string& asked);
 class PageShots {
  public:
   /// Starts the browser. Throws FileError if it does not start, InputError cannot-be-shot if it does not answer.
-  PageShots(const std::string& program, double patience_s, const Progress& progress);
+  PageShots(const std::string& program, double timeout_s, const Progress& progress);
   ~PageShots();
 
   /// A page from disk as it stands once it has drawn, at one pixel a pixel, in dark colours, with nothing moving that

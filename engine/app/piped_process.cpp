@@ -15,7 +15,7 @@
 namespace odontoscope::app {
 namespace {
 
-constexpr int patience_ms = 50;
+constexpr int timeout_ms = 50;
 constexpr int child_complains = 2, child_reads = 3, child_writes = 4;
 constexpr std::size_t longest_message = 1u << 30;  // a picture of the largest size, in base64
 
@@ -48,7 +48,7 @@ bool PipedProcess::send(std::string_view message) {
   std::string bytes(message);
   bytes.push_back('\0');
   for (std::size_t at = 0; at < bytes.size();) {
-    const std::ptrdiff_t count = system::send_within(ends_->to.ours, bytes.data() + at, bytes.size() - at, patience_ms);
+    const std::ptrdiff_t count = system::send_within(ends_->to.ours, bytes.data() + at, bytes.size() - at, timeout_ms);
     if (count == system::nothing_yet) continue;
     if (count < 0) return false;
     at += static_cast<std::size_t>(count);
@@ -67,7 +67,7 @@ std::optional<std::string> PipedProcess::next(Clock::time_point deadline, const 
     }
     looked = come.size();
     if (Clock::now() >= deadline || looked > longest_message) return std::nullopt;
-    const std::ptrdiff_t count = system::read_within(ends_->from.ours, piece.data(), piece.size(), patience_ms);
+    const std::ptrdiff_t count = system::read_within(ends_->from.ours, piece.data(), piece.size(), timeout_ms);
     if (count == system::nothing_yet) continue;
     if (count <= 0) return std::nullopt;
     come.append(piece.data(), static_cast<std::size_t>(count));
@@ -77,7 +77,7 @@ std::optional<std::string> PipedProcess::next(Clock::time_point deadline, const 
 
 void PipedProcess::wait(Clock::time_point deadline) {
   while (ends_->program.runs() && Clock::now() < deadline && !ends_->program.ended())
-    std::this_thread::sleep_for(std::chrono::milliseconds(patience_ms / 5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(timeout_ms / 5));
 }
 
 std::string PipedProcess::complaint() const { return last_line(system::all_bytes(ends_->said)); }

@@ -108,7 +108,7 @@ Image Shots::draw(const std::string& name, int width, int height) {
   const ShotSource& source = sources_.at(name);
   if (source.page.empty()) return draw_model(source, width, height);
   if (!browser_)
-    browser_ = std::make_unique<PageShots>(browser_program(words_.browser), words_.patience_s, session_.progress());
+    browser_ = std::make_unique<PageShots>(browser_program(words_.browser), words_.timeout_s, session_.progress());
   return browser_->shoot(source.page, width > 0 ? width : usual_width, height > 0 ? height : usual_height);
 }
 
@@ -126,13 +126,13 @@ Image Shots::draw_model(const ShotSource& source, int width, int height) {
   if (session_.threads == 0) words.erase(words.begin() + 1, words.begin() + 3);
   if (!source.scene.empty()) words.insert(words.end(), {"--scene", source.scene});
   if (width > 0) words.insert(words.end(), {"--size", fmt::format("{}x{}", width, height)});
-  const ChildEnding ending = run_again(words, {words_.patience_s, unbounded_megabytes}, session_.progress().stop);
+  const ChildEnding ending = run_again(words, {words_.timeout_s, unbounded_megabytes}, session_.progress().stop);
   if (ending.exit_code == 0) return read_png(made);
   Place place;
   place.file = source.scene.empty() ? source.glb : source.scene;
   const std::string why = plain(ending.err);
   throw InputError("cannot-be-shot", place,
-                   ending.late   ? fmt::format("it is not drawn within {:g} s", words_.patience_s)
+                   ending.late   ? fmt::format("it is not drawn within {:g} s", words_.timeout_s)
                    : why.empty() ? "drawing it ended with " + ending.in_words()
                                  : why,
                    "Try it with odontoscope render");

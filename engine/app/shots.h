@@ -13,9 +13,9 @@
 namespace odontoscope::app {
 
 struct ShotWords {
-  std::string model;        // what scenes without a GLB of their name show
-  std::string browser;      // empty: see browser_program
-  double patience_s = 120;  // for each
+  std::string model;       // what scenes without a GLB of their name show
+  std::string browser;     // empty: see browser_program
+  double timeout_s = 120;  // for each
 };
 
 /// What one picture is drawn from. A scene and a GLB of one name are one picture: the GLB from where the scene looks.

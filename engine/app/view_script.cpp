@@ -204,7 +204,7 @@ class Performance {
       const bool awaited = viewer_.loading() || viewer_.state().lab.working;
       if (awaited)
         ++left, std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      else if (viewer_.patience() >= beat)
+      else if (viewer_.wait_timeout() >= beat)
         break;
       frame(awaited ? 0 : rest_beat);
     }

@@ -18,7 +18,7 @@ namespace odontoscope {
 namespace {
 
 /// How often a request to stop is looked for while ffmpeg is slow.
-constexpr int patience_ms = 50;
+constexpr int timeout_ms = 50;
 /// In the child: where pictures come in, what it complains, what it makes.
 constexpr int ffmpeg_reads = 0, ffmpeg_complains = 2, ffmpeg_writes = 3;
 
@@ -99,7 +99,7 @@ struct FilmMaker::Process {
     for (;;) {
       if (const auto ended = program.ended()) return *ended;
       progress.check();
-      std::this_thread::sleep_for(std::chrono::milliseconds(patience_ms));
+      std::this_thread::sleep_for(std::chrono::milliseconds(timeout_ms));
     }
   }
 
@@ -126,7 +126,7 @@ void FilmMaker::add(const Image& picture, const Progress& progress) {
   while (left > 0) {
     progress.check();
     const std::ptrdiff_t sent =
-        system::send_within(process_->pictures.ours, reinterpret_cast<const char*>(from), left, patience_ms);
+        system::send_within(process_->pictures.ours, reinterpret_cast<const char*>(from), left, timeout_ms);
     if (sent == system::nothing_yet) continue;
     if (sent < 0) {
       process_->pictures.ours.close();

@@ -17,7 +17,7 @@ namespace {
 
 constexpr auto rest = std::chrono::milliseconds(10);
 /// For a runtime that was asked to end the session.
-constexpr auto patience = std::chrono::seconds(3);
+constexpr auto timeout = std::chrono::seconds(3);
 /// While a model loads.
 constexpr auto between_looks = std::chrono::milliseconds(500);
 
@@ -69,7 +69,7 @@ class HeadsetVisit {
   void run(const std::stop_token& stop) {
     for (HeadsetState state = headset_->poll(); state != HeadsetState::over; state = headset_->poll()) {
       if (wants_to_leave() || visit_.leaving || stop.stop_requested()) leave();
-      if (left_ && Clock::now() - *left_ > patience) {
+      if (left_ && Clock::now() - *left_ > timeout) {
         say("The headset's runtime does not let go; leaving without it.");
         return;
       }

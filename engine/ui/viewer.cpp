@@ -420,7 +420,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
   state_.settings.back_faces = state_.shown ? state_.scene.back_faces : state_.settings.back_faces;
 }
 
-double Viewer::patience() const {
+double Viewer::wait_timeout() const {
   if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() ||
       state_.to_load || state_.cancel_loading || !events_.empty())
     return 0;

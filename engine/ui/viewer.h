@@ -65,7 +65,7 @@ class Viewer {
   void draw(const FrameInput& input, const Target& target);
 
   /// How long the next frame may wait for an event; 0 while something moves.
-  double patience() const;
+  double wait_timeout() const;
   bool loading() const { return job_ != nullptr; }
   /// What the last load ended with, if it failed; the person has been told.
   const std::exception_ptr& failure() const { return failure_; }

@@ -14,7 +14,7 @@ void run_in_window(Viewer& viewer, Window& window, const std::stop_token& stop) 
   while (!(window.closing() && viewer.may_close()) && !viewer.state().close && !stop.stop_requested() &&
          !viewer.state().headset_asked) {
     if (window.closing()) window.keep_open();  // something is asked first
-    for (const Event& event : window.events(viewer.patience())) viewer.handle(event);
+    for (const Event& event : window.events(viewer.wait_timeout())) viewer.handle(event);
     const Clock::time_point now = Clock::now();
     const double seconds = std::chrono::duration<double>(now - before).count();
     before = now;

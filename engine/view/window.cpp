@@ -179,14 +179,14 @@ float Window::scale() const {
   return std::clamp(std::max(across, down), 0.75f, 4.0f);
 }
 
-std::vector<Event> Window::events(double patience_seconds) {
+std::vector<Event> Window::events(double timeout_seconds) {
   const auto ask_gamepad = [this] {
     if (const GamepadChanged gamepad = gamepad_now(); gamepad != inbox_->gamepad)
       inbox_->events.push_back(inbox_->gamepad = gamepad);
   };
   constexpr double glance = 1.0 / 60;  // a stick wakes nobody: it is asked, and nothing is drawn meanwhile
   ask_gamepad();
-  double left = inbox_->events.empty() ? patience_seconds : 0;
+  double left = inbox_->events.empty() ? timeout_seconds : 0;
   for (; left > 0 && inbox_->gamepad.present && inbox_->events.empty(); left -= glance) {
     const double began = glfwGetTime(), most = std::min(left, glance);
     glfwWaitEventsTimeout(most);

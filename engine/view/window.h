@@ -25,8 +25,8 @@ class Window {
   /// Pixels of the picture for one of the interface's: 1 on an ordinary screen, 2 on a dense one.
   float scale() const;
 
-  /// What happened since the last call. Waits for something, or for `patience_seconds` if that is positive.
-  std::vector<Event> events(double patience_seconds);
+  /// What happened since the last call. Waits for something, or for `timeout_seconds` if that is positive.
+  std::vector<Event> events(double timeout_seconds);
   /// The person asked to close it, by whatever means.
   bool closing() const;
   /// Not yet, after all.

@@ -100,8 +100,8 @@ void collect(const Call& call, pid_t process, Pipe& out, Pipe& err, Ending& endi
   std::array<pollfd, 2> watched{pollfd{out.ends[0], POLLIN, 0}, pollfd{err.ends[0], POLLIN, 0}};
   const std::array<std::string*, 2> texts{&ending.out, &ending.err};
   while (watched[0].fd >= 0 || watched[1].fd >= 0) {
-    constexpr int patience_ms = 20;
-    ::poll(watched.data(), watched.size(), patience_ms);
+    constexpr int timeout_ms = 20;
+    ::poll(watched.data(), watched.size(), timeout_ms);
     for (std::size_t i = 0; i < watched.size(); ++i) {
       if (watched[i].fd >= 0 && watched[i].revents != 0 && !take(watched[i].fd, *texts[i])) watched[i].fd = -1;
     }

@@ -25,9 +25,9 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program,
 /// saying for which stack.
-class Patience {
+class Timeout {
  public:
-  Patience(double seconds, const LinkedStack& linked)
+  Timeout(double seconds, const LinkedStack& linked)
       : end_(processor_seconds() + seconds),
         hard_end_(end_ + 2 * seconds),
         thread_([this, &linked](std::stop_token done) { watch(done, linked); }) {}
@@ -110,7 +110,7 @@ StrangeWay way_of(std::uint64_t seed) {
   return ways[seed / strange_kinds().size() % std::size(ways)];
 }
 
-StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience, bool judged) {
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double timeout, bool judged) {
   StrangeOutcome outcome;
   const ReconstructOptions options{
       .correspondence = way.criterion, .between = way.between, .links = linked.links, .threads = 1};
@@ -121,7 +121,7 @@ StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, doub
     if (outcome.seconds == 0) outcome.seconds = processor_seconds() - start;
   };
   try {
-    const Patience watch(patience, linked);
+    const Timeout watch(timeout, linked);
     const Reconstruction result = reconstruct(linked.stack, options, {.report = {}, .stop = watch.token()});
     outcome.seconds = processor_seconds() - start;
     if (judged) judge_result(result, linked, options, outcome);

@@ -33,9 +33,9 @@ struct StrangeOutcome {
 };
 
 /// Reconstructs with one thread and with two, compares the bytes, and asks the oracle, or, if refused, whether that is
-/// true. Stopped (too_slow) after `patience` seconds of processor time. Unless `judged`, it is only timed: neither the
+/// true. Stopped (too_slow) after `timeout` seconds of processor time. Unless `judged`, it is only timed: neither the
 /// oracle nor two threads are asked.
-StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double patience = 60, bool judged = true);
+StrangeOutcome outcome_of(const LinkedStack& linked, const StrangeWay& way, double timeout = 60, bool judged = true);
 
 /// By the seed: every criterion with and without interpolated slices, most often `tracked`, the default.
 StrangeWay way_of(std::uint64_t seed);

@@ -25,9 +25,9 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Asks for a stop once the processor time is up; a run that does not heed it for twice as long ends the program,
 /// saying for which stack.
-class Patience {
+class Timeout {
  public:
-  Patience(double seconds, const ContourStack& stack)
+  Timeout(double seconds, const ContourStack& stack)
       : end_(processor_seconds() + seconds),
         hard_end_(end_ + 2 * seconds),
         thread_([this, &stack](std::stop_token done) { watch(done, stack); }) {}
@@ -118,7 +118,7 @@ std::string PartitionOutcome::sort() const {
   return letters;
 }
 
-PartitionOutcome outcome_of(const PartitionCase& given, double patience, bool twice) {
+PartitionOutcome outcome_of(const PartitionCase& given, double timeout, bool twice) {
   PartitionOutcome outcome;
   const double start = processor_seconds();
   const auto ends = [&](PartitionEnd end, const std::string& message) {
@@ -127,7 +127,7 @@ PartitionOutcome outcome_of(const PartitionCase& given, double patience, bool tw
     if (outcome.seconds == 0) outcome.seconds = processor_seconds() - start;
   };
   try {
-    const Patience watch(patience, given.stack);
+    const Timeout watch(timeout, given.stack);
     const PartitionOptions options = options_of(given, 1);
     const Reconstruction result = reconstruct_partition(given.stack, options, {.report = {}, .stop = watch.token()});
     outcome.seconds = processor_seconds() - start;

@@ -20,9 +20,9 @@ struct PartitionOutcome {
   std::string sort() const;
 };
 
-/// With one thread, and, if `twice`, with two, whose bytes must be the same. Stopped (too_slow) after `patience`
+/// With one thread, and, if `twice`, with two, whose bytes must be the same. Stopped (too_slow) after `timeout`
 /// seconds.
-PartitionOutcome outcome_of(const PartitionCase& given, double patience = 60, bool twice = true);
+PartitionOutcome outcome_of(const PartitionCase& given, double timeout = 60, bool twice = true);
 
 /// A smallest stack with the same sort of outcome.
 PartitionCase smallest_alike(const PartitionCase& given);

@@ -132,7 +132,7 @@ TEST_P(RandomPartitions, NeverFail) {
                                : size == "any" ? PartitionSize::any
                                                : PartitionSize::small;
   const auto start = std::chrono::steady_clock::now();
-  const double patience = std::strtod(from_environment("ODONTOSCOPE_PARTITION_PATIENCE", "60").c_str(), nullptr);
+  const double timeout = std::strtod(from_environment("ODONTOSCOPE_PARTITION_PATIENCE", "60").c_str(), nullptr);
   Tally tally;
   int shrunk = 0;                                         // as a plain test only one: it has to be quick
   const std::uint64_t shard = std::uint64_t(GetParam());  // in a row, so that each shard has every kind
@@ -142,7 +142,7 @@ TEST_P(RandomPartitions, NeverFail) {
     if (const std::string between = from_environment("ODONTOSCOPE_PARTITION_BETWEEN", ""); !between.empty())
       given.delaunay = between == "delaunay";
     if (!by_command && gaps_left_out) given.gap = 0;
-    PartitionOutcome outcome = outcome_of(given, patience);
+    PartitionOutcome outcome = outcome_of(given, timeout);
     if (by_command && !outcome.failed() && outcome.seconds > slowest_allowed) {  // other programs' load does not count
       outcome.end = PartitionEnd::too_slow;
       outcome.message = "slower than allowed";

@@ -139,7 +139,7 @@ TEST_F(Shots, OfAPageWithoutABrowserAreAClearError) {
   ending = run({.arguments = {"compare-images", "expected", "actual", "--browser", "true"}, .folder = here});
   EXPECT_TRUE(ending.says("true ended before it was drawn")) << ending.out << ending.err;
   ending = run(
-      {.arguments = {"compare-images", "expected", "actual", "--browser", "cat", "--patience", "1"}, .folder = here});
+      {.arguments = {"compare-images", "expected", "actual", "--browser", "cat", "--timeout", "1"}, .folder = here});
   EXPECT_EQ(ending.exit_code, 1) << ending.out << ending.err;
 }
 
@@ -177,7 +177,7 @@ TEST_F(PageShots, OfPagesThatFailHangOrWantTheNetworkAreTold) {
   given("actual/asks.html", page("red", fetches));
   given("actual/fails.html", page("red", "root.setAttribute('data-failed', 'no WebGL')"));
   given("actual/hangs.html", page("red", ""));
-  const Ending ending = compared({"--browser", browser_, "--patience", "8"});
+  const Ending ending = compared({"--browser", browser_, "--timeout", "8"});
   EXPECT_EQ(ending.exit_code, 1);
   EXPECT_FALSE(ending.says("it came through")) << ending.out;
   EXPECT_TRUE(ending.says("asks.png: unexpected")) << ending.out;

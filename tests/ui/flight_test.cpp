@@ -90,9 +90,9 @@ TEST_F(FlightTest, ItComesToRestAndThenDrawsNoMore) {
   type(U'c');
   fade();
   hold('w', 0.2);
-  EXPECT_EQ(viewer().patience(), 0);
+  EXPECT_EQ(viewer().wait_timeout(), 0);
   frames(120);
-  EXPECT_GT(viewer().patience(), 0.1);
+  EXPECT_GT(viewer().wait_timeout(), 0.1);
 }
 
 TEST_F(FlightTest, ArrowsADragTheCaughtMouseAndAStickLookAround) {
@@ -138,7 +138,7 @@ TEST_F(FlightTest, TheWheelSetsTheSpeedAndAStickFlies) {
   viewer().handle(GamepadChanged{.present = true, .move_ahead = 1});
   frames(20);
   EXPECT_GT(glm::dot(fly().flight.eye - before.eye, before.sight), 0.05);
-  EXPECT_LT(viewer().patience(), 0.1) << "a stick wakes nobody: it must be asked";
+  EXPECT_LT(viewer().wait_timeout(), 0.1) << "a stick wakes nobody: it must be asked";
 }
 
 TEST_F(FlightTest, AKeyGoesThroughTheWallInTheDark) {

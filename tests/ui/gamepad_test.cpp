@@ -152,10 +152,10 @@ TEST_F(GamepadFlightTest, PulledOutInTheMiddleOfAFlightItStops) {
   fade();
   hand(pushed({{Pad::right_x, 1}}));
   frames(20);
-  EXPECT_EQ(viewer().patience(), 0);
+  EXPECT_EQ(viewer().wait_timeout(), 0);
   viewer().handle(GamepadChanged{});  // gone, as Window::events tells it
   frames(180);
-  EXPECT_GT(viewer().patience(), 0.1) << "it flies on by itself";
+  EXPECT_GT(viewer().wait_timeout(), 0.1) << "it flies on by itself";
   EXPECT_FALSE(viewer().state().pad_in_hand);
   ASSERT_FALSE(viewer().state().notices.empty());
   EXPECT_NE(viewer().state().notices.back().words.find("gone"), std::string::npos);

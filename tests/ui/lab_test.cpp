@@ -225,7 +225,7 @@ TEST_F(Lab, FramesGoOnWhileItWorks) {
   int waited = 0;
   for (; lab().working && waited < 100000; ++waited) {
     EXPECT_EQ(lab().made->options.grid, 64u);
-    EXPECT_LT(viewer().patience(), 0.1);
+    EXPECT_LT(viewer().wait_timeout(), 0.1);
     frame(0);
   }
   EXPECT_GT(waited, 3);
@@ -239,7 +239,7 @@ TEST_F(Lab, TheNextArtefactIsFlownToAndExplained) {
   const Camera before = viewer().state().scene.camera;
   type(U'n');
   ASSERT_TRUE(lab().artefact);
-  EXPECT_EQ(viewer().patience(), 0);  // on its way
+  EXPECT_EQ(viewer().wait_timeout(), 0);  // on its way
   settle();
   const LabArtefact& first = lab().made->artefacts[0];
   EXPECT_LT(glm::distance(viewer().state().scene.camera.target, first.at), 1e-6);

@@ -61,8 +61,8 @@ TEST_F(Loading, FramesGoOnWhileItWorks) {
   viewer.open({});
   for (int i = 0; i < 10; ++i) frame();
   EXPECT_TRUE(viewer.loading());
-  EXPECT_GT(viewer.patience(), 0);  // no busy waiting either
-  EXPECT_LT(viewer.patience(), 0.1);
+  EXPECT_GT(viewer.wait_timeout(), 0);  // no busy waiting either
+  EXPECT_LT(viewer.wait_timeout(), 0.1);
 }
 
 TEST_F(Loading, ANewOneReplacesOneThatRuns) {

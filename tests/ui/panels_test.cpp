@@ -163,7 +163,7 @@ TEST_F(Panels, APictureIsTakenByTheButton) {
   keep_picture("picture-panel");
   click_control("Take a picture");
   frames(2);
-  for (int i = 0; i < 3000 && viewer().patience() < 0.2; ++i) {  // until it is written
+  for (int i = 0; i < 3000 && viewer().wait_timeout() < 0.2; ++i) {  // until it is written
     frame(0);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }

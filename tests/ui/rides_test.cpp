@@ -24,7 +24,7 @@ TEST_F(FlightTest, ARideLeadsAlongACanalAndStopsAtItsEnd) {
   const double stopped = fly().ride->along;
   frames(5);
   EXPECT_EQ(fly().ride->along, stopped);
-  EXPECT_GT(viewer().patience(), 0.1) << "nothing moves, so nothing is drawn";
+  EXPECT_GT(viewer().wait_timeout(), 0.1) << "nothing moves, so nothing is drawn";
   press_key(Key::end);
   EXPECT_EQ(fly().ride->along, fly().ride->track.points.back().along);
   EXPECT_GE(pulp.walls.nearest(fly().flight.eye).distance, spaces().rules.clearance);

@@ -30,7 +30,7 @@ class Looking : public ViewerTest {
   glm::dvec2 pixel(const glm::dvec3& point) { return pixel_of(area(), place_of(camera(), point).value()); }
   /// Until nothing is awaited any more.
   void rest() {
-    for (int i = 0; i < 3000 && viewer().patience() < 0.2; ++i) {
+    for (int i = 0; i < 3000 && viewer().wait_timeout() < 0.2; ++i) {
       frame(0.02);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
@@ -117,7 +117,7 @@ TEST_F(Looking, EachStandardViewIsWhereItSays) {
                                                    {U'5', tooth.occlusal}, {U'6', -tooth.occlusal}};
   for (const auto& [key, side] : views) {
     type(key);
-    EXPECT_EQ(viewer().patience(), 0);  // on its way
+    EXPECT_EQ(viewer().wait_timeout(), 0);  // on its way
     frames(5, 0.1);
     EXPECT_NEAR(glm::dot(axes_of(camera()).towards_eye, side), 1, 1e-9);
     EXPECT_GT(content_of(picture()).colours, 100u);
@@ -256,7 +256,7 @@ TEST_F(Looking, APictureHoldsTheWindowUpForNoTime) {
   RecordProperty("drawn_here_ms", static_cast<int>(1000 * drawn_here));
   RecordProperty("held_up_ms", static_cast<int>(1000 * held_up));
   EXPECT_LT(held_up, 0.3 * drawn_here);
-  EXPECT_LT(viewer().patience(), 0.1);            // its words are awaited
+  EXPECT_LT(viewer().wait_timeout(), 0.1);        // its words are awaited
   viewer().state().scene.camera.position.z += 1;  // what is changed meanwhile is not in it
   rest();
   EXPECT_EQ(read_png((scratch.path() / "Toy-tooth-001.png").string()).width, 1500);
@@ -287,7 +287,7 @@ TEST_F(Looking, ThePanelGivesItsRoomAway) {
 
 TEST_F(Looking, RestsWhenNothingMoves) {
   frames(10);
-  EXPECT_GE(viewer().patience(), 0.2);
+  EXPECT_GE(viewer().wait_timeout(), 0.2);
   const Image before = picture();
   frames(3);
   EXPECT_EQ(picture(), before);
