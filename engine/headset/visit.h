@@ -113,7 +113,7 @@ struct Visit {
   double tour_speed_factor = 0.5;                    // the person's part of the usual pace
   bool labels = true;                                // names of canals, inside
   bool wall_depth = true;                            // Scene::wall_depth, inside
-  std::vector<VisitAction> todo;
+  std::vector<VisitAction> pending_actions;
   std::optional<std::size_t>
       tour_asked;        // of rideable(), of the cavity one is in, else of the largest; begun in the next step
   bool leaving = false;  // asked for on the panel: the headset itself

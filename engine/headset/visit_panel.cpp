@@ -98,7 +98,7 @@ void point_at_panel(Visit& visit, const HeadsetInput& input) {
 void perform(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   if (const auto line = std::exchange(visit.tour_asked, {}); line && !world.cavities.empty())
     visit.way = Visit::Way{visit.cavity.value_or(0), line};
-  for (const VisitAction action : std::exchange(visit.todo, {})) {
+  for (const VisitAction action : std::exchange(visit.pending_actions, {})) {
     switch (action) {
       case VisitAction::enter:
         if (!visit.cavity && !world.cavities.empty()) visit.way = Visit::Way{0};

@@ -200,7 +200,7 @@ void empty_card(ViewerState& state, const Interface& interface, const Area& view
   title(interface, "Nothing to look at yet");
   widgets::remark(interface, "Drop a contour stack, a mesh or a volume here.");
   if (widgets::wide_button("Show the sample molar", true)) state.to_load = LoadRequest{};
-  if (widgets::wide_button("Open\xE2\x80\xA6")) state.todo.push_back(Action::open_file);
+  if (widgets::wide_button("Open\xE2\x80\xA6")) state.pending_actions.push_back(Action::open_file);
 }
 
 void draw_notices(const ViewerState& state, const Interface& interface, const Area& viewport) {

@@ -84,7 +84,8 @@ bool choose_film(glm::dvec2& film_mm, const Interface& interface) {
 void choose_beam(ViewerState& state, const Interface& interface) {
   const Camera& camera = state.scene.camera;
   int beam = camera.projection == Camera::Projection::parallel ? 1 : 0;
-  if (widgets::choice("beam", beam, {"Cone beam", "Parallel beam"})) state.todo.push_back(Action::toggle_projection);
+  if (widgets::choice("beam", beam, {"Cone beam", "Parallel beam"}))
+    state.pending_actions.push_back(Action::toggle_projection);
   const double focus_mm = glm::distance(camera.position, state.shown->model.bounds_mm.centre());
   widgets::remark(interface, beam == 1 ? "All rays run one way, and all is shown in its own size."
                                        : fmt::format("Rays come from a focus {:.0f} mm before the film.", focus_mm));

@@ -18,8 +18,8 @@ using widgets::scaled;
 
 void flight_section(ViewerState& state, const Interface& interface) {
   FlyState& fly = state.fly;
-  if (widgets::wide_button("Back to outside (C)", true)) state.todo.push_back(Action::leave_flight);
-  if (widgets::wide_button("Through the wall ahead (X)")) state.todo.push_back(Action::pass_wall);
+  if (widgets::wide_button("Back to outside (C)", true)) state.pending_actions.push_back(Action::leave_flight);
+  if (widgets::wide_button("Through the wall ahead (X)")) state.pending_actions.push_back(Action::pass_wall);
   widgets::remark(interface,
                   "W A S D fly, Q E down and up, or with the other hand I J K L and U O. Arrow keys or a drag look "
                   "around. Shift: faster. ? lists all keys.");
@@ -88,7 +88,7 @@ void comfort_section(ViewerState& state, const Interface& interface) {
 void fly_entrance(ViewerState& state, const Interface& interface) {
   if (!state.shown || !state.shown->flight) return;
   if (state.shown->flight->cavities.empty()) {
-    if (widgets::wide_button("Fly around (A)")) state.todo.push_back(Action::fly_outdoors);
+    if (widgets::wide_button("Fly around (A)")) state.pending_actions.push_back(Action::fly_outdoors);
     widgets::remark(interface, "This model has no cavity to fly in. C says what can be done.");
     return;
   }

@@ -17,7 +17,7 @@ namespace {
 
 using widgets::scaled;
 
-void ask(Visit& visit, VisitAction action) { visit.todo.push_back(action); }
+void ask(Visit& visit, VisitAction action) { visit.pending_actions.push_back(action); }
 
 void button(Visit& visit, const char* words, VisitAction action, bool strong = false) {
   if (widgets::wide_button(words, strong)) ask(visit, action);

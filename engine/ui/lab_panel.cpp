@@ -198,11 +198,11 @@ void draw_artefact_ring(const ViewerState& state, const std::vector<ViewPane>& p
 void three_buttons(ViewerState& state, const char* back, Action on_back, const char* next, Action on_next,
                    Action on_close) {
   const float width = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
-  if (widgets::button(back, {width, 0})) state.todo.push_back(on_back);
+  if (widgets::button(back, {width, 0})) state.pending_actions.push_back(on_back);
   ImGui::SameLine();
-  if (widgets::button(next, {width, 0})) state.todo.push_back(on_next);
+  if (widgets::button(next, {width, 0})) state.pending_actions.push_back(on_next);
   ImGui::SameLine();
-  if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(on_close);
+  if (widgets::button("Close (Esc)", {width, 0})) state.pending_actions.push_back(on_close);
 }
 
 void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
@@ -275,7 +275,7 @@ void lab_section(ViewerState& state, const Interface& interface) {
   if (!lab_possible(state)) return;
   LabState& lab = state.lab;
   if (!lab.on) {
-    if (widgets::wide_button("Compare with DB (D)")) state.todo.push_back(Action::toggle_lab);
+    if (widgets::wide_button("Compare with DB (D)")) state.pending_actions.push_back(Action::toggle_lab);
     return;
   }
   if (!widgets::section(interface, "DT and DB")) return;
@@ -289,12 +289,12 @@ void lab_section(ViewerState& state, const Interface& interface) {
   if (widgets::choice("lab faces", faces, {"Cull (B)", "Two-sided", "Tint"}))
     state.scene.back_faces = static_cast<BackFaces>(faces);
   widgets::toggle("Draw the faulty edges (E)", state.scene.overlays.edges);
-  if (widgets::wide_button("Next artefact (N)", true)) state.todo.push_back(Action::next_artefact);
+  if (widgets::wide_button("Next artefact (N)", true)) state.pending_actions.push_back(Action::next_artefact);
   progress_line(lab, interface);
   db_options(lab, interface);
   if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors"))
-    state.todo.push_back(Action::toggle_lesson);
-  if (widgets::wide_button("Leave DB mode (D)")) state.todo.push_back(Action::toggle_lab);
+    state.pending_actions.push_back(Action::toggle_lesson);
+  if (widgets::wide_button("Leave DB mode (D)")) state.pending_actions.push_back(Action::toggle_lab);
 }
 
 void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface, const Area& viewport,

@@ -111,17 +111,17 @@ void note_part(ViewerState& state, LessonMode& lesson, const Interface& interfac
   if (row && note.question) question_part(state, lesson, interface, *note.question, *row);
   ImGui::Dummy({0, scaled(1)});
   const float width = button_width(3);
-  if (widgets::button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
+  if (widgets::button("Back (Page up)", {width, 0})) state.pending_actions.push_back(Action::previous_step);
   ImGui::SameLine();
   const bool result_next = last && lesson.quiz();
   ImGui::BeginDisabled(last && !lesson.quiz());
   const bool lead_on = row && row->answered;
   if (coloured_button(result_next ? "Result (Page down)" : "Next (Page down)", width,
                       lead_on ? theme::accent_dark : theme::raised))
-    state.todo.push_back(Action::next_step);
+    state.pending_actions.push_back(Action::next_step);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
+  if (widgets::button("Close (Esc)", {width, 0})) state.pending_actions.push_back(Action::escape);
 }
 
 /// A line for each question: right or wrong, what was given, and what is right.
@@ -155,13 +155,13 @@ void result_part(ViewerState& state, LessonMode& lesson, const Interface& interf
   result_rows(state.notes, quiz, interface);
   ImGui::EndChild();
   const float width = button_width(4);
-  if (widgets::button("Back (Page up)", {width, 0})) state.todo.push_back(Action::previous_step);
+  if (widgets::button("Back (Page up)", {width, 0})) state.pending_actions.push_back(Action::previous_step);
   ImGui::SameLine();
   if (coloured_button("Save the marks (Enter)", width, theme::accent_dark)) lesson.save_marks = true;
   ImGui::SameLine();
   if (widgets::button("Once more", {width, 0})) lesson.again(state.notes);
   ImGui::SameLine();
-  if (widgets::button("Close (Esc)", {width, 0})) state.todo.push_back(Action::escape);
+  if (widgets::button("Close (Esc)", {width, 0})) state.pending_actions.push_back(Action::escape);
 }
 
 /// A strip along the lower edge, its words no wider than can be read.

@@ -50,9 +50,9 @@ void LessonMode::choose(std::size_t number, ViewerState& state) {
   if (number < built_in)
     state.to_load = LoadRequest{.file = {}, .volume = {}, .lesson = number};
   else if (number == built_in)
-    state.todo.push_back(Action::toggle_lesson);
+    state.pending_actions.push_back(Action::toggle_lesson);
   else if (number == built_in + 1)
-    state.todo.push_back(Action::open_file);
+    state.pending_actions.push_back(Action::open_file);
 }
 
 void LessonMode::enter(const NotesState& notes) {
@@ -174,7 +174,7 @@ bool LessonMode::handle(const Event& event, ViewerState& state) {
   const TourQuestion* question = asked(notes);
   if (!question) {
     if (!enter || !row(notes)) return false;
-    state.todo.push_back(Action::next_step);
+    state.pending_actions.push_back(Action::next_step);
     return true;
   }
   switch (question->kind) {

@@ -53,7 +53,7 @@ void heading(ViewerState& state, const Interface& interface) {
   ImGui::PopFont();
   const float button = scaled(30);
   ImGui::SameLine(ImGui::GetContentRegionMax().x - button);
-  if (widgets::button("?", {button, button})) state.todo.push_back(Action::toggle_help);
+  if (widgets::button("?", {button, button})) state.pending_actions.push_back(Action::toggle_help);
   if (!state.shown) return;
   if (!state.shown->tooth.empty()) widgets::wrapped(sentence(state.shown->tooth));
   // In a word; what wants a look has its report above all else.
@@ -136,9 +136,9 @@ void headline(const Certificate& certificate, const VerdictLook& look, const Int
 
 void two_buttons(ViewerState& state, const char* left, Action on_left, const char* right, Action on_right) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (widgets::button(left, {width, 0})) state.todo.push_back(on_left);
+  if (widgets::button(left, {width, 0})) state.pending_actions.push_back(on_left);
   ImGui::SameLine();
-  if (widgets::button(right, {width, 0})) state.todo.push_back(on_right);
+  if (widgets::button(right, {width, 0})) state.pending_actions.push_back(on_right);
 }
 
 void report_section(ViewerState& state, const Interface& interface) {
@@ -221,7 +221,7 @@ void measure_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Measure")) return;
   int tool = state.tool == Tool::distance ? 0 : state.tool == Tool::thickness ? 1 : -1;
   if (widgets::choice("tool", tool, {"Distance", "Wall thickness"}))
-    state.todo.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
+    state.pending_actions.push_back(tool == 0 ? Action::measure_distance : Action::measure_thickness);
   const Measured& measured = state.measured;
   if (measured.ends.size() == 2) {
     widgets::text(fmt::format("{:.3f} mm", distance_between_mm(measured.ends[0], measured.ends[1])));
@@ -232,7 +232,7 @@ void measure_section(ViewerState& state, const Interface& interface) {
     widgets::remark(interface, fmt::format("{}, straight through. The largest ball that fits in is {:.3f} mm across.",
                                            measured.wall_at->structure, measured.wall->largest_ball_mm));
   }
-  if (state.tool != Tool::look && widgets::wide_button("Done")) state.todo.push_back(Action::escape);
+  if (state.tool != Tool::look && widgets::wide_button("Done")) state.pending_actions.push_back(Action::escape);
 }
 
 /// Only what came from a volume has values to show.
@@ -257,7 +257,7 @@ void cap_choice(CapLook& cap, const ValueGrid& values) {
 void section_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "Section")) return;
   bool on = state.scene.section.has_value();
-  if (widgets::toggle("Cut the model open", on)) state.todo.push_back(Action::toggle_section);
+  if (widgets::toggle("Cut the model open", on)) state.pending_actions.push_back(Action::toggle_section);
   if (!state.scene.section || !state.shown) return;
   Section& section = *state.scene.section;
   const Model& model = state.shown->model;
@@ -279,7 +279,7 @@ void section_section(ViewerState& state, const Interface& interface) {
     section = with_offset({section.point_mm, normal_of(angles)}, kept, model);
   }
   if (state.shown->values) cap_choice(state.scene.cap, *state.shown->values);
-  if (widgets::wide_button("Cut away the other side")) state.todo.push_back(Action::flip_section);
+  if (widgets::wide_button("Cut away the other side")) state.pending_actions.push_back(Action::flip_section);
   widgets::remark(interface, "In the picture: drag the knob to move the plane, the arrow's tip to turn it.");
 }
 
@@ -299,7 +299,7 @@ void camera_section(ViewerState& state, const Interface& interface) {
   if (!widgets::section(interface, "View")) return;
   int projection = static_cast<int>(state.scene.camera.projection);
   if (widgets::choice("projection", projection, {"Perspective", "Parallel"}))
-    state.todo.push_back(Action::toggle_projection);
+    state.pending_actions.push_back(Action::toggle_projection);
   widgets::toggle("Names (H)", state.settings.names);
   two_buttons(state, "Fit", Action::fit, "Three quarters", Action::view_three_quarter);
   int backdrop = static_cast<int>(state.settings.backdrop);
@@ -339,8 +339,8 @@ void picture_section(ViewerState& state, const Interface& interface) {
   int samples = picture.side - 1;
   if (widgets::choice("samples", samples, {"1", "4", "9", "16"})) picture.side = samples + 1;
   widgets::toggle("Transparent background", picture.transparent);
-  if (widgets::wide_button("Take a picture", true)) state.todo.push_back(Action::take_picture);
-  if (widgets::wide_button("Save camera and looks")) state.todo.push_back(Action::save_scene);
+  if (widgets::wide_button("Take a picture", true)) state.pending_actions.push_back(Action::take_picture);
+  if (widgets::wide_button("Save camera and looks")) state.pending_actions.push_back(Action::save_scene);
   widgets::remark(interface, "Files go to the folder that the viewer was started in.");
 }
 
@@ -360,7 +360,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
     // What people come for first; what was proven comes before it only where it wants a look.
     const bool good = look_of(state.shown->certificate.verdict).mark == Certificate::Mark::good;
     fly_entrance(state, interface);
-    if (widgets::wide_button("Lessons (G)", true)) state.todo.push_back(Action::toggle_lessons);
+    if (widgets::wide_button("Lessons (G)", true)) state.pending_actions.push_back(Action::toggle_lessons);
     if (state.lab.on) lab_section(state, interface);
     if (!good) report_section(state, interface);
     structures_section(state, interface);
@@ -378,7 +378,7 @@ void draw_panel(ViewerState& state, const Interface& interface, const Area& area
   }
   ImGui::Dummy({0, scaled(2)});
   if (state.shown && state.headset_possible && widgets::wide_button("Enter the headset")) state.headset_asked = true;
-  if (widgets::wide_button("Open a file\xE2\x80\xA6")) state.todo.push_back(Action::open_file);
+  if (widgets::wide_button("Open a file\xE2\x80\xA6")) state.pending_actions.push_back(Action::open_file);
   ImGui::End();
 }
 

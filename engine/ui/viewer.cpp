@@ -81,7 +81,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
     interface_.feed(event);
     react(event);
   }
-  for (const Action action : std::exchange(state_.todo, {})) perform(action);
+  for (const Action action : std::exchange(state_.pending_actions, {})) perform(action);
   if (const auto place = std::exchange(state_.look_at, {})) lead_to(*place);
   if (const auto degrees = std::exchange(state_.tube_asked, {})) swing_tube(*degrees);
   if (std::exchange(state_.film_asked, false)) show_film();
@@ -421,7 +421,7 @@ void Viewer::draw_interface(const FrameInput& input, const Target& target) {
 }
 
 double Viewer::wait_timeout() const {
-  if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.todo.empty() ||
+  if (flight_moves() || transition_ || look_transition_ || frames_to_settle_ > 0 || !state_.pending_actions.empty() ||
       state_.to_load || state_.cancel_loading || !events_.empty())
     return 0;
   constexpr double loading = 1.0 / 30, refining = 0.05, idle = 0.5;

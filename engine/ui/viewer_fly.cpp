@@ -249,7 +249,7 @@ void Viewer::on_flight_key(const KeyChanged& key) {
   }
   if (key.with.control || key.with.alt) return;
   held_.insert(held_as(key));
-  if (key.key == Key::backspace) state_.todo.push_back(Action::leave_flight);
+  if (key.key == Key::backspace) state_.pending_actions.push_back(Action::leave_flight);
 }
 
 void Viewer::on_gamepad(const GamepadChanged& gamepad) {
@@ -261,7 +261,7 @@ void Viewer::on_gamepad(const GamepadChanged& gamepad) {
   if (!gamepad.present) return;
   const auto pressed = [&](bool GamepadChanged::*button) { return gamepad.*button && !(before.*button); };
   const auto ask = [&](bool GamepadChanged::*button, Action action) {
-    if (pressed(button)) state_.todo.push_back(action);
+    if (pressed(button)) state_.pending_actions.push_back(action);
   };
   ask(&GamepadChanged::help, Action::toggle_help);
   ask(&GamepadChanged::next_note, Action::next_step);
@@ -277,7 +277,8 @@ void Viewer::on_gamepad(const GamepadChanged& gamepad) {
   ask(&GamepadChanged::next, Action::next_canal);
   ask(&GamepadChanged::labels, Action::toggle_labels);
   ask(&GamepadChanged::pictures, Action::toggle_where);
-  if (pressed(&GamepadChanged::leave)) state_.todo.push_back(state_.help ? Action::escape : Action::leave_flight);
+  if (pressed(&GamepadChanged::leave))
+    state_.pending_actions.push_back(state_.help ? Action::escape : Action::leave_flight);
 }
 
 FlightWish Viewer::flight_wish() const {

@@ -125,7 +125,7 @@ void Viewer::on_press(const MouseButtonChanged& button) {
   if (!pane) return;
   if (button.button == MouseButton::left) {
     if (const auto named = compass_hit(panes_.back(), scale_, mouse_x_, mouse_y_)) {
-      state_.todo.push_back(*named);
+      state_.pending_actions.push_back(*named);
       return;
     }
   }
@@ -274,11 +274,11 @@ void Viewer::on_key(const KeyChanged& key) {
   if (interface_.wants_text() && key.key != Key::escape) return;
   if (state_.fly.on)
     if (const auto action = action_for(key, flight_keys())) {
-      state_.todo.push_back(*action);
+      state_.pending_actions.push_back(*action);
       return;
     }
   if (const auto action = action_for(key)) {
-    state_.todo.push_back(*action);
+    state_.pending_actions.push_back(*action);
     return;
   }
   if (!state_.shown || state_.fly.on) return;
@@ -311,13 +311,13 @@ void Viewer::on_text(const TextTyped& typed) {
     return;  // letters are for what is being written
   if (state_.fly.on) {
     if (const auto action = action_for(text, flight_keys()))
-      state_.todo.push_back(*action);
+      state_.pending_actions.push_back(*action);
     else if (text.character >= U'1' && text.character <= U'9')
       begin_ride(text.character - U'1');
     return;
   }
   if (const auto action = action_for(text)) {
-    state_.todo.push_back(*action);
+    state_.pending_actions.push_back(*action);
     return;
   }
   if (!state_.shown) return;

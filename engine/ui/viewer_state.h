@@ -164,8 +164,8 @@ struct ViewerState {
   std::vector<Notice> notices;
   std::string drawn_with;  // the context in words
 
-  std::vector<Action> todo;            // asked for, done in the next frame
-  std::optional<LoadRequest> to_load;  // likewise
+  std::vector<Action> pending_actions;  // asked for, done in the next frame
+  std::optional<LoadRequest> to_load;   // likewise
   bool cancel_loading = false;
   /// Is an X-ray film shown: of the CT, or of a model without one?
   bool film() const { return scene.volume.shows_volume() && scene.volume.cast == VolumeLook::Cast::radiograph; }

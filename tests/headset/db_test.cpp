@@ -61,7 +61,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   HeadsetInput input = person();
   input.hands = {};
   Visit visit = stepped({}, input, dt, {}, 0.01);
-  visit.todo = {VisitAction::show_db};
+  visit.pending_actions = {VisitAction::show_db};
   visit = stepped(visit, input, dt, {}, 0.01);
   EXPECT_TRUE(visit.db);
   EXPECT_EQ(visit.scene.back_faces, BackFaces::cull);
@@ -84,7 +84,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   EXPECT_LT(differ, static_cast<std::size_t>(size.width * size.height) / 4);  // the same tooth
   painter.take(dt.model);
   EXPECT_EQ(seen(dt), with_dt);
-  visit.todo = {VisitAction::show_dt};
+  visit.pending_actions = {VisitAction::show_dt};
   EXPECT_FALSE(stepped(visit, input, db, {}, 0.01).db);
 }
 

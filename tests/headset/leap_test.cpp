@@ -41,7 +41,7 @@ class Leap : public VisitingMolar {
  protected:
   void SetUp() override {
     step();
-    visit.todo = {VisitAction::enter};
+    visit.pending_actions = {VisitAction::enter};
     step(80);
     ASSERT_TRUE(visit.cavity);
     visit.panel.reset();
@@ -85,7 +85,7 @@ TEST_F(Leap, LettingTheTriggerGoLeadsThereInTheDark) {
   EXPECT_TRUE(visit.cavity);
   EXPECT_EQ(visit.vignette < 0.01, true);
   // And out again to where the tooth stood, not to where the leap began.
-  visit.todo = {VisitAction::leave};
+  visit.pending_actions = {VisitAction::leave};
   step(80);
   EXPECT_NEAR(visit.stage.magnification, usual_magnification, 1e-9);
 }

@@ -76,7 +76,7 @@ class PanelInVisit : public VisitingBalls {
     step();
   }
   void enter() {
-    visit.todo.push_back(VisitAction::enter);
+    visit.pending_actions.push_back(VisitAction::enter);
     seconds(2.2 * rules.fade_seconds);
     ASSERT_TRUE(visit.cavity);
   }
@@ -221,31 +221,31 @@ TEST_F(PanelInVisit, AStickOverItScrollsItAndLeavesTheToothAlone) {
 }
 
 TEST_F(PanelInVisit, ActionsAreDoneOnce) {
-  visit.todo = {VisitAction::toggle_section};
+  visit.pending_actions = {VisitAction::toggle_section};
   step(2);
   ASSERT_TRUE(visit.scene.section);
   EXPECT_EQ(visit.scene.section->normal, AnatomicalFrame{}.buccal);
-  visit.todo = {VisitAction::flip_section};
+  visit.pending_actions = {VisitAction::flip_section};
   step(2);
   EXPECT_EQ(visit.scene.section->normal, -AnatomicalFrame{}.buccal);
-  visit.todo = {VisitAction::toggle_section};
+  visit.pending_actions = {VisitAction::toggle_section};
   step();
   EXPECT_FALSE(visit.scene.section);
-  visit.todo = {VisitAction::toggle_section};
+  visit.pending_actions = {VisitAction::toggle_section};
   step();
   EXPECT_EQ(visit.scene.section->normal, -AnatomicalFrame{}.buccal) << "off and on again changes nothing";
-  visit.todo = {VisitAction::change_size};
+  visit.pending_actions = {VisitAction::change_size};
   step();
   EXPECT_EQ(visit.stage.magnification, 1);
   enter();
-  visit.todo = {VisitAction::change_size};
+  visit.pending_actions = {VisitAction::change_size};
   const double inside = visit.stage.magnification;
   step();
   EXPECT_EQ(visit.stage.magnification, inside);
-  visit.todo = {VisitAction::leave};
+  visit.pending_actions = {VisitAction::leave};
   seconds(2.2 * rules.fade_seconds);
   EXPECT_FALSE(visit.cavity);
-  visit.todo = {VisitAction::put_panel_away, VisitAction::leave_headset};
+  visit.pending_actions = {VisitAction::put_panel_away, VisitAction::leave_headset};
   step();
   EXPECT_FALSE(visit.panel);
   EXPECT_TRUE(visit.leaving);

@@ -36,7 +36,7 @@ class SectionInHand : public VisitingBalls {
   void SetUp() override {
     step();
     visit.panel.reset();
-    visit.todo = {VisitAction::toggle_section};
+    visit.pending_actions = {VisitAction::toggle_section};
     step();
     ASSERT_TRUE(visit.scene.section);
   }
@@ -122,7 +122,7 @@ TEST_F(SectionInHand, AHandWithinReachTakesItAndSwitchingItOffLetsGo) {
   step();
   EXPECT_EQ(visit.held[1], Visit::Held::section);
   EXPECT_FALSE(visit.named);
-  visit.todo = {VisitAction::toggle_section};
+  visit.pending_actions = {VisitAction::toggle_section};
   step();
   EXPECT_EQ(visit.held[1], Visit::Held::nothing);
   EXPECT_FALSE(visit.on_frame[1]);

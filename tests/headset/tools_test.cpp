@@ -45,7 +45,7 @@ TEST_F(Tools, ATriggerNamesWhatItMeets) {
   // It goes along with the tooth.
   visit.stage = moved(visit.stage, {0, 0.1, 0});
   EXPECT_NEAR(billboards(visit, input, balls.world())[0].of.y, written[0].of.y + 0.1, 1e-12);
-  visit.todo = {VisitAction::forget_marks};
+  visit.pending_actions = {VisitAction::forget_marks};
   step();
   EXPECT_TRUE(billboards(visit, input, balls.world()).empty());
 }
@@ -71,7 +71,7 @@ TEST_F(Tools, TwoTriggersMeasureAStraightDistance) {
 }
 
 TEST_F(Tools, InsideItMeasuresFromWallToWallAndDoesNotGlide) {
-  visit.todo = {VisitAction::enter};
+  visit.pending_actions = {VisitAction::enter};
   step(80);
   ASSERT_TRUE(visit.cavity);
   visit.panel.reset();
@@ -82,7 +82,7 @@ TEST_F(Tools, InsideItMeasuresFromWallToWallAndDoesNotGlide) {
   ASSERT_EQ(visit.ends.size(), 2u);
   EXPECT_NEAR(distance_between_mm(visit.ends[0], visit.ends[1]), 4, 0.1);  // across a ball of 2 mm
   EXPECT_LT(glm::length(visit.eye_mm - eye), 1e-9);
-  visit.todo = {VisitAction::leave};
+  visit.pending_actions = {VisitAction::leave};
   step(80);
   EXPECT_TRUE(visit.ends.empty());
 }

@@ -140,7 +140,7 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
   const Stage outside = visit.stage;
   begin(0);
   step(200);
-  visit.todo = {VisitAction::end_tour};
+  visit.pending_actions = {VisitAction::end_tour};
   step();
   EXPECT_FALSE(visit.tour);
   const glm::dvec3 eye = visit.eye_mm;
@@ -153,7 +153,7 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
   EXPECT_GT(glm::length(visit.eye_mm - eye), 0.01);
   input.hands[0] = {};
   begin(1);
-  visit.todo = {VisitAction::leave};
+  visit.pending_actions = {VisitAction::leave};
   step(80);
   EXPECT_FALSE(visit.cavity);
   EXPECT_FALSE(visit.tour);
@@ -164,7 +164,7 @@ TEST_F(HeadsetTour, OneCanGlideOnFromItTakeAnotherAndGoOut) {
 }
 
 TEST_F(HeadsetTour, NamesOfCanalsAreSeenButNotThroughWalls) {
-  visit.todo = {VisitAction::enter};
+  visit.pending_actions = {VisitAction::enter};
   step(80);
   ASSERT_TRUE(visit.cavity);
   const std::vector<FlightLabel> labels = labels_inside(cavity);

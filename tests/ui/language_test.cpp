@@ -75,7 +75,7 @@ TEST_F(LanguageInTheWindow, HasRoomForItsWords) {
   press_key(Key::o, {.control = true});
   expect_all_fits("the files");
   press_key(Key::escape);
-  viewer().state().todo.push_back(Action::write_note);
+  viewer().state().pending_actions.push_back(Action::write_note);
   viewer().state().notes.write = true;
   expect_all_fits("a note");
   keep_picture("german_note");

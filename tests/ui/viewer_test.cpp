@@ -222,7 +222,8 @@ TEST_F(Looking, PicturesAndScenesAreSavedAndDrawnAgain) {
   viewer_with_tooth({.settings = {.picture = {300, 200, false, 2, true}}, .folder = scratch.path()});
   type(U's');
   press_key(Key::s, {.control = true});
-  viewer().state().todo = {Action::take_picture, Action::take_picture};  // the second while the first is being written
+  viewer().state().pending_actions = {Action::take_picture,
+                                      Action::take_picture};  // the second while the first is being written
   frame();
   rest();
   EXPECT_EQ(viewer().state().trouble, "");
