@@ -86,14 +86,14 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   if (const auto degrees = std::exchange(state_.tube_asked, {})) swing_tube(*degrees);
   if (std::exchange(state_.film_asked, false)) show_film();
   if (const auto line = std::exchange(state_.fly.ride_asked, {})) begin_ride(*line);
-  tend_notes();
+  update_notes();
   if (auto request = std::exchange(state_.to_load, {})) open(std::move(*request));
   lay_out(input);
   take_finished_load();
-  tend_question();
-  tend_deviations();
+  update_question();
+  update_deviations();
   take_written();
-  tend_lab();
+  update_lab();
   advance(input.seconds);
   show_hovered();
   lay_out(input);

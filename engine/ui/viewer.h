@@ -105,9 +105,9 @@ class Viewer {
   void take_draft();
   void give_up_loading();
   void ask_about(LoadRequest request);
-  void tend_question();
+  void update_question();
   /// Measures, off the frame's thread, how the model lies to its data once somebody wants to see it.
-  void tend_deviations();
+  void update_deviations();
   void show(std::shared_ptr<const LoadedModel> shown);
 
   // viewer.cpp: a frame
@@ -140,7 +140,7 @@ class Viewer {
   void enter_lab();
   void leave_lab();
   /// Passes what is wanted on to the worker and takes what it made.
-  void tend_lab();
+  void update_lab();
   void lay_out_lab(const Area& whole);
   bool on_split_line(double x, double y) const;
   void lead_to_artefact(std::size_t artefact);
@@ -198,7 +198,7 @@ class Viewer {
   std::optional<PointedAt> pointed_at(const ViewPane& pane, double x, double y) const;
 
   // viewer_notes.cpp: a teacher's notes
-  void tend_notes();
+  void update_notes();
   bool perform_on_notes(Action action);
   void write_note();
   void save_notes();

@@ -146,7 +146,7 @@ void Viewer::leave_lab() {
   artefact_when_made_ = false;
 }
 
-void Viewer::tend_lab() {
+void Viewer::update_lab() {
   std::erase_if(left_workers_, [](const auto& worker) { return worker->gone(); });
   LabState& lab = state_.lab;
   if (!lab.on) return;

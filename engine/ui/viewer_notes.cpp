@@ -78,7 +78,7 @@ void bring_back_note(NotesState& notes) {
 }
 
 /// What the panels asked for.
-void Viewer::tend_notes() {
+void Viewer::update_notes() {
   NotesState& notes = state_.notes;
   if (std::exchange(notes.write, false)) write_note();
   if (std::exchange(notes.retake, false) && notes.draft) {

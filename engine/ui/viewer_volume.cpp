@@ -27,7 +27,7 @@ void Viewer::ask_about(LoadRequest request) {
                                                const Progress& progress) { return preview(asked, progress); });
 }
 
-void Viewer::tend_question() {
+void Viewer::update_question() {
   std::erase_if(stopped_previews_, [](const auto& job) { return job->finished(); });
   if (!preview_job_) return;
   if (!state_.question) {  // answered or called off before there was anything to see
@@ -48,7 +48,7 @@ void Viewer::tend_question() {
   }
 }
 
-void Viewer::tend_deviations() {
+void Viewer::update_deviations() {
   if (!state_.shown || state_.draft) state_.data_colours_asked.reset();
   if (state_.data_colours_asked && !deviation_job_) {
     deviations_of_ = state_.shown;
