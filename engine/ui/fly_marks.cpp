@@ -169,7 +169,7 @@ void draw_where(const ViewerState& state, const ViewPane& pane, const Interface&
   if (area.width < 1) return;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const FlyState& fly = state.fly;
-  const Camera camera = where_camera(state.shown->model, fly.where_from, area);
+  const Camera camera = where_camera(state.shown->model, fly.inset_from, area);
   const auto pixel = [&](const glm::dvec3& place) {
     const auto at = place_of(camera, place);
     const glm::dvec2 p = pixel_of(area, at.value_or(glm::dvec2(0)));
@@ -200,7 +200,7 @@ void draw_where(const ViewerState& state, const ViewPane& pane, const Interface&
   list.AddCircleFilled(eye, 6.5f * scale, theme::mark_outline, 24);
   list.AddCircleFilled(eye, 4.8f * scale, theme::mark, 24);
   list.PopClipRect();
-  const std::string from = interface.say(std::string("from ") + name(fly.where_from) + "   V: another side");
+  const std::string from = interface.say(std::string("from ") + name(fly.inset_from) + "   V: another side");
   list.AddText(interface.small, interface.small->FontSize, {low.x + 8 * scale, low.y + 5 * scale}, theme::quiet,
                from.c_str());
 }

@@ -30,7 +30,7 @@ struct FlyState {
   std::optional<CanalPlace> place;        // in terms of the cavity's lines; none outdoors, or where it has none
   std::vector<FlightLabel> labels;
   bool show_labels = true, show_where = true;
-  NamedView where_from = NamedView::buccal;  // the small picture's side
+  NamedView inset_from = NamedView::buccal;  // the small picture's side
 };
 
 }  // namespace odontoscope

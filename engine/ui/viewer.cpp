@@ -98,7 +98,7 @@ void Viewer::draw(const FrameInput& input, const Target& target) {
   show_hovered();
   lay_out(input);
   draw_model(input, target);
-  draw_where_picture(target);
+  draw_inset(target);
   draw_interface(input, target);
 }
 

@@ -184,7 +184,7 @@ class Viewer {
   void start_ride(std::size_t line, Track track);
   void advance_ride(const FlightWish& wish, double seconds);
   void leave_ride();
-  void draw_where_picture(const Target& target);
+  void draw_inset(const Target& target);
 
   // viewer_canals.cpp: canals pointed at from outside
   std::optional<CanalPick> canal_at(const ViewPane& pane, double x, double y) const;
@@ -328,9 +328,9 @@ class Viewer {
     std::function<void()> at_dark;
   };
   std::optional<Fade> fade_;
-  Framebuffer where_picture_;  // the tooth from outside, drawn once
-  std::shared_ptr<const LoadedModel> where_of_;
-  NamedView where_from_ = NamedView::buccal;
+  Framebuffer inset_;  // the tooth from outside, drawn once
+  std::shared_ptr<const LoadedModel> inset_of_;
+  NamedView inset_from_ = NamedView::buccal;
   int tabs_ = 0;         // asked for: controls on, or back
   char last_place_ = 0;  // of the key pressed last, for keyboards without Latin letters
   std::set<int> held_;   // keys, while one flies; see viewer_fly.cpp

@@ -78,7 +78,7 @@ std::optional<CanalPick> Viewer::canal_in_small_picture(double x, double y) cons
   if (!state_.fly.on || !state_.fly.show_where || panes_.empty()) return std::nullopt;
   const Area area = where_area(panes_.front(), scale_);
   if (!area.holds(x, y)) return std::nullopt;
-  const Camera camera = where_camera(state_.shown->model, state_.fly.where_from, area);
+  const Camera camera = where_camera(state_.shown->model, state_.fly.inset_from, area);
   const SightLine sight = from_before(sight_line(camera, place_in(area, x, y)), camera, state_.shown->model);
   return pick_canal(*state_.shown->flight, sight, {.slack_mm = slack_mm(camera, area, scale_)});
 }

@@ -173,7 +173,7 @@ void Viewer::end_flight() {
   ended.speed_factor = state_.fly.speed_factor;
   ended.show_labels = state_.fly.show_labels;
   ended.show_where = state_.fly.show_where;
-  ended.where_from = state_.fly.where_from;
+  ended.inset_from = state_.fly.inset_from;
   ended.dark = state_.fly.dark;
   state_.fly = std::move(ended);
   held_.clear();

@@ -99,8 +99,8 @@ bool Viewer::perform_on_ride(Action action) {
       fly.show_where = !fly.show_where;
       return true;
     case Action::turn_where:
-      fly.where_from = fly.where_from == NamedView::buccal   ? NamedView::mesial
-                       : fly.where_from == NamedView::mesial ? NamedView::occlusal
+      fly.inset_from = fly.inset_from == NamedView::buccal   ? NamedView::mesial
+                       : fly.inset_from == NamedView::mesial ? NamedView::occlusal
                                                              : NamedView::buccal;
       return true;
     case Action::next_canal: {
@@ -156,26 +156,25 @@ bool Viewer::perform_on_ride(Action action) {
   return true;
 }
 
-void Viewer::draw_where_picture(const Target& target) {
+void Viewer::draw_inset(const Target& target) {
   if (!state_.fly.on || !state_.fly.show_where || panes_.empty()) return;
   const Area area = where_area(panes_.front(), scale_);
   const PixelSize size{static_cast<int>(area.width), static_cast<int>(area.height)};
   if (size.width < 1 || size.height < 1) return;
-  if (!(where_picture_.size() == size) || where_of_ != state_.shown || where_from_ != state_.fly.where_from) {
-    where_picture_ = Framebuffer(*gl_, {size, {GL_RGBA8}});
-    where_of_ = state_.shown;
-    where_from_ = state_.fly.where_from;
+  if (!(inset_.size() == size) || inset_of_ != state_.shown || inset_from_ != state_.fly.inset_from) {
+    inset_ = Framebuffer(*gl_, {size, {GL_RGBA8}});
+    inset_of_ = state_.shown;
+    inset_from_ = state_.fly.inset_from;
     Scene scene = usual_scene(state_.shown->model, area.aspect());
-    scene.camera = where_camera(state_.shown->model, state_.fly.where_from, area);
+    scene.camera = where_camera(state_.shown->model, state_.fly.inset_from, area);
     scene.background = {Background::Kind::plain, colour_of(0x14181c), colour_of(0x14181c)};
     scene.occlusion.on = false;
-    const Pane eye{odontoscope::view_of(scene.camera, state_.shown->model, area.aspect()),
-                   {where_picture_.id(), 0, 0, size}};
+    const Pane eye{odontoscope::view_of(scene.camera, state_.shown->model, area.aspect()), {inset_.id(), 0, 0, size}};
     renderer_.draw(gpu_model_, scene, {&eye, 1}, {where_side});
   }
   const int left = target.left + static_cast<int>(area.left),
             bottom = target.bottom + target.size.height - static_cast<int>(area.top) - size.height;
-  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, where_picture_.id());
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, inset_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
   gl_->BlitFramebuffer(0, 0, size.width, size.height, left, bottom, left + size.width, bottom + size.height,
                        GL_COLOR_BUFFER_BIT, GL_NEAREST);

@@ -165,7 +165,7 @@ TEST_F(CanalsTest, TheSmallPictureCanBeClickedInFlight) {
   for (std::size_t line = 0; line < 3; ++line) {
     const Area area = where_area(pane(), scale_);
     ASSERT_GT(area.width, 0);
-    const Camera small = where_camera(viewer().state().shown->model, fly().where_from, area);
+    const Camera small = where_camera(viewer().state().shown->model, fly().inset_from, area);
     const glm::dvec3 place = place_on_canal(line, 0.8);
     const glm::dvec2 at = pixel_of(area, place_of(small, place).value());
     click(at.x, at.y);
