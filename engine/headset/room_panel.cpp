@@ -7,7 +7,7 @@
 
 namespace odontoscope {
 
-RoomPanel summoned(const Pose& head, double side, double distance) {
+RoomPanel place_panel(const Pose& head, double side, double distance) {
   constexpr double aside_deg = 35, below_deg = 14;  // the tooth stays in sight beside it
   const double far = std::clamp(distance, least_panel_distance, panel_distance);
   const double aside = glm::radians(aside_deg) * (side < 0 ? 1 : -1), below = glm::radians(-below_deg);

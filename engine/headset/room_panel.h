@@ -21,7 +21,7 @@ inline constexpr double panel_distance = 0.62, least_panel_distance = 0.42;
 
 /// At the head's left (`side` -1) or right (1), beside what stands before the person, somewhat below the eyes and
 /// tilted towards them.
-RoomPanel summoned(const Pose& head, double side, double distance = panel_distance);
+RoomPanel place_panel(const Pose& head, double side, double distance = panel_distance);
 
 /// Where a ray meets the panel's plane: from the upper left corner, 0 to 1 on the panel and beyond that beside it.
 /// Empty from behind, or along it.

@@ -66,7 +66,7 @@ void place(Visit& visit, const HeadsetInput& input, const VisitWorld& world) {
   else
     visit.stage = before(input.head, world.model, again ? visit.stage.magnification : usual_magnification,
                          facing(world.scene.camera));
-  if (!again || visit.panel) visit.panel = summoned(input.head, 1);
+  if (!again || visit.panel) visit.panel = place_panel(input.head, 1);
   visit.placed = true;
 }
 

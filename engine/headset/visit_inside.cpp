@@ -35,12 +35,12 @@ void glide(Visit& visit, const HeadsetInput& input, const VisitWorld& world, con
   // Where the head itself went. A wall that it would go through is pushed along instead.
   const glm::dvec3 head_mm = to_model(visit.stage, input.head.position);
   Flight flight;
-  flight.eye = slid(visit.eye_mm, head_mm - visit.eye_mm, cavity.walls, flight_limits.clearance);
+  flight.eye = slide_along_walls(visit.eye_mm, head_mm - visit.eye_mm, cavity.walls, flight_limits.clearance);
   flight.view_direction = direction_to_model(visit.stage, input.head.ahead());
   flight.up = direction_to_model(visit.stage, input.head.up());
   flight.velocity = visit.velocity;
   const glm::dvec3 way = glm::conjugate(input.head.turn) * wanted_way(visit, input);
-  flight = flown(flight, {.move = {way.x, way.y, -way.z}, .turn = {}}, cavity.walls, flight_limits, seconds);
+  flight = flight_after(flight, {.move = {way.x, way.y, -way.z}, .turn = {}}, cavity.walls, flight_limits, seconds);
   visit.eye_mm = flight.eye;
   visit.velocity = flight.velocity;
   visit.stage = moved(visit.stage, input.head.position - to_room(visit.stage, visit.eye_mm));

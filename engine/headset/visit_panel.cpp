@@ -17,12 +17,12 @@ constexpr double true_size = 1;
 
 /// Not behind a wall, if there is room before it.
 RoomPanel fetched(const Visit& visit, const HeadsetInput& input, const VisitWorld& world, double side) {
-  const RoomPanel usual = summoned(input.head, side);
+  const RoomPanel usual = place_panel(input.head, side);
   if (!visit.cavity) return usual;
   constexpr double before_wall = 0.9;
   const glm::dvec3 way = direction_to_model(visit.stage, glm::normalize(usual.pose.position - input.head.position));
   const double free = world.cavities[*visit.cavity].walls.free_distance(visit.eye_mm, way) / mm_per_metre(visit.stage);
-  return summoned(input.head, side, std::isfinite(free) ? before_wall * free : panel_distance);
+  return place_panel(input.head, side, std::isfinite(free) ? before_wall * free : panel_distance);
 }
 
 void on_short_press(Visit& visit, const HeadsetInput& input, const VisitWorld& world, std::size_t hand) {

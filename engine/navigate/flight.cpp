@@ -76,7 +76,7 @@ Flight ticked(Flight flight, const FlightWish& wish, const Walls& walls, const F
                                      move.z * flight.view_direction);
   const glm::dvec3 by = seconds * wanted + rules.settle_seconds * share * (flight.velocity - wanted);
   flight.velocity += share * (wanted - flight.velocity);
-  const glm::dvec3 to = slid(flight.eye, by, walls, rules.clearance);
+  const glm::dvec3 to = slide_along_walls(flight.eye, by, walls, rules.clearance);
   // What the wall took is gone: no speed is stored up against it.
   const glm::dvec3 lost = by - (to - flight.eye);
   if (const double length = glm::length(lost); length > 1e-6 * glm::length(by)) {
@@ -120,8 +120,8 @@ Flight turned(const Flight& flight, const glm::dvec2& angles, const FlightRules&
   return squared_up(righted(squared_up(after), rules.upright, glm::length(angles)));
 }
 
-Flight flown(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules,
-             double seconds) {
+Flight flight_after(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules,
+                    double seconds) {
   if (!(seconds > 0)) return flight;
   const int ticks = std::max(1, static_cast<int>(std::ceil(std::min(seconds, 10.0) / longest_tick - 1e-9)));
   Flight after = flight;
@@ -129,7 +129,7 @@ Flight flown(const Flight& flight, const FlightWish& wish, const Walls& walls, c
   return after;
 }
 
-glm::dvec3 slid(const glm::dvec3& eye, const glm::dvec3& by, const Walls& walls, double clearance) {
+glm::dvec3 slide_along_walls(const glm::dvec3& eye, const glm::dvec3& by, const Walls& walls, double clearance) {
   glm::dvec3 place = eye, left = by;
   constexpr int most_steps = 64;
   for (int step = 0; step < most_steps; ++step) {

@@ -50,11 +50,11 @@ Flight looking(const glm::dvec3& eye, const glm::dvec3& view_direction, const gl
 Flight turned(const Flight& flight, const glm::dvec2& angles, const FlightRules& rules);
 
 /// `seconds` later. Preconditions: finite; the eye at least `clearance` from every wall, and then it is so afterwards.
-Flight flown(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules,
-             double seconds);
+Flight flight_after(const Flight& flight, const FlightWish& wish, const Walls& walls, const FlightRules& rules,
+                    double seconds);
 
 /// The ball's middle after it went `by`, sliding along walls. Precondition as above.
-glm::dvec3 slid(const glm::dvec3& eye, const glm::dvec3& by, const Walls& walls, double clearance);
+glm::dvec3 slide_along_walls(const glm::dvec3& eye, const glm::dvec3& by, const Walls& walls, double clearance);
 
 /// At rest, or so slow that nobody sees it.
 bool resting(const Flight& flight, const FlightRules& rules);

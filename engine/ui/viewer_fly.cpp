@@ -322,7 +322,7 @@ void Viewer::advance_flight(double seconds) {
   const bool may_move = !fade_ || fade_->done;
   const FlightWish wish = may_move ? flight_wish() : FlightWish{};
   if (fly.ride) advance_ride(wish, seconds);
-  if (!fly.ride) fly.flight = flown(fly.flight, wish, walls_now(), flight_rules(), seconds);
+  if (!fly.ride) fly.flight = flight_after(fly.flight, wish, walls_now(), flight_rules(), seconds);
   if (fly.cavity)
     fly.place = canal_place(state_.shown->flight->cavities[*fly.cavity].lines, fly.flight.eye);
   else

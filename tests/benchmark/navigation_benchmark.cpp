@@ -33,7 +33,7 @@ struct Pulp {
     for (int i = 0; i < 20'000; ++i) {
       if (random.chance(0.03))
         wish = {{random.between(-1, 1), random.between(-1, 1), 1}, {random.between(-1, 1), random.between(-1, 1)}};
-      flight = flown(flight, wish, walls, rules, 1.0 / 60);
+      flight = flight_after(flight, wish, walls, rules, 1.0 / 60);
       places.push_back(flight.eye);
     }
   }
@@ -58,7 +58,7 @@ void exact_side(benchmark::State& state) {
 void frame_at_60(benchmark::State& state) {
   Flight flight = looking(pulp().middle, {0, 0, -1});
   for (auto _ : state) {
-    flight = flown(flight, {{0.3, 0, 1}, {0.2, 0.05}}, pulp().walls, pulp().rules, 1.0 / 60);
+    flight = flight_after(flight, {{0.3, 0, 1}, {0.2, 0.05}}, pulp().walls, pulp().rules, 1.0 / 60);
     benchmark::DoNotOptimize(flight);
   }
 }

@@ -13,7 +13,7 @@ namespace {
 TEST(RoomPanel, StandsBesideThePersonTiltedToTheEyes) {
   const Pose head{{0.5, 1.2, -2}, glm::angleAxis(1.1, glm::dvec3(0, 1, 0)) * glm::angleAxis(-0.3, glm::dvec3(1, 0, 0))};
   for (const double side : {-1.0, 1.0}) {
-    const RoomPanel panel = summoned(head, side);
+    const RoomPanel panel = place_panel(head, side);
     const glm::dvec3 way = panel.pose.position - head.position;
     EXPECT_NEAR(glm::length(way), panel_distance, 1e-12);
     EXPECT_LT(way.y, 0);
@@ -30,8 +30,8 @@ TEST(RoomPanel, StandsBesideThePersonTiltedToTheEyes) {
 
 TEST(RoomPanel, KeepsItsAngleWhereThereIsLessRoomButNeverMakesTheEyesSquint) {
   const Pose head{{0, 1.6, 0}, {1, 0, 0, 0}};
-  const RoomPanel usual = summoned(head, 1), near = summoned(head, 1, 0.5), nearest = summoned(head, 1, 0.01),
-                  far = summoned(head, 1, 30);
+  const RoomPanel usual = place_panel(head, 1), near = place_panel(head, 1, 0.5), nearest = place_panel(head, 1, 0.01),
+                  far = place_panel(head, 1, 30);
   EXPECT_NEAR(near.size.y / 0.5, usual.size.y / panel_distance, 1e-12);
   EXPECT_NEAR(glm::length(nearest.pose.position - head.position), least_panel_distance, 1e-12);
   EXPECT_EQ(far, usual);
@@ -41,7 +41,7 @@ TEST(RoomPanel, ARayMeetsItWhereItsPlaceIs) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(-0.3, 1.3), about(-0.3, 0.3);
   const Pose head{{0, 1.6, 0}, glm::angleAxis(0.6, glm::dvec3(0, 1, 0))};
-  const RoomPanel panel = summoned(head, -1);
+  const RoomPanel panel = place_panel(head, -1);
   for (int i = 0; i < 200; ++i) {
     const double x = share(random), y = share(random), a = about(random), b = about(random), c = about(random);
     const glm::dvec3 from = head.position + glm::dvec3(a, b, c), place = place_of(panel, {x, y});
@@ -91,7 +91,7 @@ TEST_F(PanelInVisit, IsThereAtFirstAndStaysInTheWorld) {
   EXPECT_EQ(*visit.panel, panel);
   input.recentred = true;  // everything comes before the person again
   step();
-  EXPECT_EQ(*visit.panel, summoned(input.head, 1));
+  EXPECT_EQ(*visit.panel, place_panel(input.head, 1));
 }
 
 TEST_F(PanelInVisit, MenuPutsItAwayAndFetchesItOnTheHandsSide) {
@@ -101,7 +101,7 @@ TEST_F(PanelInVisit, MenuPutsItAwayAndFetchesItOnTheHandsSide) {
   for (const std::size_t hand : {0u, 1u}) {
     press_menu(hand);
     ASSERT_TRUE(visit.panel);
-    EXPECT_EQ(*visit.panel, summoned(input.head, hand == 0 ? -1 : 1));
+    EXPECT_EQ(*visit.panel, place_panel(input.head, hand == 0 ? -1 : 1));
     // Out of sight it is fetched rather than put away.
     input.head.turn = glm::angleAxis(2.5, glm::dvec3(0, 1, 0)) * input.head.turn;
     press_menu(hand);

@@ -28,7 +28,7 @@ Flight straight(double hertz, double seconds, const Walls& walls, const FlightRu
                 const glm::dvec3& from = {0, 0, 0}) {
   Flight flight = looking(from, {1, 0, 0});
   for (int i = 0; i < static_cast<int>(std::lround(seconds * hertz)); ++i)
-    flight = flown(flight, {{0, 0, 1}, {0.4, 0.1}}, walls, rules, 1 / hertz);
+    flight = flight_after(flight, {{0, 0, 1}, {0.4, 0.1}}, walls, rules, 1 / hertz);
   return flight;
 }
 
@@ -49,13 +49,13 @@ TEST(Flight, StartsAndStopsSmoothly) {
   Flight flight = looking({0, 0, 0}, {1, 0, 0});
   double before = 0;
   for (int i = 0; i < 15; ++i) {  // faster and faster
-    flight = flown(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
+    flight = flight_after(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
     EXPECT_GT(glm::length(flight.velocity), before);
     before = glm::length(flight.velocity);
   }
   EXPECT_FALSE(resting(flight, rules));
   for (int i = 0; i < 120 && !resting(flight, rules); ++i) {
-    flight = flown(flight, {}, walls, rules, 1.0 / 60);
+    flight = flight_after(flight, {}, walls, rules, 1.0 / 60);
     EXPECT_LT(glm::length(flight.velocity), before);
     before = glm::length(flight.velocity);
   }
@@ -67,7 +67,7 @@ TEST(Flight, IsSlowerWhereItIsNarrower) {
   const auto speed_in = [&](double half) {
     const Walls walls(box({-100, -half, -half}, {100, half, half}));
     Flight flight = looking({0, 0, 0}, {1, 0, 0});
-    for (int i = 0; i < 60; ++i) flight = flown(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
+    for (int i = 0; i < 60; ++i) flight = flight_after(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
     return glm::length(flight.velocity);
   };
   EXPECT_NEAR(speed_in(2) / speed_in(1), 2, 0.01);
@@ -78,7 +78,7 @@ TEST(Flight, SlidesAlongAWallInsteadOfStopping) {
   const Walls walls(box({-50, -2, -2}, {50, 2, 2}));
   const FlightRules rules = rules_for(10);
   Flight flight = looking({0, 0, 0}, glm::normalize(glm::dvec3(1, 1, 0)));
-  for (int i = 0; i < 240; ++i) flight = flown(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
+  for (int i = 0; i < 240; ++i) flight = flight_after(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
   EXPECT_NEAR(flight.eye.y, 2 - rules.clearance, 2e-3 * rules.clearance + 1e-9);
   EXPECT_GT(flight.eye.x, 1);
   EXPECT_NEAR(flight.velocity.y, 0, 1e-6);
@@ -88,7 +88,7 @@ TEST(Flight, StopsInACornerAtTheStatedDistance) {
   const Walls walls(box({-2, -2, -2}, {2, 2, 2}));
   const FlightRules rules = rules_for(10);
   Flight flight = looking({0, 0, 0}, glm::normalize(glm::dvec3(1, 1.1, 0.9)));
-  for (int i = 0; i < 1200; ++i) flight = flown(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
+  for (int i = 0; i < 1200; ++i) flight = flight_after(flight, {{0, 0, 1}, {}}, walls, rules, 1.0 / 60);
   for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(flight.eye[axis], 2 - rules.clearance, 0.1 * rules.clearance);
   EXPECT_GE(walls.nearest(flight.eye).distance, rules.clearance * (1 - 1e-12));
 }
@@ -96,7 +96,7 @@ TEST(Flight, StopsInACornerAtTheStatedDistance) {
 TEST(Flight, CannotTunnelHoweverFast) {
   const Walls walls(ball({{0, 0, 0}, 3}));
   for (const double length : {1.0, 100.0, 1e6, 1e15}) {
-    const glm::dvec3 end = slid({0.5, 0, 0}, glm::dvec3(0.3, -0.2, 0.9) * length, walls, 0.05);
+    const glm::dvec3 end = slide_along_walls({0.5, 0, 0}, glm::dvec3(0.3, -0.2, 0.9) * length, walls, 0.05);
     EXPECT_EQ(walls.locate(end), Walls::Side::inside);
     EXPECT_GE(walls.nearest(end).distance, 0.05);
   }
@@ -156,7 +156,7 @@ void fly_wildly(int number, const Walls& walls, const FlightRules& usual, const 
     if (random.chance(0.08)) wish = wild_wish(random);
     if (random.chance(0.05)) flight = turned(flight, {random.between(-3, 3), random.between(-3, 3)}, rules);
     const glm::dvec3 before = flight.eye;
-    flight = flown(flight, wish, walls, rules, seconds);
+    flight = flight_after(flight, wish, walls, rules, seconds);
     const double distance = walls.nearest(flight.eye).distance;
     ASSERT_GE(distance, rules.clearance * (1 - 1e-9)) << "flight " << number << ", step " << step;
     ASSERT_EQ(walls.locate(flight.eye), side) << "flight " << number << ", step " << step;
