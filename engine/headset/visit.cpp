@@ -85,8 +85,8 @@ Scene scene_of(const Visit& visit, const VisitWorld& world) {
   return inside;
 }
 
-Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
-              double seconds) {
+Visit advance_visit(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+                    double seconds) {
   visit.pulse = {};
   if (!input.head_tracked) return visit;
   const double magnified = visit.stage.magnification;

@@ -120,8 +120,8 @@ struct Visit {
 };
 
 /// `seconds` later. Precondition: finite input.
-Visit stepped(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
-              double seconds);
+Visit advance_visit(Visit visit, const HeadsetInput& input, const VisitWorld& world, const ComfortRules& rules,
+                    double seconds);
 
 /// The stage on which the roomiest place of the cavity is where the head is, upright.
 Stage inside(const FlightSpace& cavity, const Pose& head, const Model& model, const ComfortRules& rules);

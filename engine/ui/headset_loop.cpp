@@ -150,7 +150,7 @@ class HeadsetVisit {
     choose_model();
     const VisitWorld world{shows_db_ ? lab_->made()->model : loaded_->model,
                            shows_db_ ? *lab_->made()->pickable : *loaded_->pickable, scene_, cavities_};
-    visit_ = stepped(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
+    visit_ = advance_visit(std::move(visit_), frame.input, world, options_.comfort, frame.seconds);
     constexpr double pulse_seconds = 0.04;
     for (std::size_t i = 0; i < 2; ++i)
       if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);

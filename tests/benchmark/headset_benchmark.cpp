@@ -70,7 +70,7 @@ double measure(const Gl& gl, const Case& one, int rounds) {
   const VisitWorld world{*one.model, pickable, one.scene, cavities};
   HeadsetInput input = person();
   input.hands = {};
-  Visit visit = stepped({}, input, world, {}, 0.01);
+  Visit visit = advance_visit({}, input, world, {}, 0.01);
   if (one.inside) {
     visit.cavity = 0;
     visit.stage = inside(cavities.at(0), input.head, *one.model, {});

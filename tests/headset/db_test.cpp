@@ -60,9 +60,9 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   const VisitWorld dt = molar.world(), db{made->model, *made->pickable, molar.scene, molar.cavities};
   HeadsetInput input = person();
   input.hands = {};
-  Visit visit = stepped({}, input, dt, {}, 0.01);
+  Visit visit = advance_visit({}, input, dt, {}, 0.01);
   visit.pending_actions = {VisitAction::show_db};
-  visit = stepped(visit, input, dt, {}, 0.01);
+  visit = advance_visit(visit, input, dt, {}, 0.01);
   EXPECT_TRUE(visit.db);
   EXPECT_EQ(visit.scene.back_faces, BackFaces::cull);
   for (const Look& look : visit.scene.looks) EXPECT_EQ(look.opacity, 1) << look.structure;
@@ -85,7 +85,7 @@ TEST(HeadsetLab, MakesDbWhenItIsFirstWantedAndKeepsIt) {
   painter.take(dt.model);
   EXPECT_EQ(seen(dt), with_dt);
   visit.pending_actions = {VisitAction::show_dt};
-  EXPECT_FALSE(stepped(visit, input, db, {}, 0.01).db);
+  EXPECT_FALSE(advance_visit(visit, input, db, {}, 0.01).db);
 }
 
 TEST(HeadsetLab, WithoutContoursThereIsNoDb) {

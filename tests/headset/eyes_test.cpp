@@ -64,7 +64,7 @@ TEST_F(Eyes, AreDarkInTheMiddleOfAFadeAndAtTheEdgesWhileGliding) {
   const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
-  Visit visit = stepped({}, input, balls.world(), {}, 0.01);
+  Visit visit = advance_visit({}, input, balls.world(), {}, 0.01);
   const auto clear = seen(painter, visit, input, balls.world());
   visit.vignette = 1;
   const auto edged = seen(painter, visit, input, balls.world());
@@ -94,11 +94,11 @@ TEST_F(Eyes, SeeTheHandsRayUpToWhatItHits) {
   const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   HeadsetInput input = handless();
-  const Visit before = stepped({}, input, balls.world(), {}, 0.01);
+  const Visit before = advance_visit({}, input, balls.world(), {}, 0.01);
   const Image without = seen(painter, before, input, balls.world())[0];
   input.hands[1] = pointing_at(to_room(before.stage, balls.model.bounds_mm.centre()),
                                input.head.position + glm::dvec3(0.15, -0.25, -0.3));
-  const Visit pointing = stepped(before, input, balls.world(), {}, 0.01);
+  const Visit pointing = advance_visit(before, input, balls.world(), {}, 0.01);
   ASSERT_TRUE(pointing.pointed[1]);
   EXPECT_EQ(pointing.pointed[1]->structure, "pulp");
   const Image with = seen(painter, pointing, input, balls.world())[0];
@@ -119,10 +119,10 @@ TEST_F(Eyes, SeeHowLargeTheToothIsForAWhile) {
   const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
-  Visit visit = stepped({}, input, balls.world(), {}, 0.01);
+  Visit visit = advance_visit({}, input, balls.world(), {}, 0.01);
   EXPECT_GT(visit.told, 0);
   const Image with = seen(painter, visit, input, balls.world())[1];
-  for (int i = 0; i < 400; ++i) visit = stepped(visit, input, balls.world(), {}, 0.01);
+  for (int i = 0; i < 400; ++i) visit = advance_visit(visit, input, balls.world(), {}, 0.01);
   EXPECT_EQ(visit.told, 0);
   EXPECT_NE(with, seen(painter, visit, input, balls.world())[1]);
 }
@@ -131,7 +131,7 @@ TEST_F(Eyes, TheMirrorShowsTheMiddleOfAnEye) {
   const BallWorld& balls = BallWorld::once();
   EyePainter painter(context->gl(), ShaderLibrary{}, balls.model);
   const HeadsetInput input = handless();
-  const Visit visit = stepped({}, input, balls.world(), {}, 0.01);
+  const Visit visit = advance_visit({}, input, balls.world(), {}, 0.01);
   const Image eye = seen(painter, visit, input, balls.world())[0];
   const PixelSize wide{320, 150};
   const Framebuffer window(context->gl(), {wide, {GL_RGBA8}});

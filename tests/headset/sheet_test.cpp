@@ -42,7 +42,7 @@ class Sheet : public Drawing {
   void finish() override { sheet.reset(); }
   void step(int times = 1) {
     for (int i = 0; i < times; ++i) {
-      visit = stepped(std::move(visit), input, world, rules, tick);
+      visit = advance_visit(std::move(visit), input, world, rules, tick);
       sheet->update(visit, input, world, words, tick);
     }
   }

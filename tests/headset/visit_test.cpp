@@ -54,7 +54,7 @@ TEST_F(VisitTest, TheToothIsBeforeThePersonEnlarged) {
 TEST_F(VisitTest, NothingHappensWithoutAHeadOrFocus) {
   Visit waiting;
   input.head_tracked = false;
-  waiting = stepped(waiting, input, balls.world(), rules, tick);
+  waiting = advance_visit(waiting, input, balls.world(), rules, tick);
   EXPECT_FALSE(waiting.placed);
   input.head_tracked = true;
   input.hands[0].grab = 1;
@@ -169,13 +169,13 @@ TEST(Visit, TheSampleMolarsPulpLeadsIntoTheDentinesVoid) {
   const auto& cavities = world.cavities;
   ASSERT_FALSE(cavities.empty());
   HeadsetInput input = person();
-  Visit visit = stepped({}, input, world, {}, tick);
+  Visit visit = advance_visit({}, input, world, {}, tick);
   input.hands[1] = pointing_at(to_room(visit.stage, cavities[0].middle), input.hands[1].grip.position);
-  visit = stepped(visit, input, world, {}, tick);
+  visit = advance_visit(visit, input, world, {}, tick);
   ASSERT_TRUE(visit.pointed[1]);
   EXPECT_EQ(visit.pointed[1]->structure, "pulp");
   input.hands[1].trigger = 1;
-  for (int i = 0; i < 60; ++i) visit = stepped(visit, input, world, {}, tick);
+  for (int i = 0; i < 60; ++i) visit = advance_visit(visit, input, world, {}, tick);
   EXPECT_TRUE(visit.cavity);
 }
 
@@ -268,9 +268,9 @@ TEST_F(VisitTest, TheWayDoesNotDependOnTheFrameRate) {
   input.hands[1].aim = input.head;
   input.hands[1].trigger = 1;
   Visit slow = visit;
-  for (int i = 0; i < 40; ++i) slow = stepped(slow, input, balls.world(), rules, tick);
+  for (int i = 0; i < 40; ++i) slow = advance_visit(slow, input, balls.world(), rules, tick);
   Visit fast = visit;
-  for (int i = 0; i < 160; ++i) fast = stepped(fast, input, balls.world(), rules, tick / 4);
+  for (int i = 0; i < 160; ++i) fast = advance_visit(fast, input, balls.world(), rules, tick / 4);
   EXPECT_LT(glm::length(slow.eye_mm - fast.eye_mm), 0.02);
 }
 

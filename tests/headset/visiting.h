@@ -22,7 +22,7 @@ class Visiting : public ::testing::Test {
   Visit visit;
 
   void step(int times = 1, double seconds = tick) {
-    for (int i = 0; i < times; ++i) visit = stepped(std::move(visit), input, world, rules, seconds);
+    for (int i = 0; i < times; ++i) visit = advance_visit(std::move(visit), input, world, rules, seconds);
   }
   void seconds(double time) { step(static_cast<int>(std::ceil(time / tick))); }
 };

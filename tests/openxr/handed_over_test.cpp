@@ -47,7 +47,7 @@ class HandedOver : public WithFakeRuntime {
     headset->frame([&](const HeadsetFrame& frame) {
       HeadsetInput input = frame.input;
       input.hands = {};
-      if (!visit.placed) visit = stepped({}, input, balls.world(), {}, 0.01);
+      if (!visit.placed) visit = advance_visit({}, input, balls.world(), {}, 0.01);
       visit.told = 0;  // no figures beside the ball
       const Depths depths = painter.draw(visit, input, balls.world(), frame.eyes, frame.targets, {}, frame.hidden);
       eyes_ = frame.eyes;
