@@ -44,7 +44,7 @@ class Places {
   std::size_t mask_;
 };
 
-float stepped(float value, int steps) {
+float steps_from(float value, int steps) {
   for (; steps > 0; --steps) value = std::nextafter(value, std::numeric_limits<float>::infinity());
   for (; steps < 0; ++steps) value = std::nextafter(value, -std::numeric_limits<float>::infinity());
   return value + 0.0f;
@@ -57,7 +57,7 @@ std::vector<FloatPoint> ring_around(const FloatPoint& place, int ring, const Poi
     for (int j = -ring; j <= ring; ++j) {
       for (int k = -ring; k <= ring; ++k) {
         if (std::max({std::abs(i), std::abs(j), std::abs(k)}) != ring) continue;
-        neighbours.push_back({stepped(place[0], i), stepped(place[1], j), stepped(place[2], k)});
+        neighbours.push_back({steps_from(place[0], i), steps_from(place[1], j), steps_from(place[2], k)});
       }
     }
   }

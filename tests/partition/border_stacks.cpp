@@ -163,7 +163,7 @@ ContourStack nearly_shared(RandomNumbers& random, int points) {
     left.insert(left.end(), border.begin(), border.end());
     const bool halves = random.chance(0.5);
     for (auto p = border.rbegin(); p != border.rend(); ++p) {
-      right.push_back({stepped(p->x, random.whole(-reach, reach)), stepped(p->y, random.whole(-reach, reach))});
+      right.push_back({steps_from(p->x, random.whole(-reach, reach)), steps_from(p->y, random.whole(-reach, reach))});
       if (halves && p + 1 != border.rend()) right.push_back({(p->x + p[1].x) / 2, (p->y + p[1].y) / 2});
     }
     add_ring(slice, 1, left);

@@ -71,7 +71,7 @@ void squeeze(RandomNumbers& random, ContourStack& stack) {
     double z = one_of(random, {1.0, 0.1, -17.3});
     for (Slice& slice : changed.slices) {
       slice.z = z;
-      z = random.chance(0.6) ? stepped(z, one_of(random, {1, 2, 7, 20, 1000})) : z + 0.5;
+      z = random.chance(0.6) ? steps_from(z, one_of(random, {1, 2, 7, 20, 1000})) : z + 0.5;
     }
   });
 }

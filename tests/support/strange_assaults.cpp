@@ -199,7 +199,7 @@ ContourStack accordions(RandomNumbers& random, int points) {
   for (Slice& slice : stack.slices) {
     slice.z = z;
     if (random.chance(0.4))
-      z = stepped(z, random.whole(1, 40));
+      z = steps_from(z, random.whole(1, 40));
     else
       z += one_of(random, {1e-9, 1e-3, 0.1, 1.0, 1e5});
   }

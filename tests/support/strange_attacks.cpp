@@ -133,13 +133,13 @@ ContourStack extreme_heights(RandomNumbers& random, int points) {
     slice.z = z;
     switch (random.below(5)) {
       case 0:
-        z = stepped(z, random.whole(1, 12));
+        z = steps_from(z, random.whole(1, 12));
         break;
       case 1:
         z = z < 0 ? z / 2 : z + 5e-324 * random.whole(1, 1000);
         break;
       case 2:
-        z = std::max(z + 1e-300, stepped(z, 1));
+        z = std::max(z + 1e-300, steps_from(z, 1));
         break;
       case 3:
         z += std::max(std::abs(z) * 1e-9, 1e-12);

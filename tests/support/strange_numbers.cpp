@@ -57,7 +57,8 @@ ContourStack collinear(RandomNumbers& random, int points) {
 
 /// A gap from a few units in the last place to 1e-6.
 double gap_at(RandomNumbers& random, double where) {
-  return random.chance(0.3) ? stepped(where, random.whole(1, 8)) - where : small(random, 6, 15) * random.between(1, 9);
+  return random.chance(0.3) ? steps_from(where, random.whole(1, 8)) - where
+                            : small(random, 6, 15) * random.between(1, 9);
 }
 
 /// Polygons beside and within each other with next to nothing between them.
@@ -113,7 +114,7 @@ ContourStack ulp_slabs(RandomNumbers& random, int points) {
         z = z < -5e5 ? z + 1e6 : z < 1 ? 1e6 : z + 0.5;
         break;
       default:
-        z = stepped(z, random.chance(0.7) ? random.whole(1, 9) : random.whole(10, 5000));
+        z = steps_from(z, random.chance(0.7) ? random.whole(1, 9) : random.whole(10, 5000));
     }
   }
   return stack;
@@ -130,7 +131,8 @@ ContourStack ulp_copies(RandomNumbers& random, int points) {
   for (int k = 1; k < count; ++k) {
     Rings rings = slices.back();
     for (Ring& ring : rings)
-      for (Point2& p : ring) p = {stepped(p.x, random.whole(-reach, reach)), stepped(p.y, random.whole(-reach, reach))};
+      for (Point2& p : ring)
+        p = {steps_from(p.x, random.whole(-reach, reach)), steps_from(p.y, random.whole(-reach, reach))};
     slices.push_back(rings);
   }
   return stacked(random, slices);

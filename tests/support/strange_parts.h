@@ -39,7 +39,7 @@ T one_of(RandomNumbers& random, const T (&values)[n]) {
 /// 10^-k for a k between the two, whole numbers.
 double small(RandomNumbers& random, int largest_k, int smallest_k);
 /// The double `steps` units in the last place away.
-double stepped(double value, int steps);
+double steps_from(double value, int steps);
 
 /// Adds the ring unless it breaks a rule or meets one that is there.
 bool add_if_it_fits(Rings& rings, const Ring& ring);

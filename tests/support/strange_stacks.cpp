@@ -43,7 +43,7 @@ double small(RandomNumbers& random, int largest_k, int smallest_k) {
   return value;
 }
 
-double stepped(double value, int steps) {
+double steps_from(double value, int steps) {
   for (int i = 0; i < std::min(std::abs(steps), 64); ++i) value = std::nextafter(value, steps > 0 ? 1e300 : -1e300);
   const double unit = std::nextafter(std::abs(value), 1e300) - std::abs(value);
   return std::abs(steps) > 64 ? value + unit * (steps > 0 ? steps - 64 : steps + 64) : value;

@@ -133,7 +133,7 @@ ContourStack nearly_equal(RandomNumbers& random, int points) {
         ring[at].x += small(random, 3, 12);
         break;
       default:
-        ring[at] = {ring[at].x == 0 ? -0.0 : ring[at].x, stepped(ring[at].y, random.whole(-3, 3))};
+        ring[at] = {ring[at].x == 0 ? -0.0 : ring[at].x, steps_from(ring[at].y, random.whole(-3, 3))};
     }
     if (Rings all = {}; !std::all_of(rings.begin(), rings.end(), [&](const Ring& r) { return add_if_it_fits(all, r); }))
       ring = before;
