@@ -154,7 +154,7 @@ ImDrawData* Interface::end() {
   ImGui::Render();
   // What the keyboard was on is gone, with its card: back to the picture.
   const auto here = [&](const Place& place) {
-    return place.id == context_->NavId || place.id == context_->ActiveId || place.id == letters_to_;
+    return place.id == context_->NavId || place.id == context_->ActiveId || place.id == text_goes_to_;
   };
   if (by_keys_ && !popup_open() && std::none_of(places.begin(), places.end(), here)) leave_keys();
   return ImGui::GetDrawData();
@@ -189,7 +189,7 @@ void Interface::make_letters(float scale) {
   theme::apply(ImGui::GetStyle(), scale);
 }
 
-ImFontAtlas& Interface::letters() const {
+ImFontAtlas& Interface::font_atlas() const {
   ImGui::SetCurrentContext(context_);
   return *ImGui::GetIO().Fonts;
 }
@@ -212,7 +212,7 @@ void Interface::step(int by, bool panel) {
   for (const Place& place : places)
     if (panel || place.window != ImHashStr("panel")) order.push_back(place);
   if (order.empty() || by == 0) return;
-  const unsigned now = letters_to_ != 0 ? letters_to_ : g.ActiveId != 0 ? g.ActiveId : g.NavId;
+  const unsigned now = text_goes_to_ != 0 ? text_goes_to_ : g.ActiveId != 0 ? g.ActiveId : g.NavId;
   const auto found = std::find_if(order.begin(), order.end(), [now](const Place& place) { return place.id == now; });
   const auto count = static_cast<int>(order.size());
   const int from = !by_keys_ || found == order.end() ? (by > 0 ? -1 : count) : static_cast<int>(found - order.begin());
@@ -226,13 +226,13 @@ void Interface::step(int by, bool panel) {
   g.NavDisableHighlight = false;
   g.NavDisableMouseHover = true;
   ImGui::ScrollToBringRectIntoView(window, place);
-  letters_to_ = to.text ? to.id : 0;
+  text_goes_to_ = to.text ? to.id : 0;
   by_keys_ = true;
 }
 
 void Interface::leave_keys() {
   by_keys_ = false;
-  letters_to_ = 0;
+  text_goes_to_ = 0;
   context_->NavDisableHighlight = true;
 }
 
@@ -241,8 +241,8 @@ bool Interface::on_control(unsigned id) const {
 }
 
 bool Interface::takes_letters(unsigned id) {
-  if (letters_to_ != id) return false;
-  letters_to_ = 0;
+  if (text_goes_to_ != id) return false;
+  text_goes_to_ = 0;
   return true;
 }
 

@@ -43,7 +43,7 @@ class Interface {
 
   /// Counts up whenever the letters were made anew.
   int font_version() const { return font_version_; }
-  ImFontAtlas& letters() const;
+  ImFontAtlas& font_atlas() const;
 
   /// Does a panel lie over this place of the picture, as far as the last frame knows?
   bool covers(double x, double y) const;
@@ -95,7 +95,7 @@ class Interface {
   std::vector<bool> keys_down_, keys_pressed_;  // by Key
   std::vector<unsigned short> ranges_;          // of letters, as ImGui wants them; they outlive the atlas
   bool by_keys_ = false;
-  unsigned letters_to_ = 0;
+  unsigned text_goes_to_ = 0;
 };
 
 }  // namespace odontoscope

@@ -35,7 +35,7 @@ void InterfacePass::upload_letters(const Interface& interface) {
   font_version_ = interface.font_version();
   unsigned char* texels = nullptr;
   int width = 0, height = 0;
-  interface.letters().GetTexDataAsAlpha8(&texels, &width, &height);
+  interface.font_atlas().GetTexDataAsAlpha8(&texels, &width, &height);
   gl_->BindTexture(GL_TEXTURE_2D, letters_.id());
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl_->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
