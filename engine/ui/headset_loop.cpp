@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "engine/ui/headset_lab.h"
-#include "engine/ui/headset_sheet.h"
+#include "engine/ui/headset_texture.h"
 
 namespace odontoscope {
 
@@ -61,7 +61,7 @@ class HeadsetVisit {
         options_(options),
         gl_(window.context().gl()),
         headset_(open_headset(gl_, options.headset)),
-        sheet_(gl_, shaders) {
+        texture_(gl_, shaders) {
     say(fmt::format("In the headset: {}.", headset_->in_words()));
     put_on_stage();
   }
@@ -154,14 +154,14 @@ class HeadsetVisit {
     constexpr double pulse_seconds = 0.04;
     for (std::size_t i = 0; i < 2; ++i)
       if (visit_.pulse[i] > 0) headset_->pulse(i, visit_.pulse[i], pulse_seconds);
-    sheet_.update(visit_, frame.input, world,
-                  {loaded_->title, lab_->possible(), lab_->in_words(), loaded_->certificate.headline,
-                   mark_of(loaded_->certificate.verdict), loaded_->values && loaded_->greys},
-                  frame.seconds);
+    texture_.update(visit_, frame.input, world,
+                    {loaded_->title, lab_->possible(), lab_->in_words(), loaded_->certificate.headline,
+                     mark_of(loaded_->certificate.verdict), loaded_->values && loaded_->greys},
+                    frame.seconds);
     if (frame.draw) {
       depths = painter_->draw(
           visit_, frame.input, world, frame.eyes, frame.targets,
-          [this](const EyeView& eye, const Target& target) { sheet_.draw(eye, target); }, frame.hidden, frame.beat);
+          [this](const EyeView& eye, const Target& target) { texture_.draw(eye, target); }, frame.hidden, frame.beat);
       const PixelSize size = window_.size();
       const bool open = size.width > 0 && size.height > 0 && !viewer_.loading();
       if (open) EyePainter::mirror(gl_, frame.targets.front(), {0, 0, 0, size});
@@ -192,7 +192,7 @@ class HeadsetVisit {
   const HeadsetVisitOptions& options_;
   const Gl& gl_;
   std::unique_ptr<Headset> headset_;
-  HeadsetSheet sheet_;
+  HeadsetTexture texture_;
   std::shared_ptr<const LoadedModel> loaded_;
   Scene scene_;
   std::unique_ptr<EyePainter> painter_;

@@ -10,7 +10,7 @@
 
 #include "engine/headset/eye_painter.h"
 #include "engine/picture/png.h"
-#include "engine/ui/headset_sheet.h"
+#include "engine/ui/headset_texture.h"
 #include "engine/view/offscreen.h"
 #include "tests/headset/drawing.h"
 #include "tests/headset/worlds.h"
@@ -24,7 +24,7 @@ constexpr double tick = 1.0 / 90;
 class Sheet : public Drawing {
  protected:
   static constexpr PixelSize size{800, 760};
-  std::unique_ptr<HeadsetSheet> sheet;
+  std::unique_ptr<HeadsetTexture> sheet;
   const MolarWorld& molar = MolarWorld::once();
   const Model& model = molar.model;
   const VisitWorld world = molar.world();
@@ -36,7 +36,7 @@ class Sheet : public Drawing {
   Visit visit;
 
   void begin() override {
-    sheet = std::make_unique<HeadsetSheet>(context->gl(), ShaderLibrary{});
+    sheet = std::make_unique<HeadsetTexture>(context->gl(), ShaderLibrary{});
     step(3);
   }
   void finish() override { sheet.reset(); }
@@ -54,8 +54,8 @@ class Sheet : public Drawing {
     id = ImHashStr(label.c_str(), 0, id);
     for (const Interface::Place& place : sheet->interface().places)
       if (place.id == id)
-        return HeadsetSheet::on_panel(place.left + share * (place.right - place.left),
-                                      0.5 * (place.top + place.bottom));
+        return HeadsetTexture::on_panel(place.left + share * (place.right - place.left),
+                                        0.5 * (place.top + place.bottom));
     ADD_FAILURE() << "there is no control " << label;
     return {0.5, 0.5};
   }
@@ -173,10 +173,10 @@ TEST_F(Sheet, LeadsInsideSaysWhereOneIsAndLeadsOut) {
 TEST_F(Sheet, CapitalLettersAreADegreeHigh) {
   const ImFontGlyph& letter = *sheet->interface().regular->FindGlyph('H');
   const double pixels = letter.Y1 - letter.Y0;
-  const double metres = visit.panel->size.y * (HeadsetSheet::on_panel(0, pixels).y);
+  const double metres = visit.panel->size.y * (HeadsetTexture::on_panel(0, pixels).y);
   EXPECT_GE(glm::degrees(std::atan(metres / panel_distance)), 0.95);
   // As wide as high: letters are not stretched.
-  const glm::dvec2 square = HeadsetSheet::on_panel(100, 100) * visit.panel->size;
+  const glm::dvec2 square = HeadsetTexture::on_panel(100, 100) * visit.panel->size;
   EXPECT_NEAR(square.x / square.y, 1, 0.01);
 }
 

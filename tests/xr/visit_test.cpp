@@ -12,7 +12,7 @@
 
 #include "engine/picture/png.h"
 #include "engine/ui/headset_loop.h"
-#include "engine/ui/headset_sheet.h"
+#include "engine/ui/headset_texture.h"
 #include "engine/ui/window_loop.h"
 #include "engine/view/offscreen.h"
 #include "tests/render/shapes.h"
@@ -279,13 +279,13 @@ TEST_F(VisitTest, AScriptedTriggerEntersThePulpAndMenuLeadsOut) {
 /// Where a control of the panel is, as PanelPlace counts: found on a sheet of the test's own, which looks the same.
 std::optional<glm::dvec2> control_on(const Gl& gl, Visit visit, const HeadsetPage page, const VisitWorld& world,
                                      const std::string& title, const std::vector<std::string>& ids) {
-  HeadsetSheet sheet(gl, ShaderLibrary{}, page);
+  HeadsetTexture sheet(gl, ShaderLibrary{}, page);
   for (int i = 0; i < 3; ++i) sheet.update(visit, {}, world, {title, false, ""}, 1);
   ImGuiID id = ImHashStr("room panel");
   for (const std::string& part : ids) id = ImHashStr(part.c_str(), 0, id);
   for (const Interface::Place& place : sheet.interface().places)
     if (place.id == id)
-      return HeadsetSheet::on_panel(0.5 * (place.left + place.right), 0.5 * (place.top + place.bottom));
+      return HeadsetTexture::on_panel(0.5 * (place.left + place.right), 0.5 * (place.top + place.bottom));
   return std::nullopt;
 }
 

@@ -1,4 +1,4 @@
-#include "engine/ui/headset_sheet.h"
+#include "engine/ui/headset_texture.h"
 
 #include <imgui.h>
 
@@ -22,16 +22,16 @@ constexpr float nowhere = -1e6f;
 
 }  // namespace
 
-HeadsetSheet::HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page)
+HeadsetTexture::HeadsetTexture(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page)
     : gl_(&gl),
       interface_pass_(gl, shaders),
       billboard_pass_(gl, shaders),
-      sheet_(gl, {sheet_size, {GL_RGBA8}}),
+      texture_(gl, {sheet_size, {GL_RGBA8}}),
       page_(page) {}
 
-glm::dvec2 HeadsetSheet::on_panel(double x, double y) { return {x / panel_width, y / panel_height}; }
+glm::dvec2 HeadsetTexture::on_panel(double x, double y) { return {x / panel_width, y / panel_height}; }
 
-void HeadsetSheet::feed(const Visit& visit, const HeadsetInput& input, double seconds) {
+void HeadsetTexture::feed(const Visit& visit, const HeadsetInput& input, double seconds) {
   const std::optional<std::size_t> hand = panel_hand(visit);
   const glm::dvec2 at = hand ? visit.on_panel[*hand]->at * glm::dvec2(panel_width, panel_height) : glm::dvec2(nowhere);
   interface_.feed(MouseMoved{at.x, at.y});
@@ -43,8 +43,8 @@ void HeadsetSheet::feed(const Visit& visit, const HeadsetInput& input, double se
     interface_.feed(Scrolled{0, seconds * notches_per_second * input.hands[*hand].stick.y});
 }
 
-void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWorld& world,
-                          const HeadsetPanelWords& words, double seconds) {
+void HeadsetTexture::update(Visit& visit, const HeadsetInput& input, const VisitWorld& world,
+                            const HeadsetPanelWords& words, double seconds) {
   const std::vector<Billboard> billboards = odontoscope::billboards(visit, input, world);
   std::vector<std::string> wanted;
   for (const Billboard& billboard : billboards) wanted.push_back(billboard.words);
@@ -62,11 +62,11 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
                                                       visit.pressing[*hand] ? theme::text : theme::mark, 24);
     }
     const ImDrawData& drawn = *interface_.end();
-    sheet_.bind();
+    texture_.bind();
     gl_->Disable(GL_SCISSOR_TEST);
     constexpr GLfloat nothing[4] = {0, 0, 0, 0};
     gl_->ClearBufferfv(GL_COLOR, 0, nothing);
-    interface_pass_.draw(interface_, drawn, {sheet_.id(), 0, 0, sheet_size});
+    interface_pass_.draw(interface_, drawn, {texture_.id(), 0, 0, sheet_size});
     waited_ = 0;
     written_ = std::move(wanted);
   } else {
@@ -80,7 +80,7 @@ void HeadsetSheet::update(Visit& visit, const HeadsetInput& input, const VisitWo
 }
 
 /// The labels, row by row below the panel; those for which there is no room are left out.
-void HeadsetSheet::write(const std::vector<Billboard>& billboards, const Pose& head) {
+void HeadsetTexture::write(const std::vector<Billboard>& billboards, const Pose& head) {
   labels_.clear();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImFont& font = *interface_.bold;
@@ -100,7 +100,7 @@ void HeadsetSheet::write(const std::vector<Billboard>& billboards, const Pose& h
   }
 }
 
-void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
+void HeadsetTexture::place(const Visit& visit, const HeadsetInput& input) {
   light_ = 1 - visit.dark;
   // Far ones first: a near label hides a far one.
   pieces_ = labels_;
@@ -117,8 +117,8 @@ void HeadsetSheet::place(const Visit& visit, const HeadsetInput& input) {
   }
 }
 
-void HeadsetSheet::draw(const EyeView& eye, const Target& target) const {
-  billboard_pass_.draw(sheet_, pieces_, beams_, eye, target, light_);
+void HeadsetTexture::draw(const EyeView& eye, const Target& target) const {
+  billboard_pass_.draw(texture_, pieces_, beams_, eye, target, light_);
 }
 
 }  // namespace odontoscope

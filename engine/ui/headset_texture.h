@@ -12,10 +12,10 @@
 
 namespace odontoscope {
 
-class HeadsetSheet {
+class HeadsetTexture {
  public:
   /// The context of `gl` is current now and at every call, and outlives this. Throws GraphicsError.
-  HeadsetSheet(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page = HeadsetPage::tooth);
+  HeadsetTexture(const Gl& gl, const ShaderLibrary& shaders, HeadsetPage page = HeadsetPage::tooth);
 
   /// Takes what the hands do on the panel into `visit`, and draws the sheet if something on it may have changed.
   void update(Visit& visit, const HeadsetInput& input, const VisitWorld& world, const HeadsetPanelWords& words,
@@ -26,7 +26,7 @@ class HeadsetSheet {
   const Interface& interface() const { return interface_; }
   /// Where a pixel of the sheet is on the panel, as PanelPlace counts.
   static glm::dvec2 on_panel(double x, double y);
-  const Framebuffer& pixels() const { return sheet_; }
+  const Framebuffer& pixels() const { return texture_; }
 
  private:
   void feed(const Visit& visit, const HeadsetInput& input, double seconds);
@@ -37,7 +37,7 @@ class HeadsetSheet {
   Interface interface_;
   InterfacePass interface_pass_;
   BillboardPass billboard_pass_;
-  Framebuffer sheet_;
+  Framebuffer texture_;
   HeadsetPage page_;
   bool down_ = false;                 // the mouse's button, as it was fed
   double waited_ = 1e9;               // seconds since the sheet was drawn
