@@ -152,7 +152,7 @@ std::string Interface::say(const std::string& words) const {
 
 ImDrawData* Interface::end() {
   ImGui::Render();
-  // What the keyboard was on is gone, with its card: back to the picture.
+  // What the keyboard was on is gone, with its dialog: back to the picture.
   const auto here = [&](const Place& place) {
     return place.id == context_->NavId || place.id == context_->ActiveId || place.id == text_goes_to_;
   };

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/cards.h"
+#include "engine/ui/dialogs.h"
 #include "engine/ui/drawing.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
@@ -205,10 +205,10 @@ void three_buttons(ViewerState& state, const char* back, Action on_back, const c
   if (widgets::button("Close (Esc)", {width, 0})) state.pending_actions.push_back(on_close);
 }
 
-void lesson_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
+void lesson_dialog(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const LabState& lab = state.lab;
   const LessonStep& step = lab.lesson->steps[lab.step];
-  if (begin_card("lesson", viewport, scale, 680, culling_height + 8)) {
+  if (begin_dialog("lesson", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     widgets::text(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title));
     ImGui::PopFont();
@@ -221,10 +221,10 @@ void lesson_card(ViewerState& state, const Interface& interface, const Area& vie
   ImGui::End();
 }
 
-void artefact_card(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
+void artefact_dialog(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const LabResult& made = *state.lab.made;
   const LabArtefact& artefact = made.artefacts[*state.lab.artefact];
-  if (begin_card("artefact", viewport, scale, 680, culling_height + 8)) {
+  if (begin_dialog("artefact", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     const char* kind = artefact.kind == DefectKind::crack         ? "Crack"
                        : artefact.kind == DefectKind::misoriented ? "Misoriented triangles"
@@ -304,9 +304,9 @@ void draw_lab(ViewerState& state, const std::vector<ViewPane>& panes, const Inte
   draw_artefact_ring(state, panes, scale);
   draw_culling(state, interface, viewport, scale);
   if (state.lab.lesson)
-    lesson_card(state, interface, viewport, scale);
+    lesson_dialog(state, interface, viewport, scale);
   else if (state.lab.artefact && state.lab.made)
-    artefact_card(state, interface, viewport, scale);
+    artefact_dialog(state, interface, viewport, scale);
 }
 
 }  // namespace odontoscope

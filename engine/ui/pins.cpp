@@ -9,7 +9,7 @@
 
 #include "engine/navigate/screen.h"
 #include "engine/ui/drawing.h"
-#include "engine/ui/lesson_cards.h"
+#include "engine/ui/lesson_dialogs.h"
 #include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 

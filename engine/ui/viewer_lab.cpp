@@ -307,7 +307,7 @@ void Viewer::go_to_step(std::size_t number) {
   for (Look& look : usual.looks) look.opacity = 1;
   usual.back_faces = BackFaces::cull;
   usual.background = state_.scene.background;
-  constexpr double shrink = 0.85, lift = 0.14;  // the card covers the lower part of the view
+  constexpr double shrink = 0.85, lift = 0.14;  // the dialog covers the lower part of the view
   const double aspect = viewport_.aspect() / (step.layout == LabLayout::side_by_side ? 2 : 1);
   usual.camera = fit(NamedView::three_quarter, state_.shown->model, aspect, state_.scene.camera.projection);
   usual.camera = zoom(usual.camera, shrink, usual.camera.target);

@@ -66,7 +66,7 @@ TEST_F(OpeningAFile, IsAClickOnItsNameAndIsRemembered) {
   frames(3);
   ASSERT_TRUE(viewer().state().file_asked_for);
   EXPECT_EQ(viewer().state().folder.folder, scratch.path());
-  keep_picture("open-card");
+  keep_picture("open-dialog");
   const auto entry = std::find_if(
       viewer().interface().places.begin(), viewer().interface().places.end(), [&](const Interface::Place& place) {
         return place.bottom - place.top > 10 && place.window != control_id("", {}, "open") &&

@@ -155,7 +155,7 @@ TEST_F(KeyboardTest, ADialogIsAnsweredByTabAndEnter) {
   frames(2);
   EXPECT_FALSE(viewer().state().notes.leaving);
   EXPECT_FALSE(viewer().state().close);
-  EXPECT_FALSE(interface().by_keys()) << "the card is gone";
+  EXPECT_FALSE(interface().by_keys()) << "the dialog is gone";
 }
 
 TEST_F(KeyboardTest, InFlightThePanelIsReachedAndFlyingGoesOn) {

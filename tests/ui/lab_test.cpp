@@ -66,7 +66,7 @@ class Lab : public ViewerTest {
   void settle() { frames(9, 0.06); }
 };
 
-/// The share of a pane's pixels, below its labels and above the card, that two pictures show differently.
+/// The share of a pane's pixels, below its labels and above the dialog, that two pictures show differently.
 double share_that_differs(const Image& a, const Image& b, const Area& area) {
   std::size_t differ = 0, all = 0;
   for (int y = static_cast<int>(area.top) + 160; y < static_cast<int>(area.top + area.height) - 60; ++y)

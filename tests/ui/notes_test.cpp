@@ -27,7 +27,7 @@ class NotesTest : public FlightTest {
       if (named_like_a_tour(entry.path().string())) return entry.path();
     return {};
   }
-  /// Without the lesson's card, and at rest.
+  /// Without the lesson's dialog, and at rest.
   Image view_alone() {
     notes().shown.reset();
     viewer().state().notices.clear();

@@ -1,4 +1,4 @@
-#include "engine/ui/cards.h"
+#include "engine/ui/dialogs.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -11,7 +11,7 @@
 
 #include "engine/ui/actions.h"
 #include "engine/ui/theme.h"
-#include "engine/ui/volume_card.h"
+#include "engine/ui/volume_dialog.h"
 #include "engine/ui/widgets.h"
 
 namespace odontoscope {
@@ -31,10 +31,10 @@ std::string name_of(const std::string& file) {
 }
 std::string name_of(const LoadRequest& request) { return request.lesson ? "the lesson" : name_of(request.file); }
 
-void loading_card(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
+void loading_dialog(ViewerState& state, const LoadJob& loading, const Interface& interface, const Area& viewport) {
   // Below a draft, which is to be seen.
   const double strip = std::min<double>(scaled(190), viewport.height);
-  const Card card(
+  const Dialog dialog(
       "loading",
       state.draft ? Area{viewport.left, viewport.top + viewport.height - strip, viewport.width, strip} : viewport, 400);
   title(interface, fmt::format("Making {}", name_of(loading.request().file)).c_str());
@@ -50,8 +50,8 @@ void loading_card(ViewerState& state, const LoadJob& loading, const Interface& i
   if (widgets::wide_button("Cancel")) state.cancel_loading = true;
 }
 
-void trouble_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("trouble", viewport, 520);
+void trouble_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Dialog dialog("trouble", viewport, 520);
   ImGui::PushStyleColor(ImGuiCol_Text, theme::bad);
   title(interface, "That did not work");
   ImGui::PopStyleColor();
@@ -60,14 +60,14 @@ void trouble_card(ViewerState& state, const Interface& interface, const Area& vi
   if (widgets::wide_button("Close")) state.trouble.clear();
 }
 
-void question_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+void question_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
   const float with_picture = 760, with_series = 560, alone = 460;
-  const Card card("question", viewport,
-                  state.question->preview          ? with_picture
-                  : state.question->series.empty() ? alone
-                                                   : with_series);
+  const Dialog dialog("question", viewport,
+                      state.question->preview          ? with_picture
+                      : state.question->series.empty() ? alone
+                                                       : with_series);
   title(interface, name_of(state.question->request.file).c_str());
-  VolumeAnswer answer = volume_card(*state.question, interface);
+  VolumeAnswer answer = volume_dialog(*state.question, interface);
   if (answer.open) state.to_load = std::move(answer.open);
   if (answer.put_away) state.question.reset();
 }
@@ -109,8 +109,8 @@ std::string listed_file(ViewerState& state, const Interface& interface) {
   return chosen;
 }
 
-void open_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("open", viewport, 560);
+void open_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Dialog dialog("open", viewport, 560);
   title(interface, "Open a file");
   widgets::remark(interface,
                   "A contour stack, a GLB, STL or PLY mesh, a volume, or a lesson. Dropping it on the window does the "
@@ -133,9 +133,9 @@ void open_card(ViewerState& state, const Interface& interface, const Area& viewp
   if (widgets::wide_button("Cancel")) state.file_asked_for.reset();
 }
 
-void leaving_card(ViewerState& state, const Interface& interface, const Area& viewport) {
+void leaving_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
   using Answer = LeavingNotes::Answer;
-  const Card card("leaving", viewport, 460);
+  const Dialog dialog("leaving", viewport, 460);
   LeavingNotes& leaving = *state.notes.leaving;
   title(interface, "Your notes are not saved");
   widgets::wrapped(leaving.to_open
@@ -162,8 +162,8 @@ void key_row(const Interface& interface, std::string_view printed, std::string_v
   widgets::text(std::string(words));
 }
 
-void gamepad_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("help", viewport, 480);
+void gamepad_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Dialog dialog("help", viewport, 480);
   title(interface, "Gamepad");
   for (const Gesture& gesture : gamepad_gestures()) key_row(interface, gesture.printed, gesture.words, scaled(170));
   widgets::remark(interface,
@@ -172,8 +172,8 @@ void gamepad_card(ViewerState& state, const Interface& interface, const Area& vi
   if (widgets::wide_button("Close (Start or B)")) state.help = false;
 }
 
-void help_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("help", viewport, 840);
+void help_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Dialog dialog("help", viewport, 840);
   title(interface, "Mouse and keys");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(5)});
   ImGui::Columns(2, "columns", false);
@@ -195,8 +195,8 @@ void help_card(ViewerState& state, const Interface& interface, const Area& viewp
   if (widgets::wide_button("Close")) state.help = false;
 }
 
-void empty_card(ViewerState& state, const Interface& interface, const Area& viewport) {
-  const Card card("empty", viewport, 420);
+void empty_dialog(ViewerState& state, const Interface& interface, const Area& viewport) {
+  const Dialog dialog("empty", viewport, 420);
   title(interface, "Nothing to look at yet");
   widgets::remark(interface, "Drop a contour stack, a mesh or a volume here.");
   if (widgets::wide_button("Show the sample molar", true)) state.to_load = LoadRequest{};
@@ -225,7 +225,7 @@ void draw_notices(const ViewerState& state, const Interface& interface, const Ar
 
 }  // namespace
 
-Card::Card(const char* id, const Area& viewport, float width) {
+Dialog::Dialog(const char* id, const Area& viewport, float width) {
   const float most = static_cast<float>(viewport.width) - scaled(32);
   ImGui::SetNextWindowPos(
       {static_cast<float>(viewport.left + viewport.width / 2), static_cast<float>(viewport.top + viewport.height / 2)},
@@ -238,9 +238,9 @@ Card::Card(const char* id, const Area& viewport, float width) {
   ImGui::PopStyleVar(3);
 }
 
-Card::~Card() { ImGui::End(); }
+Dialog::~Dialog() { ImGui::End(); }
 
-bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom) {
+bool begin_dialog(const char* id, const Area& viewport, float scale, float most_width, float from_bottom) {
   const float width = std::min(most_width * scale, static_cast<float>(viewport.width) - 40 * scale);
   ImGui::SetNextWindowPos({static_cast<float>(viewport.left + viewport.width / 2),
                            static_cast<float>(viewport.top + viewport.height) - from_bottom * scale},
@@ -278,21 +278,21 @@ std::string stage_in_words(std::string_view stage) {
 
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport) {
   if (loading)
-    loading_card(state, *loading, interface, viewport);
+    loading_dialog(state, *loading, interface, viewport);
   else if (!state.trouble.empty())
-    trouble_card(state, interface, viewport);
+    trouble_dialog(state, interface, viewport);
   else if (state.notes.leaving)
-    leaving_card(state, interface, viewport);
+    leaving_dialog(state, interface, viewport);
   else if (state.question)
-    question_card(state, interface, viewport);
+    question_dialog(state, interface, viewport);
   else if (state.file_asked_for)
-    open_card(state, interface, viewport);
+    open_dialog(state, interface, viewport);
   else if (state.help && state.pad_in_hand)
-    gamepad_card(state, interface, viewport);
+    gamepad_dialog(state, interface, viewport);
   else if (state.help)
-    help_card(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});  // long, so over all
+    help_dialog(state, interface, {0, 0, viewport.left + viewport.width, viewport.height});  // long, so over all
   else if (!state.shown)
-    empty_card(state, interface, viewport);
+    empty_dialog(state, interface, viewport);
   draw_notices(state, interface, viewport);
 }
 

@@ -7,21 +7,21 @@
 
 namespace odontoscope {
 
-/// A card in the middle of the viewport, as high as what it holds, until it goes out of scope.
-class Card {
+/// A dialog in the middle of the viewport, as high as what it holds, until it goes out of scope.
+class Dialog {
  public:
-  Card(const char* id, const Area& viewport, float width);
-  ~Card();
-  Card(const Card&) = delete;
-  Card& operator=(const Card&) = delete;
+  Dialog(const char* id, const Area& viewport, float width);
+  ~Dialog();
+  Dialog(const Dialog&) = delete;
+  Dialog& operator=(const Dialog&) = delete;
 };
 
 /// `viewport` is the part of the picture that the panel leaves.
 void draw_cards(ViewerState& state, const LoadJob* loading, const Interface& interface, const Area& viewport);
 
-/// Begins a card to read, in the middle of the viewport's lower edge; ImGui::End() ends it. Lengths are of a screen of
-/// usual density.
-bool begin_card(const char* id, const Area& viewport, float scale, float most_width, float from_bottom);
+/// Begins a dialog to read, in the middle of the viewport's lower edge; ImGui::End() ends it. Lengths are of a screen
+/// of usual density.
+bool begin_dialog(const char* id, const Area& viewport, float scale, float most_width, float from_bottom);
 
 /// "Cutting the slices into triangles" for "conform".
 std::string stage_in_words(std::string_view stage);

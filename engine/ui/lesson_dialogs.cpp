@@ -1,11 +1,11 @@
-#include "engine/ui/lesson_cards.h"
+#include "engine/ui/lesson_dialogs.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "engine/ui/cards.h"
+#include "engine/ui/dialogs.h"
 #include "engine/ui/note_editor.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
@@ -217,7 +217,7 @@ void draw_lesson_dock(ViewerState& state, LessonMode& lesson, const Interface& i
 
 void draw_lesson_menu(ViewerState& state, LessonMode& lesson, const Interface& interface, const Area& viewport) {
   if (!lesson.menu()) return;
-  const Card card("lessons", viewport, 440);
+  const Dialog dialog("lessons", viewport, 440);
   large(interface, interface.say("Lessons"));
   std::size_t number = 0;
   const auto entry = [&](const std::string& words, const std::string& remark) {

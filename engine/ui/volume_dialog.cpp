@@ -1,4 +1,4 @@
-#include "engine/ui/volume_card.h"
+#include "engine/ui/volume_dialog.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -161,7 +161,7 @@ std::optional<std::size_t> chosen_of(const std::vector<SeriesOffer>& series, con
 
 }  // namespace
 
-VolumeAnswer volume_card(VolumeQuestion& question, const Interface& interface) {
+VolumeAnswer volume_dialog(VolumeQuestion& question, const Interface& interface) {
   if (!question.series.empty()) {
     if (const auto place = chosen_of(question.series, interface)) return {about_series(question, *place), true};
     return {{}, widgets::wide_button("Cancel")};
