@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/panels.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"

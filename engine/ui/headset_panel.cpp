@@ -7,7 +7,7 @@
 
 #include "engine/measure/wall_thickness.h"
 #include "engine/navigate/ride.h"
-#include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 

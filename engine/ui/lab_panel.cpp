@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/annotations.h"
 #include "engine/ui/dialogs.h"
 #include "engine/ui/drawing.h"
-#include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 #include "engine/ui/widgets.h"
 #include "recon/core/grouped.h"

@@ -8,8 +8,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/annotations.h"
 #include "engine/ui/drawing.h"
-#include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 #include "recon/core/lower_case.h"
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/annotations.h"
 #include "engine/ui/drawing.h"
 #include "engine/ui/lesson_dialogs.h"
-#include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/fly_marks.h"
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/viewer.h"
 #include "recon/core/lower_case.h"
 

@@ -13,7 +13,7 @@
 #include "engine/navigate/screen.h"
 #include "engine/navigate/wall_depth.h"
 #include "engine/ui/actions.h"
-#include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/viewer.h"
 #include "engine/view/gamepad.h"
 

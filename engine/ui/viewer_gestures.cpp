@@ -5,8 +5,8 @@
 
 #include "engine/navigate/moves.h"
 #include "engine/ui/actions.h"
-#include "engine/ui/fly_marks.h"
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/names.h"
 #include "engine/ui/viewer.h"
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_annotations.h"
 #include "engine/ui/viewer.h"
 
 namespace odontoscope {

@@ -4,8 +4,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/fly_marks.h"
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
+#include "engine/ui/fly_annotations.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {

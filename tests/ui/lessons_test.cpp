@@ -8,8 +8,8 @@
 
 #include "engine/navigate/built_in_lessons.h"
 #include "engine/navigate/screen.h"
+#include "engine/ui/annotations.h"
 #include "engine/ui/lesson_mode.h"
-#include "engine/ui/marks.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {

@@ -1,8 +1,8 @@
 // Rides along canals in the viewer, and where one is told to be.
 
 #include "engine/navigate/screen.h"
-#include "engine/ui/fly_marks.h"
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
+#include "engine/ui/fly_annotations.h"
 #include "tests/ui/flight_fixture.h"
 
 namespace odontoscope::testing_support {

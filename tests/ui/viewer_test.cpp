@@ -9,7 +9,7 @@
 #include "engine/picture/png.h"
 #include "engine/scene/scene_json.h"
 #include "engine/ui/actions.h"
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
 #include "recon/core/read_file.h"
 #include "tests/ui/driver.h"
 

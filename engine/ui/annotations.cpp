@@ -1,4 +1,4 @@
-#include "engine/ui/marks.h"
+#include "engine/ui/annotations.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

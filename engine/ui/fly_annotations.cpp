@@ -1,4 +1,4 @@
-#include "engine/ui/fly_marks.h"
+#include "engine/ui/fly_annotations.h"
 
 #include <fmt/format.h>
 #include <imgui.h>
@@ -9,8 +9,8 @@
 #include <numbers>
 
 #include "engine/navigate/screen.h"
+#include "engine/ui/annotations.h"
 #include "engine/ui/drawing.h"
-#include "engine/ui/marks.h"
 #include "engine/ui/theme.h"
 
 namespace odontoscope {
