@@ -132,9 +132,9 @@ Claim claim_in(const Json& json, const std::string& path, const std::string& fil
   return claim;
 }
 
-LessonStep step_in(const Json& json, const std::string& path, const std::string& file) {
+ArtefactLessonStep step_in(const Json& json, const std::string& path, const std::string& file) {
   const Object object(json, path, file, {"title", "words", "layout", "db", "artefact", "claims", "scene"});
-  LessonStep step;
+  ArtefactLessonStep step;
   step.title = object.text("title");
   step.words = object.text("words");
   struct Shown {
@@ -186,18 +186,18 @@ Json parse(std::string_view bytes, const std::string& file) {
 
 }  // namespace
 
-Scene LessonStep::scene_over(const Scene& usual) const {
+Scene ArtefactLessonStep::scene_over(const Scene& usual) const {
   return scene.empty() ? usual : scene_from_json(scene, usual, "lesson");
 }
 
-Lesson parse_lesson(std::string_view bytes, const std::string& file) {
+ArtefactLesson parse_lesson(std::string_view bytes, const std::string& file) {
   const Json json = parse(bytes, file);
   const Object document(json, "the lesson", file, {"format", "version", "title", "steps"});
   if (document.text("format") != format_name)
     document.refuse("wrong-format", fmt::format("is not of the format \"{}\"", format_name));
   if (document.number("version") != format_version)
     document.refuse("wrong-version", fmt::format("is not of version {}", format_version));
-  Lesson lesson;
+  ArtefactLesson lesson;
   lesson.title = document.text("title");
   const Json& steps = document.list("steps", 1, lesson_limits::steps);
   for (std::size_t i = 0; i < steps.size(); ++i)

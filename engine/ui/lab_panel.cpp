@@ -207,7 +207,7 @@ void three_buttons(ViewerState& state, const char* back, Action on_back, const c
 
 void lesson_dialog(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
   const LabState& lab = state.lab;
-  const LessonStep& step = lab.lesson->steps[lab.step];
+  const ArtefactLessonStep& step = lab.lesson->steps[lab.step];
   if (begin_dialog("lesson", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     widgets::text(fmt::format("{} / {}   {}", lab.step + 1, lab.lesson->steps.size(), step.title));
@@ -292,7 +292,7 @@ void lab_section(ViewerState& state, const Interface& interface) {
   if (widgets::wide_button("Next artefact (N)", true)) state.pending_actions.push_back(Action::next_artefact);
   progress_line(lab, interface);
   db_options(lab, interface);
-  if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors"))
+  if (widgets::wide_button(lab.lesson ? "End the lesson" : "ArtefactLesson: why culling shows errors"))
     state.pending_actions.push_back(Action::toggle_lesson);
   if (widgets::wide_button("Leave DB mode (D)")) state.pending_actions.push_back(Action::toggle_lab);
 }

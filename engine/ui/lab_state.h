@@ -26,8 +26,8 @@ struct LabState {
   std::string stage;  // of the run that works
   double fraction = 0;
 
-  std::optional<std::size_t> artefact;  // of `made` that the camera was led to
-  std::optional<Lesson> lesson;         // being given
+  std::optional<std::size_t> artefact;   // of `made` that the camera was led to
+  std::optional<ArtefactLesson> lesson;  // being given
   std::size_t step = 0;
   /// What leaving the mode brings back.
   std::vector<Look> looks_before;

@@ -288,7 +288,7 @@ void Viewer::begin_lesson() {
     open({});
     return;
   }
-  Lesson lesson = built_in_lesson();
+  ArtefactLesson lesson = built_in_lesson();
   enter_lab();
   if (!state_.lab.on) return;
   state_.lab.lesson = std::move(lesson);
@@ -298,7 +298,7 @@ void Viewer::begin_lesson() {
 void Viewer::go_to_step(std::size_t number) {
   LabState& lab = state_.lab;
   lab.step = number;
-  const LessonStep& step = lab.lesson->steps[number];
+  const ArtefactLessonStep& step = lab.lesson->steps[number];
   lab.layout = step.layout;
   lab.db_in_place = step.shows_db;
   lab.split = 0.5;

@@ -35,10 +35,10 @@ std::string cause_of(const std::string& text) {
   return "none";
 }
 
-TEST(Lesson, IsReadAsWritten) {
-  const Lesson lesson = parse_lesson(one_step(), "my-lesson.json");
+TEST(ArtefactLesson, IsReadAsWritten) {
+  const ArtefactLesson lesson = parse_lesson(one_step(), "my-lesson.json");
   ASSERT_EQ(lesson.steps.size(), 1u);
-  const LessonStep& step = lesson.steps[0];
+  const ArtefactLessonStep& step = lesson.steps[0];
   EXPECT_EQ(step.title, "A");
   EXPECT_EQ(step.layout, LabLayout::in_place);
   EXPECT_TRUE(step.shows_db);
@@ -47,7 +47,7 @@ TEST(Lesson, IsReadAsWritten) {
   EXPECT_FALSE(step.at_artefact);
 }
 
-TEST(Lesson, BadOnesAreRefusedInWords) {
+TEST(ArtefactLesson, BadOnesAreRefusedInWords) {
   const std::vector<std::tuple<std::string, std::string, std::string>> cases = {
       {"odontoscope.lesson", "odontoscope.links", "wrong-format"},
       {"\"version\":1", "\"version\":2", "wrong-version"},
@@ -80,18 +80,18 @@ TEST(Lesson, BadOnesAreRefusedInWords) {
   EXPECT_EQ(cause_of(std::string(100'000, '[')), "too-deep");
 }
 
-TEST(Lesson, EveryPrefixIsRefused) {
+TEST(ArtefactLesson, EveryPrefixIsRefused) {
   const std::string text = one_step();
   for (std::size_t length = 0; length < text.size(); ++length)
     EXPECT_NE(cause_of(text.substr(0, length)), "none") << length;
 }
 
-TEST(Lesson, WhatTheBuiltInOneClaimsIsTrue) {
-  const Lesson lesson = built_in_lesson();
+TEST(ArtefactLesson, WhatTheBuiltInOneClaimsIsTrue) {
+  const ArtefactLesson lesson = built_in_lesson();
   EXPECT_GE(lesson.steps.size(), 5u);
   EXPECT_LE(lesson.steps.size(), 8u);
   DbPipeline pipeline(std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar)));
-  for (const LessonStep& step : lesson.steps) {
+  for (const ArtefactLessonStep& step : lesson.steps) {
     const auto made = pipeline.run(step.db);
     for (const Claim& claim : step.claims)
       EXPECT_TRUE(holds(claim, *made)) << step.title << ": " << claim.quantity << " of "
@@ -101,7 +101,7 @@ TEST(Lesson, WhatTheBuiltInOneClaimsIsTrue) {
   }
 }
 
-TEST(Lesson, WhatItSaysOfDtIsTrue) {
+TEST(ArtefactLesson, WhatItSaysOfDtIsTrue) {
   const ContourStack stack = sample_tooth(ToothKind::molar);
   const auto db =
       DbPipeline(std::make_shared<const ContourStack>(stack)).run({.grid = 64, .cases = CaseTable::consistent});
@@ -123,7 +123,7 @@ TEST(Lesson, WhatItSaysOfDtIsTrue) {
   EXPECT_NEAR(static_cast<double>(triangles) / static_cast<double>(points), 3, 0.2);
 }
 
-TEST(Lesson, ClaimsCanFail) {
+TEST(ArtefactLesson, ClaimsCanFail) {
   DbPipeline pipeline(std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar)));
   const auto made = pipeline.run({.grid = 24, .cases = CaseTable::consistent});
   EXPECT_FALSE(holds({"cracks", "", 1, {}}, *made));

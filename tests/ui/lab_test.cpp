@@ -291,7 +291,7 @@ TEST_F(Lab, TheLessonGoesStepByStep) {
   press_key(Key::page_up);
   EXPECT_EQ(lab().step, 0u);
   for (std::size_t i = 0; i < steps; ++i) {
-    const LessonStep& step = lab().lesson->steps[i];
+    const ArtefactLessonStep& step = lab().lesson->steps[i];
     EXPECT_EQ(lab().step, i);
     EXPECT_EQ(lab().wanted, step.db);
     EXPECT_EQ(lab().layout, step.layout);
