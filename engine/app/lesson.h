@@ -8,11 +8,11 @@
 namespace odontoscope::app {
 
 struct CalledLesson {
-  TourNotes tour;
+  Lesson lesson;
   bool built_in = false;  // its texts are among those of the languages
 };
 
-/// A file, or one of the lessons that come with the program by its title. Throws as read_tour does.
+/// A file, or one of the lessons that come with the program by its title. Throws as read_lesson does.
 CalledLesson lesson_called(const std::string& called);
 
 }  // namespace odontoscope::app

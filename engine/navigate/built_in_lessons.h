@@ -23,6 +23,6 @@ struct BuiltInLesson {
 std::vector<BuiltInLesson> built_in_lessons();
 
 /// Precondition: `number` is one of built_in_lessons().
-TourNotes built_in_lesson_tour(std::size_t number);
+Lesson built_in_lesson(std::size_t number);
 
 }  // namespace odontoscope

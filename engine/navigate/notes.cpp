@@ -142,11 +142,11 @@ bool plain(const std::string& text, bool lines) {
   });
 }
 
-class TourReader final : public StrictJson {
+class LessonReader final : public StrictJson {
  public:
-  TourReader() : StrictJson(nodes) {}
+  LessonReader() : StrictJson(nodes) {}
 
-  TourNotes read_tour(JsonSource& source) {
+  Lesson read_lesson(JsonSource& source) {
     read(source);
     if (tour_.notes.empty()) refuse("no-notes", "the tour has no notes", "Save one from the viewer.");
     return std::move(tour_);
@@ -182,7 +182,7 @@ class TourReader final : public StrictJson {
   }
   static bool is_place(int node) { return node == position || node == target || node == up || node == mark_at; }
   glm::dvec3& place_read() {
-    TourNote& note = tour_.notes.back();
+    LessonNote& note = tour_.notes.back();
     if (vector_ == mark_at) return note.marks.back().at;
     return vector_ == position ? note.camera.position : vector_ == target ? note.camera.target : note.camera.up;
   }
@@ -330,7 +330,7 @@ class TourReader final : public StrictJson {
   }
   void add_place(Place&) const override {}
 
-  TourNotes tour_;
+  Lesson tour_;
   const KindRule* kind_ = nullptr;  // of the question that is read,
   std::set<int> seen_;              // and its keys
   int vector_ = position;
@@ -340,7 +340,7 @@ class TourReader final : public StrictJson {
 Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 /// Scenes have a reader of their own. `bytes` are known to be a tour, and nowhere nested deeply.
-void take_scenes(std::string_view bytes, const std::string& name, TourNotes& tour) {
+void take_scenes(std::string_view bytes, const std::string& name, Lesson& tour) {
   const Json json = Json::parse(bytes, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded()) throw InternalError("a tour that was read cannot be read again");
   for (std::size_t i = 0; i < tour.notes.size(); ++i) {
@@ -357,15 +357,15 @@ void take_scenes(std::string_view bytes, const std::string& name, TourNotes& tou
 
 }  // namespace
 
-TourNotes parse_tour(std::string_view bytes, const std::string& name) {
+Lesson parse_lesson(std::string_view bytes, const std::string& name) {
   JsonSource source = JsonSource::from_bytes(bytes, name);
-  TourNotes tour = TourReader().read_tour(source);
+  Lesson lesson = LessonReader().read_lesson(source);
   take_scenes(bytes, name, tour);
   return tour;
 }
 
-TourNote note_of(const Scene& scene, bool inside) {
-  TourNote note;
+LessonNote note_of(const Scene& scene, bool inside) {
+  LessonNote note;
   note.camera = scene.camera;
   if (inside) note.camera.near_mm = 0;
   note.inside = inside;
@@ -375,7 +375,7 @@ TourNote note_of(const Scene& scene, bool inside) {
   return note;
 }
 
-Scene TourNote::scene_over(const Scene& now, const Scene& usual) const {
+Scene LessonNote::scene_over(const Scene& now, const Scene& usual) const {
   Scene result = now;
   if (!scene.empty()) {
     Scene start = usual;
@@ -388,17 +388,17 @@ Scene TourNote::scene_over(const Scene& now, const Scene& usual) const {
   return result;
 }
 
-TourNotes read_tour(const std::string& file) { return parse_tour(read_file(file, most_tour_bytes), file); }
+Lesson read_lesson(const std::string& file) { return parse_lesson(read_file(file, most_lesson_bytes), file); }
 
 namespace {
 
-int version_of(const TourNotes& tour) {
+int version_of(const Lesson& tour) {
   const auto any = [&](auto&& has) { return std::any_of(tour.notes.begin(), tour.notes.end(), has); };
   if (!tour.language.empty() || tour.feedback_at_end ||
-      any([](const TourNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
+      any([](const LessonNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
     return format_version;
-  return any([](const TourNote& note) { return !note.scene.empty(); }) ? version_without_questions
-                                                                       : version_without_scenes;
+  return any([](const LessonNote& note) { return !note.scene.empty(); }) ? version_without_questions
+                                                                         : version_without_scenes;
 }
 
 Json json_of(const TourQuestion& question) {
@@ -445,17 +445,17 @@ std::string fault_of(const TourQuestion& question) {
   return "";
 }
 
-bool TourNotes::is_quiz() const {
-  return std::any_of(notes.begin(), notes.end(), [](const TourNote& note) { return note.question.has_value(); });
+bool Lesson::is_quiz() const {
+  return std::any_of(notes.begin(), notes.end(), [](const LessonNote& note) { return note.question.has_value(); });
 }
 
-std::string to_json(const TourNotes& tour) {
+std::string to_json(const Lesson& tour) {
   Json json{{"format", format_name}, {"version", version_of(tour)}, {"title", tour.title}};
   if (!tour.model.empty()) json["model"] = tour.model;
   if (!tour.language.empty()) json["language"] = tour.language;
   if (tour.feedback_at_end) json["feedback"] = "at-end";
   json["notes"] = Json::array();
-  for (const TourNote& note : tour.notes) {
+  for (const LessonNote& note : tour.notes) {
     const Camera& camera = note.camera;
     Json eye{{"position", json_of(camera.position)},
              {"target", json_of(camera.target)},
@@ -467,7 +467,7 @@ std::string to_json(const TourNotes& tour) {
     json["notes"].push_back({{"title", note.title}, {"text", note.text}, {"inside", note.inside}, {"camera", eye}});
     Json& written = json["notes"].back();
     if (!note.scene.empty()) written["scene"] = Json::parse(note.scene);
-    for (const TourMark& mark : note.marks)
+    for (const LessonPin& mark : note.marks)
       written["marks"].push_back({{"at", json_of(mark.at)}, {"label", mark.label}});
     if (note.question) written["question"] = json_of(*note.question);
     if (!note.tour.empty()) written["tour"] = note.tour;

@@ -36,10 +36,10 @@
 namespace odontoscope {
 
 /// A pin in the picture.
-struct TourMark {
+struct LessonPin {
   glm::dvec3 at{0};        // mm
   std::string label = {};  // empty: a bare pin
-  friend bool operator==(const TourMark&, const TourMark&) = default;
+  friend bool operator==(const LessonPin&, const LessonPin&) = default;
 };
 
 struct TourQuestion {
@@ -54,33 +54,33 @@ struct TourQuestion {
   friend bool operator==(const TourQuestion&, const TourQuestion&) = default;
 };
 
-struct TourNote {
+struct LessonNote {
   std::string title, text;
   Camera camera;
   bool inside = false;     // seen in flight, from within a cavity
   std::string scene = {};  // JSON as above, without a camera; empty: none
-  std::vector<TourMark> marks = {};
+  std::vector<LessonPin> marks = {};
   std::optional<TourQuestion> question = {};
   std::string tour = {};  // a canal's name; empty: no ride
   /// `now` as the note looks; what its scene does not speak of is as in `usual`, the camera is the note's.
   Scene scene_over(const Scene& now, const Scene& usual) const;
-  friend bool operator==(const TourNote&, const TourNote&) = default;
+  friend bool operator==(const LessonNote&, const LessonNote&) = default;
 };
 
 /// A note of all that `scene` is but its camera's near plane, which inside a cavity follows from the flight.
-TourNote note_of(const Scene& scene, bool inside);
+LessonNote note_of(const Scene& scene, bool inside);
 
-struct TourNotes {
+struct Lesson {
   std::string title, model;
-  std::vector<TourNote> notes;   // at least one in a file
-  std::string language = {};     // empty: not said
-  bool feedback_at_end = false;  // of a quiz; otherwise after each answer
-  bool is_quiz() const;          // has a question
-  friend bool operator==(const TourNotes&, const TourNotes&) = default;
+  std::vector<LessonNote> notes;  // at least one in a file
+  std::string language = {};      // empty: not said
+  bool feedback_at_end = false;   // of a quiz; otherwise after each answer
+  bool is_quiz() const;           // has a question
+  friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 
 inline constexpr std::string_view tour_ending = ".tour.json";
-inline constexpr std::size_t most_tour_bytes = 4u << 20, most_notes = 1000, most_title_bytes = 200,
+inline constexpr std::size_t most_lesson_bytes = 4u << 20, most_notes = 1000, most_title_bytes = 200,
                              most_text_bytes = 10'000;
 inline constexpr std::size_t most_marks = 50, least_choices = 2, most_choices = 8, most_unit_bytes = 20,
                              most_language_bytes = 35;
@@ -89,12 +89,12 @@ inline constexpr double largest_answer = 1e9;
 /// Throws InputError: what strict_json.h lists, and wrong-version, bad-title, bad-text, too-many-notes, no-notes,
 /// too-many-marks, bad-question, bad-value, bad-camera, too-large, and of a scene what scene_from_json throws.
 /// docs/formats.md says when.
-TourNotes parse_tour(std::string_view bytes, const std::string& name);
+Lesson parse_lesson(std::string_view bytes, const std::string& name);
 /// Likewise, and FileError.
-TourNotes read_tour(const std::string& file);
+Lesson read_lesson(const std::string& file);
 
-/// What parse_tour reads as the very same, in the oldest version that can say it.
-std::string to_json(const TourNotes& tour);
+/// What parse_lesson reads as the very same, in the oldest version that can say it.
+std::string to_json(const Lesson& tour);
 
 /// Why it cannot be asked, in words; empty: it can.
 std::string fault_of(const TourQuestion& question);

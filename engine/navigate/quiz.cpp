@@ -103,7 +103,7 @@ QuizRow* Quiz::row_of(std::size_t note) {
 }
 const QuizRow* Quiz::row_of(std::size_t note) const { return const_cast<Quiz*>(this)->row_of(note); }
 
-Quiz quiz_of(const TourNotes& tour) {
+Quiz quiz_of(const Lesson& tour) {
   Quiz quiz{tour.title, {}, tour.feedback_at_end};
   for (std::size_t note = 0; note < tour.notes.size(); ++note)
     if (const auto& question = tour.notes[note].question)

@@ -52,7 +52,7 @@ struct Quiz {
   QuizRow* row_of(std::size_t note);
   const QuizRow* row_of(std::size_t note) const;
 };
-Quiz quiz_of(const TourNotes& tour);
+Quiz quiz_of(const Lesson& tour);
 
 std::string marks_csv(const Quiz& quiz);
 std::string marks_json(const Quiz& quiz);

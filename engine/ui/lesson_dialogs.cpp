@@ -103,9 +103,9 @@ void question_part(ViewerState& state, LessonMode& lesson, const Interface& inte
 
 void note_part(ViewerState& state, LessonMode& lesson, const Interface& interface) {
   const NotesState& notes = state.notes;
-  const TourNote& note = notes.tour.notes[*notes.shown];
-  const bool last = *notes.shown + 1 == notes.tour.notes.size();
-  large(interface, fmt::format("{} / {}   {}", *notes.shown + 1, notes.tour.notes.size(), note.title));
+  const LessonNote& note = notes.lesson.notes[*notes.shown];
+  const bool last = *notes.shown + 1 == notes.lesson.notes.size();
+  large(interface, fmt::format("{} / {}   {}", *notes.shown + 1, notes.lesson.notes.size(), note.title));
   if (!note.text.empty()) widgets::as_written(note.text);
   const QuizRow* row = lesson.row(notes);
   if (row && note.question) question_part(state, lesson, interface, *note.question, *row);
@@ -128,7 +128,7 @@ void note_part(ViewerState& state, LessonMode& lesson, const Interface& interfac
 void result_rows(const NotesState& notes, const Quiz& quiz, const Interface& interface) {
   for (std::size_t i = 0; i < quiz.rows.size(); ++i) {
     const QuizRow& row = quiz.rows[i];
-    const TourQuestion& question = *notes.tour.notes[row.note].question;
+    const TourQuestion& question = *notes.lesson.notes[row.note].question;
     std::string words = fmt::format("{}   {}   ", i + 1, row.question);
     if (row.right)
       words += row.given;
@@ -199,7 +199,7 @@ class Dock {
 void draw_lesson_dock(ViewerState& state, LessonMode& lesson, const Interface& interface, const Area& whole,
                       float scale) {
   NotesState& notes = state.notes;
-  const bool note = notes.shown && *notes.shown < notes.tour.notes.size();
+  const bool note = notes.shown && *notes.shown < notes.lesson.notes.size();
   if (notes.draft) {
     const Dock dock(notes.placing == NotesState::Placing::none ? "note draft" : "placing", whole, scale,
                     lesson.dock_height);

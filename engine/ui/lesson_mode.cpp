@@ -13,13 +13,13 @@ namespace {
 constexpr std::size_t most_typed = 24;
 
 const TourQuestion* question_of(const NotesState& notes) {
-  if (!notes.shown || *notes.shown >= notes.tour.notes.size()) return nullptr;
-  const auto& question = notes.tour.notes[*notes.shown].question;
+  if (!notes.shown || *notes.shown >= notes.lesson.notes.size()) return nullptr;
+  const auto& question = notes.lesson.notes[*notes.shown].question;
   return question ? &*question : nullptr;
 }
 
 /// The same questions of the same notes.
-bool is_of(const Quiz& quiz, const TourNotes& tour) {
+bool is_of(const Quiz& quiz, const Lesson& tour) {
   const Quiz fresh = quiz_of(tour);
   return quiz.title == fresh.title && quiz.at_end == fresh.at_end &&
          std::equal(quiz.rows.begin(), quiz.rows.end(), fresh.rows.begin(), fresh.rows.end(),
@@ -58,10 +58,10 @@ void LessonMode::choose(std::size_t number, ViewerState& state) {
 void LessonMode::enter(const NotesState& notes) {
   typed_.clear();
   result_ = false;
-  if (!notes.tour.is_quiz())
+  if (!notes.lesson.is_quiz())
     quiz_.reset();
-  else if (!quiz_ || !is_of(*quiz_, notes.tour))
-    quiz_ = quiz_of(notes.tour);
+  else if (!quiz_ || !is_of(*quiz_, notes.lesson))
+    quiz_ = quiz_of(notes.lesson);
 }
 
 void LessonMode::leave() {
@@ -131,7 +131,7 @@ bool LessonMode::step(int by, const NotesState& notes) {
     result_ = by > 0;
     return true;
   }
-  if (by < 0 || *notes.shown + 1 < notes.tour.notes.size()) return false;
+  if (by < 0 || *notes.shown + 1 < notes.lesson.notes.size()) return false;
   result_ = true;
   return true;
 }

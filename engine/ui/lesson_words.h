@@ -7,6 +7,6 @@
 namespace odontoscope {
 
 /// All that is read in it. Names that answers are compared with, and of the canals to ride, stay.
-TourNotes translated(TourNotes tour, const Language& language);
+Lesson translated(Lesson lesson, const Language& language);
 
 }  // namespace odontoscope

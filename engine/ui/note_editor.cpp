@@ -38,7 +38,7 @@ void number_line(const char* id, double& number, const char* words) {
 }
 
 void pins(NotesState& notes) {
-  TourNote& draft = *notes.draft;
+  LessonNote& draft = *notes.draft;
   for (std::size_t i = 0; i < draft.marks.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     line_field("##label", draft.marks[i].label, most_title_bytes, ImGui::GetContentRegionAvail().x - scaled(76),
@@ -77,7 +77,7 @@ void choice_fields(TourQuestion& question) {
 }
 
 void question_fields(NotesState& notes) {
-  TourNote& draft = *notes.draft;
+  LessonNote& draft = *notes.draft;
   int kind = draft.question ? static_cast<int>(draft.question->kind) + 1 : 0;
   if (widgets::choice("question", kind, {"No question", "Click", "Choice", "Number"})) {
     if (kind == 0) {
@@ -106,7 +106,7 @@ void question_fields(NotesState& notes) {
 
 /// In a canal, or where the note rides already: down it to where the view is.
 void ride_toggle(ViewerState& state) {
-  TourNote& draft = *state.notes.draft;
+  LessonNote& draft = *state.notes.draft;
   const FlyState& fly = state.fly;
   std::string name = draft.tour;
   if (fly.on && fly.cavity && fly.place)
@@ -126,7 +126,7 @@ void placing_part(NotesState& notes, const Interface& interface) {
 
 }  // namespace
 
-std::string fault_of_draft(const TourNote& draft) { return draft.question ? fault_of(*draft.question) : ""; }
+std::string fault_of_draft(const LessonNote& draft) { return draft.question ? fault_of(*draft.question) : ""; }
 
 void note_editor(ViewerState& state, const Interface& interface) {
   NotesState& notes = state.notes;
@@ -134,7 +134,7 @@ void note_editor(ViewerState& state, const Interface& interface) {
     placing_part(notes, interface);
     return;
   }
-  TourNote& draft = *notes.draft;
+  LessonNote& draft = *notes.draft;
   ImGui::PushFont(interface.large);
   widgets::text(notes.draft_of ? fmt::format("Note {}", *notes.draft_of + 1) : "A note on this view");
   ImGui::PopFont();

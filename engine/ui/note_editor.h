@@ -10,6 +10,6 @@ namespace odontoscope {
 void note_editor(ViewerState& state, const Interface& interface);
 
 /// What is wrong with the draft, in words; empty: it can be kept.
-std::string fault_of_draft(const TourNote& draft);
+std::string fault_of_draft(const LessonNote& draft);
 
 }  // namespace odontoscope

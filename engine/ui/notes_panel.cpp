@@ -22,7 +22,7 @@ void note_buttons(NotesState& notes, std::size_t number) {
   if (widgets::button("Up", {width, 0})) move_note(notes, number, -1);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  ImGui::BeginDisabled(number + 1 >= notes.tour.notes.size());
+  ImGui::BeginDisabled(number + 1 >= notes.lesson.notes.size());
   if (widgets::button("Down", {width, 0})) move_note(notes, number, 1);
   ImGui::EndDisabled();
   ImGui::SameLine();
@@ -33,13 +33,13 @@ void note_buttons(NotesState& notes, std::size_t number) {
 
 void notes_section(ViewerState& state, const Interface& interface) {
   NotesState& notes = state.notes;
-  if (!widgets::section(interface, "Notes", !notes.tour.notes.empty())) return;
-  if (!notes.tour.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
+  if (!widgets::section(interface, "Notes", !notes.lesson.notes.empty())) return;
+  if (!notes.lesson.notes.empty() && !notes.shown && widgets::wide_button("Play as a lesson", true)) notes.go_to = 0;
   const std::optional<std::size_t> shown = notes.shown;  // what is pressed here counts in the next frame
-  const std::size_t count = notes.tour.notes.size();
-  for (std::size_t i = 0; i < count && i < notes.tour.notes.size(); ++i) {
+  const std::size_t count = notes.lesson.notes.size();
+  for (std::size_t i = 0; i < count && i < notes.lesson.notes.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    const TourNote& note = notes.tour.notes[i];
+    const LessonNote& note = notes.lesson.notes[i];
     const std::string words =
         fmt::format("{}   {}{}", i + 1, note.title.empty() ? "(no title)" : note.title, note.question ? "   ?" : "");
     if (widgets::wide_button(words.c_str(), shown == i)) notes.go_to = i;
@@ -50,7 +50,7 @@ void notes_section(ViewerState& state, const Interface& interface) {
       widgets::wide_button(fmt::format("Bring back \"{}\"", notes.removed.back().second.title).c_str()))
     bring_back_note(notes);
   if (widgets::wide_button(state.fly.on ? "Note this view (N)" : "Note this view")) notes.write = true;
-  if (notes.tour.notes.empty()) {
+  if (notes.lesson.notes.empty()) {
     widgets::remark(interface,
                     "Make a lesson: views with a title and a text, pins and questions, for others to be led along. "
                     "Click a note in the list to change it.");
@@ -59,10 +59,10 @@ void notes_section(ViewerState& state, const Interface& interface) {
   widgets::text("Title of the lesson");
   ImGui::SetNextItemWidth(-1);
   widgets::text_field("##lesson");
-  if (ImGui::InputText("##lesson", &notes.tour.title)) notes.unsaved = true;
+  if (ImGui::InputText("##lesson", &notes.lesson.title)) notes.unsaved = true;
   widgets::noted("##lesson");
-  if (notes.tour.title.size() > most_title_bytes) notes.tour.title.resize(most_title_bytes);
-  if (notes.tour.is_quiz() && widgets::toggle("Right or wrong at the end", notes.tour.feedback_at_end))
+  if (notes.lesson.title.size() > most_title_bytes) notes.lesson.title.resize(most_title_bytes);
+  if (notes.lesson.is_quiz() && widgets::toggle("Right or wrong at the end", notes.lesson.feedback_at_end))
     notes.unsaved = true;
   if (widgets::wide_button(notes.unsaved ? "Save the notes" : "Save the notes again")) notes.save = true;
 }

@@ -19,14 +19,14 @@ struct LeavingNotes {
 };
 
 struct NotesState {
-  TourNotes tour;
+  Lesson lesson;
   std::optional<std::size_t> shown;     // of tour.notes: the lesson is being given
-  std::optional<TourNote> draft;        // being written,
+  std::optional<LessonNote> draft;      // being written,
   std::optional<std::size_t> draft_of;  // in place of this one of tour.notes; none: a new one
   bool fresh_draft = false;             // its first field has not had the keyboard yet
   enum class Placing { none, pin, answer };
-  Placing placing = Placing::none;                        // the next click in the picture is for the draft
-  std::vector<std::pair<std::size_t, TourNote>> removed;  // the last one last: from where, and what
+  Placing placing = Placing::none;                          // the next click in the picture is for the draft
+  std::vector<std::pair<std::size_t, LessonNote>> removed;  // the last one last: from where, and what
   bool unsaved = false;
   std::optional<LeavingNotes> leaving;  // the question is being asked
   // Asked for by the panels, done in the next frame.

@@ -50,16 +50,16 @@ struct DrawnPin {
 
 void draw_pins(const ViewerState& state, const ViewPane& pane, const Interface& interface, float scale) {
   const NotesState& notes = state.notes;
-  const bool shown = notes.shown && *notes.shown < notes.tour.notes.size();
+  const bool shown = notes.shown && *notes.shown < notes.lesson.notes.size();
   if (!notes.draft && !shown) return;
-  const std::vector<TourMark>& marks = notes.draft ? notes.draft->marks : notes.tour.notes[*notes.shown].marks;
+  const std::vector<LessonPin>& marks = notes.draft ? notes.draft->marks : notes.lesson.notes[*notes.shown].marks;
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 low = vec(pane.area.left, pane.area.top),
                high = vec(pane.area.left + pane.area.width, pane.area.top + pane.area.height);
   list.PushClipRect(low, high);
   const ImFont* font = interface.bold;
   std::vector<DrawnPin> pins;
-  for (const TourMark& mark : marks) {
+  for (const LessonPin& mark : marks) {
     const auto place = place_of(pane.camera, mark.at);
     const PinSeen how = place ? seen(state, pane, mark.at) : PinSeen::hidden;
     if (how == PinSeen::hidden) continue;

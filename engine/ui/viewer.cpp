@@ -300,7 +300,7 @@ bool Viewer::dialog_open() const {
 bool Viewer::pins_shown() const {
   const NotesState& notes = state_.notes;
   if (notes.draft) return !notes.draft->marks.empty();
-  return notes.shown && *notes.shown < notes.tour.notes.size() && !notes.tour.notes[*notes.shown].marks.empty();
+  return notes.shown && *notes.shown < notes.lesson.notes.size() && !notes.lesson.notes[*notes.shown].marks.empty();
 }
 
 void Viewer::notice(std::string words, bool bad, double seconds) {

@@ -202,15 +202,15 @@ class Viewer {
   bool perform_on_notes(Action action);
   void write_note();
   void save_notes();
-  bool open_tour(LoadRequest& request);
-  void take_tour(TourNotes tour);
-  TourNote view_now();
+  bool open_lesson(LoadRequest& request);
+  void take_lesson(Lesson lesson);
+  LessonNote view_now();
   void save_marks();
   bool point_for_lesson(const ViewPane& pane, double x, double y);
   void point_at_middle();
-  bool ride_for_note(const TourNote& note);
+  bool ride_for_note(const LessonNote& note);
   void go_to_note(std::size_t number);
-  void show_note_outside(const TourNote& note);
+  void show_note_outside(const LessonNote& note);
   /// At once what a lesson's looks were on their way to.
   void settle_looks();
   bool notes_at_risk() const;
@@ -337,7 +337,7 @@ class Viewer {
   GamepadChanged gamepad_;
   std::optional<Camera> camera_before_dive_;
   std::string file_shown_;  // that the model came from; empty: the sample, or nobody can open it again by name alone
-  std::optional<TourNotes> tour_after_load_;
+  std::optional<Lesson> lesson_to_load_;
   bool notes_may_go_ = false;                      // the person said so of those that are there
   std::mutex one_picture_;                         // is drawn at a time
   std::vector<std::future<std::string>> writing_;  // each ends with words for a notice, or throws

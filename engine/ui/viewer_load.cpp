@@ -20,7 +20,7 @@ void Viewer::open(LoadRequest request) {
     state_.notes.leaving = LeavingNotes{std::move(request)};
     return;
   }
-  if (open_tour(request)) return;
+  if (open_lesson(request)) return;
   if (options_.wants_level(request)) return ask_about(std::move(request));
   job_ = std::make_unique<LoadJob>(options_.load, request, options_.with_drafts && (!state_.shown || state_.draft));
 }
@@ -52,7 +52,7 @@ void Viewer::take_finished_load() {
     notes_may_go_ = false;
     state_.notes = {};
     lesson_.leave();
-    if (auto tour = std::exchange(tour_after_load_, std::nullopt)) take_tour(std::move(*tour));
+    if (auto tour = std::exchange(lesson_to_load_, std::nullopt)) take_lesson(std::move(*tour));
     if (lesson_follows) begin_lesson();
   } catch (const Cancelled&) {
     give_up_loading();
@@ -65,7 +65,7 @@ void Viewer::take_finished_load() {
 }
 
 void Viewer::give_up_loading() {
-  tour_after_load_.reset();
+  lesson_to_load_.reset();
   notes_may_go_ = false;
   if (!std::exchange(state_.draft, false)) return;
   end_flight();

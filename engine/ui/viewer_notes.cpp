@@ -29,14 +29,14 @@ Scene of_model(Scene scene, const Model& model) {
 }  // namespace
 
 void keep_draft(NotesState& notes) {
-  TourNote note = std::move(*std::exchange(notes.draft, std::nullopt));
+  LessonNote note = std::move(*std::exchange(notes.draft, std::nullopt));
   const std::optional<std::size_t> place = std::exchange(notes.draft_of, std::nullopt);
   notes.placing = NotesState::Placing::none;
-  if (note.title.empty()) note.title = fmt::format("Note {}", place.value_or(notes.tour.notes.size()) + 1);
-  if (place && *place < notes.tour.notes.size())
-    notes.tour.notes[*place] = std::move(note);
+  if (note.title.empty()) note.title = fmt::format("Note {}", place.value_or(notes.lesson.notes.size()) + 1);
+  if (place && *place < notes.lesson.notes.size())
+    notes.lesson.notes[*place] = std::move(note);
   else
-    notes.tour.notes.push_back(std::move(note));
+    notes.lesson.notes.push_back(std::move(note));
   notes.unsaved = true;
 }
 
@@ -47,32 +47,32 @@ void drop_draft(NotesState& notes) {
 }
 
 void edit_note(NotesState& notes, std::size_t number) {
-  notes.draft = notes.tour.notes[number];
+  notes.draft = notes.lesson.notes[number];
   notes.draft_of = number;
   notes.fresh_draft = true;
 }
 
 void move_note(NotesState& notes, std::size_t number, int by) {
   const std::size_t to = number + static_cast<std::size_t>(by);  // below 0 is beyond the last
-  if (number >= notes.tour.notes.size() || to >= notes.tour.notes.size()) return;
-  std::swap(notes.tour.notes[number], notes.tour.notes[to]);
+  if (number >= notes.lesson.notes.size() || to >= notes.lesson.notes.size()) return;
+  std::swap(notes.lesson.notes[number], notes.lesson.notes[to]);
   if (notes.shown == number) notes.shown = to;
   notes.unsaved = true;
 }
 
 void remove_note(NotesState& notes, std::size_t number) {
-  if (number >= notes.tour.notes.size()) return;
-  notes.removed.emplace_back(number, std::move(notes.tour.notes[number]));
-  notes.tour.notes.erase(notes.tour.notes.begin() + static_cast<std::ptrdiff_t>(number));
+  if (number >= notes.lesson.notes.size()) return;
+  notes.removed.emplace_back(number, std::move(notes.lesson.notes[number]));
+  notes.lesson.notes.erase(notes.lesson.notes.begin() + static_cast<std::ptrdiff_t>(number));
   notes.shown.reset();
-  notes.unsaved = !notes.tour.notes.empty();
+  notes.unsaved = !notes.lesson.notes.empty();
 }
 
 void bring_back_note(NotesState& notes) {
   auto [number, note] = std::move(notes.removed.back());
   notes.removed.pop_back();
-  number = std::min(number, notes.tour.notes.size());
-  notes.tour.notes.insert(notes.tour.notes.begin() + static_cast<std::ptrdiff_t>(number), std::move(note));
+  number = std::min(number, notes.lesson.notes.size());
+  notes.lesson.notes.insert(notes.lesson.notes.begin() + static_cast<std::ptrdiff_t>(number), std::move(note));
   notes.shown.reset();
   notes.unsaved = true;
 }
@@ -82,7 +82,7 @@ void Viewer::update_notes() {
   NotesState& notes = state_.notes;
   if (std::exchange(notes.write, false)) write_note();
   if (std::exchange(notes.retake, false) && notes.draft) {
-    const TourNote now = view_now();
+    const LessonNote now = view_now();
     notes.draft->camera = now.camera;
     notes.draft->scene = now.scene;
     notes.draft->inside = now.inside;
@@ -97,9 +97,9 @@ void Viewer::update_notes() {
 bool Viewer::notes_at_risk() const {
   const NotesState& notes = state_.notes;
   if (notes.unsaved || !notes.draft) return notes.unsaved;
-  const TourNote& draft = *notes.draft;
+  const LessonNote& draft = *notes.draft;
   if (notes.draft_of)
-    return *notes.draft_of >= notes.tour.notes.size() || !(draft == notes.tour.notes[*notes.draft_of]);
+    return *notes.draft_of >= notes.lesson.notes.size() || !(draft == notes.lesson.notes[*notes.draft_of]);
   return !draft.title.empty() || !draft.text.empty() || !draft.marks.empty() || draft.question;
 }
 
@@ -144,7 +144,7 @@ bool Viewer::perform_on_notes(Action action) {
   if (action == Action::next_step && lesson_.step(1, notes)) return true;
   if (action == Action::previous_step && lesson_.step(-1, notes)) return true;
   if (action == Action::next_step) {
-    if (*notes.shown + 1 < notes.tour.notes.size()) go_to_note(*notes.shown + 1);
+    if (*notes.shown + 1 < notes.lesson.notes.size()) go_to_note(*notes.shown + 1);
     return true;
   }
   if (action == Action::previous_step) {
@@ -157,7 +157,7 @@ bool Viewer::perform_on_notes(Action action) {
 void Viewer::write_note() {
   if (!state_.shown) return;
   NotesState& notes = state_.notes;
-  if (notes.tour.notes.size() >= most_notes) {
+  if (notes.lesson.notes.size() >= most_notes) {
     notice(fmt::format("A lesson has at most {} notes.", most_notes));
     return;
   }
@@ -168,7 +168,7 @@ void Viewer::write_note() {
 }
 
 /// The view as it is, or is on its way to.
-TourNote Viewer::view_now() {
+LessonNote Viewer::view_now() {
   held_.clear();
   state_.fly.mouse_caught = false;
   settle_looks();
@@ -243,20 +243,20 @@ void Viewer::save_notes() {
     }
     keep_draft(notes);
   }
-  if (notes.tour.notes.empty() || !state_.shown) return;
+  if (notes.lesson.notes.empty() || !state_.shown) return;
   try {
-    if (notes.tour.title.empty()) notes.tour.title = state_.shown->title;
-    const std::filesystem::path file = new_file(notes.tour.title, std::string(tour_ending));
-    notes.tour.model.clear();
+    if (notes.lesson.title.empty()) notes.lesson.title = state_.shown->title;
+    const std::filesystem::path file = new_file(notes.lesson.title, std::string(tour_ending));
+    notes.lesson.model.clear();
     std::error_code error;
     if (!file_shown_.empty())
-      notes.tour.model = std::filesystem::proximate(std::filesystem::absolute(file_shown_),
-                                                    std::filesystem::absolute(file).parent_path(), error)
-                             .generic_string();
-    const std::string text = to_json(notes.tour);
-    if (text.size() > most_tour_bytes)
+      notes.lesson.model = std::filesystem::proximate(std::filesystem::absolute(file_shown_),
+                                                      std::filesystem::absolute(file).parent_path(), error)
+                               .generic_string();
+    const std::string text = to_json(notes.lesson);
+    if (text.size() > most_lesson_bytes)
       throw UsageError(
-          fmt::format("The notes are {} bytes long; a lesson has at most {}", text.size(), most_tour_bytes),
+          fmt::format("The notes are {} bytes long; a lesson has at most {}", text.size(), most_lesson_bytes),
           "Make two lessons of them.");
     AtomicFile written(file);
     written.write(text);
@@ -269,13 +269,13 @@ void Viewer::save_notes() {
 }
 
 /// True: the request is done, or goes on as that of the tour's model.
-bool Viewer::open_tour(LoadRequest& request) {
+bool Viewer::open_lesson(LoadRequest& request) {
   if (!request.lesson && !named_like_a_tour(request.file)) return false;
   failure_ = nullptr;
-  TourNotes tour;
+  Lesson lesson;
   try {
-    tour = request.lesson ? translated(built_in_lesson_tour(*request.lesson), interface_.language())
-                          : read_tour(request.file);
+    tour = request.lesson ? translated(built_in_lesson(*request.lesson), interface_.language())
+                          : read_lesson(request.file);
   } catch (const Error& error) {
     failure_ = std::current_exception();
     state_.trouble = error.what();
@@ -288,32 +288,32 @@ bool Viewer::open_tour(LoadRequest& request) {
                      (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) ==
                                                                          std::filesystem::weakly_canonical(model)));
   if (there) {
-    take_tour(std::move(tour));
+    take_lesson(std::move(tour));
     return true;
   }
-  tour_after_load_ = std::move(tour);
+  lesson_to_load_ = std::move(tour);
   request.file = model;
   request.lesson.reset();
   return false;
 }
 
-void Viewer::take_tour(TourNotes tour) {
+void Viewer::take_lesson(Lesson lesson) {
   state_.notes = {};
-  state_.notes.tour = std::move(tour);
+  state_.notes.lesson = std::move(tour);
   lesson_.leave();
   go_to_note(0);
 }
 
 void Viewer::go_to_note(std::size_t number) {
   NotesState& notes = state_.notes;
-  if (number >= notes.tour.notes.size() || !state_.shown) return;
+  if (number >= notes.lesson.notes.size() || !state_.shown) return;
   drop_draft(notes);
   notes.shown = number;
   state_.canal.reset();
   state_.name_told.reset();
   state_.tool = Tool::look;
   lesson_.enter(notes);
-  const TourNote note = notes.tour.notes[number];
+  const LessonNote note = notes.lesson.notes[number];
   if (!note.tour.empty() && ride_for_note(note)) return;
   if (!note.inside) {
     show_note_outside(note);
@@ -342,7 +342,7 @@ void Viewer::go_to_note(std::size_t number) {
 }
 
 /// Down the canal that the note names; false: there is none of that name, or it is not to be ridden.
-bool Viewer::ride_for_note(const TourNote& note) {
+bool Viewer::ride_for_note(const LessonNote& note) {
   if (!flight_possible() || state_.settings.comfort.reduced_motion) return false;
   const auto& cavities = state_.shown->flight->cavities;
   for (std::size_t cavity = 0; cavity < cavities.size(); ++cavity) {
@@ -359,7 +359,7 @@ bool Viewer::ride_for_note(const TourNote& note) {
 }
 
 /// The usual looks are the model's own, over the background that the person chose.
-void Viewer::show_note_outside(const TourNote& note) {
+void Viewer::show_note_outside(const LessonNote& note) {
   Scene usual = state_.shown->scene;
   usual.background = background_of(state_.settings.backdrop);
   const auto in_the_dark = [this, note, usual] {

@@ -6,7 +6,7 @@ using namespace odontoscope;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::refused_or_read([&] {
-    const TourNotes tour = parse_tour(fuzz::text(data, size), "fuzz");
-    fuzz::require(parse_tour(to_json(tour), "again") == tour);
+    const Lesson lesson = parse_lesson(fuzz::text(data, size), "fuzz");
+    fuzz::require(parse_lesson(to_json(tour), "again") == tour);
   });
 }

@@ -98,7 +98,7 @@ void read_lesson(const std::string& bytes) {
   for (const LessonStep& step : parse_lesson(bytes, "file").steps) sound(step.scene_over(Scene{}));
 }
 void read_tour_text(const std::string& bytes) {
-  for (const TourNote& note : parse_tour(bytes, "file").notes) sound(note.camera);
+  for (const LessonNote& note : parse_lesson(bytes, "file").notes) sound(note.camera);
 }
 void read_picture(const std::string& bytes) {
   from_file(bytes, "file", [](const std::string& file) { return read_png(file); });

@@ -48,13 +48,13 @@ std::set<std::string> texts_of_lessons() {
     if (!text.empty()) texts.insert(text);
   };
   for (std::size_t i = 0; i < built_in_lessons().size(); ++i) {
-    const TourNotes tour = built_in_lesson_tour(i);
+    const Lesson lesson = built_in_lesson(i);
     add(tour.title);
-    for (const TourNote& note : tour.notes) {
+    for (const LessonNote& note : tour.notes) {
       add(note.title);
       add(note.text);
       add(note.tour);
-      for (const TourMark& mark : note.marks) add(mark.label);
+      for (const LessonPin& mark : note.marks) add(mark.label);
       if (!note.question) continue;
       for (const std::string& text : {note.question->ask, note.question->explain, note.question->structure,
                                       note.question->part, note.question->unit})

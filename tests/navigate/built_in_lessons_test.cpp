@@ -12,10 +12,9 @@
 namespace odontoscope::test {
 namespace {
 
-std::vector<TourNotes> all() {
-  std::vector<TourNotes> tours;
-  for (std::size_t number = 0; number < built_in_lessons().size(); ++number)
-    tours.push_back(built_in_lesson_tour(number));
+std::vector<Lesson> all() {
+  std::vector<Lesson> tours;
+  for (std::size_t number = 0; number < built_in_lessons().size(); ++number) tours.push_back(built_in_lesson(number));
   return tours;
 }
 
@@ -30,9 +29,9 @@ TEST(BuiltInLessons, AreListedInTheirOrder) {
 
 TEST(BuiltInLessons, CanBeReadAtAGlance) {
   constexpr std::size_t most_bytes = 420;  // what fits on the card beside the tooth
-  for (const TourNotes& tour : all()) {
+  for (const Lesson& tour : all()) {
     EXPECT_EQ(tour.language, "en");
-    for (const TourNote& note : tour.notes) {
+    for (const LessonNote& note : tour.notes) {
       EXPECT_FALSE(note.title.empty()) << tour.title;
       EXPECT_LE(note.text.size(), most_bytes) << note.title;
       EXPECT_TRUE(!note.text.empty() || note.question) << note.title;
@@ -45,9 +44,9 @@ TEST(BuiltInLessons, CanBeReadAtAGlance) {
 
 TEST(BuiltInLessons, AskInAllThreeWays) {
   for (const auto kind : {TourQuestion::Kind::click, TourQuestion::Kind::choice, TourQuestion::Kind::number}) {
-    const TourNotes quiz = all().back();
+    const Lesson quiz = all().back();
     EXPECT_GE(std::count_if(quiz.notes.begin(), quiz.notes.end(),
-                            [&](const TourNote& note) { return note.question && note.question->kind == kind; }),
+                            [&](const LessonNote& note) { return note.question && note.question->kind == kind; }),
               2);
   }
 }
@@ -61,12 +60,12 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
   const auto among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  for (const TourNotes& tour : all())
-    for (const TourNote& note : tour.notes) {
+  for (const Lesson& tour : all())
+    for (const LessonNote& note : tour.notes) {
       if (!note.tour.empty()) {
         EXPECT_TRUE(among(parts, note.tour)) << note.tour;
       }
-      for (const TourMark& mark : note.marks) {
+      for (const LessonPin& mark : note.marks) {
         EXPECT_LE(std::max(std::abs(mark.at.x), std::abs(mark.at.y)), 6) << mark.label;
         EXPECT_TRUE(mark.at.z > 0 && mark.at.z < 22) << mark.label;
       }
@@ -76,10 +75,10 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
         EXPECT_TRUE(among(parts, note.question->part)) << note.title;
       }
     }
-  const TourNotes quiz = all().back();
+  const Lesson quiz = all().back();
   const auto answer_of = [&](const char* title) {
     const auto found =
-        std::find_if(quiz.notes.begin(), quiz.notes.end(), [&](const TourNote& note) { return note.title == title; });
+        std::find_if(quiz.notes.begin(), quiz.notes.end(), [&](const LessonNote& note) { return note.title == title; });
     return found == quiz.notes.end() ? -1 : found->question->answer;
   };
   EXPECT_EQ(answer_of("How many?"), static_cast<double>(facts.canals.size()));

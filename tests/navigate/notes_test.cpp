@@ -10,8 +10,8 @@
 namespace odontoscope::test {
 namespace {
 
-TourNotes some_tour() {
-  TourNotes tour{"Three canals", "molar.json", {}};
+Lesson some_tour() {
+  Lesson lesson{"Three canals", "molar.json", {}};
   tour.notes.push_back({"The chamber", "Its floor shows three orifices.\nLook for the third.", {}, true});
   tour.notes.back().camera.position = {0.1, 1.0 / 3, 9};
   tour.notes.back().camera.target = {0, 0, 8};
@@ -22,7 +22,7 @@ TourNotes some_tour() {
 
 std::string cause_of(const std::string& text) {
   try {
-    parse_tour(text, "a.tour.json");
+    parse_lesson(text, "a.tour.json");
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("a.tour.json"), std::string::npos);
     return std::string(error.cause());
@@ -38,11 +38,11 @@ std::string changed(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-TEST(TourNotes, AreReadAsTheyWereWritten) { EXPECT_EQ(parse_tour(to_json(some_tour()), "a"), some_tour()); }
+TEST(Lesson, AreReadAsTheyWereWritten) { EXPECT_EQ(parse_lesson(to_json(some_tour()), "a"), some_tour()); }
 
 /// With the whole of what is seen.
-TourNotes tour_with_scenes() {
-  TourNotes tour = some_tour();
+Lesson tour_with_scenes() {
+  Lesson lesson = some_tour();
   Scene scene;
   scene.camera = tour.notes[1].camera;
   scene.looks = {{"enamel", colour_of(0x112233), 0.3f, false, true}};
@@ -55,9 +55,9 @@ TourNotes tour_with_scenes() {
   return tour;
 }
 
-TEST(TourNotes, WithScenesAreReadAsTheyWereWritten) {
-  const TourNotes tour = tour_with_scenes();
-  const TourNotes read = parse_tour(to_json(tour), "a");
+TEST(Lesson, WithScenesAreReadAsTheyWereWritten) {
+  const Lesson lesson = tour_with_scenes();
+  const Lesson read = parse_lesson(to_json(tour), "a");
   EXPECT_EQ(read, tour);
   EXPECT_EQ(read.notes[0].camera.near_mm, 0) << "inside it follows from the flight";
   Scene other;
@@ -75,8 +75,8 @@ TEST(TourNotes, WithScenesAreReadAsTheyWereWritten) {
       << "a note of a camera alone leaves looks as they are";
 }
 
-TourNotes quiz_tour() {
-  TourNotes tour = tour_with_scenes();
+Lesson quiz_tour() {
+  Lesson lesson = tour_with_scenes();
   tour.language = "en";
   tour.feedback_at_end = true;
   tour.notes[0].tour = "mesiobuccal canal";
@@ -97,11 +97,11 @@ TourNotes quiz_tour() {
   return tour;
 }
 
-TEST(TourNotes, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
-  const TourNotes tour = quiz_tour();
+TEST(Lesson, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
+  const Lesson lesson = quiz_tour();
   const std::string text = to_json(tour);
   EXPECT_NE(text.find("\"version\": 3"), std::string::npos);
-  const TourNotes read = parse_tour(text, "a");
+  const Lesson read = parse_lesson(text, "a");
   EXPECT_EQ(read, tour);
   EXPECT_TRUE(read.is_quiz());
   EXPECT_FALSE(tour_with_scenes().is_quiz());
@@ -115,7 +115,7 @@ std::string with(const std::string& more, const std::string& top = "") {
          "}]}";
 }
 
-TEST(TourNotes, RefuseQuestionsThatCannotBeAnswered) {
+TEST(Lesson, RefuseQuestionsThatCannotBeAnswered) {
   const auto asked = [](const std::string& question) { return cause_of(with("\"question\":{" + question + "}")); };
   EXPECT_EQ(asked(R"("kind":"choice","ask":"a","choices":["x","y"],"answer":1)"), "read");
   EXPECT_EQ(asked(R"("choices":["x","y"],"answer":1,"ask":"a","kind":"choice")"), "read") << "keys come in any order";
@@ -144,7 +144,7 @@ TEST(TourNotes, RefuseQuestionsThatCannotBeAnswered) {
   EXPECT_EQ(asked(R"("kind":"number","ask":"a","answer":"3")"), "wrong-type");
 }
 
-TEST(TourNotes, RefusePinsAndTopsThatMakeNoSense) {
+TEST(Lesson, RefusePinsAndTopsThatMakeNoSense) {
   std::string pins;
   for (std::size_t i = 0; i < most_marks; ++i) pins += R"({"at":[1,2,3]},)";
   EXPECT_EQ(cause_of(with("\"marks\":[" + pins.substr(0, pins.size() - 1) + "]")), "read");
@@ -159,18 +159,18 @@ TEST(TourNotes, RefusePinsAndTopsThatMakeNoSense) {
   EXPECT_EQ(cause_of(with(R"("tour":"canal 1")", R"("feedback":"never",)")), "bad-value");
 }
 
-TEST(TourNotes, OfCamerasAloneAreStillVersionOne) {
+TEST(Lesson, OfCamerasAloneAreStillVersionOne) {
   const std::string text = to_json(some_tour());
   EXPECT_NE(text.find("\"version\": 1"), std::string::npos);
   EXPECT_EQ(text.find("scene"), std::string::npos);
 }
 
-TEST(TourNotes, RefuseAScenesFaultsWithTheNotesNumber) {
+TEST(Lesson, RefuseAScenesFaultsWithTheNotesNumber) {
   const auto cause = [](const std::string& scene) {
-    TourNotes tour = some_tour();
+    Lesson lesson = some_tour();
     tour.notes[1].scene = scene;
     try {
-      parse_tour(to_json(tour), "a.tour.json");
+      parse_lesson(to_json(tour), "a.tour.json");
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("a.tour.json, note 2"), std::string::npos) << error.what();
       return std::string(error.cause());
@@ -191,7 +191,7 @@ TEST(TourNotes, RefuseAScenesFaultsWithTheNotesNumber) {
   EXPECT_EQ(cause(head + R"("structures":[)" + many + "]}"), "bad-value");
 }
 
-TEST(TourNotes, RefuseEachWithItsCause) {
+TEST(Lesson, RefuseEachWithItsCause) {
   EXPECT_EQ(cause_of(""), "unparsable");
   EXPECT_EQ(cause_of("{"), "unparsable");
   EXPECT_EQ(cause_of(changed("odontoscope.tour", "odontoscope.lesson")), "wrong-format");
@@ -209,13 +209,13 @@ TEST(TourNotes, RefuseEachWithItsCause) {
   EXPECT_EQ(cause_of(changed("The chamber", std::string(most_title_bytes + 1, 'x'))), "bad-title");
   EXPECT_EQ(cause_of(changed("Its floor", std::string(most_text_bytes + 1, 'x'))), "bad-text");
   EXPECT_EQ(cause_of("{\"format\":\"odontoscope.tour\",\"version\":1,\"title\":\"\",\"notes\":[]}"), "no-notes");
-  TourNotes many = some_tour();
+  Lesson many = some_tour();
   many.notes.resize(most_notes + 1, many.notes[0]);
   EXPECT_EQ(cause_of(to_json(many)), "too-many-notes");
   EXPECT_EQ(cause_of(changed("\"inside\": true", "\"inside\": true, \"x-by\": {\"a\": [1]}")), "read");
 }
 
-TEST(TourNotes, NoChangeOfAByteDoesHarm) {
+TEST(Lesson, NoChangeOfAByteDoesHarm) {
   const std::string wholes[] = {to_json(some_tour()), to_json(tour_with_scenes()), to_json(quiz_tour())};
   RandomNumbers random(3);
   for (int i = 0; i < 6000; ++i) {
@@ -231,14 +231,14 @@ TEST(TourNotes, NoChangeOfAByteDoesHarm) {
       if (text.empty()) text = " ";
     }
     try {
-      const TourNotes read = parse_tour(text, "x");
-      EXPECT_EQ(parse_tour(to_json(read), "again"), read);
+      const Lesson read = parse_lesson(text, "x");
+      EXPECT_EQ(parse_lesson(to_json(read), "again"), read);
     } catch (const InputError&) {
     }
   }
 }
 
-TEST(TourNotes, AreKnownByTheirNames) {
+TEST(Lesson, AreKnownByTheirNames) {
   EXPECT_TRUE(named_like_a_tour("a/b.tour.json"));
   EXPECT_TRUE(named_like_a_tour("B.TOUR.JSON"));
   EXPECT_FALSE(named_like_a_tour("b.json"));

@@ -58,7 +58,7 @@ TEST(Quiz, TellsTheRightAnswerInWords) {
 }
 
 Quiz some_quiz() {
-  TourNotes tour{"Find your way", "", {}};
+  Lesson lesson{"Find your way", "", {}};
   tour.notes.resize(4);
   tour.notes[0].question = click();
   tour.notes[2].question = choice();

@@ -134,8 +134,8 @@ TEST_F(KeyboardTest, ANoteIsWrittenWithoutAMouse) {
   press_key(Key::tab);
   press_key(Key::enter);
   frames(2);
-  ASSERT_EQ(notes.tour.notes.size(), 1u);
-  EXPECT_EQ(notes.tour.notes[0].title, "Ab");
+  ASSERT_EQ(notes.lesson.notes.size(), 1u);
+  EXPECT_EQ(notes.lesson.notes[0].title, "Ab");
 }
 
 TEST_F(KeyboardTest, ADialogIsAnsweredByTabAndEnter) {

@@ -101,7 +101,7 @@ TEST_F(LanguageInTheWindow, WhatHasNoRoomIsNoticed) {
 TEST(LessonWords, AreTranslatedAndAnswersStay) {
   const Language german = known_language("de");
   for (std::size_t i = 0; i < built_in_lessons().size(); ++i) {
-    const TourNotes english = built_in_lesson_tour(i), tour = translated(english, german);
+    const Lesson english = built_in_lesson(i), tour = translated(english, german);
     EXPECT_NE(tour.title, english.title);
     EXPECT_EQ(tour.language, "de");
     for (std::size_t k = 0; k < tour.notes.size(); ++k) {
@@ -114,7 +114,7 @@ TEST(LessonWords, AreTranslatedAndAnswersStay) {
       EXPECT_EQ(fault_of(*tour.notes[k].question), "");
     }
     EXPECT_EQ(translated(english, Language{}), english);
-    EXPECT_EQ(parse_tour(to_json(tour), "again"), tour);
+    EXPECT_EQ(parse_lesson(to_json(tour), "again"), tour);
   }
 }
 

@@ -26,9 +26,9 @@ class LessonsTest : public FlightTest {
     const Area& area = viewer().panes().front().area;
     return {area.left + area.width / 2, area.top + area.height / 2};
   }
-  void take(TourNotes tour) {
+  void take(Lesson lesson) {
     notes() = {};
-    notes().tour = std::move(tour);
+    notes().lesson = std::move(tour);
     notes().go_to = 0;
     frames(2);
     settle();
@@ -45,10 +45,10 @@ class LessonsTest : public FlightTest {
 };
 
 /// Three questions about the toy tooth, one of each kind.
-TourNotes toy_quiz(const Viewer& viewer, bool at_end = false) {
-  TourNotes tour{"Toy quiz", "", {}};
+Lesson toy_quiz(const Viewer& viewer, bool at_end = false) {
+  Lesson lesson{"Toy quiz", "", {}};
   tour.feedback_at_end = at_end;
-  TourNote note = note_of(viewer.state().scene, false);
+  LessonNote note = note_of(viewer.state().scene, false);
   note.title = "Click";
   note.question = TourQuestion{.kind = TourQuestion::Kind::click,
                                .ask = "Click the enamel.",
@@ -78,13 +78,13 @@ TEST_F(LessonsTest, TheMenuListsThemAndOpensOne) {
   press_key(Key::enter);
   wait_until_loaded();
   EXPECT_FALSE(lesson().menu());
-  EXPECT_EQ(notes().tour.title, "Down the three canals");
+  EXPECT_EQ(notes().lesson.title, "Down the three canals");
   EXPECT_EQ(notes().shown, std::optional<std::size_t>(0));
   EXPECT_FALSE(notes().unsaved);
   type(U'g');
   type(U'1');
   frames(3);
-  EXPECT_EQ(notes().tour.title, "The tooth and its tissues");
+  EXPECT_EQ(notes().lesson.title, "The tooth and its tissues");
   type(U'g');
   press_key(Key::escape);
   EXPECT_FALSE(lesson().menu());
@@ -103,7 +103,7 @@ TEST_F(LessonsTest, ABuiltInLessonBringsTheSampleMolar) {
   frame();
   wait_until_loaded();
   EXPECT_EQ(loaded, (std::vector<std::string>{"", "another.json", ""}));
-  EXPECT_EQ(notes().tour.title, built_in_lessons()[0].title);
+  EXPECT_EQ(notes().lesson.title, built_in_lessons()[0].title);
 }
 
 TEST_F(LessonsTest, AQuizIsTakenByTheKeyboardAloneAndItsMarksAreSaved) {
@@ -215,7 +215,7 @@ TEST_F(LessonsTest, WordsStandBelowThePictureAndCoverNothing) {
 
 TEST_F(LessonsTest, ANoteRidesDownTheCanalThatItNames) {
   viewer_with(sample_tooth_loaded());
-  TourNotes tour = built_in_lesson_tour(1);
+  Lesson lesson = built_in_lesson(1);
   take(tour);
   notes().go_to = 2;
   frames(2);
@@ -265,8 +265,8 @@ TEST_F(LessonsTest, TimeIsTheClocks) {
 TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
   viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
   for (std::size_t number = 0; number < built_in_lessons().size(); ++number) {
-    const TourNotes tour = built_in_lesson_tour(number);
-    for (const TourNote& note : tour.notes) {
+    const Lesson lesson = built_in_lesson(number);
+    for (const LessonNote& note : tour.notes) {
       if (note.inside) {
         const auto inside = [&](const FlightSpace& space) {
           return space.walls.locate(note.camera.position) == Walls::Side::inside &&
@@ -274,7 +274,7 @@ TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
         };
         EXPECT_TRUE(std::any_of(spaces().cavities.begin(), spaces().cavities.end(), inside)) << note.title;
       }
-      for (const TourMark& mark : note.marks) {
+      for (const LessonPin& mark : note.marks) {
         const Box& box = viewer().state().shown->model.bounds_mm;
         for (int axis = 0; axis < 3; ++axis)
           EXPECT_TRUE(mark.at[axis] >= box.low[axis] - 0.3 && mark.at[axis] <= box.high[axis] + 0.3)
@@ -287,7 +287,7 @@ TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
 /// Somewhere in the picture each of the quiz's questions to click can be answered rightly.
 TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
   viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
-  const TourNotes tour = built_in_lesson_tour(4);
+  const Lesson lesson = built_in_lesson(4);
   std::size_t clicks = 0;
   take(tour);
   for (std::size_t i = 0; i < tour.notes.size(); ++i) {
@@ -340,12 +340,12 @@ TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
   EXPECT_EQ(notes().draft->question->structure.empty(), false);
   frames(2);
   click_control("Keep the note", {}, "note draft");
-  ASSERT_EQ(notes().tour.notes.size(), 1u);
+  ASSERT_EQ(notes().lesson.notes.size(), 1u);
   notes().save = true;
   frames(2);
   const auto files = files_in(scratch.path());
   ASSERT_EQ(files.size(), 1u);
-  const TourNotes saved = read_tour(files[0].string());
+  const Lesson saved = read_lesson(files[0].string());
   EXPECT_EQ(saved.notes[0].title, "Look");
   EXPECT_EQ(saved.notes[0].marks.at(0).label, "here");
   EXPECT_TRUE(saved.is_quiz());
@@ -359,27 +359,27 @@ TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
 
 TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
   viewer_with_tooth();
-  TourNotes tour = toy_quiz(viewer());
+  Lesson lesson = toy_quiz(viewer());
   take(tour);
   move_note(notes(), 0, 1);
-  EXPECT_EQ(notes().tour.notes[0].title, "Choose");
+  EXPECT_EQ(notes().lesson.notes[0].title, "Choose");
   EXPECT_EQ(notes().shown, std::optional<std::size_t>(1)) << "the same note is still shown";
   move_note(notes(), 0, -1);
-  EXPECT_EQ(notes().tour.notes[0].title, "Choose") << "there is nothing above the first";
+  EXPECT_EQ(notes().lesson.notes[0].title, "Choose") << "there is nothing above the first";
   remove_note(notes(), 0);
-  ASSERT_EQ(notes().tour.notes.size(), 2u);
+  ASSERT_EQ(notes().lesson.notes.size(), 2u);
   remove_note(notes(), 1);
   bring_back_note(notes());
   bring_back_note(notes());
-  ASSERT_EQ(notes().tour.notes.size(), 3u);
-  EXPECT_EQ(notes().tour.notes[0].title, "Choose");
+  ASSERT_EQ(notes().lesson.notes.size(), 3u);
+  EXPECT_EQ(notes().lesson.notes[0].title, "Choose");
   EXPECT_TRUE(notes().unsaved);
   edit_note(notes(), 1);
   frames(3);
   notes().draft->title = "Click it";
   const Camera before = notes().draft->camera;
   press_key(Key::escape);
-  EXPECT_EQ(notes().tour.notes[1].title, "Click") << "Esc changes nothing";
+  EXPECT_EQ(notes().lesson.notes[1].title, "Click") << "Esc changes nothing";
   edit_note(notes(), 1);
   notes().draft->title = "Click it";  // before the field has the keyboard
   frames(2);
@@ -388,9 +388,9 @@ TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
   frames(2);
   EXPECT_NE(notes().draft->camera, before);
   keep_draft(notes());
-  EXPECT_EQ(notes().tour.notes.size(), 3u);
-  EXPECT_EQ(notes().tour.notes[1].title, "Click it");
-  EXPECT_TRUE(notes().tour.notes[1].question) << "it is still what it was otherwise";
+  EXPECT_EQ(notes().lesson.notes.size(), 3u);
+  EXPECT_EQ(notes().lesson.notes[1].title, "Click it");
+  EXPECT_TRUE(notes().lesson.notes[1].question) << "it is still what it was otherwise";
 }
 
 TEST_F(LessonsTest, WhileANoteIsWrittenLettersAndTabStayWithIt) {

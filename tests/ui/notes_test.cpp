@@ -148,16 +148,16 @@ TEST_F(NotesTest, AnotherModelAsksBeforeNotesAreLost) {
   press_key(Key::escape);
   EXPECT_FALSE(notes().leaving);
   EXPECT_EQ(viewer().state().shown, tooth);
-  EXPECT_EQ(notes().tour.notes.size(), 1u);
+  EXPECT_EQ(notes().lesson.notes.size(), 1u);
 
   drop_another();
   click_control("Save them, then open", {}, "leaving");
   wait_until_loaded();
   EXPECT_NE(viewer().state().shown, tooth);
-  EXPECT_TRUE(notes().tour.notes.empty());
+  EXPECT_TRUE(notes().lesson.notes.empty());
   const auto saved = tour_in(scratch.path());
   ASSERT_FALSE(saved.empty());
-  EXPECT_EQ(read_tour(saved.string()).notes.at(0).title, "Mine");
+  EXPECT_EQ(read_lesson(saved.string()).notes.at(0).title, "Mine");
 
   notes().write = true;  // only begun, and yet somebody's words
   frame();
@@ -212,7 +212,7 @@ TEST_F(NotesTest, WhereNothingCanBeSavedNothingIsLost) {
   click_control("Save them, then close", {}, "leaving");
   EXPECT_FALSE(viewer().state().close);
   EXPECT_FALSE(viewer().state().trouble.empty());
-  EXPECT_EQ(notes().tour.notes.size(), 1u);
+  EXPECT_EQ(notes().lesson.notes.size(), 1u);
 }
 
 TEST_F(NotesTest, OverAVolumeNameNoFileThatWouldBeAskedAbout) {
@@ -229,7 +229,7 @@ TEST_F(NotesTest, OverAVolumeNameNoFileThatWouldBeAskedAbout) {
     write_note("Mine");
     notes().save = true;
     frame();
-    EXPECT_EQ(notes().tour.model.empty(), std::string(file).ends_with(".nrrd")) << file;
+    EXPECT_EQ(notes().lesson.model.empty(), std::string(file).ends_with(".nrrd")) << file;
   }
 }
 
@@ -247,8 +247,8 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   for (const char32_t letter : std::u32string(U"wwww")) type(letter);  // into the title, not into the wall
   press_key(Key::enter);
   frames(2);
-  ASSERT_EQ(notes.tour.notes.size(), 1u);
-  EXPECT_EQ(notes.tour.notes[0].title, "wwww");
+  ASSERT_EQ(notes.lesson.notes.size(), 1u);
+  EXPECT_EQ(notes.lesson.notes[0].title, "wwww");
   EXPECT_LT(glm::length(fly().flight.eye - inside.eye), 1e-4) << "the letters flew";
   press_key(Key::escape);
   fade();
@@ -259,7 +259,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   notes.write = true;
   frames(2);
   notes.draft->title = "From lingual";
-  notes.tour.notes.push_back(*notes.draft);
+  notes.lesson.notes.push_back(*notes.draft);
   notes.draft.reset();
   notes.save = true;
   frames(2);
@@ -305,9 +305,9 @@ TEST_F(FlightTest, ABrokenTourIsToldAndNothingElseChanges) {
 TEST_F(FlightTest, ANoteFromAnotherToothIsToldOf) {
   viewer_with_tooth();
   NotesState& notes = viewer().state().notes;
-  TourNote elsewhere{"Elsewhere", "", {}, true};
+  LessonNote elsewhere{"Elsewhere", "", {}, true};
   elsewhere.camera.position = {500, 0, 0};
-  notes.tour.notes.push_back(elsewhere);
+  notes.lesson.notes.push_back(elsewhere);
   notes.go_to = 0;
   frames(2);
   EXPECT_FALSE(fly().on);
