@@ -38,15 +38,15 @@ std::optional<CalledLesson> lesson_of(WebArguments& options) {
   }
   if (options.lesson.empty()) return {};
   CalledLesson lesson = lesson_called(options.lesson);
-  if (options.words.input.empty() && !lesson.tour.model.empty())
+  if (options.words.input.empty() && !lesson.lesson.model.empty())
     options.words.input =
-        (std::filesystem::path(options.lesson).parent_path() / lesson.tour.model).lexically_normal().string();
+        (std::filesystem::path(options.lesson).parent_path() / lesson.lesson.model).lexically_normal().string();
   return lesson;
 }
 
 std::string title_of(const WebArguments& options, const std::optional<CalledLesson>& lesson) {
   if (!options.title.empty()) return options.title;
-  if (lesson && !lesson->tour.title.empty()) return lesson->tour.title;
+  if (lesson && !lesson->lesson.title.empty()) return lesson->lesson.title;
   if (options.words.input.empty()) return "Sample molar";
   std::filesystem::path path(options.words.input);
   if (!path.has_filename()) path = path.parent_path();
@@ -69,7 +69,7 @@ struct Made {
 Made made_once(const WebArguments& options, const std::optional<CalledLesson>& lesson, Session& session) {
   Made made{web_page_of(options.words, session), {}};
   made.page.title = title_of(options, lesson);
-  if (lesson) made.page.lesson = to_json(lesson->tour);
+  if (lesson) made.page.lesson = to_json(lesson->lesson);
   made.page.lesson_built_in = lesson && lesson->built_in;
   made.page.language = language_in_page(options.language);
   session.progress().check();

@@ -190,7 +190,7 @@ Scene ArtefactLessonStep::scene_over(const Scene& usual) const {
   return scene.empty() ? usual : scene_from_json(scene, usual, "lesson");
 }
 
-ArtefactLesson parse_lesson(std::string_view bytes, const std::string& file) {
+ArtefactLesson parse_artefact_lesson(std::string_view bytes, const std::string& file) {
   const Json json = parse(bytes, file);
   const Object document(json, "the lesson", file, {"format", "version", "title", "steps"});
   if (document.text("format") != format_name)

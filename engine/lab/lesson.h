@@ -59,12 +59,12 @@ inline constexpr int depth = 12;
 
 /// Throws InputError: file-too-large, unparsable, too-deep, wrong-format, wrong-version, wrong-type, missing-key,
 /// unknown-key, repeated-key, not-finite, bad-value, and what a scene's reader throws.
-ArtefactLesson parse_lesson(std::string_view bytes, const std::string& file);
+ArtefactLesson parse_artefact_lesson(std::string_view bytes, const std::string& file);
 
 /// The one that comes with the program, for the sample molar; in lesson_files.cpp, and so only in this room.
 std::span<const EmbeddedFile> lesson_files();
 inline std::string_view lesson_text() { return lesson_files()[0].bytes; }
-inline ArtefactLesson built_in_lesson() { return parse_lesson(lesson_text(), "lesson.json"); }
+inline ArtefactLesson artefact_lesson() { return parse_artefact_lesson(lesson_text(), "lesson.json"); }
 
 /// "triangles", "cracks" (boundary edges), "misoriented", "nonmanifold" (edges), "pieces" (shells), "lowest_mm",
 /// "ridges_mm", "median_angle_deg" (median over the triangles of their smallest angle; the least of the structures);

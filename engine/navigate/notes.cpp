@@ -125,13 +125,13 @@ constexpr JsonNode nodes[] = {
 /// Keys that a kind of question needs, and those that it may have beside "ask" and "explain".
 struct KindRule {
   std::string_view name;
-  TourQuestion::Kind kind;
+  LessonQuestion::Kind kind;
   std::vector<Node> needed, allowed;
 };
 const std::array<KindRule, 3>& kind_rules() {
-  static const std::array<KindRule, 3> rules = {{{"click", TourQuestion::Kind::click, {structure}, {part}},
-                                                 {"choice", TourQuestion::Kind::choice, {choices, answer}, {}},
-                                                 {"number", TourQuestion::Kind::number, {answer}, {within, unit}}}};
+  static const std::array<KindRule, 3> rules = {{{"click", LessonQuestion::Kind::click, {structure}, {part}},
+                                                 {"choice", LessonQuestion::Kind::choice, {choices, answer}, {}},
+                                                 {"number", LessonQuestion::Kind::number, {answer}, {within, unit}}}};
   return rules;
 }
 constexpr Node kind_dependent[] = {structure, part, choices, answer, within, unit};
@@ -266,7 +266,7 @@ class LessonReader final : public StrictJson {
     }
   }
   void question_text(int node, const std::string& value) {
-    TourQuestion& asked = *tour_.notes.back().question;
+    LessonQuestion& asked = *tour_.notes.back().question;
     seen_.insert(node);
     switch (node) {
       case kind:
@@ -301,7 +301,7 @@ class LessonReader final : public StrictJson {
   }
   /// All of it was read.
   void check_question() const {
-    const TourQuestion& asked = *tour_.notes.back().question;
+    const LessonQuestion& asked = *tour_.notes.back().question;
     const auto name = [](Node key) { return nodes[key].what; };
     for (const Node key : kind_dependent) {
       const bool needed = std::count(kind_->needed.begin(), kind_->needed.end(), key) > 0,
@@ -339,18 +339,18 @@ class LessonReader final : public StrictJson {
 
 Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
-/// Scenes have a reader of their own. `bytes` are known to be a tour, and nowhere nested deeply.
-void take_scenes(std::string_view bytes, const std::string& name, Lesson& tour) {
+/// Scenes have a reader of their own. `bytes` are known to be a lesson, and nowhere nested deeply.
+void take_scenes(std::string_view bytes, const std::string& name, Lesson& lesson) {
   const Json json = Json::parse(bytes, nullptr, /*allow_exceptions=*/false);
   if (json.is_discarded()) throw InternalError("a tour that was read cannot be read again");
-  for (std::size_t i = 0; i < tour.notes.size(); ++i) {
+  for (std::size_t i = 0; i < lesson.notes.size(); ++i) {
     const Json& note = json["notes"][i];
     const auto found = note.find("scene");
     if (found == note.end()) continue;
     Json scene = *found;
     if (scene.is_object()) scene.erase("camera");
-    tour.notes[i].scene = scene.dump();
-    scene_from_json(tour.notes[i].scene, Scene{},
+    lesson.notes[i].scene = scene.dump();
+    scene_from_json(lesson.notes[i].scene, Scene{},
                     fmt::format("{}, note {}", name, i + 1));  // refused now rather than in the middle of a lesson
   }
 }
@@ -360,8 +360,8 @@ void take_scenes(std::string_view bytes, const std::string& name, Lesson& tour) 
 Lesson parse_lesson(std::string_view bytes, const std::string& name) {
   JsonSource source = JsonSource::from_bytes(bytes, name);
   Lesson lesson = LessonReader().read_lesson(source);
-  take_scenes(bytes, name, tour);
-  return tour;
+  take_scenes(bytes, name, lesson);
+  return lesson;
 }
 
 LessonNote note_of(const Scene& scene, bool inside) {
@@ -392,29 +392,29 @@ Lesson read_lesson(const std::string& file) { return parse_lesson(read_file(file
 
 namespace {
 
-int version_of(const Lesson& tour) {
-  const auto any = [&](auto&& has) { return std::any_of(tour.notes.begin(), tour.notes.end(), has); };
-  if (!tour.language.empty() || tour.feedback_at_end ||
+int version_of(const Lesson& lesson) {
+  const auto any = [&](auto&& has) { return std::any_of(lesson.notes.begin(), lesson.notes.end(), has); };
+  if (!lesson.language.empty() || lesson.feedback_at_end ||
       any([](const LessonNote& note) { return !note.marks.empty() || note.question || !note.tour.empty(); }))
     return format_version;
   return any([](const LessonNote& note) { return !note.scene.empty(); }) ? version_without_questions
                                                                          : version_without_scenes;
 }
 
-Json json_of(const TourQuestion& question) {
+Json json_of(const LessonQuestion& question) {
   const KindRule& rule = *std::find_if(kind_rules().begin(), kind_rules().end(),
                                        [&](const KindRule& one) { return one.kind == question.kind; });
   Json json{{"kind", rule.name}, {"ask", question.ask}};
   switch (question.kind) {
-    case TourQuestion::Kind::click:
+    case LessonQuestion::Kind::click:
       json["structure"] = question.structure;
       if (!question.part.empty()) json["part"] = question.part;
       break;
-    case TourQuestion::Kind::choice:
+    case LessonQuestion::Kind::choice:
       json["choices"] = question.choices;
       json["answer"] = static_cast<int>(question.answer);
       break;
-    case TourQuestion::Kind::number:
+    case LessonQuestion::Kind::number:
       json["answer"] = question.answer;
       json["within"] = question.within;
       if (!question.unit.empty()) json["unit"] = question.unit;
@@ -426,12 +426,12 @@ Json json_of(const TourQuestion& question) {
 
 }  // namespace
 
-std::string fault_of(const TourQuestion& question) {
+std::string fault_of(const LessonQuestion& question) {
   if (question.ask.empty()) return "Write what is asked.";
-  if (question.kind == TourQuestion::Kind::click)
+  if (question.kind == LessonQuestion::Kind::click)
     return question.structure.empty() ? "Say which structure is right." : "";
   if (!(std::abs(question.answer) <= largest_answer)) return fmt::format("An answer lies within {}.", largest_answer);
-  if (question.kind == TourQuestion::Kind::number)
+  if (question.kind == LessonQuestion::Kind::number)
     return question.within >= 0 && question.within <= largest_answer ? ""
                                                                      : "Say how far off is still right: 0 or more.";
   if (question.choices.size() < least_choices) return "Offer two choices or more.";
@@ -449,13 +449,13 @@ bool Lesson::is_quiz() const {
   return std::any_of(notes.begin(), notes.end(), [](const LessonNote& note) { return note.question.has_value(); });
 }
 
-std::string to_json(const Lesson& tour) {
-  Json json{{"format", format_name}, {"version", version_of(tour)}, {"title", tour.title}};
-  if (!tour.model.empty()) json["model"] = tour.model;
-  if (!tour.language.empty()) json["language"] = tour.language;
-  if (tour.feedback_at_end) json["feedback"] = "at-end";
+std::string to_json(const Lesson& lesson) {
+  Json json{{"format", format_name}, {"version", version_of(lesson)}, {"title", lesson.title}};
+  if (!lesson.model.empty()) json["model"] = lesson.model;
+  if (!lesson.language.empty()) json["language"] = lesson.language;
+  if (lesson.feedback_at_end) json["feedback"] = "at-end";
   json["notes"] = Json::array();
-  for (const LessonNote& note : tour.notes) {
+  for (const LessonNote& note : lesson.notes) {
     const Camera& camera = note.camera;
     Json eye{{"position", json_of(camera.position)},
              {"target", json_of(camera.target)},

@@ -42,7 +42,7 @@ struct LessonPin {
   friend bool operator==(const LessonPin&, const LessonPin&) = default;
 };
 
-struct TourQuestion {
+struct LessonQuestion {
   enum class Kind { click, choice, number };
   Kind kind = Kind::choice;
   std::string ask, explain = {};
@@ -51,7 +51,7 @@ struct TourQuestion {
   double answer = 0;                      // choice: which of them, from 0; number: the number
   double within = 0;                      // number: how far off is still right
   std::string unit = {};                  // number
-  friend bool operator==(const TourQuestion&, const TourQuestion&) = default;
+  friend bool operator==(const LessonQuestion&, const LessonQuestion&) = default;
 };
 
 struct LessonNote {
@@ -60,7 +60,7 @@ struct LessonNote {
   bool inside = false;     // seen in flight, from within a cavity
   std::string scene = {};  // JSON as above, without a camera; empty: none
   std::vector<LessonPin> marks = {};
-  std::optional<TourQuestion> question = {};
+  std::optional<LessonQuestion> question = {};
   std::string tour = {};  // a canal's name; empty: no ride
   /// `now` as the note looks; what its scene does not speak of is as in `usual`, the camera is the note's.
   Scene scene_over(const Scene& now, const Scene& usual) const;
@@ -94,10 +94,10 @@ Lesson parse_lesson(std::string_view bytes, const std::string& name);
 Lesson read_lesson(const std::string& file);
 
 /// What parse_lesson reads as the very same, in the oldest version that can say it.
-std::string to_json(const Lesson& tour);
+std::string to_json(const Lesson& lesson);
 
 /// Why it cannot be asked, in words; empty: it can.
-std::string fault_of(const TourQuestion& question);
+std::string fault_of(const LessonQuestion& question);
 
 /// Is it called as such a file?
 bool named_like_a_tour(std::string_view file);

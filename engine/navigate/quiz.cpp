@@ -15,7 +15,7 @@ namespace odontoscope {
 
 namespace {
 
-std::string_view kind_name(TourQuestion::Kind kind) {
+std::string_view kind_name(LessonQuestion::Kind kind) {
   static constexpr std::array names = {std::string_view("click"), std::string_view("choice"),
                                        std::string_view("number")};
   return names[static_cast<std::size_t>(kind)];
@@ -50,15 +50,15 @@ double rounded_seconds(double seconds) { return std::round(10 * seconds) / 10; }
 
 }  // namespace
 
-bool is_right(const TourQuestion& question, const PointedAt& clicked) {
+bool is_right(const LessonQuestion& question, const PointedAt& clicked) {
   return plain_name(clicked.structure) == plain_name(question.structure) &&
          (question.part.empty() || plain_name(clicked.part) == plain_name(question.part));
 }
-bool is_right(const TourQuestion& question, std::size_t choice) {
+bool is_right(const LessonQuestion& question, std::size_t choice) {
   return static_cast<double>(choice) == question.answer;
 }
 /// Decimal numbers are rarely doubles: 0.1 off is within 0.1.
-bool is_right(const TourQuestion& question, double number) {
+bool is_right(const LessonQuestion& question, double number) {
   const double slack = 1e-9 * std::max({1.0, std::abs(number), std::abs(question.answer)});
   return std::abs(number - question.answer) <= question.within + slack;
 }
@@ -67,13 +67,13 @@ std::string number_in_words(double number, const std::string& unit) {
   return unit.empty() ? fmt::format("{}", number) : fmt::format("{} {}", number, unit);
 }
 
-std::string right_answer(const TourQuestion& question) {
+std::string right_answer(const LessonQuestion& question) {
   switch (question.kind) {
-    case TourQuestion::Kind::click:
+    case LessonQuestion::Kind::click:
       return question.part.empty() ? question.structure : question.part;
-    case TourQuestion::Kind::choice:
+    case LessonQuestion::Kind::choice:
       return question.choices[static_cast<std::size_t>(question.answer)];
-    case TourQuestion::Kind::number:
+    case LessonQuestion::Kind::number:
       break;
   }
   return number_in_words(question.answer, question.unit);
@@ -103,10 +103,10 @@ QuizRow* Quiz::row_of(std::size_t note) {
 }
 const QuizRow* Quiz::row_of(std::size_t note) const { return const_cast<Quiz*>(this)->row_of(note); }
 
-Quiz quiz_of(const Lesson& tour) {
-  Quiz quiz{tour.title, {}, tour.feedback_at_end};
-  for (std::size_t note = 0; note < tour.notes.size(); ++note)
-    if (const auto& question = tour.notes[note].question)
+Quiz quiz_of(const Lesson& lesson) {
+  Quiz quiz{lesson.title, {}, lesson.feedback_at_end};
+  for (std::size_t note = 0; note < lesson.notes.size(); ++note)
+    if (const auto& question = lesson.notes[note].question)
       quiz.rows.push_back({note, question->kind, question->ask, {}});
   return quiz;
 }

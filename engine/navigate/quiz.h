@@ -1,5 +1,5 @@
 #pragma once
-// A quiz: the questions of a tour's notes in their order, what was answered, and the marks for it as CSV and JSON.
+// A quiz: the questions of a lesson's notes in their order, what was answered, and the marks for it as CSV and JSON.
 //
 //   number,kind,question,given,right,seconds
 //   1,choice,Which structure is this?,dentine,yes,4.2
@@ -26,17 +26,17 @@ struct PointedAt {
 
 struct QuizRow {
   std::size_t note = 0;  // whose question it is
-  TourQuestion::Kind kind = TourQuestion::Kind::choice;
+  LessonQuestion::Kind kind = LessonQuestion::Kind::choice;
   std::string question, given;
   bool answered = false, right = false;
   double seconds = 0;  // from when it was first seen to its answer
 };
 
-bool is_right(const TourQuestion& question, const PointedAt& clicked);
-bool is_right(const TourQuestion& question, std::size_t choice);
-bool is_right(const TourQuestion& question, double number);
+bool is_right(const LessonQuestion& question, const PointedAt& clicked);
+bool is_right(const LessonQuestion& question, std::size_t choice);
+bool is_right(const LessonQuestion& question, double number);
 /// "mesiobuccal canal", "dentine", "13.6 mm".
-std::string right_answer(const TourQuestion& question);
+std::string right_answer(const LessonQuestion& question);
 /// "13.6 mm"; no more digits than the number has.
 std::string number_in_words(double number, const std::string& unit);
 /// A decimal comma counts as a point; empty: no number, or not finite.
@@ -52,7 +52,7 @@ struct Quiz {
   QuizRow* row_of(std::size_t note);
   const QuizRow* row_of(std::size_t note) const;
 };
-Quiz quiz_of(const Lesson& tour);
+Quiz quiz_of(const Lesson& lesson);
 
 std::string marks_csv(const Quiz& quiz);
 std::string marks_json(const Quiz& quiz);

@@ -292,7 +292,7 @@ void lab_section(ViewerState& state, const Interface& interface) {
   if (widgets::wide_button("Next artefact (N)", true)) state.pending_actions.push_back(Action::next_artefact);
   progress_line(lab, interface);
   db_options(lab, interface);
-  if (widgets::wide_button(lab.lesson ? "End the lesson" : "ArtefactLesson: why culling shows errors"))
+  if (widgets::wide_button(lab.lesson ? "End the lesson" : "Lesson: why culling shows errors"))
     state.pending_actions.push_back(Action::toggle_lesson);
   if (widgets::wide_button("Leave DB mode (D)")) state.pending_actions.push_back(Action::toggle_lab);
 }

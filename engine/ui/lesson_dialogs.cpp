@@ -36,7 +36,7 @@ bool coloured_button(const char* words, float width, ImU32 colour) {
   return pressed;
 }
 
-void choices(ViewerState& state, LessonMode& lesson, const TourQuestion& question, const QuizRow& row) {
+void choices(ViewerState& state, LessonMode& lesson, const LessonQuestion& question, const QuizRow& row) {
   const int columns = ImGui::GetContentRegionAvail().x > scaled(480) ? 2 : 1;
   const float width = button_width(columns);
   const bool told = row.answered && !lesson.quiz()->at_end;
@@ -53,7 +53,7 @@ void choices(ViewerState& state, LessonMode& lesson, const TourQuestion& questio
 }
 
 /// Letters go here without a click, see LessonMode::handle: drawn, not ImGui's.
-void number_field(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question,
+void number_field(ViewerState& state, LessonMode& lesson, const Interface& interface, const LessonQuestion& question,
                   const QuizRow& row) {
   if (row.answered) return;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -80,14 +80,14 @@ void number_field(ViewerState& state, LessonMode& lesson, const Interface& inter
   if (!typed.empty() && !number_from(typed)) widgets::remark(interface, "That is no number yet.");
 }
 
-void question_part(ViewerState& state, LessonMode& lesson, const Interface& interface, const TourQuestion& question,
+void question_part(ViewerState& state, LessonMode& lesson, const Interface& interface, const LessonQuestion& question,
                    const QuizRow& row) {
   ImGui::PushFont(interface.bold);
   widgets::as_written(question.ask);
   ImGui::PopFont();
-  if (question.kind == TourQuestion::Kind::choice) choices(state, lesson, question, row);
-  if (question.kind == TourQuestion::Kind::number) number_field(state, lesson, interface, question, row);
-  if (question.kind == TourQuestion::Kind::click && !row.answered)
+  if (question.kind == LessonQuestion::Kind::choice) choices(state, lesson, question, row);
+  if (question.kind == LessonQuestion::Kind::number) number_field(state, lesson, interface, question, row);
+  if (question.kind == LessonQuestion::Kind::click && !row.answered)
     widgets::remark(
         interface,
         "Drag or the arrow keys turn the tooth. Click the place; or bring it under the cross and press Enter.");
@@ -128,7 +128,7 @@ void note_part(ViewerState& state, LessonMode& lesson, const Interface& interfac
 void result_rows(const NotesState& notes, const Quiz& quiz, const Interface& interface) {
   for (std::size_t i = 0; i < quiz.rows.size(); ++i) {
     const QuizRow& row = quiz.rows[i];
-    const TourQuestion& question = *notes.lesson.notes[row.note].question;
+    const LessonQuestion& question = *notes.lesson.notes[row.note].question;
     std::string words = fmt::format("{}   {}   ", i + 1, row.question);
     if (row.right)
       words += row.given;

@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::size_t most_typed = 24;
 
-const TourQuestion* question_of(const NotesState& notes) {
+const LessonQuestion* question_of(const NotesState& notes) {
   if (!notes.shown || *notes.shown >= notes.lesson.notes.size()) return nullptr;
   const auto& question = notes.lesson.notes[*notes.shown].question;
   return question ? &*question : nullptr;
 }
 
 /// The same questions of the same notes.
-bool is_of(const Quiz& quiz, const Lesson& tour) {
-  const Quiz fresh = quiz_of(tour);
+bool is_of(const Quiz& quiz, const Lesson& lesson) {
+  const Quiz fresh = quiz_of(lesson);
   return quiz.title == fresh.title && quiz.at_end == fresh.at_end &&
          std::equal(quiz.rows.begin(), quiz.rows.end(), fresh.rows.begin(), fresh.rows.end(),
                     [](const QuizRow& a, const QuizRow& b) {
@@ -79,14 +79,14 @@ const QuizRow* LessonMode::row(const NotesState& notes) const {
   return quiz_ && notes.shown && !result_ ? quiz_->row_of(*notes.shown) : nullptr;
 }
 
-const TourQuestion* LessonMode::asked(const NotesState& notes) const {
+const LessonQuestion* LessonMode::asked(const NotesState& notes) const {
   const QuizRow* now = row(notes);
   return now && !now->answered ? question_of(notes) : nullptr;
 }
 
 bool LessonMode::wants_click(const NotesState& notes) const {
-  const TourQuestion* question = asked(notes);
-  return question && question->kind == TourQuestion::Kind::click;
+  const LessonQuestion* question = asked(notes);
+  return question && question->kind == LessonQuestion::Kind::click;
 }
 
 QuizRow* LessonMode::row_asked(const NotesState& notes) { return asked(notes) ? quiz_->row_of(*notes.shown) : nullptr; }
@@ -104,21 +104,21 @@ void LessonMode::answer(const NotesState& notes, const PointedAt& clicked) {
 }
 
 void LessonMode::answer(const NotesState& notes, std::size_t choice) {
-  const TourQuestion* question = asked(notes);
-  if (!question || question->kind != TourQuestion::Kind::choice || choice >= question->choices.size()) return;
+  const LessonQuestion* question = asked(notes);
+  if (!question || question->kind != LessonQuestion::Kind::choice || choice >= question->choices.size()) return;
   finish(*row_asked(notes), question->choices[choice], is_right(*question, choice));
 }
 
 void LessonMode::answer_typed(const NotesState& notes) {
-  const TourQuestion* question = asked(notes);
-  if (!question || question->kind != TourQuestion::Kind::number) return;
+  const LessonQuestion* question = asked(notes);
+  if (!question || question->kind != LessonQuestion::Kind::number) return;
   if (const auto number = number_from(typed_))
     finish(*row_asked(notes), number_in_words(*number, question->unit), is_right(*question, *number));
 }
 
 std::string LessonMode::feedback(const NotesState& notes) const {
   const QuizRow* now = row(notes);
-  const TourQuestion* question = question_of(notes);
+  const LessonQuestion* question = question_of(notes);
   if (!now || !now->answered || !question) return {};
   if (quiz_->at_end) return fmt::format("Your answer: {}. Right or wrong is told at the end.", now->given);
   if (now->right) return fmt::format("Right: {}.", now->given);
@@ -171,22 +171,22 @@ bool LessonMode::handle(const Event& event, ViewerState& state) {
     save_marks = true;
     return true;
   }
-  const TourQuestion* question = asked(notes);
+  const LessonQuestion* question = asked(notes);
   if (!question) {
     if (!enter || !row(notes)) return false;
     state.pending_actions.push_back(Action::next_step);
     return true;
   }
   switch (question->kind) {
-    case TourQuestion::Kind::click:
+    case LessonQuestion::Kind::click:
       if (!enter) return false;
       pick_middle = true;
       return true;
-    case TourQuestion::Kind::choice:
+    case LessonQuestion::Kind::choice:
       if (!text || text->character < U'1' || text->character >= U'1' + question->choices.size()) return false;
       answer(notes, static_cast<std::size_t>(text->character - U'1'));
       return true;
-    case TourQuestion::Kind::number:
+    case LessonQuestion::Kind::number:
       break;
   }
   if (text && belongs_to_number(text->character, typed_)) {

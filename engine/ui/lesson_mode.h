@@ -24,7 +24,7 @@ class LessonMode {
   void toggle_menu();
   void close_menu() { menu_ = false; }
 
-  /// Another note is shown: begins the quiz of its tour if that is not being taken already.
+  /// Another note is shown: begins the quiz of its lesson if that is not being taken already.
   void enter(const NotesState& notes);
   /// Forgets answers: the lesson is over.
   void leave();
@@ -37,7 +37,7 @@ class LessonMode {
   void advance(const NotesState& notes, double seconds);
 
   /// The question on the screen that waits for an answer; null: none.
-  const TourQuestion* asked(const NotesState& notes) const;
+  const LessonQuestion* asked(const NotesState& notes) const;
   bool wants_click(const NotesState& notes) const;
   void answer(const NotesState& notes, const PointedAt& clicked);
   void answer(const NotesState& notes, std::size_t choice);

@@ -3,11 +3,11 @@
 namespace odontoscope {
 
 Lesson translated(Lesson lesson, const Language& language) {
-  if (language.english()) return tour;
+  if (language.english()) return lesson;
   const auto say = [&](std::string& words) { words = language.of(words); };
-  say(tour.title);
-  tour.language = language.tag;
-  for (LessonNote& note : tour.notes) {
+  say(lesson.title);
+  lesson.language = language.tag;
+  for (LessonNote& note : lesson.notes) {
     say(note.title);
     say(note.text);
     for (LessonPin& mark : note.marks) say(mark.label);
@@ -15,7 +15,7 @@ Lesson translated(Lesson lesson, const Language& language) {
     for (std::string* words : {&note.question->ask, &note.question->explain, &note.question->unit}) say(*words);
     for (std::string& choice : note.question->choices) say(choice);
   }
-  return tour;
+  return lesson;
 }
 
 }  // namespace odontoscope

@@ -54,7 +54,7 @@ void pins(NotesState& notes) {
   if (draft.marks.size() < most_marks && widgets::wide_button("Place a pin")) notes.placing = NotesState::Placing::pin;
 }
 
-void click_fields(NotesState& notes, TourQuestion& question) {
+void click_fields(NotesState& notes, LessonQuestion& question) {
   const std::string said = question.structure.empty() ? "nothing yet"
                            : question.part.empty()    ? question.structure
                                                       : question.structure + ", " + question.part;
@@ -62,7 +62,7 @@ void click_fields(NotesState& notes, TourQuestion& question) {
   if (widgets::wide_button("Show what is right")) notes.placing = NotesState::Placing::answer;
 }
 
-void choice_fields(TourQuestion& question) {
+void choice_fields(LessonQuestion& question) {
   question.choices.resize(std::max(question.choices.size(), least_choices));
   for (std::size_t i = 0; i < question.choices.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
@@ -83,18 +83,18 @@ void question_fields(NotesState& notes) {
     if (kind == 0) {
       draft.question.reset();
     } else {
-      TourQuestion fresh{.kind = static_cast<TourQuestion::Kind>(kind - 1),
-                         .ask = draft.question ? draft.question->ask : "",
-                         .explain = draft.question ? draft.question->explain : ""};
+      LessonQuestion fresh{.kind = static_cast<LessonQuestion::Kind>(kind - 1),
+                           .ask = draft.question ? draft.question->ask : "",
+                           .explain = draft.question ? draft.question->explain : ""};
       draft.question = std::move(fresh);
     }
   }
   if (!draft.question) return;
-  TourQuestion& question = *draft.question;
+  LessonQuestion& question = *draft.question;
   line_field("##ask", question.ask, most_text_bytes, -1, "what is asked");
-  if (question.kind == TourQuestion::Kind::click) click_fields(notes, question);
-  if (question.kind == TourQuestion::Kind::choice) choice_fields(question);
-  if (question.kind == TourQuestion::Kind::number) {
+  if (question.kind == LessonQuestion::Kind::click) click_fields(notes, question);
+  if (question.kind == LessonQuestion::Kind::choice) choice_fields(question);
+  if (question.kind == LessonQuestion::Kind::number) {
     number_line("##answer", question.answer, "Right is");
     ImGui::SameLine();
     number_line("##within", question.within, "within");

@@ -20,9 +20,9 @@ struct LeavingNotes {
 
 struct NotesState {
   Lesson lesson;
-  std::optional<std::size_t> shown;     // of tour.notes: the lesson is being given
+  std::optional<std::size_t> shown;     // of lesson.notes: the lesson is being given
   std::optional<LessonNote> draft;      // being written,
-  std::optional<std::size_t> draft_of;  // in place of this one of tour.notes; none: a new one
+  std::optional<std::size_t> draft_of;  // in place of this one of lesson.notes; none: a new one
   bool fresh_draft = false;             // its first field has not had the keyboard yet
   enum class Placing { none, pin, answer };
   Placing placing = Placing::none;                          // the next click in the picture is for the draft

@@ -59,7 +59,7 @@ std::optional<CanalPick> Viewer::canal_at(const ViewPane& pane, double x, double
 /// For a question about the pulp a canal counts as soon as it is seen, whatever translucent lies before it.
 std::optional<PointedAt> Viewer::pointed_at(const ViewPane& pane, double x, double y) const {
   const NotesState& notes = state_.notes;
-  const TourQuestion* question = notes.draft ? nullptr : lesson_.asked(notes);
+  const LessonQuestion* question = notes.draft ? nullptr : lesson_.asked(notes);
   const auto is_pulp = [&](const std::string& structure) {
     const auto& cavities = state_.shown->flight->cavities;
     return lower_case(structure).find("pulp") != std::string::npos ||

@@ -288,7 +288,7 @@ void Viewer::begin_lesson() {
     open({});
     return;
   }
-  ArtefactLesson lesson = built_in_lesson();
+  ArtefactLesson lesson = artefact_lesson();
   enter_lab();
   if (!state_.lab.on) return;
   state_.lab.lesson = std::move(lesson);

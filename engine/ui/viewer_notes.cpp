@@ -268,14 +268,14 @@ void Viewer::save_notes() {
   }
 }
 
-/// True: the request is done, or goes on as that of the tour's model.
+/// True: the request is done, or goes on as that of the lesson's model.
 bool Viewer::open_lesson(LoadRequest& request) {
   if (!request.lesson && !named_like_a_tour(request.file)) return false;
   failure_ = nullptr;
   Lesson lesson;
   try {
-    tour = request.lesson ? translated(built_in_lesson(*request.lesson), interface_.language())
-                          : read_lesson(request.file);
+    lesson = request.lesson ? translated(built_in_lesson(*request.lesson), interface_.language())
+                            : read_lesson(request.file);
   } catch (const Error& error) {
     failure_ = std::current_exception();
     state_.trouble = error.what();
@@ -283,15 +283,15 @@ bool Viewer::open_lesson(LoadRequest& request) {
   }
   if (!request.lesson) remember_file(state_.settings, request.file);
   const std::filesystem::path folder = std::filesystem::path(request.file).parent_path();
-  const std::string model = tour.model.empty() ? "" : (folder / tour.model).lexically_normal().string();
+  const std::string model = lesson.model.empty() ? "" : (folder / lesson.model).lexically_normal().string();
   const bool there = state_.shown && (!request.lesson || sample_shown_) &&
-                     (tour.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) ==
-                                                                         std::filesystem::weakly_canonical(model)));
+                     (lesson.model.empty() || (!file_shown_.empty() && std::filesystem::weakly_canonical(file_shown_) ==
+                                                                           std::filesystem::weakly_canonical(model)));
   if (there) {
-    take_lesson(std::move(tour));
+    take_lesson(std::move(lesson));
     return true;
   }
-  lesson_to_load_ = std::move(tour);
+  lesson_to_load_ = std::move(lesson);
   request.file = model;
   request.lesson.reset();
   return false;
@@ -299,7 +299,7 @@ bool Viewer::open_lesson(LoadRequest& request) {
 
 void Viewer::take_lesson(Lesson lesson) {
   state_.notes = {};
-  state_.notes.lesson = std::move(tour);
+  state_.notes.lesson = std::move(lesson);
   lesson_.leave();
   go_to_note(0);
 }

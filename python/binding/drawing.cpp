@@ -125,7 +125,7 @@ py::bytes page(const std::variant<Model, VolumeImage>& shown, const py::dict& gi
     made.language = app::language_in_page(words.language);
     if (!words.lesson.empty()) {
       const app::CalledLesson called = app::lesson_called(words.lesson);
-      made.lesson = to_json(called.tour);
+      made.lesson = to_json(called.lesson);
       made.lesson_built_in = called.built_in;
     }
     return web_page(made, shell.html);

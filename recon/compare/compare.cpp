@@ -138,8 +138,8 @@ ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_
       whole.largest = std::max(whole.largest, part.largest);
       whole.mean += area * part.mean;
     };
-    join(pair.distance.a_to_b, distance->there);
-    join(pair.distance.b_to_a, distance->back);
+    join(pair.distance.a_to_b, distance->a_to_b);
+    join(pair.distance.b_to_a, distance->b_to_a);
   }
   if (weight > 0) {
     pair.distance.a_to_b.mean /= weight;

@@ -27,7 +27,7 @@ struct MaterialElements {
   std::string structure;
   TetraReport shape;
   double exact_volume = 0;   // mm^3, of the complex before; shape.volume is that of the elements
-  SurfaceDistance distance;  // `there`: from the remeshed surface to the exact one
+  SurfaceDistance distance;  // `a_to_b`: from the remeshed surface to the exact one
 };
 
 struct Elements {

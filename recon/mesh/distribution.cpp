@@ -8,28 +8,28 @@ namespace odontoscope {
 
 Distribution distribution_of(std::vector<double>& values, double low, double high) {
   Distribution distribution;
-  spread.histogram.assign(limits::histogram_bins, 0);
-  spread.histogram_low = low;
-  spread.histogram_high = high;
-  if (values.empty()) return spread;
+  distribution.histogram.assign(limits::histogram_bins, 0);
+  distribution.histogram_low = low;
+  distribution.histogram_high = high;
+  if (values.empty()) return distribution;
 
   const double bins_per_unit = static_cast<double>(limits::histogram_bins) / (high - low);
   const double last_bin = static_cast<double>(limits::histogram_bins - 1);
   double sum = 0;
-  spread.min = spread.max = values.front();
+  distribution.min = distribution.max = values.front();
   for (const double value : values) {
     sum += value;
-    spread.min = std::min(spread.min, value);
-    spread.max = std::max(spread.max, value);
-    ++spread.histogram[static_cast<std::size_t>(std::clamp((value - low) * bins_per_unit, 0.0, last_bin))];
+    distribution.min = std::min(distribution.min, value);
+    distribution.max = std::max(distribution.max, value);
+    ++distribution.histogram[static_cast<std::size_t>(std::clamp((value - low) * bins_per_unit, 0.0, last_bin))];
   }
-  spread.mean = sum / static_cast<double>(values.size());
+  distribution.mean = sum / static_cast<double>(values.size());
 
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
-  spread.median = *middle;
-  if (values.size() % 2 == 0) spread.median = (*middle + *std::max_element(values.begin(), middle)) / 2;
-  return spread;
+  distribution.median = *middle;
+  if (values.size() % 2 == 0) distribution.median = (*middle + *std::max_element(values.begin(), middle)) / 2;
+  return distribution;
 }
 
 }  // namespace odontoscope

@@ -33,7 +33,7 @@ struct SimplifyOptions {
 struct SimplifiedSurface {
   SurfaceMesh surface;
   SurfaceReport report;      // of `surface`; structure names are empty
-  SurfaceDistance distance;  // `there`: from the simplified surface to the full one; zero if nothing was to be done
+  SurfaceDistance distance;  // `a_to_b`: from the simplified surface to the full one; zero if nothing was to be done
   /// Pairs of triangles that cut through each other, in the full surface and in the simplified one. The latter is zero
   /// unless the former is not.
   std::size_t full_self_intersections = 0, self_intersections = 0;

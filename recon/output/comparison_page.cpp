@@ -41,11 +41,11 @@ std::string main_table(const Comparison& comparison) {
 
 std::string distance_table(const Comparison& comparison) {
   std::string html =
-      "<table><thead><tr><th>surfaces</th><th>mean there</th><th>most there</th><th>mean back</th><th>most "
-      "back</th></tr></thead><tbody>\n";
+      "<table><thead><tr><th>A and B</th><th>mean, A to B</th><th>largest, A to B</th><th>mean, B to A</th><th>largest, B "
+      "to A</th></tr></thead><tbody>\n";
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
-    html += fmt::format("<tr><td>{} to {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
+    html += fmt::format("<tr><td>{} and {}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td><td>{:.4g}</td></tr>\n",
                         escaped_html(comparison.methods[pair.first].name),
                         escaped_html(comparison.methods[pair.second].name), d.a_to_b.mean, d.a_to_b.largest,
                         d.b_to_a.mean, d.b_to_a.largest);

@@ -19,13 +19,13 @@ Json json_of(const Point3& place) { return {place.x, place.y, place.z}; }
 Json json_of(const OneWayDistance& distance) { return {{"largest", distance.largest}, {"mean", distance.mean}}; }
 
 Json json_of(const Distribution& distribution) {
-  return {{"min", spread.min},
-          {"median", spread.median},
-          {"mean", spread.mean},
-          {"max", spread.max},
-          {"histogram", spread.histogram},
-          {"histogram_low", spread.histogram_low},
-          {"histogram_high", spread.histogram_high}};
+  return {{"min", distribution.min},
+          {"median", distribution.median},
+          {"mean", distribution.mean},
+          {"max", distribution.max},
+          {"histogram", distribution.histogram},
+          {"histogram_low", distribution.histogram_low},
+          {"histogram_high", distribution.histogram_high}};
 }
 
 Json json_of(const std::vector<const SurfaceReport*>& reports) {

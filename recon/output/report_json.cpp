@@ -165,8 +165,8 @@ Json simplification_json(const std::vector<StructureSimplification>& simplificat
                     {"triangles", one.triangles},
                     {"largest_distance", one.distance.largest()},
                     {"mean_distance", one.distance.mean()},
-                    {"simplified_to_full", json_of(one.distance.there)},
-                    {"full_to_simplified", json_of(one.distance.back)},
+                    {"simplified_to_full", json_of(one.distance.a_to_b)},
+                    {"full_to_simplified", json_of(one.distance.b_to_a)},
                     {"diagonal", one.diagonal},
                     {"self_intersections", one.self_intersections},
                     {"kept_vertices", one.kept_vertices}});
@@ -181,8 +181,8 @@ Json json_of(const ModelElements& elements) {
                          {"count", one.shape.tetrahedra},
                          {"volume", one.shape.volume},
                          {"exact_volume", one.exact_volume},
-                         {"elements_to_exact", json_of(one.distance.there)},
-                         {"exact_to_elements", json_of(one.distance.back)}});
+                         {"elements_to_exact", json_of(one.distance.a_to_b)},
+                         {"exact_to_elements", json_of(one.distance.b_to_a)}});
   }
   return {{"size", elements.size}, {"asked", elements.asked}, {"structures", std::move(materials)}};
 }

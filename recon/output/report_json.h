@@ -19,7 +19,7 @@ namespace odontoscope {
 struct StructureSimplification {
   std::string structure;
   std::size_t triangles_before = 0, triangles = 0;
-  SurfaceDistance distance;  // `there`: from the simplified surface to the full one
+  SurfaceDistance distance;  // `a_to_b`: from the simplified surface to the full one
   std::size_t self_intersections = 0, kept_vertices = 0;
   /// Of the full surface's bounding box, mm: what the distance is held against.
   double diagonal = 0;

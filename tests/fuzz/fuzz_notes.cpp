@@ -7,6 +7,6 @@ using namespace odontoscope;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   return fuzz::refused_or_read([&] {
     const Lesson lesson = parse_lesson(fuzz::text(data, size), "fuzz");
-    fuzz::require(parse_lesson(to_json(tour), "again") == tour);
+    fuzz::require(parse_lesson(to_json(lesson), "again") == lesson);
   });
 }

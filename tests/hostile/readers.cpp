@@ -94,10 +94,10 @@ auto from_file(const std::string& bytes, const std::string& name, Read read) {
 }
 
 void read_links_text(const std::string& bytes) { parse_links(bytes, "file"); }
-void read_lesson(const std::string& bytes) {
-  for (const LessonStep& step : parse_lesson(bytes, "file").steps) sound(step.scene_over(Scene{}));
+void read_artefact_lesson(const std::string& bytes) {
+  for (const ArtefactLessonStep& step : parse_artefact_lesson(bytes, "file").steps) sound(step.scene_over(Scene{}));
 }
-void read_tour_text(const std::string& bytes) {
+void read_lesson_text(const std::string& bytes) {
   for (const LessonNote& note : parse_lesson(bytes, "file").notes) sound(note.camera);
 }
 void read_picture(const std::string& bytes) {
@@ -158,8 +158,8 @@ const std::vector<Reader>& readers() {
       {"sniff", {"fuzz/sniff", "fuzz/stl", "fuzz/obj"}, false, sniffed},
       {"volume", {"fuzz/volume"}, false, read_any_volume},
       {"scene", {"fuzz/scene"}, true, [](const std::string& bytes) { sound(scene_from_json(bytes, Scene{}, "file")); }},
-      {"notes", {"fuzz/notes"}, true, read_tour_text},
-      {"lesson", {"fuzz/lesson"}, true, read_lesson},
+      {"notes", {"fuzz/notes"}, true, read_lesson_text},
+      {"lesson", {"fuzz/lesson"}, true, read_artefact_lesson},
       {"settings",
        {"fuzz/settings"},
        true,

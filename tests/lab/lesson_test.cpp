@@ -27,7 +27,7 @@ std::string one_step(const std::string& changed = "", const std::string& by = ""
 
 std::string cause_of(const std::string& text) {
   try {
-    parse_lesson(text, "my-lesson.json");
+    parse_artefact_lesson(text, "my-lesson.json");
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("my-lesson.json"), std::string::npos) << error.what();
     return error.cause();
@@ -36,7 +36,7 @@ std::string cause_of(const std::string& text) {
 }
 
 TEST(ArtefactLesson, IsReadAsWritten) {
-  const ArtefactLesson lesson = parse_lesson(one_step(), "my-lesson.json");
+  const ArtefactLesson lesson = parse_artefact_lesson(one_step(), "my-lesson.json");
   ASSERT_EQ(lesson.steps.size(), 1u);
   const ArtefactLessonStep& step = lesson.steps[0];
   EXPECT_EQ(step.title, "A");
@@ -87,7 +87,7 @@ TEST(ArtefactLesson, EveryPrefixIsRefused) {
 }
 
 TEST(ArtefactLesson, WhatTheBuiltInOneClaimsIsTrue) {
-  const ArtefactLesson lesson = built_in_lesson();
+  const ArtefactLesson lesson = artefact_lesson();
   EXPECT_GE(lesson.steps.size(), 5u);
   EXPECT_LE(lesson.steps.size(), 8u);
   DbPipeline pipeline(std::make_shared<const ContourStack>(sample_tooth(ToothKind::molar)));

@@ -49,8 +49,8 @@ std::set<std::string> texts_of_lessons() {
   };
   for (std::size_t i = 0; i < built_in_lessons().size(); ++i) {
     const Lesson lesson = built_in_lesson(i);
-    add(tour.title);
-    for (const LessonNote& note : tour.notes) {
+    add(lesson.title);
+    for (const LessonNote& note : lesson.notes) {
       add(note.title);
       add(note.text);
       add(note.tour);

@@ -29,10 +29,10 @@ TEST(BuiltInLessons, AreListedInTheirOrder) {
 
 TEST(BuiltInLessons, CanBeReadAtAGlance) {
   constexpr std::size_t most_bytes = 420;  // what fits on the card beside the tooth
-  for (const Lesson& tour : all()) {
-    EXPECT_EQ(tour.language, "en");
-    for (const LessonNote& note : tour.notes) {
-      EXPECT_FALSE(note.title.empty()) << tour.title;
+  for (const Lesson& lesson : all()) {
+    EXPECT_EQ(lesson.language, "en");
+    for (const LessonNote& note : lesson.notes) {
+      EXPECT_FALSE(note.title.empty()) << lesson.title;
       EXPECT_LE(note.text.size(), most_bytes) << note.title;
       EXPECT_TRUE(!note.text.empty() || note.question) << note.title;
       if (note.question) {
@@ -43,7 +43,7 @@ TEST(BuiltInLessons, CanBeReadAtAGlance) {
 }
 
 TEST(BuiltInLessons, AskInAllThreeWays) {
-  for (const auto kind : {TourQuestion::Kind::click, TourQuestion::Kind::choice, TourQuestion::Kind::number}) {
+  for (const auto kind : {LessonQuestion::Kind::click, LessonQuestion::Kind::choice, LessonQuestion::Kind::number}) {
     const Lesson quiz = all().back();
     EXPECT_GE(std::count_if(quiz.notes.begin(), quiz.notes.end(),
                             [&](const LessonNote& note) { return note.question && note.question->kind == kind; }),
@@ -60,8 +60,8 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
   const auto among = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  for (const Lesson& tour : all())
-    for (const LessonNote& note : tour.notes) {
+  for (const Lesson& lesson : all())
+    for (const LessonNote& note : lesson.notes) {
       if (!note.tour.empty()) {
         EXPECT_TRUE(among(parts, note.tour)) << note.tour;
       }
@@ -69,7 +69,7 @@ TEST(BuiltInLessons, SpeakOfTheSampleMolar) {
         EXPECT_LE(std::max(std::abs(mark.at.x), std::abs(mark.at.y)), 6) << mark.label;
         EXPECT_TRUE(mark.at.z > 0 && mark.at.z < 22) << mark.label;
       }
-      if (!note.question || note.question->kind != TourQuestion::Kind::click) continue;
+      if (!note.question || note.question->kind != LessonQuestion::Kind::click) continue;
       EXPECT_TRUE(among(structures, note.question->structure)) << note.title;
       if (!note.question->part.empty()) {
         EXPECT_TRUE(among(parts, note.question->part)) << note.title;

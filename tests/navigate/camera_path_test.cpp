@@ -25,7 +25,7 @@ glm::dquat turn(const CameraKey& key) {
 
 /// As a player of glTF's LINEAR has it.
 struct Played {
-  glm::dvec3 at, sight, up;
+  glm::dvec3 at, view_direction, up;
 };
 Played played(const CameraPath& path, double seconds) {
   std::size_t i = 0;

@@ -12,12 +12,12 @@ namespace {
 
 Lesson some_tour() {
   Lesson lesson{"Three canals", "molar.json", {}};
-  tour.notes.push_back({"The chamber", "Its floor shows three orifices.\nLook for the third.", {}, true});
-  tour.notes.back().camera.position = {0.1, 1.0 / 3, 9};
-  tour.notes.back().camera.target = {0, 0, 8};
-  tour.notes.push_back({"From outside \"here\"", "", {}, false});
-  tour.notes.back().camera.projection = Camera::Projection::parallel;
-  return tour;
+  lesson.notes.push_back({"The chamber", "Its floor shows three orifices.\nLook for the third.", {}, true});
+  lesson.notes.back().camera.position = {0.1, 1.0 / 3, 9};
+  lesson.notes.back().camera.target = {0, 0, 8};
+  lesson.notes.push_back({"From outside \"here\"", "", {}, false});
+  lesson.notes.back().camera.projection = Camera::Projection::parallel;
+  return lesson;
 }
 
 std::string cause_of(const std::string& text) {
@@ -44,28 +44,28 @@ TEST(Lesson, AreReadAsTheyWereWritten) { EXPECT_EQ(parse_lesson(to_json(some_tou
 Lesson tour_with_scenes() {
   Lesson lesson = some_tour();
   Scene scene;
-  scene.camera = tour.notes[1].camera;
+  scene.camera = lesson.notes[1].camera;
   scene.looks = {{"enamel", colour_of(0x112233), 0.3f, false, true}};
   scene.section = Section{{1, 2, 3}, {0, 0.6, 0.8}};
   scene.back_faces = BackFaces::tint;
-  tour.notes[1] = note_of(scene, false);
+  lesson.notes[1] = note_of(scene, false);
   scene.headlight = Headlight{1.5};
   scene.camera.near_mm = 0.01;
-  tour.notes[0] = note_of(scene, true);
-  return tour;
+  lesson.notes[0] = note_of(scene, true);
+  return lesson;
 }
 
 TEST(Lesson, WithScenesAreReadAsTheyWereWritten) {
   const Lesson lesson = tour_with_scenes();
-  const Lesson read = parse_lesson(to_json(tour), "a");
-  EXPECT_EQ(read, tour);
+  const Lesson read = parse_lesson(to_json(lesson), "a");
+  EXPECT_EQ(read, lesson);
   EXPECT_EQ(read.notes[0].camera.near_mm, 0) << "inside it follows from the flight";
   Scene other;
   other.looks = {{"enamel", colour_of(0xffffff)}, {"pulp", colour_of(0xff0000), 0.5f}};
   other.section = Section{};
   other.headlight = Headlight{};
   const Scene shown = read.notes[1].scene_over(other, other);
-  EXPECT_EQ(shown.camera, tour.notes[1].camera);
+  EXPECT_EQ(shown.camera, lesson.notes[1].camera);
   EXPECT_FALSE(shown.look_of("enamel")->visible);
   EXPECT_EQ(*shown.look_of("pulp"), other.looks[1]) << "not spoken of";
   EXPECT_EQ(shown.section->point_mm, glm::dvec3(1, 2, 3));
@@ -77,38 +77,38 @@ TEST(Lesson, WithScenesAreReadAsTheyWereWritten) {
 
 Lesson quiz_tour() {
   Lesson lesson = tour_with_scenes();
-  tour.language = "en";
-  tour.feedback_at_end = true;
-  tour.notes[0].tour = "mesiobuccal canal";
-  tour.notes[0].marks = {{{1, 2, 3}, "furcation"}, {{0.1, -1, 1.0 / 3}}};
-  tour.notes[1].question = TourQuestion{.kind = TourQuestion::Kind::click,
-                                        .ask = "Click the distal canal.",
-                                        .explain = "The wide one.",
-                                        .structure = "pulp",
-                                        .part = "distal canal"};
-  tour.notes.push_back({"Which?", "", tour.notes[1].camera});
-  tour.notes.back().question = TourQuestion{.kind = TourQuestion::Kind::choice,
-                                            .ask = "Which structure is this?",
-                                            .choices = {"enamel", "dentine"},
-                                            .answer = 1};
-  tour.notes.push_back({"How long?", "", tour.notes[1].camera});
-  tour.notes.back().question = TourQuestion{
-      .kind = TourQuestion::Kind::number, .ask = "How long is it?", .answer = 12.5, .within = 0.5, .unit = "mm"};
-  return tour;
+  lesson.language = "en";
+  lesson.feedback_at_end = true;
+  lesson.notes[0].tour = "mesiobuccal canal";
+  lesson.notes[0].marks = {{{1, 2, 3}, "furcation"}, {{0.1, -1, 1.0 / 3}}};
+  lesson.notes[1].question = LessonQuestion{.kind = LessonQuestion::Kind::click,
+                                            .ask = "Click the distal canal.",
+                                            .explain = "The wide one.",
+                                            .structure = "pulp",
+                                            .part = "distal canal"};
+  lesson.notes.push_back({"Which?", "", lesson.notes[1].camera});
+  lesson.notes.back().question = LessonQuestion{.kind = LessonQuestion::Kind::choice,
+                                                .ask = "Which structure is this?",
+                                                .choices = {"enamel", "dentine"},
+                                                .answer = 1};
+  lesson.notes.push_back({"How long?", "", lesson.notes[1].camera});
+  lesson.notes.back().question = LessonQuestion{
+      .kind = LessonQuestion::Kind::number, .ask = "How long is it?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  return lesson;
 }
 
 TEST(Lesson, WithQuestionsAndPinsAreReadAsTheyWereWritten) {
   const Lesson lesson = quiz_tour();
-  const std::string text = to_json(tour);
+  const std::string text = to_json(lesson);
   EXPECT_NE(text.find("\"version\": 3"), std::string::npos);
   const Lesson read = parse_lesson(text, "a");
-  EXPECT_EQ(read, tour);
+  EXPECT_EQ(read, lesson);
   EXPECT_TRUE(read.is_quiz());
   EXPECT_FALSE(tour_with_scenes().is_quiz());
   EXPECT_NE(to_json(tour_with_scenes()).find("\"version\": 2"), std::string::npos) << "older programs read it, too";
 }
 
-/// A tour of one note with this beside title, text and camera.
+/// A lesson of one note with this beside title, text and camera.
 std::string with(const std::string& more, const std::string& top = "") {
   return R"({"format":"odontoscope.tour","version":3,"title":"",)" + top +
          R"("notes":[{"title":"","text":"","camera":{"position":[0,0,9],"target":[0,0,8],"up":[0,1,0]},)" + more +
@@ -168,9 +168,9 @@ TEST(Lesson, OfCamerasAloneAreStillVersionOne) {
 TEST(Lesson, RefuseAScenesFaultsWithTheNotesNumber) {
   const auto cause = [](const std::string& scene) {
     Lesson lesson = some_tour();
-    tour.notes[1].scene = scene;
+    lesson.notes[1].scene = scene;
     try {
-      parse_lesson(to_json(tour), "a.tour.json");
+      parse_lesson(to_json(lesson), "a.tour.json");
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("a.tour.json, note 2"), std::string::npos) << error.what();
       return std::string(error.cause());

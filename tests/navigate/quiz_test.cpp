@@ -9,27 +9,27 @@
 namespace odontoscope::test {
 namespace {
 
-TourQuestion click() {
-  return {.kind = TourQuestion::Kind::click, .ask = "Click it", .structure = "pulp", .part = "distal canal"};
+LessonQuestion click() {
+  return {.kind = LessonQuestion::Kind::click, .ask = "Click it", .structure = "pulp", .part = "distal canal"};
 }
-TourQuestion choice() {
-  return {.kind = TourQuestion::Kind::choice,
+LessonQuestion choice() {
+  return {.kind = LessonQuestion::Kind::choice,
           .ask = "Which, \"this\"?",
           .choices = {"enamel", "dentine", "pulp"},
           .answer = 1};
 }
-TourQuestion number() {
-  return {.kind = TourQuestion::Kind::number, .ask = "How long?", .answer = 12.5, .within = 0.1, .unit = "mm"};
+LessonQuestion number() {
+  return {.kind = LessonQuestion::Kind::number, .ask = "How long?", .answer = 12.5, .within = 0.1, .unit = "mm"};
 }
 
 TEST(Quiz, KnowsWhatIsRight) {
   EXPECT_TRUE(is_right(click(), PointedAt{"pulp", "distal canal"}));
   EXPECT_FALSE(is_right(click(), PointedAt{"pulp", "mesial canal"}));
   EXPECT_FALSE(is_right(click(), PointedAt{"dentine", "distal canal"}));
-  TourQuestion chamber = click();
+  LessonQuestion chamber = click();
   chamber.part = "chamber";
   EXPECT_TRUE(is_right(chamber, PointedAt{"Pulp", "pulp chamber"}));
-  TourQuestion whole = click();
+  LessonQuestion whole = click();
   whole.part.clear();
   EXPECT_TRUE(is_right(whole, PointedAt{"pulp", "mesial canal"}));
   EXPECT_TRUE(is_right(choice(), std::size_t{1}));
@@ -37,7 +37,7 @@ TEST(Quiz, KnowsWhatIsRight) {
   EXPECT_TRUE(is_right(number(), 12.6)) << "0.1 is no double";
   EXPECT_TRUE(is_right(number(), 12.4));
   EXPECT_FALSE(is_right(number(), 12.61));
-  TourQuestion counted = number();
+  LessonQuestion counted = number();
   counted.within = 0;
   EXPECT_TRUE(is_right(counted, 12.5));
   EXPECT_FALSE(is_right(counted, 12.4999));
@@ -59,11 +59,11 @@ TEST(Quiz, TellsTheRightAnswerInWords) {
 
 Quiz some_quiz() {
   Lesson lesson{"Find your way", "", {}};
-  tour.notes.resize(4);
-  tour.notes[0].question = click();
-  tour.notes[2].question = choice();
-  tour.notes[3].question = number();
-  return quiz_of(tour);
+  lesson.notes.resize(4);
+  lesson.notes[0].question = click();
+  lesson.notes[2].question = choice();
+  lesson.notes[3].question = number();
+  return quiz_of(lesson);
 }
 
 TEST(Quiz, CountsEachQuestionOnce) {
@@ -81,7 +81,7 @@ TEST(Quiz, CountsEachQuestionOnce) {
 
 TEST(Quiz, MarksAreWrittenForSpreadsheetsAndPrograms) {
   Quiz quiz = some_quiz();
-  quiz.rows[0] = {0, TourQuestion::Kind::click, "=1+1", "distal canal", true, true, 4.24};
+  quiz.rows[0] = {0, LessonQuestion::Kind::click, "=1+1", "distal canal", true, true, 4.24};
   quiz.rows[2].given = "-3 mm";
   EXPECT_EQ(marks_csv(quiz),
             "number,kind,question,given,right,seconds\n"

@@ -60,7 +60,7 @@ TEST_F(FlightTest, LettersFlyInsideAndKeepTheirMeaningOutside) {
   EXPECT_GT(glm::dot(fly().flight.eye - start.eye, start.view_direction), 0.05);
   const Flight ahead = fly().flight;
   hold('j', 0.3);  // the left-handed keys
-  EXPECT_LT(glm::dot(fly().flight.eye - ahead.eye, glm::cross(ahead.sight, ahead.up)), -0.05);
+  EXPECT_LT(glm::dot(fly().flight.eye - ahead.eye, glm::cross(ahead.view_direction, ahead.up)), -0.05);
   press_key(Key::escape);
   fade();
   EXPECT_FALSE(fly().on);
@@ -103,7 +103,7 @@ TEST_F(FlightTest, ArrowsADragTheCaughtMouseAndAStickLookAround) {
     const Flight before = fly().flight;
     turn();
     frames(20);
-    const glm::dvec3 right = glm::cross(before.sight, before.up);
+    const glm::dvec3 right = glm::cross(before.view_direction, before.up);
     return glm::dvec2(glm::dot(fly().flight.view_direction, right), glm::dot(fly().flight.view_direction, before.up));
   };
   EXPECT_GT(turned_by([&] {
@@ -137,7 +137,7 @@ TEST_F(FlightTest, TheWheelSetsTheSpeedAndAStickFlies) {
   const Flight before = fly().flight;
   viewer().handle(GamepadChanged{.present = true, .move_ahead = 1});
   frames(20);
-  EXPECT_GT(glm::dot(fly().flight.eye - before.eye, before.sight), 0.05);
+  EXPECT_GT(glm::dot(fly().flight.eye - before.eye, before.view_direction), 0.05);
   EXPECT_LT(viewer().wait_timeout(), 0.1) << "a stick wakes nobody: it must be asked";
 }
 

@@ -166,7 +166,7 @@ TEST_F(KeyboardTest, InFlightThePanelIsReachedAndFlyingGoesOn) {
   const Flight before = fly().flight;
   press_key(Key::right);
   EXPECT_GT(fly().speed_factor, speed_factor);
-  EXPECT_EQ(fly().flight.view_direction, before.sight) << "it looked round as well";
+  EXPECT_EQ(fly().flight.view_direction, before.view_direction) << "it looked round as well";
   hold('w', 0.2);
   EXPECT_GT(glm::length(fly().flight.eye - before.eye), 0.01);
   press_key(Key::escape);

@@ -28,7 +28,7 @@ class LessonsTest : public FlightTest {
   }
   void take(Lesson lesson) {
     notes() = {};
-    notes().lesson = std::move(tour);
+    notes().lesson = std::move(lesson);
     notes().go_to = 0;
     frames(2);
     settle();
@@ -47,24 +47,24 @@ class LessonsTest : public FlightTest {
 /// Three questions about the toy tooth, one of each kind.
 Lesson toy_quiz(const Viewer& viewer, bool at_end = false) {
   Lesson lesson{"Toy quiz", "", {}};
-  tour.feedback_at_end = at_end;
+  lesson.feedback_at_end = at_end;
   LessonNote note = note_of(viewer.state().scene, false);
   note.title = "Click";
-  note.question = TourQuestion{.kind = TourQuestion::Kind::click,
-                               .ask = "Click the enamel.",
-                               .explain = "It is outside.",
-                               .structure = "enamel"};
-  tour.notes.push_back(note);
+  note.question = LessonQuestion{.kind = LessonQuestion::Kind::click,
+                                 .ask = "Click the enamel.",
+                                 .explain = "It is outside.",
+                                 .structure = "enamel"};
+  lesson.notes.push_back(note);
   note.title = "Choose";
-  note.question = TourQuestion{
-      .kind = TourQuestion::Kind::choice, .ask = "Which is inside?", .choices = {"enamel", "pulp"}, .answer = 1};
+  note.question = LessonQuestion{
+      .kind = LessonQuestion::Kind::choice, .ask = "Which is inside?", .choices = {"enamel", "pulp"}, .answer = 1};
   note.marks = {{{0, 0, 4}, ""}};
-  tour.notes.push_back(note);
+  lesson.notes.push_back(note);
   note.title = "Count";
-  note.question =
-      TourQuestion{.kind = TourQuestion::Kind::number, .ask = "How wide?", .answer = 12.5, .within = 0.5, .unit = "mm"};
-  tour.notes.push_back(note);
-  return tour;
+  note.question = LessonQuestion{
+      .kind = LessonQuestion::Kind::number, .ask = "How wide?", .answer = 12.5, .within = 0.5, .unit = "mm"};
+  lesson.notes.push_back(note);
+  return lesson;
 }
 
 TEST_F(LessonsTest, TheMenuListsThemAndOpensOne) {
@@ -216,7 +216,7 @@ TEST_F(LessonsTest, WordsStandBelowThePictureAndCoverNothing) {
 TEST_F(LessonsTest, ANoteRidesDownTheCanalThatItNames) {
   viewer_with(sample_tooth_loaded());
   Lesson lesson = built_in_lesson(1);
-  take(tour);
+  take(lesson);
   notes().go_to = 2;
   frames(2);
   settle();
@@ -266,7 +266,7 @@ TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
   viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
   for (std::size_t number = 0; number < built_in_lessons().size(); ++number) {
     const Lesson lesson = built_in_lesson(number);
-    for (const LessonNote& note : tour.notes) {
+    for (const LessonNote& note : lesson.notes) {
       if (note.inside) {
         const auto inside = [&](const FlightSpace& space) {
           return space.walls.locate(note.camera.position) == Walls::Side::inside &&
@@ -287,18 +287,18 @@ TEST_F(LessonsTest, EveryBuiltInLessonIsTrueOfTheSampleMolar) {
 /// Somewhere in the picture each of the quiz's questions to click can be answered rightly.
 TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
   viewer_with(sample_tooth_loaded(), {.settings = {.panel = false}});
-  const Lesson lesson = built_in_lesson(4);
+  const Lesson quiz = built_in_lesson(4);
   std::size_t clicks = 0;
-  take(tour);
-  for (std::size_t i = 0; i < tour.notes.size(); ++i) {
-    if (!tour.notes[i].question || tour.notes[i].question->kind != TourQuestion::Kind::click) continue;
+  take(quiz);
+  for (std::size_t i = 0; i < quiz.notes.size(); ++i) {
+    if (!quiz.notes[i].question || quiz.notes[i].question->kind != LessonQuestion::Kind::click) continue;
     ++clicks;
     notes().go_to = i;
     frame();
     for (int wait = 0; wait < 4; ++wait) frame(0.5);
     glm::dvec3 at{0, 4.5, 17};  // the crown's buccal side
     for (const CentreLine* line : rideable(spaces().cavities.front().lines))
-      if (line->name == tour.notes[i].question->part) {
+      if (line->name == quiz.notes[i].question->part) {
         const Point3& half_way = line->points[line->points.size() / 2].at;
         at = {half_way.x, half_way.y, half_way.z};
       }
@@ -308,7 +308,7 @@ TEST_F(LessonsTest, WhatIsToBeClickedCanBeClicked) {
     const glm::dvec2 pixel = pixel_of(pane.area, *place);
     click(pixel.x, pixel.y);
     ASSERT_TRUE(lesson().row(notes()));
-    EXPECT_TRUE(lesson().row(notes())->right) << tour.notes[i].question->ask << " " << lesson().row(notes())->given;
+    EXPECT_TRUE(lesson().row(notes())->right) << quiz.notes[i].question->ask << " " << lesson().row(notes())->given;
   }
   EXPECT_GE(clicks, 3u);
 }
@@ -360,7 +360,7 @@ TEST_F(LessonsTest, ATeacherMakesAQuizAndAStudentOpensIt) {
 TEST_F(LessonsTest, NotesAreChangedMovedRemovedAndBroughtBack) {
   viewer_with_tooth();
   Lesson lesson = toy_quiz(viewer());
-  take(tour);
+  take(lesson);
   move_note(notes(), 0, 1);
   EXPECT_EQ(notes().lesson.notes[0].title, "Choose");
   EXPECT_EQ(notes().shown, std::optional<std::size_t>(1)) << "the same note is still shown";

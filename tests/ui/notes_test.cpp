@@ -275,7 +275,7 @@ TEST_F(FlightTest, NotesAreWrittenSavedOpenedAndPlayedAsALesson) {
   ASSERT_EQ(opened.shown, std::optional<std::size_t>(0));
   ASSERT_TRUE(fly().on);
   EXPECT_LT(glm::length(fly().flight.eye - inside.eye), 1e-4);
-  EXPECT_GT(glm::dot(fly().flight.view_direction, inside.sight), 1 - 1e-9);
+  EXPECT_GT(glm::dot(fly().flight.view_direction, inside.view_direction), 1 - 1e-9);
   press_key(Key::page_down);
   fade();
   EXPECT_FALSE(fly().on);
