@@ -1,7 +1,7 @@
 # Bundles the page and writes it as a C++ file, page.cpp, in WORK; page.html beside it only if that went well. Never fails: without Node.js or
 # its packages page.cpp says what is missing, and `odontoscope web` tells it.
 #   cmake -DNODE=... -DNPM=... -DENABLED=ON -DSOURCE=web folder -DWORK=build folder -P build_page.cmake
-include(${CMAKE_CURRENT_LIST_DIR}/../third_party/npm.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../cmake/npm.cmake)
 set(oldest_node 18)
 
 function(give_up why)

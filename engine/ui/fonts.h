@@ -1,5 +1,5 @@
 #pragma once
-// The interface's typeface, embedded when the program was built (third_party/interface.cmake says which).
+// The interface's typeface, embedded when the program was built (cmake/interface.cmake says which).
 
 #include <span>
 

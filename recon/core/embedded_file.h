@@ -1,5 +1,5 @@
 #pragma once
-// A file that was made part of the program when it was built: third_party/embed.cmake.
+// A file that was made part of the program when it was built: cmake/embed.cmake.
 
 #include <span>
 #include <string_view>

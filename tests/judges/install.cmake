@@ -1,5 +1,5 @@
 # Installs the judges of package-lock.json into WORK, or says why not.
-include(${CMAKE_CURRENT_LIST_DIR}/../../third_party/npm.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../../cmake/npm.cmake)
 if(NOT NPM OR NOT NODE)
   message("SKIPPED: Node.js with npm was not found")
   return()

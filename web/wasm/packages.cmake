@@ -1,4 +1,4 @@
-# What third_party/packages.cmake finds, for WebAssembly: headers that need no library are those installed on this machine, by links to just them
+# What cmake/packages.cmake finds, for WebAssembly: headers that need no library are those installed on this machine, by links to just them
 # in the build folder; what must be compiled is compiled from Debian's source packages, which web/wasm/fetch_sources unpacks into
 # ODONTOSCOPE_WASM_SOURCES. TBB and std::stop_token are the few lines of web/wasm/stand_ins, for one thread, and of
 # stand_ins_threads.
