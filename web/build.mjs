@@ -1,17 +1,18 @@
-// Bundles source/ into one page without a model, page.html, and the same as a C++ file, page.cpp.
-//   node build.mjs WORK      WORK holds node_modules and takes both files
+// Bundles source/ into one page without a model, page.html.
+//   node build.mjs WORK      WORK holds node_modules and takes the page
 import {createHash} from 'node:crypto';
 import {readFileSync, readdirSync, writeFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
+import {themeStyle} from './theme.mjs';
+
 const here = dirname(fileURLToPath(import.meta.url));
 const work = process.argv[2];
 const {build, transform} = createRequire(join(work, 'package.json'))('esbuild');
 
 const mostBytes = 1_500_000;   // the page is to travel by mail
-const piece = 12_000;          // characters of a C++ string literal
 
 async function bundledScript() {
   const made = await build({
@@ -47,7 +48,7 @@ function languages() {
 
 const script = await bundledScript();
 if (script.includes('</script') || script.includes('<!--')) throw new Error('the script would end its element');
-const style = (await transform(readFileSync(join(here, 'source/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
+const style = (await transform(themeStyle + readFileSync(join(here, 'source/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
 // No script but this one, no style sheet but this one, and no way to the network.
 const policy = [
   "default-src 'none'", `script-src ${hash(script)}`, `style-src ${hash(style)}`, 'img-src data: blob:', "base-uri 'none'", "form-action 'none'",
@@ -57,8 +58,4 @@ const places = {notices: notices(), policy, style, script, languages: languages(
 const page = readFileSync(join(here, 'source/page.html'), 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name) => places[name]);
 if (Buffer.byteLength(page) > mostBytes) throw new Error(`the page has ${Buffer.byteLength(page)} bytes, more than ${mostBytes}`);
 
-const pieces = [];
-for (let at = 0; at < page.length; at += piece) pieces.push(`R"page~(${page.slice(at, at + piece)})page~"`);
-writeFileSync(join(work, 'page.cpp'), `#include "engine/web/page.h"\n\nnamespace odontoscope {\nnamespace {\nconstexpr char html[] =\n${pieces.join('\n')};\n}\n\n` +
-  'EmbeddedPage embedded_page() { return {{html, sizeof html - 1}, {}}; }\n\n}  // namespace odontoscope\n');
 writeFileSync(join(work, 'page.html'), page);

@@ -1,22 +1,19 @@
-# Bundles the page and writes it as a C++ file, page.cpp, in WORK; page.html beside it only if that went well. Never fails: without Node.js or
-# its packages page.cpp says what is missing, and `odontoscope web` tells it.
+# Bundles the page: page.html in WORK, only if that went well; and shell/page.html with shell/why_not.txt, of which one is empty. Never fails: without
+# Node.js or its packages why_not.txt says what is missing, and `odontoscope web` tells it.
 #   cmake -DNODE=... -DNPM=... -DENABLED=ON -DSOURCE=web folder -DWORK=build folder -P build_page.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../cmake/npm.cmake)
 set(oldest_node 18)
 
+# Only where it changes, so that nothing is compiled again without need.
+function(put file text)
+  file(CONFIGURE OUTPUT ${WORK}/shell/${file} CONTENT "${text}" @ONLY)
+endfunction()
+
 function(give_up why)
   message(STATUS "No web page: ${why}")
-  string(REPLACE "\\" "\\\\" why "${why}")
-  string(REPLACE "\"" "\\\"" why "${why}")
   file(REMOVE ${WORK}/page.html)
-  set(text "#include \"engine/web/page.h\"\n\nnamespace odontoscope {\nEmbeddedPage embedded_page() { return {{}, \"${why}\"}; }\n}  // namespace odontoscope\n")
-  set(before "")
-  if(EXISTS ${WORK}/page.cpp)
-    file(READ ${WORK}/page.cpp before)
-  endif()
-  if(NOT before STREQUAL text)   # else nothing is compiled again
-    file(WRITE ${WORK}/page.cpp "${text}")
-  endif()
+  put(page.html "")
+  put(why_not.txt "${why}")
 endfunction()
 
 if(NOT ENABLED)
@@ -46,3 +43,5 @@ if(NOT code EQUAL 0)
   file(REMOVE ${WORK}/page.html)
   message(FATAL_ERROR "web/build.mjs failed:\n${said}")   # a mistake in web/, which must not pass for a missing package
 endif()
+file(COPY_FILE ${WORK}/page.html ${WORK}/shell/page.html ONLY_IF_DIFFERENT)
+put(why_not.txt "")

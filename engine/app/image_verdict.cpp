@@ -10,7 +10,7 @@
 #include "engine/app/words.h"
 #include "engine/picture/png.h"
 #include "recon/core/base64.h"
-#include "recon/output/html_text.h"
+#include "recon/output/html_report.h"
 
 namespace odontoscope::app {
 namespace {
@@ -43,20 +43,6 @@ VerdictJson json_of(const ComparedPicture& picture) {
   if (!picture.message.empty()) json["message"] = picture.message;
   return json;
 }
-
-constexpr std::string_view page_style = R"(
-:root{color-scheme:light dark}
-body{font:16px/1.5 system-ui,sans-serif;max-width:90rem;margin:0 auto;padding:1rem}
-h1{font-size:1.5rem}h2{font-size:1.1rem;overflow-wrap:anywhere}
-section{border-top:1px solid #8886;margin:2rem 0;padding-top:.5rem}
-.row{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(24rem,100%),1fr));gap:1rem;margin-bottom:1rem}
-figure{margin:0}figcaption{font-size:.9rem}
-img{display:block;max-width:100%;height:auto;border:1px solid #8886;background:repeating-conic-gradient(#bbb 0 25%,#eee 0 50%) 0/16px 16px}
-.near img{width:20rem;image-rendering:pixelated}
-.over{position:relative;width:max-content;max-width:100%}
-.over>div{position:absolute;inset:0 auto 0 0;width:50%;min-width:1rem;max-width:100%;overflow:hidden;resize:horizontal;border-right:3px solid #e33}
-.over>div img{max-width:none}
-)";
 
 /// A box with room around it, so that a single pixel is seen in its surroundings; within the picture.
 PixelBox with_room(const PixelBox& box, const Image& image) {
@@ -157,24 +143,23 @@ void FailuresPage::add(const ComparedPicture& picture, const PicturesCompared& b
 
 std::string FailuresPage::html(const std::string& expected, const std::string& actual,
                                const std::vector<ComparedPicture>& pictures) const {
-  const std::size_t alike = count_of(PictureOutcome::alike, pictures);
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width,initial-scale=1\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-      "'unsafe-inline'\">\n";
-  html += fmt::format("<title>{} of {} alike</title><style>{}</style></head><body>\n", alike,
-                      counted(pictures.size(), "picture"), page_style);
-  html += fmt::format(
-      "<h1>{} of {} alike</h1>\n<p>Expected: {}. Actual: {}. Alike are pictures of which no more than {:.3f} % of the "
-      "pixels differ by more than {} of 255{}.</p>\n",
-      alike, counted(pictures.size(), "picture"), escaped_html(expected), escaped_html(actual), 100 * tolerance_.share,
-      tolerance_.channel,
+  const std::string verdict =
+      fmt::format("{} of {} alike", count_of(PictureOutcome::alike, pictures), counted(pictures.size(), "picture"));
+  const std::string tolerance = fmt::format(
+      "no more than {:.3f} % of the pixels differ by more than {} of 255{}", 100 * tolerance_.share, tolerance_.channel,
       tolerance_.similarity > -1 ? fmt::format(", and whose similarity is at least {}", tolerance_.similarity) : "");
-  if (without_pictures_ > 0)
-    html += fmt::format("<p>The last {} are told in words alone: their pictures would make this page too large.</p>\n",
+  const std::string left_out =
+      without_pictures_ == 0
+          ? ""
+          : fmt::format("<p>The last {} are told in words alone: their pictures would make this page too large.</p>\n",
                         counted(without_pictures_, "failure"));
-  return html + sections_ + "</body></html>\n";
+  return html_report("pictures.html", {{"verdict", verdict},
+                                       {"own_style", std::string(report_file("pictures.css"))},
+                                       {"expected", escaped_html(expected)},
+                                       {"actual", escaped_html(actual)},
+                                       {"tolerance", tolerance},
+                                       {"left_out", left_out},
+                                       {"pictures", sections_}});
 }
 
 }  // namespace odontoscope::app

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "assets/theme.h"
 #include "engine/app/shown_values.h"
 #include "engine/scene/scene_json.h"
 #include "recon/core/grouped.h"
@@ -128,7 +129,7 @@ WebPage page_of_voxels(const VoxelsAlone& voxels, const VolumeLookWords& look, c
   model.certificate.verdict = "sound";
   model.certificate.headline = "Grey values, as they were read; no surface was made of them.";
   page.models.push_back(std::move(model));
-  page.looks.push_back({"volume", "#eddebd"});
+  page.looks.push_back({"volume", hex(colour_of(assets::theme::tissues::tooth))});
   return page;
 }
 

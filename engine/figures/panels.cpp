@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "assets/theme.h"
 #include "engine/figures/papers_way.h"
 #include "engine/scene/shells.h"
 #include "recon/core/grouped.h"
@@ -17,7 +18,7 @@
 namespace odontoscope::figures {
 namespace {
 
-constexpr Colour page_colour = colour_of(0xfdfcf9);
+constexpr Colour page_colour = colour_of(assets::theme::report::paper);
 
 Panel fitted(std::string caption, Subject subject, double aspect, const auto& camera_for) {
   Panel made{std::move(caption), std::move(subject.surfaces), std::move(subject.strokes), subject.crease_deg, {}};

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/theme.h"
 #include "engine/figures/figure.h"
 #include "recon/distance/db_reconstruction.h"
 #include "recon/input/contour_stack.h"
@@ -12,10 +13,12 @@
 namespace odontoscope::figures {
 
 /// The paper's two methods are told apart by these colours wherever a shape is not a tooth.
-inline constexpr Colour dt_colour = colour_of(0x8fc7a9), db_colour = colour_of(0xe0a58c),
-                        decimated_colour = colour_of(0xe8c66f);
+inline constexpr Colour dt_colour = colour_of(assets::theme::figures::dt),
+                        db_colour = colour_of(assets::theme::figures::db),
+                        decimated_colour = colour_of(assets::theme::figures::decimated);
 /// Tetrahedra that a figure is about, and those around them.
-inline constexpr Colour marked_colour = colour_of(0xe07b28), other_colour = colour_of(0xa9bdd1);
+inline constexpr Colour marked_colour = colour_of(assets::theme::figures::marked),
+                        other_colour = colour_of(assets::theme::figures::other);
 
 /// What a panel shows before its scene is known.
 struct Subject {

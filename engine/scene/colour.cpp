@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "assets/theme.h"
 #include "recon/core/error.h"
 #include "recon/core/lower_case.h"
 #include "recon/core/portable_math.h"
@@ -27,32 +28,23 @@ struct ColouredTissue {
 };
 
 // Told apart by lightness as well as hue: enamel lightest, pulp darkest. The first match counts.
-constexpr std::array<ColouredTissue, 8> tissues = {{
-    {"cavity", colour_of(0xc71a2b), 2},
-    {"enamel", colour_of(0xdeebf5), 0},
-    {"dentin", colour_of(0xf7c478), 1},
-    {"pulp", colour_of(0xc71a2b), 2},
-    {"cement", colour_of(0xc2a885), 0},
-    {"bone", colour_of(0xdbd6c2), std::nullopt},
-    {"tooth", colour_of(0xeddebd), 1},
-    {"external", colour_of(0xeddebd), 1},
+constexpr std::array<ColouredTissue, 8> coloured_tissues = {{
+    {"cavity", colour_of(assets::theme::tissues::pulp), 2},
+    {"enamel", colour_of(assets::theme::tissues::enamel), 0},
+    {"dentin", colour_of(assets::theme::tissues::dentine), 1},
+    {"pulp", colour_of(assets::theme::tissues::pulp), 2},
+    {"cement", colour_of(assets::theme::tissues::cementum), 0},
+    {"bone", colour_of(assets::theme::tissues::bone), std::nullopt},
+    {"tooth", colour_of(assets::theme::tissues::tooth), 1},
+    {"external", colour_of(assets::theme::tissues::tooth), 1},
 }};
 
 const ColouredTissue* coloured_tissue(std::string_view structure) {
   const std::string name = lower_case(std::string(structure));
-  for (const ColouredTissue& tissue : tissues)
+  for (const ColouredTissue& tissue : coloured_tissues)
     if (name.find(tissue.part_of_name) != std::string::npos) return &tissue;
   return nullptr;
 }
-
-constexpr std::array<Colour, 6> distinguishable = {{
-    colour_of(0x57b5e8),
-    colour_of(0xe69e00),
-    colour_of(0x009e73),
-    colour_of(0xcc78a6),
-    colour_of(0xf0e342),
-    colour_of(0x0073b2),
-}};
 
 int channel(float value) { return static_cast<int>(std::lround(255.0f * std::clamp(value, 0.0f, 1.0f))); }
 
@@ -75,7 +67,7 @@ std::string hex(const Colour& colour) {
 
 Colour usual_colour(std::string_view structure, std::size_t index) {
   const ColouredTissue* tissue = coloured_tissue(structure);
-  return tissue ? tissue->colour : distinguishable[index % distinguishable.size()];
+  return tissue ? tissue->colour : colour_of(assets::theme::others[index % assets::theme::others.size()]);
 }
 
 std::optional<int> depth_in_tooth(std::string_view structure) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "assets/theme.h"
 #include "engine/scene/colour.h"
 
 namespace odontoscope {
@@ -21,11 +22,11 @@ struct DataColours {
 
 /// The colours of -reach, 0, reach; of 0, half of reach, reach. Between them linear light runs straight.
 constexpr std::array<Colour, 3> stops_of(DataColours::Of of) {
-  if (of == DataColours::Of::distance) return {colour_of(0x2166ac), colour_of(0xf7f7f7), colour_of(0xb2182b)};
-  return {colour_of(0x00204c), colour_of(0x7c7b78), colour_of(0xffe945)};
+  const auto& stops = of == DataColours::Of::distance ? assets::theme::data::distance : assets::theme::data::slope;
+  return {colour_of(stops[0]), colour_of(stops[1]), colour_of(stops[2])};
 }
 /// Of what lies nowhere near the data's surface.
-inline constexpr Colour nowhere_near = colour_of(0x3a3a3a);
+inline constexpr Colour nowhere_near = colour_of(assets::theme::data::nowhere_near);
 
 const char* name(DataColours::Of of);
 /// "distance", "slope". Throws UsageError for anything else.

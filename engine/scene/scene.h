@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assets/theme.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/colour.h"
 #include "engine/scene/data_colours.h"
@@ -57,8 +58,8 @@ enum class BackFaces { cull, show, tint };
 struct Background {
   enum class Kind { plain, gradient, transparent };
   Kind kind = Kind::gradient;
-  Colour top = colour_of(0xc2cfdb);  // `plain` has only this one
-  Colour bottom = colour_of(0xf7fafb);
+  Colour top = colour_of(assets::theme::interface::light::sky_top);  // `plain` has only this one
+  Colour bottom = colour_of(assets::theme::interface::light::sky_bottom);
   friend bool operator==(const Background&, const Background&) = default;
 };
 

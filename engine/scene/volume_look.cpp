@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "assets/theme.h"
 #include "recon/core/error.h"
 
 namespace odontoscope {
@@ -46,8 +47,10 @@ struct Anchored {
   double extinction;
 };
 
-constexpr Colour dentine_colour = colour_of(0xeec488), enamel_colour = colour_of(0xeef4fa),
-                 pulp_colour = colour_of(0xd0242f), soft_colour = colour_of(0xe07f6a);
+constexpr Colour dentine_colour = colour_of(assets::theme::volume::dentine),
+                 enamel_colour = colour_of(assets::theme::volume::enamel),
+                 pulp_colour = colour_of(assets::theme::volume::pulp),
+                 soft_colour = colour_of(assets::theme::volume::soft);
 
 std::vector<Anchored> anchored(TransferPreset preset) {
   switch (preset) {

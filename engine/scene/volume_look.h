@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "assets/films.h"
+#include "assets/theme.h"
 #include "engine/scene/colour.h"
 
 namespace odontoscope {
@@ -34,8 +36,13 @@ struct Slopes {
 
 /// Intraoral films by their size, upright: 0 and 1 for children and front teeth, 2 the usual one, 3 of bitewings, 4
 /// occlusal.
-inline constexpr std::array<glm::dvec2, 5> dental_films_mm{{{22, 35}, {24, 40}, {31, 41}, {27, 54}, {57, 76}}};
-inline constexpr glm::dvec2 usual_film_mm = dental_films_mm[2];
+inline constexpr auto dental_films_mm = [] {
+  std::array<glm::dvec2, assets::films::intraoral_mm.size()> films{};
+  for (std::size_t i = 0; i < films.size(); ++i)
+    films[i] = {assets::films::intraoral_mm[i][0], assets::films::intraoral_mm[i][1]};
+  return films;
+}();
+inline constexpr glm::dvec2 usual_film_mm = dental_films_mm[assets::films::usual];
 /// The size of a film, upright or across; nothing: none of them.
 std::optional<std::size_t> dental_film(const glm::dvec2& mm);
 
@@ -56,7 +63,7 @@ struct VolumeLook {
   bool inverted = false;                // or black
   glm::dvec2 film_mm{0};                // width and height of a film; 0: it has no edge
   double iso = 0;
-  Colour iso_colour = colour_of(0xeddebd);
+  Colour iso_colour = colour_of(assets::theme::tissues::tooth);
 
   /// Greys, which have no depth: nothing else is shown with them.
   bool projects() const { return cast != Cast::shaded && cast != Cast::surface; }

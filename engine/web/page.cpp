@@ -7,7 +7,7 @@
 #include "engine/web/gzip.h"
 #include "recon/core/base64.h"
 #include "recon/core/error.h"
-#include "recon/output/html_text.h"
+#include "recon/output/html_report.h"
 
 namespace odontoscope {
 namespace {

@@ -3,28 +3,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
+#include "assets/theme.h"
 #include "recon/core/base64.h"
-#include "recon/output/html_text.h"
+#include "recon/output/html_report.h"
 
 namespace odontoscope {
 namespace {
 
-constexpr const char* colours[] = {"#2a7f62", "#c8553d", "#d99a2b"};  // DT, DB, DB decimated
-
-constexpr const char* style = R"(
-body{font:16px/1.5 system-ui,sans-serif;color:#222;background:#fdfcf9;max-width:70rem;margin:2rem auto;padding:0 1rem}
-h1{font-size:1.6rem;margin-bottom:.2rem}h2{font-size:1.2rem;margin-top:2.2rem}
-p.small,figcaption{color:#555;font-size:.9rem}
-table{border-collapse:collapse;width:100%}td,th{padding:.3rem .7rem;border-bottom:1px solid #e2ded2;text-align:right}
-td:first-child,th:first-child{text-align:left}tbody tr:hover{background:#f4f0e4}
-.row{display:flex;gap:1rem;flex-wrap:wrap}.row figure{flex:1 1 18rem;margin:0}.row img,.row svg{width:100%;height:auto}
-)";
+constexpr std::array colours{assets::theme::methods::dt, assets::theme::methods::db, assets::theme::methods::decimated};
 
 std::string head_cells(const Comparison& comparison) {
   std::string cells;
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
-    cells += fmt::format("<th style=\"color:{}\">{}</th>", colours[i % 3], escaped_html(comparison.methods[i].name));
+    cells += fmt::format("<th style=\"color:{}\">{}</th>", hex_colour(colours[i % 3]),
+                         escaped_html(comparison.methods[i].name));
   }
   return cells;
 }
@@ -41,7 +35,8 @@ std::string main_table(const Comparison& comparison) {
 
 std::string distance_table(const Comparison& comparison) {
   std::string html =
-      "<table><thead><tr><th>A and B</th><th>mean, A to B</th><th>largest, A to B</th><th>mean, B to A</th><th>largest, B "
+      "<table><thead><tr><th>A and B</th><th>mean, A to B</th><th>largest, A to B</th><th>mean, B to "
+      "A</th><th>largest, B "
       "to A</th></tr></thead><tbody>\n";
   for (const ComparedPair& pair : comparison.pairs) {
     const SurfaceDistance& d = pair.distance;
@@ -54,7 +49,7 @@ std::string distance_table(const Comparison& comparison) {
 }
 
 /// Share of triangles by smallest angle, one bar a bin.
-std::string angle_chart(const ComparedMethod& method, const char* colour) {
+std::string angle_chart(const ComparedMethod& method, const std::string& colour) {
   const Distribution& angles = method.report.smallest_angle_deg;
   std::size_t all = 0, most = 1;
   for (const std::size_t count : angles.histogram) {
@@ -87,7 +82,7 @@ std::string angle_chart(const ComparedMethod& method, const char* colour) {
 std::string charts(const Comparison& comparison) {
   std::string html = "<div class=\"row\">\n";
   for (std::size_t i = 0; i < comparison.methods.size(); ++i) {
-    html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], colours[i % 3]));
+    html += fmt::format("<figure>{}", angle_chart(comparison.methods[i], hex_colour(colours[i % 3])));
     const ComparedMethod& method = comparison.methods[i];
     html +=
         fmt::format("<figcaption>{}: {}{}</figcaption></figure>\n", escaped_html(method.name),
@@ -118,27 +113,18 @@ std::string pictures(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_page(const Comparison& comparison) {
-  const std::string title = comparison.source.empty() ? std::string("contours") : escaped_html(comparison.source);
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">";
-  html += fmt::format("<title>DT and DB of {}</title><style>{}</style></head><body>\n", title, style);
-  html += fmt::format(
-      "<h1>DT and DB of {}</h1>\n<p class=\"small\">{} slices, {} contours, {} points. DB: grid of {} x {} points in "
-      "{} "
-      "layers, field {}, table {}. {} thread{}.</p>\n",
-      title, comparison.slices, comparison.contours, comparison.points, comparison.grid.columns, comparison.grid.rows,
+  const std::string made_from = fmt::format(
+      "{} slices, {} contours, {} points. DB: grid of {} x {} points in {} layers, field {}, table {}. {} thread{}.",
+      comparison.slices, comparison.contours, comparison.points, comparison.grid.columns, comparison.grid.rows,
       comparison.grid.layers.size(), name(comparison.field), name(comparison.cases), comparison.threads,
       comparison.threads == 1 ? "" : "s");
-  html += main_table(comparison);
-  html +=
-      "<p class=\"small\">DT passes through the contours by proof; what is measured above is the rounding of the "
-      "measurement. A section "
-      "counts as lost if, at its widest place, the model has void for material or material for void.</p>\n";
-  html += pictures(comparison);
-  html += fmt::format("<h2>How far apart, mm</h2>\n{}", distance_table(comparison));
-  html += fmt::format("<h2>How even the triangles are</h2>\n{}", charts(comparison));
-  return html + "</body></html>\n";
+  return html_report("comparison.html",
+                     {{"title", comparison.source.empty() ? "contours" : escaped_html(comparison.source)},
+                      {"made_from", made_from},
+                      {"table", main_table(comparison)},
+                      {"pictures", pictures(comparison)},
+                      {"distances", distance_table(comparison)},
+                      {"charts", charts(comparison)}});
 }
 
 }  // namespace odontoscope

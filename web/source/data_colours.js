@@ -1,26 +1,25 @@
 // Surfaces in the colours of numbers, as on the desktop: how far they lie from the CT's own surface, or how steep its
-// values are there (engine/scene/data_colours.h has the same colours).
+// values are there.
 import {BufferAttribute, Color, SRGBColorSpace} from 'three';
+import {data as colours} from '../../assets/theme.json';
 import {ValueGrid, deviationsOf, partedIntoFour, summaryOf} from './deviation.js';
 
-const stops = {distance: ['#2166ac', '#f7f7f7', '#b2182b'], slope: ['#00204c', '#7c7b78', '#ffe945']};
-const nowhereNear = '#3a3a3a',
-  longest = 200; // ms of work at a time, so that the page stays awake, and drawing does not take most of the time
+const longest = 200; // ms of work at a time, so that the page stays awake, and drawing does not take most of the time
 
 const linear = hex => new Color().setStyle(hex, SRGBColorSpace);
 
 /// As the screen shows it, of a part from -1 to 1 of the legend.
 export function legendColour(of, part) {
-  const [low, middle, high] = stops[of].map(linear);
+  const [low, middle, high] = colours[of].map(linear);
   return middle.lerp(part < 0 ? low : high, Math.abs(part)).getStyle(SRGBColorSpace);
 }
 
 /// Uniforms that all surfaces share.
 export function dataUniforms() {
-  const colours = {data_low: '#000', data_middle: '#000', data_high: '#000', data_nowhere: nowhereNear};
+  const first = {data_low: '#000', data_middle: '#000', data_high: '#000', data_nowhere: colours.nowhere_near};
   return {
     data_reach: {value: 1},
-    ...Object.fromEntries(Object.entries(colours).map(([name, hex]) => [name, {value: linear(hex)}])),
+    ...Object.fromEntries(Object.entries(first).map(([name, hex]) => [name, {value: linear(hex)}])),
   };
 }
 

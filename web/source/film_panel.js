@@ -1,18 +1,13 @@
 // The controls of an X-ray film, of a CT or of a model: exposure, size, beam, tube, and what is measured on it.
+import films from '../../assets/films.json';
 import {choice, element} from './dom.js';
 import {lengthOnFilm, trueLength} from './film_length.js';
 import {FilmRuler} from './film_ruler.js';
 import {named, number, t} from './language.js';
 import {told} from './slider_row.js';
 
-/// Intraoral films by their size, upright, mm: engine/scene/volume_look.h has the same.
-export const dentalFilms = [
-  [22, 35],
-  [24, 40],
-  [31, 41],
-  [27, 54],
-  [57, 76],
-];
+/// Intraoral films by their size, upright, mm.
+export const dentalFilms = films.intraoral_mm;
 
 const quiet = (...words) => element('p', {class: 'quiet'}, ...words);
 

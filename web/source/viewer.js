@@ -1,5 +1,6 @@
 // The state of the page and what can be done with it. Panel, keys and headset all act through this; none of them draws.
 import {BufferAttribute, Group, Scene, Vector3, WebGLRenderer} from 'three';
+import {others} from '../../assets/theme.json';
 import {TriangleTree} from './bvh.js';
 import {Orbit, views} from './camera.js';
 import {DataColours} from './data_colours.js';
@@ -101,7 +102,7 @@ export class Viewer extends EventTarget {
   }
 
   needLook(key) {
-    if (!this.looks.has(key)) this.looks.set(key, {structure: key, colour: '#57b5e8', opacity: 1, visible: true, as_body: false, depth: 1});
+    if (!this.looks.has(key)) this.looks.set(key, {structure: key, colour: others[0], opacity: 1, visible: true, as_body: false, depth: 1});
   }
 
   prepareInside() {

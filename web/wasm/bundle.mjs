@@ -9,6 +9,8 @@ import {dirname, join} from 'node:path';
 import {fileURLToPath} from 'node:url';
 import {gzipSync} from 'node:zlib';
 
+import {themeStyle} from '../theme.mjs';
+
 const here = dirname(fileURLToPath(import.meta.url));
 const [work, engine, dist, version, threads] = process.argv.slice(2);
 const {build, transform} = createRequire(join(work, 'package.json'))('esbuild');
@@ -53,7 +55,7 @@ async function bundled(entry) {
 
 async function makeStudio() {
   const script = await bundled('main.js'), worker = await bundled('worker.js');
-  const style = (await transform(readFileSync(join(here, 'studio/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
+  const style = (await transform(themeStyle + readFileSync(join(here, 'studio/style.css'), 'utf8'), {loader: 'css', minify: true})).code.trim();
   // The frame that shows a model inherits this policy beside its own: so its script and style are named here, too.
   const [, shellPolicy] = /http-equiv="Content-Security-Policy" content="([^"]*)"/.exec(shell);
   const ofShell = name => new RegExp(`${name} ('sha256-[^']+')`).exec(shellPolicy)[1];
