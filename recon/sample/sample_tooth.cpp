@@ -10,25 +10,13 @@
 #include "recon/core/limits.h"
 #include "recon/partition/own_faces.h"
 #include "recon/sample/tooth_field.h"
-#include "recon/sample/tooth_shape.h"
+#include "recon/sample/tooth_table.h"
 #include "recon/sample/trace.h"
 
 namespace odontoscope {
 namespace {
 
 using namespace sample;
-
-ToothShape shape_of(ToothKind kind) {
-  switch (kind) {
-    case ToothKind::molar:
-      return molar();
-    case ToothKind::premolar:
-      return premolar();
-    case ToothKind::incisor:
-      return incisor();
-  }
-  throw UsageError("unknown kind of sample tooth", "Choose molar, premolar or incisor");
-}
 
 void require_in_range(std::string_view what, double value, double low, double high) {
   if (value >= low && value <= high) return;  // NaN fails
@@ -149,7 +137,7 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
                    limits::sample_most_slice_spacing);
   require_in_range("the point spacing", options.point_spacing, limits::sample_least_point_spacing,
                    limits::sample_most_point_spacing);
-  const ToothShape shape = shape_of(kind);
+  const ToothShape shape = tooth_shape(kind);
   Sampler sampler(shape);
   const bool apart = options.walls == SampleWalls::apart;
   const Thinning thinning{options.point_spacing, limits::sample_deviation, limits::sample_clearance,
@@ -173,7 +161,7 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
 }
 
 SampleFacts sample_facts(ToothKind kind) {
-  const ToothShape shape = shape_of(kind);
+  const ToothShape shape = tooth_shape(kind);
   SampleFacts facts;
   facts.kind = kind;
   facts.tooth = shape.tooth;

@@ -1,6 +1,6 @@
 #pragma once
-// The anatomy of a sample tooth as numbers: what tooth_field.h turns into solids. One table a tooth: molar.cpp,
-// premolar.cpp, incisor.cpp. Axes and units as in sample_tooth.h; profiles are functions of z unless they say
+// The anatomy of a sample tooth as numbers: what tooth_field.h turns into solids. One table a tooth, in assets/teeth,
+// read by tooth_table.h. Axes and units as in sample_tooth.h; profiles are functions of z unless they say
 // otherwise.
 
 #include <string>
@@ -134,9 +134,5 @@ struct ToothShape {
 
 /// The canals' blind ends lie so far above their root's apex.
 inline constexpr double apical_stop = 0.5;
-
-ToothShape molar();
-ToothShape premolar();
-ToothShape incisor();
 
 }  // namespace odontoscope::sample

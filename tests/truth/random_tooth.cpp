@@ -6,6 +6,7 @@
 
 #include "../support/random_numbers.h"
 #include "recon/sample/tooth_field.h"
+#include "recon/sample/tooth_table.h"
 
 namespace odontoscope::test {
 namespace {
@@ -182,7 +183,7 @@ class Drawing {
   }
 
   void draw_molar() {
-    shape_ = molar();
+    shape_ = tooth_shape(ToothKind::molar);
     const int roots = std::array{1, 2, 2, 2, 3, 3, 4}[static_cast<std::size_t>(random_.below(7))];
     const double furcation = random_.between(8.5, 11.8);
     if (roots == 2) {
@@ -240,7 +241,7 @@ class Drawing {
   }
 
   void draw_premolar() {
-    shape_ = premolar();
+    shape_ = tooth_shape(ToothKind::premolar);
     const bool two_roots = random_.chance(0.6);
     if (two_roots) {
       move_furcation(7, random_.between(4.5, 9.5), random_.between(-0.5, 0.8));
@@ -254,7 +255,7 @@ class Drawing {
   }
 
   void draw_incisor() {
-    shape_ = incisor();
+    shape_ = tooth_shape(ToothKind::incisor);
     bend_roots(0.4);
     if (random_.chance(0.3)) {
       shape_.canals.clear();
