@@ -17,6 +17,10 @@ install(FILES ${package}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/odon
 install(FILES ${desktop}/odontoscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
 install(FILES ${desktop}/odontoscope.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
 install(FILES ${desktop}/odontoscope-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME odontoscope.xml COMPONENT program)
+install(FILES ${desktop}/org.odontoscope.Odontoscope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+set(completions ${PROJECT_SOURCE_DIR}/assets/completions)
+install(FILES ${completions}/odontoscope.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME odontoscope COMPONENT program)
+install(FILES ${completions}/odontoscope.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 
 set(CPACK_GENERATOR "DEB;TGZ")
 set(CPACK_COMPONENTS_ALL program)
