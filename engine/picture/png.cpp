@@ -1,109 +1,139 @@
 #include "engine/picture/png.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
+#include <png.h>
 
-#include <cstdlib>
+#include <array>
+#include <csetjmp>
+#include <cstring>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "recon/core/atomic_file.h"
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
 #include "recon/core/read_file.h"
 
+namespace odontoscope {
 namespace {
 
 constexpr int png_compression = 4;  // of zlib's 9: a tenth larger than the best in a third of the time
-
-/// In place of stb's own compression: zlib is several times faster and packs closer. The caller frees the bytes.
-unsigned char* compressed(unsigned char* data, int size, int* compressed_size, int level) {
-  uLongf room = compressBound(static_cast<uLong>(size));
-  auto* const bytes = static_cast<unsigned char*>(std::malloc(room));
-  if (!bytes || compress2(bytes, &room, data, static_cast<uLong>(size), level) != Z_OK) {
-    std::free(bytes);
-    return nullptr;
-  }
-  *compressed_size = static_cast<int>(room);
-  return bytes;
-}
-
-}  // namespace
-
-#define STBIW_ZLIB_COMPRESS(data, size, compressed_size, quality) \
-  compressed(data, size, compressed_size, png_compression)
-#define STBI_ONLY_PNG
-#define STBI_NO_STDIO
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#define STBI_WRITE_NO_STDIO
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#include <stb/stb_image_write.h>
-#pragma GCC diagnostic pop
-
-namespace odontoscope {
-
-namespace {
-
-// stb counts bytes in int.
 constexpr std::size_t most_png_bytes = 1u << 30;
+constexpr std::size_t most_chunk_bytes = 8u << 20;  // of what says nothing of pixels
 constexpr std::string_view png_signature = "\x89PNG\r\n\x1a\n";
 
-void append(void* bytes, void* data, int size) {
-  static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+/// What libpng complained of; it leaves by longjmp, so nothing between may need a destructor.
+struct Complaint {
+  std::array<char, 128> words{};
+  bool pixels_left = false;  // there is more than the header's size makes
+
+  void take(const char* said) { std::strncpy(words.data(), said, words.size() - 1); }
+};
+
+[[noreturn]] void fail(png_structp png, png_const_charp words) {
+  static_cast<Complaint*>(png_get_error_ptr(png))->take(words);
+  png_longjmp(png, 1);
 }
 
-/// stb takes memory for a chunk on its word alone.
-void check_chunks(std::string_view bytes, const Place& place) {
-  constexpr std::size_t head = 8, checksum = 4;
-  for (std::size_t at = png_signature.size(); bytes.size() >= head && at <= bytes.size() - head;) {
-    std::size_t length = 0;
-    for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
-    if (bytes.substr(at + 4, 4) == "IEND") return;
-    if (length > bytes.size() - at - head)
-      throw InputError("not-a-png", place, "the PNG ends before what it announces", "Give an intact PNG file.");
-    at += head + length + checksum;
-  }
+void warn(png_structp png, png_const_charp words) {
+  const std::string_view said(words);
+  if (said.find("xtra compressed data") != said.npos || said.find("oo much image data") != said.npos)
+    static_cast<Complaint*>(png_get_error_ptr(png))->pixels_left = true;
 }
 
-/// The packed pixels must not unpack to more than the size in the header makes: stb takes memory for all of it,
-/// whatever the size. Nothing is kept here.
-void check_unpacked(std::string_view bytes, std::size_t most, const Place& place) {
-  constexpr std::size_t head = 8, checksum = 4, piece = 1u << 16;
-  z_stream stream{};
-  if (inflateInit(&stream) != Z_OK) throw InternalError("zlib does not start");
-  const std::unique_ptr<z_stream, int (*)(z_stream*)> ends(&stream, inflateEnd);
-  std::string unpacked(piece, '\0');
-  for (std::size_t at = png_signature.size(); at + head <= bytes.size();) {
-    std::size_t length = 0;
-    for (const char c : bytes.substr(at, 4)) length = length << 8 | static_cast<unsigned char>(c);
-    const std::string_view data = bytes.substr(at + head, length);
-    if (bytes.substr(at + 4, 4) == "IDAT") {
-      stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(data.data()));
-      stream.avail_in = static_cast<uInt>(data.size());
-      for (int code = Z_OK; code == Z_OK && (stream.avail_in > 0 || stream.avail_out == 0);) {
-        stream.next_out = reinterpret_cast<Bytef*>(unpacked.data());
-        stream.avail_out = static_cast<uInt>(piece);
-        code = inflate(&stream, Z_NO_FLUSH);  // what is damaged is stb's to tell
-        if (stream.total_out > most)
-          throw InputError("not-a-png", place, "its pixels unpack to more than its size makes",
-                           "Give an intact PNG file.");
-      }
-    }
-    at += head + length + checksum;
-  }
+void append(png_structp png, png_bytep data, std::size_t size) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+void take(png_structp png, png_bytep data, std::size_t size) {
+  auto& left = *static_cast<std::string_view*>(png_get_io_ptr(png));
+  if (size > left.size()) png_error(png, "the PNG ends before what it announces");
+  std::memcpy(data, left.data(), size);
+  left.remove_prefix(size);
+}
+
+/// False with a complaint. `rows` point into the picture.
+bool encode(png_structp png, png_infop info, const Image& image, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_compression_level(png, png_compression);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+               PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, info);
+  png_write_image(png, rows);
+  png_write_end(png, info);
+  return true;
+}
+
+bool decode(png_structp png, png_infop info, png_bytepp rows) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_read_info(png, info);
+  png_set_strip_16(png);
+  png_set_expand(png);
+  png_set_gray_to_rgb(png);
+  png_set_add_alpha(png, 255, PNG_FILLER_AFTER);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  png_read_image(png, rows);
+  png_read_end(png, nullptr);
+  return true;
+}
+
+std::vector<png_bytep> rows_of(std::uint8_t* pixels, int width, int height) {
+  std::vector<png_bytep> rows(static_cast<std::size_t>(height));
+  for (std::size_t y = 0; y < rows.size(); ++y) rows[y] = pixels + y * 4 * static_cast<std::size_t>(width);
+  return rows;
+}
+
+[[noreturn]] void refuse(const Place& place, const std::string& wrong) {
+  throw InputError("not-a-png", place, wrong, "Give an intact PNG file.");
+}
+
+struct Header {
+  std::size_t width = 0, height = 0, depth = 0;
+};
+
+/// Of the first chunk, before anything is unpacked.
+Header header_of(std::string_view bytes, const Place& place) {
+  constexpr std::size_t kind_at = 12, width_at = 16, height_at = 20, depth_at = 24;
+  if (bytes.size() <= depth_at || bytes.substr(kind_at, 4) != "IHDR") refuse(place, "the PNG's header is broken");
+  const auto number = [&](std::size_t at) {
+    std::size_t value = 0;
+    for (const char c : bytes.substr(at, 4)) value = value << 8 | static_cast<unsigned char>(c);
+    return value;
+  };
+  const Header header{number(width_at), number(height_at), static_cast<unsigned char>(bytes[depth_at])};
+  if (header.width == 0 || header.height == 0) refuse(place, "the PNG's header is broken");
+  constexpr std::size_t most = most_picture_side;
+  if (header.width > most || header.height > most)
+    throw InputError("picture-too-large", place, fmt::format("{} x {} pixels", header.width, header.height),
+                     fmt::format("At most {} a side can be read.", most_picture_side));
+  // At least so many bits a pixel come out of the packed ones; room for a gigabyte of pixels is not asked for on a
+  // header's word alone.
+  const std::size_t least = header.depth * header.width * header.height / 8;
+  if (least / limits::compression_ratio > bytes.size())
+    refuse(place, fmt::format("{} x {} pixels cannot be in {} bytes", header.width, header.height, bytes.size()));
+  return header;
 }
 
 }  // namespace
 
 std::string png_bytes(const Image& image) {
   std::string bytes;
-  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, 4, image.rgba.data(), 4 * image.width))
-    throw InternalError(fmt::format("a picture of {} x {} pixels cannot be encoded", image.width, image.height));
+  Complaint complaint;
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &complaint, fail, warn);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  bool done = false;
+  if (info) {
+    png_set_write_fn(png, &bytes, append, nullptr);
+    // libpng only reads them, but asks for what may be written.
+    std::vector<png_bytep> rows = rows_of(const_cast<std::uint8_t*>(image.rgba.data()), image.width, image.height);
+    done = encode(png, info, image, rows.data());
+  }
+  png_destroy_write_struct(&png, &info);
+  if (!done)
+    throw InternalError(fmt::format("a picture of {} x {} pixels cannot be encoded: {}", image.width, image.height,
+                                    complaint.words.data()));
   return bytes;
 }
 
@@ -119,35 +149,24 @@ Image read_png(const std::string& file) {
   place.file = file;
   if (!std::string_view(bytes).starts_with(png_signature))
     throw InputError("not-a-png", place, "this is no PNG", "Give a PNG file.");
-  check_chunks(bytes, place);
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = static_cast<int>(bytes.size());
-  int width = 0, height = 0, channels = 0;
-  if (!stbi_info_from_memory(data, size, &width, &height, &channels))
-    throw InputError("not-a-png", place, "the PNG's header is broken", "Give an intact PNG file.");
-  if (width > most_picture_side || height > most_picture_side)
-    throw InputError("picture-too-large", place, fmt::format("{} x {} pixels", width, height),
-                     fmt::format("At most {} a side can be read.", most_picture_side));
-  // At least so many bits a pixel come out of the packed ones; room for a gigabyte of pixels is not asked for on a
-  // header's word alone.
-  constexpr std::size_t depth_at = 24;
-  const std::size_t least =
-      std::size_t{data[depth_at]} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) / 8;
-  if (least / limits::compression_ratio > bytes.size())
-    throw InputError("not-a-png", place,
-                     fmt::format("{} x {} pixels cannot be in {} bytes", width, height, bytes.size()),
-                     "Give an intact PNG file.");
-  // A row has a byte more for its filter; interlaced pictures have up to two rows for one, and a few more.
-  constexpr std::size_t most_samples = 4, filters = 64;
-  check_unpacked(bytes,
-                 2 * static_cast<std::size_t>(height) *
-                     (static_cast<std::size_t>(width) * most_samples * data[depth_at] / 8 + filters),
-                 place);
-  const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-  if (!pixels) throw InputError("not-a-png", place, stbi_failure_reason(), "Give an intact PNG file.");
-  Image image(width, height);
-  image.rgba.assign(pixels.get(), pixels.get() + image.rgba.size());
+  const Header header = header_of(bytes, place);
+  Image image(static_cast<int>(header.width), static_cast<int>(header.height));
+  std::string_view left = bytes;
+  Complaint complaint;
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &complaint, fail, warn);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  bool done = false;
+  if (info) {
+    png_set_read_fn(png, &left, take);
+    png_set_user_limits(png, most_picture_side, most_picture_side);
+    png_set_chunk_malloc_max(png, most_chunk_bytes);
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, nullptr, 0);
+    std::vector<png_bytep> rows = rows_of(image.rgba.data(), image.width, image.height);
+    done = decode(png, info, rows.data());
+  }
+  png_destroy_read_struct(&png, &info, nullptr);
+  if (!done) refuse(place, complaint.words.data());
+  if (complaint.pixels_left) refuse(place, "its pixels unpack to more than its size makes");
   return image;
 }
 

@@ -367,7 +367,7 @@ std::vector<Large> mesh_files() {
       {"volume", "a directory of a million records", [] { return directory_of(1'000'000, 1'000'000); },
        "unreadable-volume"},
       {"png", "as large as is allowed, without a pixel", [] { return png_header(16'384, 16'384); }, "not-a-png"},
-      {"png", "larger than is allowed", [] { return png_header(0x7fffffff, 0x7fffffff); }, "not-a-png"},
+      {"png", "larger than is allowed", [] { return png_header(0x7fffffff, 0x7fffffff); }, "picture-too-large"},
   };
 }
 

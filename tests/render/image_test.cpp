@@ -7,6 +7,7 @@
 
 #include "engine/picture/compare.h"
 #include "engine/picture/png.h"
+#include "recon/core/base64.h"
 #include "recon/core/error.h"
 #include "tests/output/temporary_folder.h"
 
@@ -126,6 +127,40 @@ TEST_F(Png, ThatClaimsAHugeSizeIsRefusedBeforeMemoryIsTaken) {
   std::string bytes = png_bytes(pattern(20, 20));
   bytes[18] = '\x7f';  // width, big-endian: 0x00007f14
   EXPECT_EQ(cause_of(written("huge.png", bytes)), "picture-too-large");
+}
+
+/// Kinds of other programs: grey of one bit, a palette with transparency, 16 bits, interlaced.
+TEST_F(Png, OfEveryKindIsReadAsEightBits) {
+  const auto read = [&](std::string_view base64_text) {
+    return read_png(written("kind.png", from_base64(base64_text).value()));
+  };
+  using Pixel = std::array<std::uint8_t, 4>;
+  const Image grey =
+      read("iVBORw0KGgoAAAANSUhEUgAAAAIAAAABAQAAAADcWUInAAAACklEQVR4nGNwAAAAQgBBKTf07wAAAABJRU5ErkJggg==");
+  EXPECT_EQ(grey.pixel(0, 0), (Pixel{0, 0, 0, 255}));
+  EXPECT_EQ(grey.pixel(1, 0), (Pixel{255, 255, 255, 255}));
+  const Image palette = read(
+      "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAMAAADD/I+4AAAABlBMVEUKFB7IZDJ3oLOcAAAAAnRSTlP/"
+      "gAgPs2oAAAALSURBVHicY2BgBAAABAACv3o"
+      "/SgAAAABJRU5ErkJggg==");
+  EXPECT_EQ(palette.pixel(0, 0), (Pixel{10, 20, 30, 255}));
+  EXPECT_EQ(palette.pixel(1, 0), (Pixel{200, 100, 50, 128}));
+  const Image deep =
+      read("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAAD0lEQVR4nGMQ+m/CENYAAAdqAhwQlz5BAAAAAElFTkSuQmCC");
+  EXPECT_EQ(deep.pixel(0, 0), (Pixel{0x12, 0x34, 0x56, 255}));
+  const Image interlaced =
+      read("iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAAAAAEg2mJuAAAAD0lEQVR4nGNgZGBiYGYBAAAfAAuTYsRUAAAAAElFTkSuQmCC");
+  EXPECT_EQ(interlaced.pixel(1, 0)[0], 2);
+  EXPECT_EQ(interlaced.pixel(0, 1)[0], 3);
+  EXPECT_EQ(interlaced.pixel(1, 1)[0], 4);
+}
+
+TEST_F(Png, WithMorePixelsThanItSaysIsRefused) {
+  const std::string_view more =
+      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAASElEQVR4nO3BMQ0AAAACID/"
+      "7N7aHA9IAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"
+      "AAAAAAAAAAAAAAAAAAAAAAAAAAAAAABwZRrjAAiXiebcAAAAAElFTkSuQmCC";
+  EXPECT_EQ(cause_of(written("more.png", from_base64(more).value())), "not-a-png");
 }
 
 }  // namespace
