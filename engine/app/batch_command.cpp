@@ -173,7 +173,7 @@ bool work_through(std::vector<BatchRecord>& records, std::vector<char>& had_turn
   std::mutex telling;
   std::exception_ptr failed;
   bool cancelled = false;
-  const auto work = [&] {
+  const auto work = [&, threads = threads] {
     for (std::size_t n; (n = next++) < records.size();) {
       try {
         keep_or_make(records[n], options, threads, session, progress.stop);

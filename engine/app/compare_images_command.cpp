@@ -114,7 +114,7 @@ std::string as_png(const CompareImagesArguments& options, Shots& shots, const Ow
   const PicturesToDraw drawn = shots.pictures();
   const auto [width, height] = size_of(options.a);
   const std::string& name = *drawn.names.begin();
-  const std::string file = (std::filesystem::path(folder.path()) / name).string();
+  std::string file = (std::filesystem::path(folder.path()) / name).string();
   write_png(drawn.draw(name, width, height), file);
   return file;
 }

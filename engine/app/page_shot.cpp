@@ -141,7 +141,7 @@ class PageShots::Talk {
       fail(fmt::format("it has not said that it has drawn within {:.0f} s (<html data-drawn>)",
                        std::chrono::duration<double>(timeout_).count()));
     if (!message) gone();
-    const json told = json::parse(*message, nullptr, false);
+    json told = json::parse(*message, nullptr, false);
     if (!told.is_object()) gone();
     loaded_ = loaded_ || told.value("method", "") == "Page.loadEventFired";
     return told;

@@ -39,7 +39,7 @@ std::vector<std::uint8_t> distances_to_shown(const BrickGrid& bricks,
     if (shows(bricks.lowest[i], bricks.highest[i])) distance[i] = 0;
   // Chessboard distance: sweeps forth and back over the 26 neighbours, each time those that were visited already
   // (Rosenfeld and Pfaltz, 1966).
-  const auto [nx, ny, nz] = bricks.size;
+  const std::size_t nx = bricks.size[0], ny = bricks.size[1], nz = bricks.size[2];
   const auto visit = [&](std::size_t x, std::size_t y, std::size_t z, int towards) {
     std::uint8_t& own = distance[(z * ny + y) * nx + x];
     for (int dz = -1; dz <= 1; ++dz)

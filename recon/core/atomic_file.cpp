@@ -69,7 +69,7 @@ fs::path resolved_target(const fs::path& file) {
   }
   if (!fs::is_symlink(fs::symlink_status(file, error))) return file;
   if (!fs::exists(status)) cannot_write(file, "it is a link that leads nowhere", "Remove the link");
-  const fs::path real = fs::canonical(file, error);
+  fs::path real = fs::canonical(file, error);
   if (error) cannot_write(file, error.message());
   return real;
 }

@@ -50,8 +50,8 @@ std::string Place::in_words() const {
   return words;
 }
 
-Error::Error(ExitCode code, std::string message, std::string_view wrong, std::string_view remedy)
-    : std::runtime_error(std::move(message)), exit_code_(code), wrong_(wrong), remedy_(sentence(remedy)) {}
+Error::Error(ExitCode code, const std::string& message, std::string_view wrong, std::string_view remedy)
+    : std::runtime_error(message), exit_code_(code), wrong_(wrong), remedy_(sentence(remedy)) {}
 
 InputError::InputError(std::string_view cause, Place place, std::string_view wrong, std::string_view remedy)
     : Error(ExitCode::bad_input, fmt::format("{} [{}]", message(place.in_words(), wrong, remedy), cause), wrong,

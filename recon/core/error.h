@@ -51,7 +51,7 @@ class Error : public std::runtime_error {
   const std::string& remedy() const { return remedy_; }
 
  protected:
-  Error(ExitCode code, std::string message, std::string_view wrong, std::string_view remedy);
+  Error(ExitCode code, const std::string& message, std::string_view wrong, std::string_view remedy);
 
  private:
   ExitCode exit_code_;

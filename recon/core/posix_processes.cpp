@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <pthread.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
@@ -15,13 +14,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 
 #include "recon/core/system_processes.h"
-
-extern char** environ;
 
 namespace odontoscope::system {
 namespace {
@@ -186,6 +184,7 @@ void wait_to_be_asked_to_end() {
   }
 }
 
+// One thread alone waits for it, see above: NOLINTNEXTLINE(bugprone-bad-signal-to-kill-thread)
 void wake(std::thread& waiting) { ::pthread_kill(waiting.native_handle(), SIGTERM); }
 
 // --- other processes -------------------------------------------------------------------------------------------------
