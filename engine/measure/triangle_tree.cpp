@@ -6,7 +6,8 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "engine/scene/nearest_on_triangle.h"
+#include "engine/scene/vector.h"
+#include "recon/mesh/nearest_on_triangle.h"
 
 namespace odontoscope {
 
@@ -156,8 +157,9 @@ std::optional<NearestPoint> TriangleTree::nearest_point(const glm::dvec3& place,
     for (std::uint32_t i = first; i < end; ++i) {
       const Corners& triangle = triangles_[i];
       if (!counts(triangle.part)) continue;
-      const glm::dvec3 point = nearest_on_triangle(
-          {glm::dvec3(triangle.at[0]), glm::dvec3(triangle.at[1]), glm::dvec3(triangle.at[2])}, place);
+      const glm::dvec3 a(triangle.at[0]), u = glm::dvec3(triangle.at[1]) - a, v = glm::dvec3(triangle.at[2]) - a;
+      const OnTriangle on = nearest_on_triangle(direction(u), direction(v), direction(place - a));
+      const glm::dvec3 point = a + on.s * u + on.t * v;
       const double squared = glm::dot(point - place, point - place);
       if (squared >= least) continue;
       least = squared;

@@ -5,13 +5,9 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "engine/scene/vector.h"
+
 namespace odontoscope {
-namespace {
-
-Direction direction(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-}  // namespace
-
 CameraPath camera_path(const Tour& tour, const std::string& name, double far_mm) {
   const auto steps = static_cast<std::size_t>(std::max(1.0, std::ceil(camera_keys_per_second * tour.seconds())));
   CameraPath path{.name = name,
@@ -23,8 +19,7 @@ CameraPath camera_path(const Tour& tour, const std::string& name, double far_mm)
     const double seconds = tour.seconds() * static_cast<double>(i) / static_cast<double>(steps);
     const Camera camera = tour.at(seconds).camera;
     const glm::dvec3& at = camera.position;
-    path.keys.push_back(
-        {seconds, {at.x, at.y, at.z}, direction(glm::normalize(camera.target - at)), direction(camera.up)});
+    path.keys.push_back({seconds, point(at), direction(glm::normalize(camera.target - at)), direction(camera.up)});
     path.near_mm = std::min(path.near_mm, camera.near_mm);
   }
   return path;

@@ -1,12 +1,12 @@
 #include "engine/navigate/walls.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "engine/scene/nearest_on_triangle.h"
 #include "engine/scene/vector.h"
 #include "recon/core/portable_math.h"
 #include "recon/mesh/exact_predicates.h"
@@ -14,12 +14,6 @@
 namespace odontoscope {
 
 namespace {
-
-Point3 exact(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
-
-int side_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
-  return orientation(exact(a), exact(b), exact(c), exact(d));
-}
 
 /// Never false where the segment meets the box: slabs with room for rounding.
 bool may_meet(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& from, const glm::dvec3& to) {
@@ -40,22 +34,28 @@ bool may_meet(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& f
   return true;
 }
 
+bool meets_box_of(const Corners& t, const glm::dvec3& from, const glm::dvec3& to) {
+  const glm::dvec3 a = vec(t[0]), b = vec(t[1]), c = vec(t[2]);
+  return may_meet(glm::min(glm::min(a, b), c), glm::max(glm::max(a, b), c), from, to);
+}
+
 /// +1: the segment passes through the triangle's inside; 0: not at all; -1: it touches an edge, a corner or the plane.
-int passes(const std::array<glm::dvec3, 3>& t, const glm::dvec3& from, const glm::dvec3& to) {
-  const int start = side_of(t[0], t[1], t[2], from), end = side_of(t[0], t[1], t[2], to);
+int passes(const Corners& t, const Point3& from, const Point3& to) {
+  const int start = orientation(t[0], t[1], t[2], from), end = orientation(t[0], t[1], t[2], to);
   if (start * end > 0) return 0;
-  const int ab = side_of(from, to, t[0], t[1]), bc = side_of(from, to, t[1], t[2]), ca = side_of(from, to, t[2], t[0]);
+  const int ab = orientation(from, to, t[0], t[1]), bc = orientation(from, to, t[1], t[2]),
+            ca = orientation(from, to, t[2], t[0]);
   const bool some_left = ab > 0 || bc > 0 || ca > 0, some_right = ab < 0 || bc < 0 || ca < 0;
   if (some_left && some_right) return 0;
   return start != 0 && end != 0 && ab != 0 && bc != 0 && ca != 0 ? 1 : -1;
 }
 
 /// Where along from + t * direction; negative if it misses.
-double meeting(const std::array<glm::dvec3, 3>& t, const glm::dvec3& from, const glm::dvec3& direction) {
-  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], across = glm::cross(direction, v);
+double meeting(const Corners& t, const glm::dvec3& from, const glm::dvec3& direction) {
+  const glm::dvec3 a = vec(t[0]), u = vec(t[1]) - a, v = vec(t[2]) - a, across = glm::cross(direction, v);
   const double whole = glm::dot(u, across);
   if (whole == 0) return -1;
-  const glm::dvec3 w = from - t[0], q = glm::cross(w, u);
+  const glm::dvec3 w = from - a, q = glm::cross(w, u);
   const double s = glm::dot(w, across) / whole, r = glm::dot(direction, q) / whole;
   return s >= -1e-12 && r >= -1e-12 && s + r <= 1 + 1e-12 ? glm::dot(v, q) / whole : -1;
 }
@@ -73,45 +73,32 @@ Walls::Walls(const SurfaceMesh& surface) : Walls(std::vector<const SurfaceMesh*>
 
 Walls::Walls(const std::vector<const SurfaceMesh*>& surfaces) {
   std::vector<Corners> given;
-  std::vector<BoxTree<glm::dvec3>::Bounds> bounds;
   for (const SurfaceMesh* surface : surfaces)
-    for (const auto& [a, b, c] : surface->triangles) {
-      const Corners& t =
-          given.emplace_back(Corners{vec(surface->points[a]), vec(surface->points[b]), vec(surface->points[c])});
-      bounds.push_back({glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2])});
-    }
-  tree_ = BoxTree<glm::dvec3>(bounds);
+    for (const auto& [a, b, c] : surface->triangles)
+      given.push_back({surface->points[a], surface->points[b], surface->points[c]});
+  tree_ = SurfaceTree(given);
   if (tree_.empty()) return;
-  bounds_ = {tree_.bounds().low, tree_.bounds().high};
-  triangles_.reserve(given.size());
-  for (const std::uint32_t i : tree_.order()) triangles_.push_back(given[i]);
+  const auto [low, high] = tree_.bounds();
+  bounds_ = {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}};
 }
 
 Walls::Nearest Walls::nearest(const glm::dvec3& place, double most) const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double squared = most < std::sqrt(std::numeric_limits<double>::max()) ? most * most : infinity;
-  std::optional<glm::dvec3> point;
-  tree_.nearest_first(place, squared, 0, [&](std::uint32_t first, std::uint32_t end) {
-    for (std::uint32_t i = first; i < end; ++i) {
-      const glm::dvec3 here = nearest_on_triangle(triangles_[i], place);
-      if (const double far = glm::dot(here - place, here - place); far < squared) {
-        squared = far;
-        point = here;
-      }
-    }
-  });
-  return point ? Nearest{std::sqrt(squared), *point} : Nearest{};
+  const bool far = !(most < std::sqrt(std::numeric_limits<double>::max()));
+  const SurfaceTree::Nearest found = tree_.nearest(point(place), far ? infinity : most * most);
+  return found.found() ? Nearest{std::sqrt(found.square), vec(found.at)} : Nearest{};
 }
 
 template <class Visit>
 void Walls::along(const glm::dvec3& from, const glm::dvec3& to, Visit visit) const {
+  using Low = std::array<double, 3>;
+  const glm::dvec3 way = to - from;
   tree_.along(
-      to - from, [&](const glm::dvec3& low, const glm::dvec3& high) { return may_meet(low, high, from, to); },
-      [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i)
-          if (!visit(triangles_[i])) return false;
-        return true;
-      });
+      {way.x, way.y, way.z},
+      [&](const Low& low, const Low& high) {
+        return may_meet({low[0], low[1], low[2]}, {high[0], high[1], high[2]}, from, to);
+      },
+      visit);
 }
 
 namespace {
@@ -151,7 +138,7 @@ Walls::Side Walls::locate(const glm::dvec3& place) const {
     const glm::dvec3 far = place + beyond(bounds_, place) * fibonacci(line, lines);
     bool clear = true, inside = false;
     along(place, far, [&](const Corners& t) {
-      const int how = passes(t, place, far);
+      const int how = passes(t, point(place), point(far));
       clear = how >= 0;
       inside = inside != (how > 0);
       return clear;
@@ -164,8 +151,7 @@ Walls::Side Walls::locate(const glm::dvec3& place) const {
 bool Walls::crosses(const glm::dvec3& from, const glm::dvec3& to) const {
   bool touched = false;
   along(from, to, [&](const Corners& t) {
-    touched = passes(t, from, to) != 0 &&
-              may_meet(glm::min(glm::min(t[0], t[1]), t[2]), glm::max(glm::max(t[0], t[1]), t[2]), from, to);
+    touched = passes(t, point(from), point(to)) != 0 && meets_box_of(t, from, to);
     return !touched;
   });
   return touched;

@@ -4,7 +4,6 @@
 // Winding does not matter: a point is inside where an odd number of walls lies between it and far away. Lengths are the
 // user's millimetres. Independent of what it was made from; may be read from any number of threads.
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -12,8 +11,7 @@
 #include <vector>
 
 #include "engine/scene/model.h"
-#include "recon/mesh/box_tree.h"
-#include "recon/mesh/meshes.h"
+#include "recon/mesh/surface_tree.h"
 
 namespace odontoscope {
 
@@ -24,8 +22,8 @@ class Walls {
   explicit Walls(const SurfaceMesh& surface);
   explicit Walls(const std::vector<const SurfaceMesh*>& surfaces);
 
-  bool empty() const { return triangles_.empty(); }
-  std::size_t size() const { return triangles_.size(); }
+  bool empty() const { return tree_.empty(); }
+  std::size_t size() const { return tree_.size(); }
   const Box& bounds() const { return bounds_; }
 
   struct Nearest {
@@ -52,13 +50,11 @@ class Walls {
   bool crosses(const glm::dvec3& from, const glm::dvec3& to) const;
 
  private:
-  using Corners = std::array<glm::dvec3, 3>;
   /// Visits triangles whose boxes the segment may meet; `visit` returns false to end.
   template <class Visit>
   void along(const glm::dvec3& from, const glm::dvec3& to, Visit visit) const;
 
-  BoxTree<glm::dvec3> tree_;
-  std::vector<Corners> triangles_;  // leaf by leaf
+  SurfaceTree tree_;
   Box bounds_;
 };
 

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
-#include "recon/core/ring_holds.h"
 
 namespace odontoscope::between {
 namespace {
@@ -22,9 +22,8 @@ Point2 nearest_on(const std::vector<Point2>& ring, Point2 p) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-    const Point2 at{a.x + t * dx, a.y + t * dy};
+    const double t = nearest_share(p, a, b);
+    const Point2 at{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
     const double distance = portable::hypot(at.x - p.x, at.y - p.y);
     if (distance < least) {
       least = distance;
@@ -79,9 +78,9 @@ class Carrier {
     for (std::size_t c = 0; c < slices_.facts[slice].size(); ++c) {
       const ContourFacts& facts = slices_.facts[slice][c];
       const bool bounds = contour == outside ? facts.parent == ContourFacts::none : facts.parent == contour;
-      if (bounds && ring_holds(ring(slice, c), p)) return false;
+      if (bounds && encloses(ring(slice, c), p)) return false;
     }
-    return contour == outside || ring_holds(ring(slice, contour), p);
+    return contour == outside || encloses(ring(slice, contour), p);
   }
 
   bool overlaps(std::size_t slice, std::size_t contour, std::size_t other_slice, std::size_t other) const {
@@ -91,7 +90,7 @@ class Carrier {
       return true;
     if (other == outside) return false;
     const auto& others = ring(other_slice, other);
-    return std::any_of(others.begin(), others.end(), [&](Point2 p) { return ring_holds(points, p); });
+    return std::any_of(others.begin(), others.end(), [&](Point2 p) { return encloses(points, p); });
   }
 
   /// The point of the other shape's border that is nearest.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/core/limits.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 
 namespace odontoscope::between {
@@ -18,22 +19,9 @@ struct Moments {
 
 /// Of what lies within; contours of the shape are oriented as outer ones and holes.
 Moments moments_of(const Outline& shape) {
-  const Point2 base = shape.front().front();
-  double twice = 0, x = 0, y = 0, squares = 0;
-  for (const std::vector<Point2>& ring : shape) {
-    for (std::size_t n = 0; n < ring.size(); ++n) {
-      const Point2 next = ring[(n + 1) % ring.size()];
-      const Point2 p{ring[n].x - base.x, ring[n].y - base.y}, q{next.x - base.x, next.y - base.y};
-      const double cross = p.x * q.y - p.y * q.x;
-      twice += cross;
-      x += cross * (p.x + q.x);
-      y += cross * (p.y + q.y);
-      squares += cross * (p.x * p.x + p.x * q.x + q.x * q.x + p.y * p.y + p.y * q.y + q.y * q.y);
-    }
-  }
-  const Point2 mean{x / (3 * twice), y / (3 * twice)};
-  const double squared = squares / (6 * twice) - mean.x * mean.x - mean.y * mean.y;
-  return {std::abs(twice) / 2, {base.x + mean.x, base.y + mean.y}, std::sqrt(std::max(squared, 0.0))};
+  AreaMoments sums(shape.front().front());
+  for (const Polygon& ring : shape) sums.add(ring);
+  return {std::abs(sums.signed_area()), sums.centroid(), std::sqrt(std::max(sums.mean_square(), 0.0))};
 }
 
 Box box_of(const Outline& shape) {

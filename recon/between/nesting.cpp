@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "recon/core/limits.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 
 namespace odontoscope::between {
@@ -19,15 +20,9 @@ bool left_of(Point2 p, Point2 a, Point2 b) {
          CGAL::LEFT_TURN;
 }
 
-/// Precondition: p is on no edge.
-bool encloses(const std::vector<Point2>& ring, Point2 p) {
-  bool within = false;
-  for (std::size_t n = 0; n < ring.size(); ++n) {
-    const Point2 a = ring[n], b = ring[(n + 1) % ring.size()];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (left_of(p, a, b) == (b.y > a.y)) within = !within;
-  }
-  return within;
+/// Exact. Precondition: p is on no edge.
+bool holds(const Polygon& ring, Point2 p) {
+  return encloses(ring, p, [p](Point2 a, Point2 b) { return left_of(p, a, b) == (b.y > a.y); });
 }
 
 /// By its lowest point, where it cannot be dented.
@@ -37,30 +32,22 @@ bool counter_clockwise(const std::vector<Point2>& ring) {
   return left_of(ring[(lowest + 1) % ring.size()], ring[(lowest + ring.size() - 1) % ring.size()], ring[lowest]);
 }
 
-/// Areas and moments about the first point, so that far from the origin nothing is lost.
 ContourFacts facts_of(const std::vector<Point2>& ring) {
   ContourFacts facts;
   const Point2 base = ring.front();
-  double twice = 0, x = 0, y = 0;
   for (std::size_t n = 0; n < ring.size(); ++n) {
-    facts.box.take(ring[n]);
-    const Point2 p{ring[n].x - base.x, ring[n].y - base.y};
-    const Point2 next = ring[(n + 1) % ring.size()];
-    const Point2 q{next.x - base.x, next.y - base.y};
-    const double cross = p.x * q.y - p.y * q.x;
-    twice += cross;
-    x += cross * (p.x + q.x);
-    y += cross * (p.y + q.y);
-    facts.perimeter += portable::hypot(q.x - p.x, q.y - p.y);
+    const Point2 &p = ring[n], &q = ring[(n + 1) % ring.size()];
+    facts.box.take(p);
+    facts.perimeter += portable::hypot((q.x - base.x) - (p.x - base.x), (q.y - base.y) - (p.y - base.y));
   }
-  facts.area = twice / 2;
+  const AreaMoments moments(ring);
+  facts.area = moments.signed_area();
   constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-  if (!(std::abs(twice) > rounding * facts.perimeter * facts.perimeter) ||
-      !std::isnormal(twice))  // a needle's, or a minute one's, may have any sign
-    facts.area = std::copysign(twice / 2, counter_clockwise(ring) ? 1.0 : -1.0);
+  if (const double twice = 2 * facts.area; !(std::abs(twice) > rounding * facts.perimeter * facts.perimeter) ||
+                                           !std::isnormal(twice))  // a needle's, or a minute one's, may have any sign
+    facts.area = std::copysign(facts.area, counter_clockwise(ring) ? 1.0 : -1.0);
   facts.centroid = {std::midpoint(facts.box.low.x, facts.box.high.x), std::midpoint(facts.box.low.y, facts.box.high.y)};
-  const Point2 mean{base.x + x / (3 * twice), base.y + y / (3 * twice)};
-  if (std::isfinite(mean.x) && std::isfinite(mean.y)) facts.centroid = mean;
+  if (const Point2 mean = moments.centroid(); std::isfinite(mean.x) && std::isfinite(mean.y)) facts.centroid = mean;
   return facts;
 }
 
@@ -69,7 +56,7 @@ std::size_t parent_of(std::size_t contour, const Outline& outline, const std::ve
                       const std::vector<std::size_t>& by_area) {
   for (const std::size_t other : by_area) {
     if (facts[other].outer() == facts[contour].outer() || !facts[other].box.holds(facts[contour].box)) continue;
-    if (encloses(outline[other], outline[contour].front())) return other;
+    if (holds(outline[other], outline[contour].front())) return other;
   }
   return ContourFacts::none;
 }

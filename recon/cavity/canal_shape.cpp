@@ -5,22 +5,14 @@
 #include <limits>
 
 #include "recon/cavity/limits.h"
-#include "recon/cavity/plane_loops.h"
 #include "recon/cavity/tooth_axis.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 #include "recon/mesh/half_edges.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope {
 namespace {
-
-double area_of(const cavity::Loop& loop) {
-  double twice = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    twice += (a.x - loop[0].x) * (b.y - loop[0].y) - (a.y - loop[0].y) * (b.x - loop[0].x);
-  }
-  return std::abs(twice) / 2;
-}
 
 /// Which third of which canal is nearest to a place, below the orifices.
 class Owners {
@@ -151,20 +143,23 @@ namespace cavity {
 double section_area(const SurfaceMesh& wall, const Point3& at, const Direction& along) {
   const Upright upright(along);
   const Point3 middle = upright.turned(at);
-  double area = 0, round = std::numeric_limits<double>::infinity();
-  const std::vector<Loop> loops = loops_at(upright.turned(wall), middle.z);
+  double round = std::numeric_limits<double>::infinity();
+  const std::vector<Polygon> loops = section_loops(upright.turned(wall), middle.z);
   // The smallest loop round the place, less the islands in it.
-  const Loop* own = nullptr;
-  for (const Loop& loop : loops) {
-    if (!is_inside(loop, {middle.x, middle.y}) || area_of(loop) >= round) continue;
-    round = area_of(loop);
+  const Polygon* own = nullptr;
+  for (const Polygon& loop : loops) {
+    const double area = std::abs(signed_area(loop));
+    if (area >= round || !encloses(loop, {middle.x, middle.y})) continue;
+    round = area;
     own = &loop;
   }
   if (own == nullptr) return 0;
-  area = round;
-  for (const Loop& loop : loops)
-    if (&loop != own && area_of(loop) < round && is_inside(*own, loop.front())) area -= area_of(loop);
-  return area;
+  double left = round;
+  for (const Polygon& loop : loops) {
+    const double area = std::abs(signed_area(loop));
+    if (&loop != own && area < round && encloses(*own, loop.front())) left -= area;
+  }
+  return left;
 }
 
 Point3 place_along(const CentreLine& line, double along) {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "recon/cavity/plane_loops.h"
+#include "recon/core/polygon.h"
 #include "recon/core/union_find.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -93,22 +94,16 @@ class Slicing {
   /// rises.
   void add_section(std::size_t level, HalfEdge rising, std::vector<std::size_t>& seen) {
     Section section{level, {}, made_.piece_of[part(rising / 3, level)], made_.piece_of[part(rising / 3, level + 1)]};
-    Loop loop;
+    Polygon loop;
     for (HalfEdge h = rising; seen[h / 3] != level;) {
       seen[h / 3] = level;
       HalfEdge falling = next(h);
       if (!rises_through(edges_.mate[falling], level)) falling = previous(h);
       section.edges.push_back(falling);
-      const Point3 at = crossing(surface_, falling, made_.levels[level]);
-      loop.push_back({at.x, at.y});
+      loop.push_back(crossing_point(surface_, falling, made_.levels[level]));
       h = edges_.mate[falling];
     }
-    double area = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()], &origin = loop[0];
-      area += (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
-    }
-    section.hole = area > 0;
+    section.hole = signed_area(loop) > 0;
     made_.sections.push_back(std::move(section));
     loops_.push_back(std::move(loop));
   }
@@ -116,24 +111,17 @@ class Slicing {
   void tell_islands(std::size_t first) {
     for (std::size_t i = first; i < made_.sections.size(); ++i)
       for (std::size_t k = first; k < made_.sections.size() && !made_.sections[i].hole; ++k)
-        if (made_.sections[k].hole && is_inside(loops_[k], loops_[i].front())) made_.sections[i].island = true;
+        if (made_.sections[k].hole && encloses(loops_[k], loops_[i].front())) made_.sections[i].island = true;
   }
 
   const SurfaceMesh& surface_;
   const EdgeMates& edges_;
   HeightPieces& made_;
   std::vector<std::size_t> slab_;  // of each vertex: how many levels lie below it
-  std::vector<Loop> loops_;
+  std::vector<Polygon> loops_;
 };
 
 }  // namespace
-
-Point3 crossing(const SurfaceMesh& surface, HalfEdge edge, double level) {
-  Point3 low = surface.points[start(surface, edge)], high = surface.points[end(surface, edge)];
-  if (low.z > high.z) std::swap(low, high);
-  const double share = (level - low.z) / (high.z - low.z);
-  return {low.x + share * (high.x - low.x), low.y + share * (high.y - low.y), level};
-}
 
 HeightPieces height_pieces(const SurfaceMesh& surface, const EdgeMates& edges, const std::vector<double>& wanted) {
   HeightPieces made;

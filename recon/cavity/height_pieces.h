@@ -34,7 +34,4 @@ struct HeightPieces {
 /// left out. Precondition: a closed oriented manifold without self-intersections.
 HeightPieces height_pieces(const SurfaceMesh& surface, const EdgeMates& edges, const std::vector<double>& wanted);
 
-/// Where the section's plane crosses this edge: the same from either of its two triangles.
-Point3 crossing(const SurfaceMesh& surface, HalfEdge edge, double level);
-
 }  // namespace odontoscope::cavity

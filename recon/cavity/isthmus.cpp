@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "recon/cavity/limits.h"
-#include "recon/cavity/plane_loops.h"
 #include "recon/cavity/roots.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope::cavity {
 namespace {
@@ -16,20 +17,14 @@ namespace {
 constexpr std::size_t heights = 120;
 
 /// To the loop's nearest side: positive within.
-double depth_in(const Loop& loop, const Point2& p) {
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-    const double x = b.x - a.x, y = b.y - a.y, square = x * x + y * y;
-    const double t = square > 0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / square, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, portable::hypot(p.x - a.x - t * x, p.y - a.y - t * y));
-  }
-  return is_inside(loop, p) ? nearest : -nearest;
+double depth_in(const Polygon& loop, const Point2& p) {
+  const double nearest = distance_to_border(p, loop);
+  return encloses(loop, p) ? nearest : -nearest;
 }
 
 /// Of the corridor between two places in a loop: twice the least of the depths that are had by stepping aside, up to
 /// half the way between the places.
-double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
+double corridor_width(const Polygon& loop, const Point2& a, const Point2& b) {
   constexpr int along = 15, aside = 12;
   const double x = b.x - a.x, y = b.y - a.y;
   double least = std::numeric_limits<double>::infinity();
@@ -56,7 +51,7 @@ double corridor_width(const Loop& loop, const Point2& a, const Point2& b) {
 }
 
 /// How far the loop reaches from one place straight towards the other.
-double reach_towards(const Loop& loop, const Point2& from, const Point2& to) {
+double reach_towards(const Polygon& loop, const Point2& from, const Point2& to) {
   const double x = to.x - from.x, y = to.y - from.y, far = portable::hypot(x, y);
   double most = 0;
   for (const Point2& p : loop) {
@@ -92,7 +87,7 @@ std::optional<Passing> passing(const CentreLine& line, double z) {
   return Passing{*at, ball};
 }
 
-Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b, std::size_t canals_in_loop) {
+Seen between(const std::vector<Polygon>& loops, const Passing& a, const Passing& b, std::size_t canals_in_loop) {
   if (portable::hypot(a.at.x - b.at.x, a.at.y - b.at.y) < a.ball + b.ball) return {};  // one canal, or as good as one
   const std::size_t one = loop_round(loops, a.at), other = loop_round(loops, b.at);
   if (one == loops.size() || other == loops.size()) return {};
@@ -108,7 +103,7 @@ Seen between(const std::vector<Loop>& loops, const Passing& a, const Passing& b,
 
 }  // namespace
 
-bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const CentreLine& b, double z) {
+bool is_one_section(const std::vector<Polygon>& loops, const CentreLine& a, const CentreLine& b, double z) {
   const std::optional<Passing> one = passing(a, z), other = passing(b, z);
   if (!one || !other) return false;
   const std::size_t loop = loop_round(loops, one->at);
@@ -142,7 +137,7 @@ std::vector<Isthmus> isthmuses_of(const Cavity& cavity, const CentreLines& lines
   };
   for (std::size_t h = 0; h < heights && step > 0; ++h) {
     const double above = (static_cast<double>(h) + 0.5) * step, z = fall * (bottom + above);
-    const std::vector<Loop> loops = loops_at(cavity.wall, z);
+    const std::vector<Polygon> loops = section_loops(cavity.wall, z);
     std::vector<std::optional<Passing>> at;
     for (const std::size_t c : canals) at.push_back(passing(lines.canals[c], z));
     std::vector<Isthmus> seen;

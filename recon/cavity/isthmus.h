@@ -7,7 +7,8 @@
 
 #include "recon/cavity/cavity.h"
 #include "recon/cavity/centre_lines.h"
-#include "recon/cavity/plane_loops.h"
+#include "recon/core/polygon.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope {
 
@@ -26,7 +27,7 @@ namespace cavity {
 
 /// Whether two canals are one where they pass this height: in one loop, and not joined by a mere isthmus
 /// (limits::isthmus_wide).
-bool is_one_section(const std::vector<Loop>& loops, const CentreLine& a, const CentreLine& b, double z);
+bool is_one_section(const std::vector<Polygon>& loops, const CentreLine& a, const CentreLine& b, double z);
 
 /// Of one root, from the apex up. `fall`: heights times this fall towards the apex. Runs lower than a canal is wide are
 /// left out, as where canals part.

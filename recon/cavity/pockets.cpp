@@ -10,8 +10,9 @@
 
 #include "recon/cavity/height_pieces.h"
 #include "recon/cavity/limits.h"
-#include "recon/cavity/plane_loops.h"
 #include "recon/cavity/polygon_cap.h"
+#include "recon/core/polygon.h"
+#include "recon/mesh/plane_section.h"
 #include "recon/mesh/vector.h"
 
 namespace odontoscope::cavity {
@@ -57,25 +58,13 @@ std::vector<std::size_t> pocket_of_piece(const HeightPieces& pieces) {
   return pocket;
 }
 
-Loop places(const SurfaceMesh& surface, const Section& section, double level) {
-  Loop loop;
-  for (const HalfEdge h : section.edges) {
-    const Point3 p = crossing(surface, h, level);
-    loop.push_back({p.x, p.y});
-  }
+Polygon places(const SurfaceMesh& surface, const Section& section, double level) {
+  Polygon loop;
+  for (const HalfEdge h : section.edges) loop.push_back(crossing_point(surface, h, level));
   return loop;
 }
 
-double area_of(const Loop& loop) {
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &a = loop[i], &b = loop[(i + 1) % loop.size()], &origin = loop[0];
-    sum += ((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x)) / 2;
-  }
-  return sum;
-}
-
-Point3 middle_of(const Loop& loop, double level) {
+Point3 middle_of(const Polygon& loop, double level) {
   Point3 sum{0, 0, level};
   for (const Point2& p : loop) {
     sum.x += p.x / static_cast<double>(loop.size());
@@ -134,12 +123,16 @@ class Lining {
   }
   PointIndex cut_point(HalfEdge h, std::size_t level) {
     const auto [a, b] = std::minmax({start(surface_, h), end(surface_, h)});
-    return place({a, b, level}, crossing(surface_, h, pieces_.levels[level]));
+    const double height = pieces_.levels[level];
+    const Point2 at = crossing_point(surface_, h, height);
+    return place({a, b, level}, {at.x, at.y, height});
   }
 
   /// What of the triangle lies from one slab to another.
   void add(std::uint32_t t, std::size_t low, std::size_t high, bool to_bottom, bool to_top) {
-    const auto above = [&](PointIndex v, std::size_t level) { return surface_.points[v].z > pieces_.levels[level]; };
+    const auto above = [&](PointIndex v, std::size_t level) {
+      return lies_above(surface_.points[v], pieces_.levels[level]);
+    };
     std::vector<PointIndex> polygon;
     for (HalfEdge h = 3 * t; h < 3 * t + 3; ++h) {
       const PointIndex a = start(surface_, h), b = end(surface_, h);
@@ -173,10 +166,10 @@ double depth_of(const SurfaceMesh& wall) {
   return high - low;
 }
 
-bool anything_in(const Loop& mouth, double level, const std::vector<const SurfaceMesh*>& others) {
+bool anything_in(const Polygon& mouth, double level, const std::vector<const SurfaceMesh*>& others) {
   return std::any_of(others.begin(), others.end(), [&](const SurfaceMesh* other) {
-    const std::vector<Loop> loops = loops_at(*other, level);
-    return std::any_of(loops.begin(), loops.end(), [&](const Loop& loop) { return is_inside(mouth, loop.front()); });
+    const std::vector<Polygon> loops = section_loops(*other, level);
+    return std::any_of(loops.begin(), loops.end(), [&](const Polygon& loop) { return encloses(mouth, loop.front()); });
   });
 }
 
@@ -200,13 +193,13 @@ std::vector<Cavity> pockets_of(const StructureSurface& part, const SurfaceReport
     double widest = 0;
     const bool closed = std::all_of(sections.begin(), sections.end(), [&](const Section* section) {
       const double level = pieces.levels[section->level];
-      const Loop loop = places(surface, *section, level);
-      const double area = area_of(loop);
+      const Polygon loop = places(surface, *section, level);
+      const double area = signed_area(loop);
       widest = std::max(widest, std::sqrt(4 * area / std::numbers::pi));
       cavity.mouths.push_back({middle_of(loop, level), area});
       const bool crowded = std::any_of(pieces.sections.begin(), pieces.sections.end(), [&](const Section& other) {
         return &other != section && other.level == section->level &&
-               is_inside(loop, places(surface, other, level).front());
+               encloses(loop, places(surface, other, level).front());
       });
       return section->hole && !crowded && !anything_in(loop, level, others) &&
              lining.cap(*section, pocket_of[section->below] != outside);

@@ -8,7 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "recon/cavity/plane_loops.h"
+#include "recon/core/polygon.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope::cavity {
 
@@ -22,9 +23,9 @@ std::optional<Point2> passes(const CentreLine& line, double z) {
   return std::nullopt;
 }
 
-std::size_t loop_round(const std::vector<Loop>& loops, const std::optional<Point2>& place) {
+std::size_t loop_round(const std::vector<Polygon>& loops, const std::optional<Point2>& place) {
   for (std::size_t i = 0; i < loops.size(); ++i)
-    if (place && is_inside(loops[i], *place)) return i;
+    if (place && encloses(loops[i], *place)) return i;
   return loops.size();
 }
 
@@ -51,7 +52,8 @@ double fall_of(const MeasuredRoot& root, const std::vector<MeasuredCanal>& canal
 }
 
 /// Canals that are one here count once.
-std::size_t sections_at(const std::vector<Loop>& loops, const CentreLines& lines, const MeasuredRoot& root, double z) {
+std::size_t sections_at(const std::vector<Polygon>& loops, const CentreLines& lines, const MeasuredRoot& root,
+                        double z) {
   std::vector<std::size_t> section(root.canals.size());
   std::iota(section.begin(), section.end(), std::size_t{0});
   for (std::size_t a = 0; a < section.size(); ++a)
@@ -79,7 +81,7 @@ std::vector<std::size_t> counted_sections(const Cavity& cavity, const CentreLine
   std::vector<std::pair<std::size_t, std::size_t>> runs;  // count, heights
   for (std::size_t i = 0; i < root_sections && top > bottom; ++i) {
     const double z = sign * (top - (static_cast<double>(i) + 0.5) / root_sections * (top - bottom));
-    const std::vector<Loop> loops = loops_at(cavity.wall, z);
+    const std::vector<Polygon> loops = section_loops(cavity.wall, z);
     const std::size_t count = sections_at(loops, lines, root, z);
     if (runs.empty() || runs.back().first != count) runs.push_back({count, 0});
     ++runs.back().second;
@@ -100,7 +102,7 @@ std::size_t branches_beside(const CentreLines& lines, const SurfaceMesh& outside
     const auto before = std::find_if(branch.points.rbegin(), branch.points.rend(),
                                      [&](const CentrePoint& p) { return length(branch.end - p.at) > 2 * p.radius; });
     const Point3& at = before == branch.points.rend() ? branch.end : before->at;
-    const std::vector<Loop> loops = loops_at(outside, at.z);
+    const std::vector<Polygon> loops = section_loops(outside, at.z);
     const std::size_t own = loop_round(loops, Point2{at.x, at.y});
     return own < loops.size() && std::any_of(root.canals.begin(), root.canals.end(), [&](std::size_t c) {
              return loop_round(loops, passes(lines.canals[c], at.z)) == own;
@@ -122,7 +124,7 @@ std::vector<MeasuredRoot> roots_of(const Cavity& cavity, const CentreLines& line
       const double end = std::max(sign * canals[a].end.z, sign * canals[b].end.z),
                    orifice = std::min(sign * canals[a].orifice.z, sign * canals[b].orifice.z);
       const double z = sign * (end + 0.25 * (orifice - end));
-      const std::vector<Loop> loops = loops_at(outside, z);
+      const std::vector<Polygon> loops = section_loops(outside, z);
       const std::size_t one = loop_round(loops, passes(lines.canals[a], z)),
                         other = loop_round(loops, passes(lines.canals[b], z));
       if (one == other && one < loops.size()) std::replace(root_of.begin(), root_of.end(), root_of[b], root_of[a]);

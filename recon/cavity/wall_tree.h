@@ -1,14 +1,11 @@
 #pragma once
-// How far is the wall, and on which side of it is one? A tree of boxes over the triangles of a closed wall.
+// How far is a closed wall, and on which side of it is one?
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
 
-#include "recon/mesh/box_tree.h"
-#include "recon/mesh/meshes.h"
-#include "recon/mesh/vector.h"
+#include "recon/mesh/surface_tree.h"
 
 namespace odontoscope {
 
@@ -39,15 +36,10 @@ class WallTree {
   double clearance_above(const Point3& from, double least, double most, Point3& shown_by) const;
 
  private:
-  struct Face {
-    Point3 a;
-    Direction ab, ac, normal;
-    std::uint32_t number;
-  };
   Nearest nearest(const Point3& from, double enough, double most) const;
 
-  BoxTree<std::array<double, 3>> tree_;
-  std::vector<Face> faces_;  // leaf by leaf
+  SurfaceTree tree_;
+  std::vector<Direction> normals_;  // of triangles
   std::vector<Direction> vertex_normals_;
   std::vector<Direction> edge_normals_;  // one a half-edge
   std::vector<Triangle> triangles_;

@@ -1,25 +1,17 @@
 #include "recon/compare/contour_fit.h"
 
-#include <CGAL/AABB_segment_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <queue>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
+#include "recon/mesh/surface_tree.h"
 
 namespace odontoscope {
 namespace {
-
-// Distances are measured in plain doubles: no decision hangs on them.
-using Kernel = CGAL::Simple_cartesian<double>;
-using Segments = std::vector<Kernel::Segment_3>;
-using Primitive = CGAL::AABB_segment_primitive<Kernel, Segments::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 double length(const Point2& a, const Point2& b) { return portable::hypot(b.x - a.x, b.y - a.y); }
 
@@ -81,14 +73,13 @@ void for_each_segment(const PlaneSection& section, Visit visit) {
 SliceMeasure measure_section(const PlaneSection& section, const Slice& slice, const std::string& structure,
                              double step) {
   SliceMeasure measure;
-  Segments edges;
+  std::vector<Corners> edges;
   for_each_edge(slice, structure, [&](const Point2& a, const Point2& b) {
-    edges.emplace_back(Kernel::Point_3(a.x, a.y, 0), Kernel::Point_3(b.x, b.y, 0));
+    edges.push_back({Point3{a.x, a.y, 0}, Point3{b.x, b.y, 0}, Point3{b.x, b.y, 0}});
   });
   if (edges.empty()) return measure;
-  Tree tree(edges.begin(), edges.end());
-  tree.accelerate_distance_queries();
-  const auto distance = [&](const Point2& p) { return std::sqrt(tree.squared_distance(Kernel::Point_3(p.x, p.y, 0))); };
+  const SurfaceTree tree(edges);
+  const auto distance = [&](const Point2& p) { return std::sqrt(tree.nearest({p.x, p.y, 0}).square); };
   Walker walker(step);
   for_each_segment(section, [&](const SectionSegment& s) {
     measure.largest = std::max({measure.largest, distance(s.from), distance(s.to)});
@@ -104,35 +95,6 @@ SliceMeasure measure_section(const PlaneSection& section, const Slice& slice, co
 
 // --- passages --------------------------------------------------------------------------------------------------------
 
-bool inside(const std::vector<Point2>& ring, const Point2& p) {
-  bool odd = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y <= p.y) != (b.y <= p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) odd = !odd;
-  }
-  return odd;
-}
-
-double signed_area(const std::vector<Point2>& ring) {
-  double twice = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    twice += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
-  }
-  return twice / 2;
-}
-
-double distance_to(const std::vector<Point2>& ring, const Point2& p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    const double dx = b.x - a.x, dy = b.y - a.y;
-    const double along = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-    least = std::min(least, portable::hypot(p.x - a.x - along * dx, p.y - a.y - along * dy));
-  }
-  return least;
-}
-
 /// Square cells, those that may hold a larger circle first.
 struct Cell {
   Point2 middle;
@@ -145,11 +107,11 @@ struct Cell {
 /// can be better by more than a hundredth of the contour's size.
 ContourPassage widest_place(const std::vector<Point2>& outer, const std::vector<const std::vector<Point2>*>& within) {
   const auto clearance = [&](const Point2& p) {
-    double least = distance_to(outer, p);
-    bool counts = inside(outer, p);
+    double least = distance_to_border(p, outer);
+    bool counts = encloses(outer, p);
     for (const auto* ring : within) {
-      least = std::min(least, distance_to(*ring, p));
-      counts = counts && !inside(*ring, p);
+      least = std::min(least, distance_to_border(p, *ring));
+      counts = counts && !encloses(*ring, p);
     }
     return counts ? least : -least;
   };
@@ -214,7 +176,7 @@ std::vector<ContourPassage> passages(const ContourStack& ordered_stack, const st
       std::vector<const std::vector<Point2>*> within;
       for (std::size_t other = 0; other < contours.size(); ++other) {
         if (other == c || contours[other].structure != structure) continue;
-        if (inside(contours[c].points, contours[other].points[0])) within.push_back(&contours[other].points);
+        if (encloses(contours[c].points, contours[other].points[0])) within.push_back(&contours[other].points);
       }
       ContourPassage passage = widest_place(contours[c].points, within);
       passage.slice = k;

@@ -1,25 +1,9 @@
 #pragma once
-// A triangle surface cut by the planes of slices.
+// What a section of a surface by a plane tells: its outline, and where there is material.
 
-#include <vector>
-
-#include "recon/core/geometry.h"
-#include "recon/mesh/meshes.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope {
-
-struct SectionSegment {
-  Point2 from, to;
-};
-
-/// The cut by one plane, as the surface is just below it and just above it; one segment a triangle, in order of the
-/// triangles. They differ where the model begins, ends or has a flat piece in the plane. A side of a triangle that lies
-/// in the plane is given as it is, without rounding. For any surface, closed or not: what is missing in the surface is
-/// missing in the section.
-struct PlaneSection {
-  std::vector<SectionSegment> below, above;
-};
-std::vector<PlaneSection> sections(const SurfaceMesh& surface, const std::vector<double>& heights);
 
 /// Without what one side alone has inside the other's material: where a model that goes on above ends flat below, the
 /// plane cuts no boundary of it.

@@ -16,6 +16,7 @@
 
 #include "recon/contours/point_tree.h"
 #include "recon/core/error.h"
+#include "recon/core/polygon.h"
 
 namespace odontoscope {
 namespace {
@@ -24,9 +25,8 @@ using VertexId = std::uint32_t;
 constexpr VertexId none = std::numeric_limits<VertexId>::max();
 
 double squared_distance(Point2 p, Point2 a, Point2 b) {
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double along = std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-  const double ex = p.x - (a.x + along * dx), ey = p.y - (a.y + along * dy);
+  const double along = nearest_share(p, a, b);
+  const double ex = p.x - (a.x + along * (b.x - a.x)), ey = p.y - (a.y + along * (b.y - a.y));
   return ex * ex + ey * ey;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Marching squares as a walk along each contour, for one slice. Used by volume/ and between/.
+// Marching squares as a walk along each contour, for one slice. Used by volume/, between/ and sample/.
 //
 // The grid is the slice's pixel centres with a ring of virtual pixels around them that are always outside. A contour
 // crosses every grid edge between an inside and an outside pixel exactly once, strictly between the two, and runs
@@ -56,11 +56,12 @@ Stand next(const Field& field, const Stand& stand) {
   return {stand.inside, turned_left(stand.ahead)};
 }
 
-/// Calls `take(std::vector<Point2>&&)` for every contour of the slice, inside on its left (outer contours
+/// Calls `take(std::vector<Crossing>&&)` for every contour of the slice, inside on its left (outer contours
 /// counter-clockwise, holes clockwise), in the order of their lowest, then leftmost rising crossing, which is also
-/// their first point. Stops early when `take` returns false. Field also has Point2 crossing(Vertex inside, Vertex
-/// outside), strictly between the two; and may have void bend(const Stand&, std::vector<Point2>& points), which appends
-/// points that a contour has in the cell ahead, between its two crossings, where it does not run straight.
+/// their first point. Stops early when `take` returns false. Field also has Crossing crossing(Vertex inside, Vertex
+/// outside), a Point2 strictly between the two or a number that stands for one; and may have void bend(const Stand&,
+/// std::vector<Crossing>& points), which appends points that a contour has in the cell ahead, between its two
+/// crossings, where it does not run straight.
 template <class Field, class Take>
 void contours(const Field& field, std::size_t width, std::size_t height, const Take& take) {
   std::vector<bool> visited(width * height, false);  // rising crossings to the right of each pixel
@@ -71,7 +72,7 @@ void contours(const Field& field, std::size_t width, std::size_t height, const T
     for (std::ptrdiff_t i = 0; i < columns; ++i) {
       const Stand start{{i, j}, up};
       if (!field.inside(start.inside) || field.inside(start.outside()) || visited[number(start.inside)]) continue;
-      std::vector<Point2> points;
+      std::vector<decltype(field.crossing(start.inside, start.outside()))> points;
       Stand stand = start;
       do {
         if (stand.ahead == up) visited[number(stand.inside)] = true;

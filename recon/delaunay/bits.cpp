@@ -7,24 +7,16 @@
 #include <set>
 #include <tuple>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
-#include "recon/delaunay/ring.h"
 
 namespace odontoscope::delaunay {
 namespace {
 
-double distance_to_edge(Point2 p, Point2 a, Point2 b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-  const double share = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-  return portable::hypot(p.x - a.x - share * dx, p.y - a.y - share * dy);
-}
-
 double distance_of_points(const std::vector<Point2>& points, const std::vector<Point2>& ring) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Point2 p : points)
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      least = std::min(least, distance_to_edge(p, ring[i], ring[(i + 1) % ring.size()]));
+  for (const Point2 p : points) least = std::min(least, distance_to_border(p, ring));
   return least;
 }
 

@@ -52,19 +52,6 @@ std::vector<std::vector<Simplex>> connected_groups(const std::vector<Simplex>& s
   return groups;
 }
 
-/// Turns of the loop, seen from above, round p.
-int winding(const std::vector<Point3>& loop, Point2 p) {
-  int turns = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point3& a = loop[i];
-    const Point3& b = loop[(i + 1) % loop.size()];
-    const double side = (b.x - a.x) * (p.y - a.y) - (p.x - a.x) * (b.y - a.y);
-    if (a.y <= p.y && b.y > p.y && side > 0) ++turns;
-    if (a.y > p.y && b.y <= p.y && side < 0) --turns;
-  }
-  return turns;
-}
-
 /// Loops of one closed surface that no disc of it bounds: two for each handle, short ones.
 class Loops {
  public:
@@ -198,7 +185,9 @@ bool in_solid(const SlabShape& slab, const Point3& p) {
 
 /// With void in its middle, and round no hole of a slice: round a tunnel, or a window, that is not implied.
 bool goes_round_a_tunnel(const SlabShape& slab, const std::vector<Point3>& loop) {
-  const auto round_it = [&loop](const Ring& hole) { return winding(loop, centroid(hole)) != 0; };
+  Polygon from_above;
+  for (const Point3& p : loop) from_above.push_back({p.x, p.y});
+  const auto round_it = [&](const Polygon& hole) { return winding(from_above, centroid(hole)) != 0; };
   if (std::any_of(slab.holes.begin(), slab.holes.end(), round_it)) return false;
   return !in_solid(slab, middle(loop));  // round material: the wall of any ring has such a loop
 }
@@ -263,8 +252,8 @@ Point3 middle_of_smallest_piece(const SlabShape& slab) {
 
 }  // namespace
 
-std::vector<Ring> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure) {
-  std::vector<Ring> holes;
+std::vector<Polygon> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure) {
+  std::vector<Polygon> holes;
   for (const std::size_t k : {slab, slab + 1})
     for (const Contour& contour : stack.slices[k].contours)
       if (contour.structure == structure && signed_area(contour.points) < 0) holes.push_back(contour.points);
@@ -291,7 +280,7 @@ Point3 place_of_difference(const SlabShape& slab, const Topology& implied, const
   if (found.handles > implied.handles)
     if (const auto place = middle_of_tunnel(slab)) return *place;
   Point3 place = mass_of(slab.points, slab.tetrahedra).centre;
-  const auto smallest = std::min_element(slab.holes.begin(), slab.holes.end(), [](const Ring& a, const Ring& b) {
+  const auto smallest = std::min_element(slab.holes.begin(), slab.holes.end(), [](const Polygon& a, const Polygon& b) {
     return std::abs(signed_area(a)) < std::abs(signed_area(b));
   });
   if (found.handles < implied.handles && smallest != slab.holes.end()) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/polygon.h"
 #include "recon/delaunay/attention.h"
-#include "recon/delaunay/ring.h"
 #include "recon/input/contour_stack.h"
 #include "recon/mesh/meshes.h"
 
@@ -16,7 +16,7 @@ struct SlabShape {
   const std::vector<Point3>& points;
   const std::vector<Tetrahedron>& tetrahedra;  // of the slab
   const std::vector<Triangle>& boundary;       // of these
-  std::vector<Ring> holes;                     // contours of the holes of both slices
+  std::vector<Polygon> holes;                  // contours of the holes of both slices
 };
 
 /// The middle of, in this order: a void that is shut in; the smallest piece, if there are too many; the shortest loop
@@ -26,7 +26,7 @@ struct SlabShape {
 Point3 place_of_difference(const SlabShape& slab, const Topology& implied, const Topology& found);
 
 /// Contours of a structure's holes in the two slices of a slab. Precondition: the stack is ordered.
-std::vector<Ring> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure);
+std::vector<Polygon> holes_beside(const ContourStack& stack, std::size_t slab, const std::string& structure);
 
 /// Volume and centre of mass.
 struct Mass {

@@ -15,7 +15,7 @@ struct RingBox {
   Point2 low, high;
 };
 
-RingBox box_of(const Ring& ring) {
+RingBox box_of(const Polygon& ring) {
   RingBox box{ring.front(), ring.front()};
   for (const Point2& p : ring)
     box = {{std::min(box.low.x, p.x), std::min(box.low.y, p.y)},
@@ -26,6 +26,27 @@ RingBox box_of(const Ring& ring) {
 bool within(const RingBox& a, const RingBox& b, double reach) {
   return a.low.x <= b.high.x + reach && b.low.x <= a.high.x + reach && a.low.y <= b.high.y + reach &&
          b.low.y <= a.high.y + reach;
+}
+
+/// Twice the signed area of the triangle.
+double twice_triangle(Point2 a, Point2 b, Point2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+bool cross(Point2 a, Point2 b, Point2 c, Point2 d) {
+  return (twice_triangle(a, b, c) > 0) != (twice_triangle(a, b, d) > 0) &&
+         (twice_triangle(c, d, a) > 0) != (twice_triangle(c, d, b) > 0);
+}
+
+/// 0 if what they enclose overlaps, else the distance of the two. Cost: the product of their sizes.
+double gap_between(const Polygon& a, const Polygon& b) {
+  if (encloses(a, b.front()) || encloses(b, a.front())) return 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const Point2 a1 = a[i], a2 = a[(i + 1) % a.size()], b1 = b[j], b2 = b[(j + 1) % b.size()];
+      if (cross(a1, a2, b1, b2)) return 0;
+      least = std::min({least, distance_to_edge(a1, b1, b2), distance_to_edge(b1, a1, a2)});
+    }
+  return least;
 }
 
 }  // namespace

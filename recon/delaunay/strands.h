@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/polygon.h"
 #include "recon/core/union_find.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/delaunay/ring.h"
 
 namespace odontoscope::delaunay {
 
 /// A region, by its outer contour, or a void, by the contour of the hole.
 struct Section {
   std::size_t slice = 0, contour = 0;  // number in the slice's list
-  const Ring* ring = nullptr;
+  const Polygon* ring = nullptr;
   double area = 0;  // within the ring
   Point2 centre;
   bool linked_below = false, linked_above = false;

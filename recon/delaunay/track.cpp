@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
-#include "recon/core/ring_holds.h"
 #include "recon/core/union_find.h"
 #include "recon/delaunay/bits.h"
 
@@ -379,7 +379,7 @@ class Tracker {
     const Point2 by = drift(k, i, up).value_or(Point2{}), from = graph_.shape(k, i).centroid;
     const Point2 to{from.x + by.x, from.y + by.y};
     const auto& outlines = graph_.shape(up ? k + 1 : k - 1, outside).contours;
-    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return ring_holds(ring, to); });
+    return std::none_of(outlines.begin(), outlines.end(), [to](const auto& ring) { return encloses(ring, to); });
   }
 
   void close(std::size_t slab, std::uint32_t lower, std::uint32_t upper) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "recon/core/polygon.h"
+
 namespace odontoscope::delaunay {
 namespace {
 
@@ -15,26 +17,6 @@ std::vector<Point2> points_of(const ConformedSlice& slice, std::uint32_t contour
 std::vector<Point2> backwards(std::vector<Point2> points) {
   std::reverse(points.begin(), points.end());
   return points;
-}
-
-/// Positive for counter-clockwise contours. Taken from the first point, so that far from the origin nothing cancels.
-double outline_area(const std::vector<Point2>& points) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    twice += (points[i].x - points[0].x) * (points[i + 1].y - points[0].y) -
-             (points[i].y - points[0].y) * (points[i + 1].x - points[0].x);
-  return twice / 2;
-}
-
-Point2 centroid_of(const std::vector<Point2>& points, double area) {
-  double x = 0, y = 0;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double ax = points[i].x - points[0].x, ay = points[i].y - points[0].y;
-    const double bx = points[i + 1].x - points[0].x, by = points[i + 1].y - points[0].y;
-    x += (ax * by - ay * bx) * (ax + bx);
-    y += (ax * by - ay * bx) * (ay + by);
-  }
-  return {points[0].x + x / (6 * area), points[0].y + y / (6 * area)};
 }
 
 struct ShapeBox {
@@ -57,14 +39,14 @@ bool meet(const ShapeBox& a, const ShapeBox& b) {
 TrackedShape with_outline(std::vector<Point2> outline, std::size_t number) {
   TrackedShape shape;
   shape.contour = number;
-  shape.area = outline_area(outline);
+  shape.area = signed_area(outline);
   shape.radius = std::sqrt(std::max(shape.area, 0.0) / std::numbers::pi);
   const ShapeBox box = box_of(outline, {});
   shape.low = box.low;
   shape.high = box.high;
   // A sliver's area may round to nothing; its middle is then that of its box.
-  shape.centroid = shape.area > 0 ? centroid_of(outline, shape.area)
-                                  : Point2{(shape.low.x + shape.high.x) / 2, (shape.low.y + shape.high.y) / 2};
+  shape.centroid =
+      shape.area > 0 ? centroid(outline) : Point2{(shape.low.x + shape.high.x) / 2, (shape.low.y + shape.high.y) / 2};
   shape.contours.push_back(std::move(outline));
   return shape;
 }
@@ -129,7 +111,7 @@ ShapeSlice void_shapes(const ConformedSlice& slice, const SliceVoids& voids) {
 
 double net_area(const TrackedShape& shape) {
   double area = 0;
-  for (const auto& points : shape.contours) area += outline_area(points);
+  for (const auto& points : shape.contours) area += signed_area(points);
   return area;
 }
 

@@ -2,16 +2,12 @@
 // Where the interfaces of a complex were before they were meshed anew: what new vertices are put back onto, and what
 // new triangles must not leave.
 
-#include <array>
 #include <map>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "recon/mesh/box_tree.h"
-#include "recon/mesh/corners.h"
 #include "recon/mesh/interface_web.h"
-#include "recon/mesh/vector.h"
+#include "recon/mesh/surface_tree.h"
 
 namespace odontoscope::elements {
 
@@ -38,22 +34,8 @@ class InterfaceShape {
   Nearest on_lines(const JunctionKind& kind, const Point3& from) const;
 
  private:
-  /// Triangles, or edges as triangles of two corners.
-  class Places {
-   public:
-    explicit Places(const std::vector<Corners>& corners);
-    Nearest nearest(const Point3& from) const;
-
-   private:
-    struct Face {
-      Point3 a;
-      Direction ab, ac;
-    };
-    BoxTree<std::array<double, 3>> tree_;
-    std::vector<Face> faces_;  // leaf by leaf
-  };
-  std::map<LabelPair, Places> faces_;
-  std::map<JunctionKind, Places> lines_;
+  std::map<LabelPair, SurfaceTree> faces_;
+  std::map<JunctionKind, SurfaceTree> lines_;
 };
 
 }  // namespace odontoscope::elements

@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/union_find.h"
 #include "recon/exchange/limits.h"
@@ -23,16 +24,6 @@ double size_of(const std::vector<Point2>& contour) {
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   return std::max(high.x - low.x, high.y - low.y);
-}
-
-double twice_area(const std::vector<Point2>& contour) {
-  double twice = 0;
-  const Point2& o = contour.front();
-  for (std::size_t i = 0; i < contour.size(); ++i) {
-    const Point2 &a = contour[i], &b = contour[(i + 1) % contour.size()];
-    twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
-  }
-  return twice;
 }
 
 /// Points in square cells, found again by place.
@@ -78,7 +69,7 @@ class Channels {
       : contour_(contour), width_(width), groups_(contour.size()) {
     along_.push_back(0);
     for (std::size_t i = 0; i < contour.size(); ++i) along_.push_back(along_.back() + distance(contour[i], at(i + 1)));
-    inside_is_left_ = twice_area(contour) > 0;
+    inside_is_left_ = signed_area(contour) > 0;
   }
 
   bool find() {
@@ -131,7 +122,7 @@ class Channels {
     if (corner == e || corner == after) return;
     const Point2 &a = contour_[e], &b = contour_[after], &p = contour_[corner];
     const double ux = b.x - a.x, uy = b.y - a.y, px = p.x - a.x, py = p.y - a.y, squared = ux * ux + uy * uy;
-    const double t = std::clamp((px * ux + py * uy) / squared, 0.0, 1.0);
+    const double t = nearest_share(p, a, b);
     const double gap = portable::hypot(px - t * ux, py - t * uy);
     if (!(gap <= width_) || gap == 0) return;
     const double aside = ux * py - uy * px;  // positive on the left
@@ -161,7 +152,7 @@ bool shuts_a_hole_in(const ClosedChannel& closed) {
   constexpr double widths = 16;
   if (closed.points.size() < 3) return false;
   for (const std::vector<Point2>& border : region_border({closed.points}, {})) {
-    if (-twice_area(border) / 2 > widths * closed.width * widths * closed.width) return true;
+    if (-signed_area(border) > widths * closed.width * widths * closed.width) return true;
   }
   return false;
 }

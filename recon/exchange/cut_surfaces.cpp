@@ -9,26 +9,18 @@
 #include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
-#include "recon/exchange/plane_trace.h"
 #include "recon/exchange/region_border.h"
 #include "recon/input/planar_sweep.h"
 #include "recon/input/validate.h"
 #include "recon/mesh/half_edges.h"
+#include "recon/mesh/plane_section.h"
 
 namespace odontoscope {
 namespace {
 
 double gap_between(const Point2& a, const Point2& b) { return portable::hypot(a.x - b.x, a.y - b.y); }
-
-double twice_shoelace(const std::vector<Point2>& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    sum += a.x * b.y - b.x * a.y;
-  }
-  return sum;
-}
 
 /// A mesh made ready: its edges, and its triangles from low to high.
 struct Prepared {
@@ -246,7 +238,7 @@ class StructureCutter {
     const auto take = [&](const std::vector<Contour>& side) {
       for (const Contour& contour : side) {
         polygons.push_back(contour.points);
-        sum += twice_shoelace(contour.points);
+        sum += signed_area(contour.points);
       }
     };
     take(below);
@@ -285,7 +277,7 @@ class StructureCutter {
     std::vector<std::vector<Point2>> loops, lines;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
       const SurfaceMesh& mesh = meshes_[m].source.surface;
-      for (const Trace& trace : trace_plane(mesh, meshes_[m].mates, crossed(m, height, side), height, side)) {
+      for (const SectionTrace& trace : section_traces(mesh, meshes_[m].mates, crossed(m, height, side), height, side)) {
         std::vector<Point2> points;
         for (const HalfEdge h : trace.edges) points.push_back(crossing_point(mesh, h, height));
         (trace.closed ? loops : lines).push_back(std::move(points));
@@ -353,7 +345,7 @@ void turn_outwards(ContourStack& stack) {
         }
       }
     };
-    each([&](const std::vector<Point2>& points) { sum += twice_shoelace(points); });
+    each([&](const std::vector<Point2>& points) { sum += signed_area(points); });
     if (sum < 0) each([](std::vector<Point2>& points) { std::reverse(points.begin(), points.end()); });
   }
 }

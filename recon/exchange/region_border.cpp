@@ -11,6 +11,7 @@
 #include <map>
 #include <utility>
 
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 
 namespace odontoscope {
@@ -144,16 +145,6 @@ std::vector<Loop> loops_of(const Triangulation& triangulation, Inside rule) {
   return loops;
 }
 
-double area_of(const std::vector<Point2>& polygon) {
-  double twice = 0;
-  const Point2& o = polygon.front();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    twice += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
-  }
-  return twice / 2;
-}
-
 /// Between the border that arrives at `v` and the one that leaves, through the material.
 double angle_at(const Point2& before, const Point2& v, const Point2& after) {
   constexpr double turn = 6.283185307179586;
@@ -241,7 +232,7 @@ std::vector<std::vector<Point2>> region_border(const std::vector<std::vector<Poi
   spread_winding(triangulation, turns);
   std::vector<std::vector<Point2>> border = parted(loops_of(triangulation, options.inside));
   const double smallest = options.smallest_share * square_around(polygons);
-  std::erase_if(border, [&](const auto& polygon) { return std::abs(area_of(polygon)) <= smallest; });
+  std::erase_if(border, [&](const auto& polygon) { return std::abs(signed_area(polygon)) <= smallest; });
   put_in_order(border);
   return border;
 }

@@ -292,9 +292,9 @@ std::vector<Point3> read_vertices(Body& body, const Element& element) {
 }
 
 /// Corners of a face, or of strips, where -1 ends one.
-class Corners {
+class CornerList {
  public:
-  Corners(Body& body, const Element& element, std::string_view what) : body_(body), what_(what) {
+  CornerList(Body& body, const Element& element, std::string_view what) : body_(body), what_(what) {
     list_ = std::find_if(element.properties.begin(), element.properties.end(), [](const Property& p) {
       return p.count_type && is_whole(p.type) && (p.name == "vertex_indices" || p.name == "vertex_index");
     });
@@ -339,7 +339,7 @@ class Corners {
 
 /// `points`: how many there are, or may be where they come behind the faces.
 void read_faces(Body& body, const Element& element, std::size_t points, bool strips, FaceList& faces) {
-  Corners corners(body, element, strips ? "strip" : "face");
+  CornerList corners(body, element, strips ? "strip" : "face");
   for (std::size_t row = 0; row < element.count; ++row) {
     corners.read_row(element, row, points, strips, [&](const std::vector<PointIndex>& piece) {
       if (!strips && piece.size() > limits::polygon_corners)

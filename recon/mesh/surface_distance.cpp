@@ -1,29 +1,18 @@
 #include "recon/mesh/surface_distance.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <string_view>
 #include <vector>
 
-#include "recon/mesh/vector.h"
+#include "recon/mesh/surface_tree.h"
 
 namespace odontoscope {
 namespace {
-
-// Distances are measured in plain doubles: no decision hangs on them.
-using DoubleKernel = CGAL::Simple_cartesian<double>;
-using Triangles = std::vector<DoubleKernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<DoubleKernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<DoubleKernel, Primitive>>;
 
 constexpr std::string_view distance_stage = "measure distance";
 
@@ -75,22 +64,18 @@ std::vector<Point3> used_vertices(const SurfaceMesh& mesh) {
 }
 
 /// Triangles that a distance can be measured to. Those without area are left out: their edges belong to others.
-Triangles triangles_with_area(const SurfaceMesh& mesh) {
-  Triangles triangles;
-  const auto point = [&](PointIndex i) {
-    return DoubleKernel::Point_3(mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
-  };
-  for (const Triangle& t : mesh.triangles) {
-    if (area(mesh, t) > 0) triangles.emplace_back(point(t[0]), point(t[1]), point(t[2]));
-  }
-  return triangles;
+SurfaceTree tree_of(const SurfaceMesh& mesh) {
+  SurfaceMesh with_area{mesh.points, {}};
+  for (const Triangle& t : mesh.triangles)
+    if (area(mesh, t) > 0) with_area.triangles.push_back(t);
+  return SurfaceTree(with_area);
 }
 
 struct Share {
   double from, to;  // of the progress bar
 };
 
-std::vector<double> distances(const std::vector<Point3>& points, const Tree& tree, const Progress& progress,
+std::vector<double> distances(const std::vector<Point3>& points, const SurfaceTree& tree, const Progress& progress,
                               Share share) {
   constexpr std::size_t chunk_size = 1024;
   std::vector<double> distance(points.size());
@@ -101,7 +86,7 @@ std::vector<double> distances(const std::vector<Point3>& points, const Tree& tre
     if (progress.stop.stop_requested()) return;
     const std::size_t last = std::min(points.size(), (chunk + 1) * chunk_size);
     for (std::size_t i = chunk * chunk_size; i < last; ++i) {
-      distance[i] = std::sqrt(tree.squared_distance({points[i].x, points[i].y, points[i].z}));
+      distance[i] = std::sqrt(tree.nearest(points[i]).square);
     }
     const double part = static_cast<double>(++done) / static_cast<double>(chunks);
     const std::lock_guard lock(telling);
@@ -115,7 +100,7 @@ double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-OneWayDistance one_way(const SurfaceMesh& from, const Tree& to, const DistanceOptions& options,
+OneWayDistance one_way(const SurfaceMesh& from, const SurfaceTree& to, const DistanceOptions& options,
                        const Progress& progress, Share share) {
   const double middle = (share.from + share.to) / 2;
   const std::vector<double> over_area =
@@ -127,20 +112,13 @@ OneWayDistance one_way(const SurfaceMesh& from, const Tree& to, const DistanceOp
           over_area.empty() ? 0 : sum / static_cast<double>(over_area.size())};
 }
 
-std::unique_ptr<Tree> tree_of(const Triangles& triangles) {
-  auto tree = std::make_unique<Tree>(triangles.begin(), triangles.end());
-  tree->build();
-  tree->accelerate_distance_queries();  // before the threads start: queries then only read
-  return tree;
-}
-
 }  // namespace
 
 std::optional<OneWayDistance> distance_to_surface(const std::vector<Point3>& points, const SurfaceMesh& surface,
                                                   const Progress& progress) {
-  const Triangles triangles = triangles_with_area(surface);
-  if (triangles.empty() || points.empty()) return std::nullopt;
-  const std::vector<double> distance = distances(points, *tree_of(triangles), progress, {0, 1});
+  const SurfaceTree tree = tree_of(surface);
+  if (tree.empty() || points.empty()) return std::nullopt;
+  const std::vector<double> distance = distances(points, tree, progress, {0, 1});
   double sum = 0;
   for (const double d : distance) sum += d;
   return OneWayDistance{largest(distance), sum / static_cast<double>(distance.size())};
@@ -148,14 +126,13 @@ std::optional<OneWayDistance> distance_to_surface(const std::vector<Point3>& poi
 
 std::optional<SurfaceDistance> surface_distance(const SurfaceMesh& a, const SurfaceMesh& b,
                                                 const DistanceOptions& options, const Progress& progress) {
-  const Triangles of_a = triangles_with_area(a), of_b = triangles_with_area(b);
-  if (of_a.empty() || of_b.empty()) return std::nullopt;
+  const SurfaceTree tree_a = tree_of(a), tree_b = tree_of(b);
+  if (tree_a.empty() || tree_b.empty()) return std::nullopt;
   progress.tell(distance_stage, 0);
-  const auto tree_a = tree_of(of_a), tree_b = tree_of(of_b);
   progress.check();
   SurfaceDistance distance;
-  distance.a_to_b = one_way(a, *tree_b, options, progress, {0, 0.5});
-  distance.b_to_a = one_way(b, *tree_a, options, progress, {0.5, 1});
+  distance.a_to_b = one_way(a, tree_b, options, progress, {0, 0.5});
+  distance.b_to_a = one_way(b, tree_a, options, progress, {0.5, 1});
   return distance;
 }
 

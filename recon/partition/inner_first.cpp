@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "recon/core/ring_holds.h"
-#include "recon/delaunay/ring.h"
+#include "recon/core/polygon.h"
 
 namespace odontoscope::partition {
 namespace {
-
-using delaunay::signed_area;
 
 /// Votes of some points of each contour.
 struct Votes {
@@ -25,7 +22,7 @@ void vote(const Slice& slice, const std::string& inner, const std::string& outer
       ++votes.all;
       votes.inside += std::any_of(slice.contours.begin(), slice.contours.end(), [&](const Contour& around) {
         return around.structure == outer && signed_area(around.points) > 0 &&
-               ring_holds(around.points, contour.points[i]);
+               encloses(around.points, contour.points[i]);
       });
     }
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "recon/core/error.h"
+#include "recon/core/polygon.h"
 #include "recon/core/portable_math.h"
 #include "recon/core/spatial_order.h"
 #include "recon/delaunay/constrained.h"
@@ -414,9 +415,7 @@ class Overlayer {
       if (piece.a != at) least = std::min(least, distance(a));
       if (piece.b != at) least = std::min(least, distance(b));
       if (piece.a == at || piece.b == at) continue;
-      const double x = b.x - a.x, y = b.y - a.y;
-      const double t = std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y), 0.0, 1.0);
-      least = std::min(least, distance({a.x + t * x, a.y + t * y}));
+      least = std::min(least, distance_to_edge(p, a, b));
     }
     return least;
   }

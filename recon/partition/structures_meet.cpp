@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "recon/core/ring_holds.h"
+#include "recon/core/polygon.h"
 
 namespace odontoscope {
 namespace {
@@ -32,7 +32,7 @@ bool meets_another(const std::vector<Outline>& outlines, const std::string& own,
     const Contour& contour = *outline.contour;
     if (contour.structure == own || !outline.near(at)) continue;
     if (std::find(contour.points.begin(), contour.points.end(), at) != contour.points.end()) return true;
-    if (ring_holds(contour.points, at)) within[contour.structure] = !within[contour.structure];
+    if (encloses(contour.points, at)) within[contour.structure] = !within[contour.structure];
   }
   return std::any_of(within.begin(), within.end(), [](const auto& one) { return one.second; });
 }

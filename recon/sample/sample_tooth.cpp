@@ -51,23 +51,23 @@ class Sampler {
   }
 
   // Contours of the slice gone to; the gap is taken from the outer of two structures.
-  std::vector<Loop> enamel(bool apart) {
+  std::vector<Polygon> enamel(bool apart) {
     if (!apart) return loops([this](std::size_t i) { return std::max(tissue_[i].tooth, tissue_[i].below_margin); });
     return loops([this](std::size_t i) {
       return std::max({tissue_[i].tooth, limits::sample_gap - tissue_[i].dentine, tissue_[i].below_margin});
     });
   }
-  std::vector<Loop> dentine(bool hollow) {
+  std::vector<Polygon> dentine(bool hollow) {
     if (!hollow) return loops([this](std::size_t i) { return tissue_[i].dentine; });
     return loops([this](std::size_t i) { return std::max(tissue_[i].dentine, limits::sample_gap - pulp_[i]); });
   }
-  std::vector<Loop> pulp() {
+  std::vector<Polygon> pulp() {
     return loops([this](std::size_t i) { return pulp_[i]; });
   }
 
  private:
   template <class Value>
-  std::vector<Loop> loops(const Value& value) {
+  std::vector<Polygon> loops(const Value& value) {
     for (std::size_t i = 0; i < grid_.values.size(); ++i) grid_.values[i] = value(i);
     return trace(grid_, limits::sample_speck);
   }
@@ -147,8 +147,8 @@ ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
   for (double i = 0.5; lowest_apex(shape) + i * options.slice_spacing < shape.top_z; ++i) {
     Slice slice;
     slice.z = lowest_apex(shape) + i * options.slice_spacing;
-    const auto add = [&](const char* structure, const std::vector<Loop>& loops) {
-      for (Loop& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
+    const auto add = [&](const char* structure, const std::vector<Polygon>& loops) {
+      for (Polygon& loop : thin(loops, thinning)) slice.contours.push_back({structure, std::move(loop)});
     };
     sampler.go_to(slice.z);
     add("enamel", sampler.enamel(apart));

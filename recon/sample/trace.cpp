@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <utility>
 
+#include "recon/contours/trace.h"
 #include "recon/core/error.h"
 #include "recon/core/portable_math.h"
 
@@ -14,17 +13,27 @@ namespace {
 
 /// Crossings keep this share of an edge away from its ends.
 constexpr double keep_off = 0.01;
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Grid edges, numbered: the one from a vertex to the right, and the one upwards.
-struct Edges {
+/// For the walk along contours. Where a contour crosses the grid's edge between two vertices is told by number: twice
+/// that of the vertex from which the edge runs right, and one more if it runs up.
+struct GridField {
   const Grid& grid;
-  std::uint32_t right(std::size_t column, std::size_t row) const {
-    return static_cast<std::uint32_t>(2 * (row * grid.columns + column));
-  }
-  std::uint32_t up(std::size_t column, std::size_t row) const { return right(column, row) + 1; }
 
-  Point2 crossing(std::uint32_t edge) const {
+  std::size_t number(trace::Vertex v) const {
+    return static_cast<std::size_t>(v.j) * grid.columns + static_cast<std::size_t>(v.i);
+  }
+  bool inside(trace::Vertex v) const {
+    return v.i >= 0 && v.j >= 0 && static_cast<std::size_t>(v.i) < grid.columns &&
+           static_cast<std::size_t>(v.j) < grid.rows && grid.values[number(v)] < 0;
+  }
+  bool joined(trace::Vertex a, trace::Vertex b, trace::Vertex, trace::Vertex) const {
+    const std::size_t low = number({std::min(a.i, b.i), std::min(a.j, b.j)}), high = low + grid.columns;
+    return grid.values[low] + grid.values[low + 1] + grid.values[high + 1] + grid.values[high] < 0;
+  }
+  std::size_t crossing(trace::Vertex in, trace::Vertex out) const {
+    return 2 * std::min(number(in), number(out)) + (in.i == out.i ? 1 : 0);
+  }
+  Point2 place(std::size_t edge) const {
     const std::size_t vertex = edge / 2, column = vertex % grid.columns, row = vertex / grid.columns;
     const bool upwards = edge % 2 == 1;
     const double a = grid.values[vertex], b = grid.values[vertex + (upwards ? grid.columns : 1)];
@@ -33,32 +42,6 @@ struct Edges {
     return upwards ? Point2{start.x, start.y + share * grid.step} : Point2{start.x + share * grid.step, start.y};
   }
 };
-
-/// For each edge that the surface crosses, the one where the segment that starts there ends.
-std::vector<std::uint32_t> directed_segments(const Grid& grid, const Edges& edges) {
-  std::vector<std::uint32_t> next(2 * grid.columns * grid.rows, none);
-  for (std::size_t row = 0; row + 1 < grid.rows; ++row) {
-    for (std::size_t column = 0; column + 1 < grid.columns; ++column) {
-      const std::size_t vertex = row * grid.columns + column;
-      const double corner[4] = {grid.values[vertex], grid.values[vertex + 1], grid.values[vertex + grid.columns + 1],
-                                grid.values[vertex + grid.columns]};
-      const std::uint32_t side[4] = {edges.right(column, row), edges.up(column + 1, row), edges.right(column, row + 1),
-                                     edges.up(column, row)};
-      // Going round the cell, a segment starts where we leave the inside and ends where we enter it.
-      int leaving[2] = {}, leavings = 0, entering = 0;
-      for (int k = 0; k < 4; ++k) {
-        const bool inside = corner[k] < 0, then_inside = corner[(k + 1) % 4] < 0;
-        if (inside && !then_inside) leaving[leavings++] = k;
-        if (!inside && then_inside) entering = k;
-      }
-      if (leavings == 1) next[side[leaving[0]]] = side[entering];
-      if (leavings < 2) continue;
-      const bool joined = corner[0] + corner[1] + corner[2] + corner[3] < 0;
-      for (const int k : leaving) next[side[k]] = side[(k + (joined ? 1 : 3)) % 4];
-    }
-  }
-  return next;
-}
 
 void require_border_outside(const Grid& grid) {
   const auto outside = [&grid](std::size_t column, std::size_t row) {
@@ -71,8 +54,8 @@ void require_border_outside(const Grid& grid) {
   if (!all) throw InternalError("a sample tooth does not fit its sampling grid");
 }
 
-Loop rounded(const Loop& loop, double grain) {
-  Loop result;
+Polygon rounded(const Polygon& loop, double grain) {
+  Polygon result;
   for (const Point2& p : loop) result.push_back({std::round(p.x / grain) * grain, std::round(p.y / grain) * grain});
   return result;
 }
@@ -83,8 +66,8 @@ double distance_to_line(const Point2& p, const Point2& a, const Point2& b) {
   return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length;
 }
 
-Loop thinned(const Loop& loop, double spacing, double deviation) {
-  Loop kept{loop.front()};
+Polygon thinned(const Polygon& loop, double spacing, double deviation) {
+  Polygon kept{loop.front()};
   std::size_t last = 0;
   double length = 0;
   for (std::size_t i = 1; i < loop.size(); ++i) {
@@ -108,11 +91,7 @@ struct Segment {
   double high_x() const { return std::max(a.x, b.x); }
 };
 
-double point_segment(const Point2& p, const Segment& s) {
-  const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, square = dx * dx + dy * dy;
-  const double t = square > 0 ? std::clamp(((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / square, 0.0, 1.0) : 0.0;
-  return portable::hypot(p.x - s.a.x - t * dx, p.y - s.a.y - t * dy);
-}
+double distance(const Point2& p, const Segment& s) { return distance_to_edge(p, s.a, s.b); }
 
 bool cross(const Segment& s, const Segment& t) {
   const auto turn = [](const Point2& a, const Point2& b, const Point2& c) {
@@ -134,14 +113,14 @@ bool clear(const Segment& s, const Segment& t, double clearance) {
   if (neighbours(s, t)) {
     // Their far ends must keep off each other's segment; the shared point is theirs.
     const bool s_first = s.b == t.a;
-    return point_segment(s_first ? s.a : s.b, t) >= clearance && point_segment(s_first ? t.b : t.a, s) >= clearance;
+    return distance(s_first ? s.a : s.b, t) >= clearance && distance(s_first ? t.b : t.a, s) >= clearance;
   }
-  return !cross(s, t) && point_segment(s.a, t) >= clearance && point_segment(s.b, t) >= clearance &&
-         point_segment(t.a, s) >= clearance && point_segment(t.b, s) >= clearance;
+  return !cross(s, t) && distance(s.a, t) >= clearance && distance(s.b, t) >= clearance &&
+         distance(t.a, s) >= clearance && distance(t.b, s) >= clearance;
 }
 
 /// Sweep along x over the segments of all loops.
-bool all_clear(const std::vector<Loop>& loops, double clearance) {
+bool all_clear(const std::vector<Polygon>& loops, double clearance) {
   std::vector<Segment> segments;
   for (std::size_t l = 0; l < loops.size(); ++l) {
     if (loops[l].size() < 3) return false;
@@ -161,7 +140,7 @@ bool all_clear(const std::vector<Loop>& loops, double clearance) {
   return true;
 }
 
-double length_of(const Loop& loop) {
+double length_of(const Polygon& loop) {
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Point2& ahead = loop[(i + 1) % loop.size()];
@@ -172,46 +151,39 @@ double length_of(const Loop& loop) {
 
 }  // namespace
 
-double signed_area(const Loop& loop) {
-  double twice = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Point2 &p = loop[i], &q = loop[(i + 1) % loop.size()];
-    twice += p.x * q.y - p.y * q.x;
-  }
-  return twice / 2;
-}
-
-std::vector<Loop> trace(const Grid& grid, double speck) {
+std::vector<Polygon> trace(const Grid& grid, double speck) {
   require_border_outside(grid);
-  const Edges edges{grid};
-  std::vector<std::uint32_t> next = directed_segments(grid, edges);
-  std::vector<Loop> loops;
-  for (std::uint32_t first = 0; first < next.size(); ++first) {
-    if (next[first] == none) continue;
-    Loop loop;
-    for (std::uint32_t edge = first; next[edge] != none;) {
-      loop.push_back(edges.crossing(edge));
-      edge = std::exchange(next[edge], none);
-    }
+  const GridField field{grid};
+  std::vector<std::vector<std::size_t>> crossed;  // each loop from its lowest edge on, the lowest loop first
+  trace::contours(field, grid.columns, grid.rows, [&](std::vector<std::size_t>&& edges) {
+    std::rotate(edges.begin(), std::min_element(edges.begin(), edges.end()), edges.end());
+    crossed.push_back(std::move(edges));
+    return true;
+  });
+  std::sort(crossed.begin(), crossed.end());
+  std::vector<Polygon> loops;
+  for (const std::vector<std::size_t>& edges : crossed) {
+    Polygon loop;
+    for (const std::size_t edge : edges) loop.push_back(field.place(edge));
     if (std::abs(signed_area(loop)) >= speck) loops.push_back(std::move(loop));
   }
   return loops;
 }
 
-std::vector<Loop> thin(const std::vector<Loop>& loops, const Thinning& thinning) {
+std::vector<Polygon> thin(const std::vector<Polygon>& loops, const Thinning& thinning) {
   constexpr double points_of_small_loop = 90, closest = 0.06;  // a canal of 0.4 mm keeps about 20 points
   constexpr int attempts = 5;
   double share = 1;
   for (int attempt = 0; attempt < attempts; ++attempt, share /= 2) {
-    std::vector<Loop> result;
-    for (const Loop& loop : loops) {
+    std::vector<Polygon> result;
+    for (const Polygon& loop : loops) {
       const double spacing = std::min(thinning.spacing, std::max(closest, length_of(loop) / points_of_small_loop));
       result.push_back(rounded(thinned(loop, share * spacing, share * thinning.deviation), thinning.grain));
     }
     if (all_clear(result, thinning.clearance)) return result;
   }
-  std::vector<Loop> result;
-  for (const Loop& loop : loops) result.push_back(rounded(loop, thinning.grain));
+  std::vector<Polygon> result;
+  for (const Polygon& loop : loops) result.push_back(rounded(loop, thinning.grain));
   if (!all_clear(result, thinning.clearance))
     throw InternalError("a traced contour comes too close to itself or another");
   return result;

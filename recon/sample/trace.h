@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "recon/core/geometry.h"
+#include "recon/core/polygon.h"
 
 namespace odontoscope::sample {
 
@@ -21,13 +21,11 @@ struct Grid {
   }
 };
 
-using Loop = std::vector<Point2>;
-
 /// Marching squares with linear interpolation. The inside is on the left of each loop: outer loops run
 /// counter-clockwise, holes clockwise. No point lies on a grid vertex (crossings keep away from them by a hundredth of
 /// the step) and a cell's segments never meet, so all loops are simple and disjoint by construction. Loops of an area
 /// below `speck` are left out. Precondition: the border of the grid is outside; throws InternalError if it is not.
-std::vector<Loop> trace(const Grid& grid, double speck);
+std::vector<Polygon> trace(const Grid& grid, double speck);
 
 /// Fewer points for the same loops: a subset of each loop's points such that neighbours are at most `spacing` apart
 /// along the loop and the points left out lie within `deviation` of the chord; small loops keep closer points. The
@@ -36,9 +34,6 @@ std::vector<Loop> trace(const Grid& grid, double speck);
 struct Thinning {
   double spacing = 0, deviation = 0, clearance = 0, grain = 0;
 };
-std::vector<Loop> thin(const std::vector<Loop>& loops, const Thinning& thinning);
-
-/// Positive if counter-clockwise.
-double signed_area(const Loop& loop);
+std::vector<Polygon> thin(const std::vector<Polygon>& loops, const Thinning& thinning);
 
 }  // namespace odontoscope::sample

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "recon/core/error.h"
+#include "recon/core/polygon.h"
 #include "recon/mesh/exact_predicates.h"
 
 namespace odontoscope {
@@ -14,26 +15,9 @@ int turn(const Point2& a, const Point2& b, const Point2& c) {
   return orientation(Point3{a.x, a.y, 0}, Point3{b.x, b.y, 0}, Point3{c.x, c.y, 0}, Point3{a.x, a.y, 1});
 }
 
-/// From the first point on, so that numbers stay small.
-double area_of(const Ring& ring) {
-  double twice = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
-    const Point2 &o = ring[0], &a = ring[i], &b = ring[i + 1];
-    twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-  }
-  return twice / 2;
-}
-
 /// Precondition: `p` is not on the ring.
 bool holds(const Ring& ring, const Point2& p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    if ((a.y <= p.y) == (b.y <= p.y)) continue;
-    const Point2 &low = a.y < b.y ? a : b, &high = a.y < b.y ? b : a;
-    if (turn(low, high, p) > 0) inside = !inside;
-  }
-  return inside;
+  return encloses(ring, p, [&](const Point2& a, const Point2& b) { return (turn(a, b, p) > 0) == (a.y < b.y); });
 }
 
 bool less(const Point2& a, const Point2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
@@ -104,7 +88,7 @@ std::vector<Ring> with_keyholes(const std::vector<Ring>& contours) {
   std::vector<std::size_t> outers;
   std::vector<double> areas;
   for (std::size_t c = 0; c < contours.size(); ++c) {
-    areas.push_back(area_of(contours[c]));
+    areas.push_back(signed_area(contours[c]));
     if (areas[c] > 0) outers.push_back(c);
   }
   std::vector<std::vector<const Ring*>> holes(contours.size());

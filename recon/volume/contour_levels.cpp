@@ -12,20 +12,11 @@
 
 #include "recon/core/error.h"
 #include "recon/core/limits.h"
+#include "recon/core/polygon.h"
 #include "recon/volume/lattice.h"
 
 namespace odontoscope {
 namespace {
-
-/// Shoelace formula around the first point, which keeps it accurate far from the origin.
-double signed_area(const std::vector<Point2>& points) {
-  const Point2 o = points.front();
-  double twice = 0;
-  for (std::size_t n = 1; n + 1 < points.size(); ++n) {
-    twice += (points[n].x - o.x) * (points[n + 1].y - o.y) - (points[n].y - o.y) * (points[n + 1].x - o.x);
-  }
-  return twice / 2;
-}
 
 void check_options(const std::vector<LevelTracer>& tracers, const TraceOptions& options) {
   if (!(options.min_area >= 0) || !std::isfinite(options.min_area)) {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "recon/core/limits.h"
-#include "recon/core/ring_holds.h"
+#include "recon/core/polygon.h"
 
 namespace odontoscope {
 namespace {
@@ -30,15 +30,6 @@ Box box_of(const std::vector<Point2>& points) {
   return box;
 }
 
-bool is_clockwise(const std::vector<Point2>& points) {
-  double twice = 0;
-  const Point2 o = points.front();
-  for (std::size_t n = 1; n + 1 < points.size(); ++n) {
-    twice += (points[n].x - o.x) * (points[n + 1].y - o.y) - (points[n].y - o.y) * (points[n + 1].x - o.x);
-  }
-  return twice < 0;
-}
-
 bool near(const Box& a, const Box& b, Point2 reach) {
   return a.low.x < b.high.x + reach.x && b.low.x < a.high.x + reach.x && a.low.y < b.high.y + reach.y &&
          b.low.y < a.high.y + reach.y;
@@ -50,7 +41,7 @@ bool overlap(const Outline& a, const Outline& b) {
   if (a.is_hole != b.is_hole || !near(a.box, b.box, {0, 0})) return false;
   const auto any_in = [](const Outline& these, const Outline& that) {
     return std::any_of(these.points->begin(), these.points->end(),
-                       [&](const Point2& p) { return ring_holds(*that.points, p); });
+                       [&](const Point2& p) { return encloses(*that.points, p); });
   };
   return any_in(a, b) || any_in(b, a);
 }
@@ -60,7 +51,7 @@ std::vector<Outline> outlines_of(const TracedLevels& slice, const std::string& s
   std::vector<Outline> result;
   for (const Contour& contour : *slice.kept) {
     if (contour.structure == structure)
-      result.push_back({&contour.points, box_of(contour.points), is_clockwise(contour.points), false});
+      result.push_back({&contour.points, box_of(contour.points), signed_area(contour.points) < 0, false});
   }
   if (!level) return result;
   for (const DroppedContour& dropped : *slice.dropped) {

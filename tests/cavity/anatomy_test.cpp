@@ -11,9 +11,10 @@
 #include <tuple>
 
 #include "recon/cavity/names.h"
-#include "recon/cavity/plane_loops.h"
+#include "recon/core/polygon.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/mesh/given_slices.h"
+#include "recon/mesh/plane_section.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/cavity/fine_lines.h"
 #include "tests/cavity/voids.h"
@@ -408,12 +409,12 @@ TEST(SlicesGiven, AreReadFromTheCertificateOfAGltfFile) {
 
 TEST(PlaneLoops, AreTheClosedSectionsOfASurface) {
   const SurfaceMesh two = shapes::together(shapes::cube(0, 0, 0, 2), shapes::cube(5, 0, 0, 1));
-  const std::vector<cavity::Loop> low = cavity::loops_at(two, 0.5), high = cavity::loops_at(two, 1.5);
+  const std::vector<Polygon> low = section_loops(two, 0.5), high = section_loops(two, 1.5);
   ASSERT_EQ(low.size(), 2u);
   ASSERT_EQ(high.size(), 1u);
-  EXPECT_TRUE(cavity::is_inside(high[0], {1, 1}));
-  EXPECT_FALSE(cavity::is_inside(high[0], {5.5, 0.5}));
-  EXPECT_TRUE(cavity::loops_at(two, 7).empty());
+  EXPECT_TRUE(encloses(high[0], {1, 1}));
+  EXPECT_FALSE(encloses(high[0], {5.5, 0.5}));
+  EXPECT_TRUE(section_loops(two, 7).empty());
 }
 
 }  // namespace

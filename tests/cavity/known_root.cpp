@@ -125,7 +125,7 @@ std::vector<double> values_on(const KnownRoot& root, const sample::Grid& grid, d
 
 /// Marching squares put a point on a chord: onto the wall itself, so that contours are as narrow as their sides make
 /// them and no narrower.
-void onto_wall(const KnownRoot& root, double z, sample::Loop& loop) {
+void onto_wall(const KnownRoot& root, double z, Polygon& loop) {
   constexpr double reach = 1e-4;
   for (Point2& p : loop) {
     const auto at = [&](double x, double y) { return void_at(root, own_of(root, {x, y, z})); };
@@ -138,9 +138,9 @@ void onto_wall(const KnownRoot& root, double z, sample::Loop& loop) {
 }
 
 /// With fewer points; those that come too close to each other for that, about to join, keep all as they were traced.
-std::vector<sample::Loop> fine_holes(const KnownRoot& root, double z, const std::vector<sample::Loop>& traced) {
-  std::vector<sample::Loop> moved = traced;
-  for (sample::Loop& loop : moved) onto_wall(root, z, loop);
+std::vector<Polygon> fine_holes(const KnownRoot& root, double z, const std::vector<Polygon>& traced) {
+  std::vector<Polygon> moved = traced;
+  for (Polygon& loop : moved) onto_wall(root, z, loop);
   try {
     return sample::thin(moved, {0.4, 0.001, 1e-4, 1e-6});
   } catch (const InternalError&) {
@@ -253,12 +253,11 @@ ContourStack slices_of(const KnownRoot& root, double spacing) {
                       {}};
     grid.values = values_on(root, grid, z);
     Slice slice{z, {}};
-    std::vector<sample::Loop> outer, holes;  // the block's outside needs no such fineness
-    for (sample::Loop& loop : sample::trace(grid, 1e-4))
-      (sample::signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
-    for (sample::Loop& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6}))
+    std::vector<Polygon> outer, holes;  // the block's outside needs no such fineness
+    for (Polygon& loop : sample::trace(grid, 1e-4)) (signed_area(loop) > 0 ? outer : holes).push_back(std::move(loop));
+    for (Polygon& loop : sample::thin(outer, {0.6, 0.005, 1e-4, 1e-6}))
       slice.contours.push_back({"dentine", std::move(loop)});
-    for (sample::Loop& loop : fine_holes(root, z, holes)) slice.contours.push_back({"dentine", std::move(loop)});
+    for (Polygon& loop : fine_holes(root, z, holes)) slice.contours.push_back({"dentine", std::move(loop)});
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
   }
   return stack;

@@ -15,7 +15,6 @@ namespace odontoscope::test {
 namespace {
 
 using sample::Grid;
-using sample::Loop;
 
 Grid sampled(std::size_t side, double step, const std::function<double(Point2)>& field) {
   const double low = -step * static_cast<double>(side - 1) / 2;
@@ -27,10 +26,10 @@ Grid sampled(std::size_t side, double step, const std::function<double(Point2)>&
 
 double radius(Point2 p) { return std::hypot(p.x, p.y); }
 
-ContourStack as_stack(const std::vector<Loop>& loops) {
+ContourStack as_stack(const std::vector<Polygon>& loops) {
   ContourStack stack;
   stack.slices = {{0, {}}, {1, {}}};
-  for (const Loop& loop : loops)
+  for (const Polygon& loop : loops)
     for (Slice& slice : stack.slices) slice.contours.push_back({"tooth", loop});
   return stack;
 }
@@ -38,16 +37,15 @@ ContourStack as_stack(const std::vector<Loop>& loops) {
 TEST(Trace, FollowsACircle) {
   const auto loops = sample::trace(sampled(61, 0.1, [](Point2 p) { return radius(p) - 2; }), 0);
   ASSERT_EQ(loops.size(), 1u);
-  EXPECT_NEAR(sample::signed_area(loops[0]), 4 * std::numbers::pi, 0.01);
+  EXPECT_NEAR(signed_area(loops[0]), 4 * std::numbers::pi, 0.01);
   for (const Point2& p : loops[0]) EXPECT_NEAR(radius(p), 2, 0.002);
 }
 
 TEST(Trace, HolesRunClockwise) {
   const auto loops = sample::trace(sampled(61, 0.1, [](Point2 p) { return std::abs(radius(p) - 1.5) - 0.7; }), 0);
   ASSERT_EQ(loops.size(), 2u);
-  EXPECT_NEAR(sample::signed_area(loops[0]) + sample::signed_area(loops[1]), std::numbers::pi * (2.2 * 2.2 - 0.8 * 0.8),
-              0.03);
-  EXPECT_LT(sample::signed_area(loops[0]) * sample::signed_area(loops[1]), 0);
+  EXPECT_NEAR(signed_area(loops[0]) + signed_area(loops[1]), std::numbers::pi * (2.2 * 2.2 - 0.8 * 0.8), 0.03);
+  EXPECT_LT(signed_area(loops[0]) * signed_area(loops[1]), 0);
 }
 
 // Values of exactly 0 on grid vertices, saddles in every cell: the contours must neither touch nor cross.

@@ -30,7 +30,7 @@ ContourStack contours_of(const TurnedTooth& tooth, double spacing, const Finenes
     const std::vector<Values> values = tooth.plane(raster, slice.z);
     for (std::size_t s = 0; s < structure_count; ++s) {
       for (std::size_t p = 0; p < values.size(); ++p) grid.values[p] = values[p][s];
-      for (sample::Loop& loop : sample::trace(grid, fineness.step * fineness.step))
+      for (Polygon& loop : sample::trace(grid, fineness.step * fineness.step))
         slice.contours.push_back({structure_names[s], std::move(loop)});
     }
     if (!slice.contours.empty()) stack.slices.push_back(std::move(slice));
