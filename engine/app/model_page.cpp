@@ -9,6 +9,7 @@
 #include "engine/app/volume_look_words.h"
 #include "engine/app/whole_structures.h"
 #include "engine/language/language.h"
+#include "engine/navigate/camera_path.h"
 #include "engine/scene/shells.h"
 #include "recon/cavity/centre_lines.h"
 #include "recon/cavity/names.h"
@@ -109,6 +110,8 @@ void add_ways(const WrittenModel& written, WebPage& page, const Progress& progre
     const CentreLines lines = centre_lines(cavities.front(), {tooth_axis(sound_structures(written)).along}, progress);
     for (const CentreLine& canal : lines.canals) {
       page.tours.push_back(along(canal));
+      // As the program flies it; its far plane is the page's own.
+      if (canal.points.size() > 1) page.tours.back().keys = camera_path(Tour(canal), canal.name, 0).keys;
       if (canal.orifice > 0 || !lines.has_chamber) page.tours.back().orifice_mm = canal.points[canal.orifice].along;
     }
     for (const CentreLine& horn : lines.horns) page.horns.push_back(along(horn));

@@ -17,9 +17,10 @@ CameraPath camera_path(const Tour& tour, const std::string& name, double far_mm)
                   .keys = {}};
   for (std::size_t i = 0; i <= steps; ++i) {
     const double seconds = tour.seconds() * static_cast<double>(i) / static_cast<double>(steps);
-    const Camera camera = tour.at(seconds).camera;
+    const auto [camera, along, clearance, width] = tour.at(seconds);
     const glm::dvec3& at = camera.position;
-    path.keys.push_back({seconds, point(at), direction(glm::normalize(camera.target - at)), direction(camera.up)});
+    path.keys.push_back(
+        {seconds, point(at), direction(glm::normalize(camera.target - at)), direction(camera.up), along});
     path.near_mm = std::min(path.near_mm, camera.near_mm);
   }
   return path;

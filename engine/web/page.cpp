@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/web/gzip.h"
@@ -27,13 +28,37 @@ Json json_of(const WebCertificate& certificate) {
   return {{"verdict", certificate.verdict}, {"headline", certificate.headline}, {"findings", findings}};
 }
 
+/// A flight of a minute has a thousand keys: no more digits than an eye could tell.
+double shortened(double value) {
+  constexpr double finest = 1e-5;  // mm, or of a unit vector
+  return std::round(value / finest) / (1 / finest);
+}
+
+Json json_of(const std::vector<CameraKey>& keys) {
+  Json along = Json::array(), at = Json::array(), view_direction = Json::array(), up = Json::array();
+  const auto triple = [](const auto& v) { return Json::array({shortened(v.x), shortened(v.y), shortened(v.z)}); };
+  for (const CameraKey& key : keys) {
+    along.push_back(shortened(key.along));
+    at.push_back(triple(key.at));
+    view_direction.push_back(triple(key.sight));
+    up.push_back(triple(key.up));
+  }
+  return {{"seconds", keys.back().seconds},
+          {"along_mm", along},
+          {"at_mm", at},
+          {"view_direction", view_direction},
+          {"up", up}};
+}
+
 Json json_of(const WebTour& tour) {
   Json points = Json::array();
   for (const Point3& p : tour.points) points.push_back({p.x, p.y, p.z});
-  return {{"name", tour.name},
-          {"length_mm", tour.length_mm},
-          {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()},
-          {"points_mm", points}};
+  Json json = {{"name", tour.name},
+               {"length_mm", tour.length_mm},
+               {"orifice_mm", tour.orifice_mm ? Json(*tour.orifice_mm) : Json()},
+               {"points_mm", points}};
+  if (!tour.keys.empty()) json["keys"] = json_of(tour.keys);
+  return json;
 }
 
 /// Neighbours are much alike: their differences, modulo 256, take a fifth less room than they themselves.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/output/camera_path.h"
 
 namespace odontoscope {
 
@@ -80,6 +81,7 @@ struct WebTour {
   std::vector<Point3> points;
   double length_mm = 0;                   // of the canal, as the anatomy tells it: CentreLine::length_to_wall
   std::optional<double> orifice_mm = {};  // along the points, where depth is counted from; none: nowhere
+  std::vector<CameraKey> keys = {};       // of the camera that flies it, even in time; none: it is not flown
 };
 
 struct WebPage {

@@ -13,6 +13,7 @@ struct CameraKey {
   double seconds = 0;
   Point3 at;  // mm
   Direction sight, up;
+  double along = 0;  // mm, on the line that the camera follows
 };
 
 /// Perspective. Between keys place and turn go evenly.

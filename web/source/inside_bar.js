@@ -12,7 +12,7 @@ function whereInWords(viewer) {
   const {tour, mm} = near, look = camera.getWorldDirection(new Vector3());
   if (tour.orifice !== null && mm < tour.orifice) {
     const down = new Vector3();   // to where the canals lead, all together
-    for (const {curve} of viewer.tours) down.add(curve.getPointAt(1).sub(curve.getPointAt(0)));
+    for (const one of viewer.tours) down.add(one.place(one.length).sub(one.place(0)));
     const turn = look.dot(down.normalize());
     return [t('in the chamber'), turn > along ? t('looking to the roots') : turn < -along ? t('looking to the crown') : t('looking to the side')];
   }

@@ -1,7 +1,8 @@
 // Inside the tooth: tours along canals, and flying with walls that hold.
-import {CatmullRomCurve3, MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
+import {MathUtils, PerspectiveCamera, Quaternion, Vector3} from 'three';
 import {number, t} from './language.js';
 import {glide} from './walls.js';
+import {Way} from './way.js';
 
 const fieldOfView = 72;          // degrees, from top to bottom of the picture
 const leastAcross = 56;          // and at least from side to side, on a phone held upright
@@ -11,20 +12,17 @@ const bodyOfGap = 0.5;           // the body is at most this part of the room at
 /// Lengths that suit a tooth, for a model of whatever size and unit: a scan's may be counted in voxels.
 export function lengthsFor(radius) {
   const one = radius / 11.5;     // a molar's, mm
-  return {body: 0.12 * one, lookAhead: 0.9 * one, perSecond: 1.1 * one, sight: 2.5 * one, farthestNear: one, slowest: 0.4 * one, fastest: 7 * one, step: 0.25 * one, metre: 0.8 / one};
+  return {body: 0.12 * one, lookAhead: 0.9 * one, sight: 2.5 * one, farthestNear: one, slowest: 0.4 * one, fastest: 7 * one, step: 0.25 * one, metre: 0.8 / one};
 }
 
-/// A way of its own parametrised by length in mm, with a direction to look and an up that never flips.
+/// A canal's way with its name, for what thinks in vectors. `mm` is along the canal's line, from the chamber on.
 export class Tour {
-  constructor({name, length_mm, orifice_mm, points_mm}, lengths) {
-    this.lengths = lengths;
-    this.name = name;
-    this.canalLength = length_mm;   // from the orifice; the way begins in the chamber
-    this.orifice = orifice_mm;      // along the way; null: there is none
-    this.curve = new CatmullRomCurve3(points_mm.map(p => new Vector3(...p)), false, 'centripetal');
-    this.curve.arcLengthDivisions = 40 * points_mm.length;
-    this.length = this.curve.getLength();
-    this.ups = this.carriedUps();
+  constructor(tour) {
+    this.name = tour.name;
+    this.canalLength = tour.length_mm;   // from the orifice; the way begins in the chamber
+    this.orifice = tour.orifice_mm;      // along the way; null: there is none
+    this.way = new Way(tour);
+    this.length = this.way.length;
   }
 
   placeInWords(mm) {
@@ -33,41 +31,10 @@ export class Tour {
       : t('{here} of {whole} mm below the orifice', {here: number(mm - this.orifice, 1), whole: number(this.canalLength, 1)});
   }
 
-  place(mm) { return this.curve.getPointAt(MathUtils.clamp(mm / this.length, 0, 1)); }
-
-  direction(mm) {
-    const here = Math.min(mm, 0.999 * this.length), ahead = Math.min(here + this.lengths.lookAhead, this.length);
-    const towards = this.place(ahead).sub(this.place(here));
-    return towards.lengthSq() > 0 ? towards.normalize() : this.curve.getTangentAt(1);
-  }
-
-  /// The up of each step is the one before, turned no more than the direction turns.
-  carriedUps() {
-    const steps = 200, ups = [];
-    let up = new Vector3(0, 1, 0);
-    for (let i = 0; i <= steps; ++i) {
-      const direction = this.direction(i / steps * this.length);
-      up = up.clone().addScaledVector(direction, -up.dot(direction));
-      if (up.lengthSq() < 1e-6) up = new Vector3(1, 0, 0).addScaledVector(direction, -direction.x);
-      ups.push(up.normalize());
-    }
-    return ups;
-  }
-
-  /// The nearest place on the way: {mm, distance}.
-  nearest(place) {
-    this.samples ??= this.curve.getSpacedPoints(Math.max(20, Math.round(this.length / (0.5 * this.lengths.step))));
-    let mm = 0, best = Infinity;
-    const last = this.samples.length - 1;
-    for (let i = 0; i < last; ++i) {
-      const a = this.samples[i], way = this.samples[i + 1].clone().sub(a), off = place.clone().sub(a);
-      const part = MathUtils.clamp(off.dot(way) / Math.max(way.lengthSq(), 1e-12), 0, 1), distance = off.addScaledVector(way, -part).length();
-      if (distance < best) [best, mm] = [distance, (i + part) / last * this.length];
-    }
-    return {mm, distance: best};
-  }
-
-  up(mm) { return this.ups[Math.round(MathUtils.clamp(mm / this.length, 0, 1) * (this.ups.length - 1))]; }
+  place(mm) { return new Vector3(...this.way.atLength(mm).place); }
+  direction(mm) { return new Vector3(...this.way.atLength(mm).direction); }
+  up(mm) { return new Vector3(...this.way.atLength(mm).up); }
+  nearest(place) { return this.way.nearest(place.toArray()); }
 }
 
 /// The eye within the void. Its place keeps its distance from the walls, whatever moves it.
@@ -80,7 +47,7 @@ export class Journey {
     this.camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 100);
     this.mode = null;        // 'tour' or 'fly'
     this.playing = false;
-    this.mm = 0;
+    this.mm = this.seconds = 0;   // of the tour
     this.body = this.lengths.body;
     this.speed = {forward: 0, side: 0, rise: 0, turn: 0, tilt: 0};
     this.still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -99,12 +66,16 @@ export class Journey {
     this.seek(0);
   }
 
-  seek(mm) {
-    this.mm = MathUtils.clamp(mm, 0, this.tour.length);
-    const place = this.tour.place(this.mm);
-    this.camera.position.copy(place);
-    this.camera.up.copy(this.tour.up(this.mm));
-    this.camera.lookAt(place.clone().add(this.tour.direction(this.mm)));
+  seek(mm) { this.goTo(this.tour.way.timeAt(mm)); }
+
+  /// As the tour stands there so many seconds after its start.
+  goTo(seconds) {
+    this.seconds = MathUtils.clamp(seconds, 0, this.tour.way.seconds);
+    const {mm, place, direction, up} = this.tour.way.atTime(this.seconds);
+    this.mm = mm;
+    this.camera.position.set(...place);
+    this.camera.up.set(...up);
+    this.camera.lookAt(this.camera.position.clone().add(new Vector3(...direction)));
   }
 
   /// From where one is, if that is within the void; else from `start`.
@@ -140,10 +111,11 @@ export class Journey {
     this.pause = (this.pause ?? 0) + seconds;
     const stepwise = this.still.matches;
     if (stepwise && this.pause < 1.5) return false;   // still pictures in place of motion
-    const before = this.mm, stop = this.stopAt !== null && before < this.stopAt ? this.stopAt : this.tour.length;
-    this.seek(Math.min(stop, before + (stepwise ? this.tour.length / 12 : this.lengths.perSecond * seconds)));
+    const {way} = this.tour, stop = this.stopAt !== null && this.mm < this.stopAt ? this.stopAt : this.tour.length;
+    const next = stepwise ? way.timeAt(this.mm + this.tour.length / 12) : this.seconds + seconds;
+    this.goTo(Math.min(stop < this.tour.length ? way.timeAt(stop) : way.seconds, next));
     this.pause = 0;
-    if (this.mm >= stop) this.playing = false;
+    if (this.mm >= stop - 1e-9) this.playing = false;
     return true;
   }
 
