@@ -35,8 +35,8 @@ const hash = text => `'sha256-${createHash('sha256').update(text, 'utf8').digest
 
 /// A licence's words must travel with the code they are about.
 function notices() {
-  const three = readFileSync(join(work, 'node_modules/three/LICENSE'), 'utf8').trim();
-  return `<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). It contains three.js:\n\n${three.replaceAll('--', '- -')}\n-->`;
+  const words = name => `${name}:\n\n${readFileSync(join(work, `node_modules/${name}/LICENSE`), 'utf8').trim().replaceAll('--', '- -')}`;
+  return `<!--\nThis page was written by Odontoscope (GPL-3.0-or-later). It contains three.js and three-mesh-bvh.\n\n${['three', 'three-mesh-bvh'].map(words).join('\n\n')}\n-->`;
 }
 
 /// All of assets/languages in one line, which no parser of HTML takes for anything but text.

@@ -4,7 +4,7 @@ import {existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node
 import {createRequire} from 'node:module';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {pathToFileURL} from 'node:url';
+import {fileURLToPath, pathToFileURL} from 'node:url';
 
 const program = process.env.ODONTOSCOPE_PROGRAM;
 export const modules = join(process.env.ODONTOSCOPE_JUDGES ?? '.', 'node_modules');
@@ -20,6 +20,16 @@ export function needPackages() {
 }
 
 export const packageNamed = name => createRequire(join(modules, '../package.json'))(name);
+/// A file of web/source with the packages that it uses, as the page has them; or a skip.
+export async function bundled(name) {
+  const web = process.env.ODONTOSCOPE_WEB ?? '.', outfile = join(folder, `${name}.mjs`);
+  if (!existsSync(join(web, 'node_modules/esbuild'))) skip('this odontoscope was built without its web page');
+  await createRequire(join(web, 'package.json'))('esbuild').build({
+    entryPoints: [fileURLToPath(new URL(`../../web/source/${name}`, import.meta.url))], bundle: true, format: 'esm', outfile,
+    nodePaths: [join(web, 'node_modules')], logLevel: 'error',
+  });
+  return import(pathToFileURL(outfile).href);
+}
 export const importFile = path => import(pathToFileURL(join(modules, path)).href);
 
 /// A folder that goes when the script ends.

@@ -1,10 +1,12 @@
-// The page's walls, which nothing passes through, whatever is asked for; its cuts and its pace. Needs Node.js alone.
+// The page's walls, which nothing passes through, whatever is asked for; its cuts and its pace. Needs the page's own packages.
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
-import {TriangleTree} from '../../web/source/bvh.js';
 import {Quality} from '../../web/source/quality.js';
 import {areaOf, loopsOf, regionsOf, weldedVertices} from '../../web/source/slice.js';
 import {glide} from '../../web/source/walls.js';
+import {bundled} from './support.mjs';
+
+const {TriangleTree} = await bundled('bvh.js');
 
 /// Numbers from 0 to 1, the same each time.
 function random(seed) {
@@ -57,12 +59,10 @@ test('the nearest place is the one that looking at every triangle finds', () => 
   for (let i = 0; i < 200; ++i) {
     const p = [8 * next() - 1, 2 * next() - 1, 6 * next() - 3];
     let least = Infinity;
-    for (let t = 0; t < indices.length / 3; ++t) {
-      const best = {squared: Infinity};
-      tree.nearerOn(t, p, best);
-      least = Math.min(least, Math.sqrt(best.squared));
-    }
-    assert.equal(tree.nearest(p).distance, least);
+    for (let t = 0; t < indices.length / 3; ++t) least = Math.min(least, new TriangleTree(positions, indices.slice(3 * t, 3 * t + 3)).nearest(p).distance);
+    const {distance, point} = tree.nearest(p);
+    assert.ok(Math.abs(distance - least) < 1e-12);
+    assert.ok(Math.abs(Math.hypot(...p.map((x, k) => x - point[k])) - least) < 1e-12);
   }
 });
 
@@ -149,6 +149,11 @@ test('a cut has the area that it must have, hole in solid in hole too', () => {
 
 test('a plane through vertices, edges and faces is a cut like any other', () => {
   for (const z of [0, 1, 4]) assert.ok([0, 12, 16].some(area => Math.abs(areaAt(joined(box([0, 0, 0], [4, 4, 4]), box([1, 1, 0], [3, 3, 1])), z) - area) < 1e-12), String(z));
+});
+
+test('a vertex in the plane counts as above it, as in every section that the program makes', () => {
+  const cube = box([0, 0, 0], [4, 4, 4]);
+  assert.deepEqual([0, 4].map(z => areaAt(cube, z)), [0, 16]);
 });
 
 test('a bent pipe is cut into rings', () => {

@@ -19,7 +19,7 @@ export function loopsOf({positions, indices, same}, [nx, ny, nz, w]) {
   const count = positions.length / 3, off = new Float64Array(count);
   for (let v = 0; v < count; ++v) off[v] = nx * positions[3 * v] + ny * positions[3 * v + 1] + nz * positions[3 * v + 2] - w;
   const nodes = new Map(), points = [], lines = [], linesAt = [];
-  // A point of the cut lies on an edge. A vertex in the plane counts as below it, so that every triangle has none or two.
+  // A point of the cut lies on an edge. A vertex in the plane counts as above it, as in recon/mesh/plane_section.h, so that every triangle has none or two.
   const nodeOn = (a, b) => {
     if (a > b) [a, b] = [b, a];
     const key = a * count + b;
@@ -34,7 +34,7 @@ export function loopsOf({positions, indices, same}, [nx, ny, nz, w]) {
     return node;
   };
   for (let i = 0; i < indices.length; i += 3) {
-    const corners = [same[indices[i]], same[indices[i + 1]], same[indices[i + 2]]], above = corners.map(v => off[v] > 0);
+    const corners = [same[indices[i]], same[indices[i + 1]], same[indices[i + 2]]], above = corners.map(v => off[v] >= 0);
     if (above[0] === above[1] && above[1] === above[2]) continue;
     const ends = [];
     for (let k = 0; k < 3; ++k) if (above[k] !== above[(k + 1) % 3]) ends.push(nodeOn(corners[k], corners[(k + 1) % 3]));
