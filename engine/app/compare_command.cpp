@@ -75,7 +75,7 @@ ExitCode compare_methods(const CompareArguments& options, Session& session) {
   }
   refuse_unwritable(files);
 
-  const ContourStack stack = contours_of_input(options.input, options.words, session);
+  const ValidStack stack = contours_of_input(options.input, options.words, session);
   engines.dt = understood(options.dt, stack, session);
   Comparison comparison = compare(stack, engines, session.progress());
   const std::string no_pictures =

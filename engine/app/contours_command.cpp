@@ -25,7 +25,7 @@ struct ContoursArguments {
   bool histogram = false;
 };
 
-ContourStack read_told(const ContoursArguments& options, Session& session, Whence& whence) {
+ValidStack read_told(const ContoursArguments& options, Session& session, Whence& whence) {
   if (options.inputs.size() > 1) return meshes_told(options.inputs, options.foreign, session);
   return converted_told(options.inputs.front(), options.foreign, session, &whence);
 }
@@ -33,8 +33,8 @@ ContourStack read_told(const ContoursArguments& options, Session& session, Whenc
 ContourStack stack_of(const ContoursArguments& options, Session& session, Whence& whence) {
   if (options.words.any_level())
     return contours_told(options.inputs.front(), understood(options.words), session, nullptr, nullptr, &whence);
-  ContourStack stack = read_told(options, session, whence);
-  return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
+  const ValidStack stack = read_told(options, session, whence);
+  return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : *stack;
 }
 
 ExitCode show_histogram(const ContoursArguments& options, Session& session) {

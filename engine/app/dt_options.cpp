@@ -14,12 +14,11 @@ namespace odontoscope::app {
 namespace {
 
 /// The links file, checked here so that messages name it.
-std::vector<Link> links_for(const ContourStack& stack, const DtWords& words, const Session& session) {
+std::vector<Link> links_for(const ValidStack& stack, const DtWords& words, const Session& session) {
   std::vector<Link> links = links_from(words.link_words);
   if (words.links.empty()) return links;
   const std::vector<Link> in_file =
       parse_links(read_file(words.links, limits::file_bytes, session.progress().stop), words.links);
-  validate(stack);
   validate_links(in_file, ordered(stack).stack, words.links);
   links.insert(links.end(), in_file.begin(), in_file.end());
   return links;
@@ -62,7 +61,7 @@ void refuse_senseless(const DtWords& words) {
                      "Leave them out, or leave out --partition");
 }
 
-Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session) {
+Reconstruction reconstructed(const ValidStack& stack, const DtWords& words, Session& session) {
   if (words.partition.wanted) {
     PartitionOptions options;
     if (!words.partition.priority.empty()) options.priority = names_in(words.partition.priority, "--priority");
@@ -97,7 +96,7 @@ void refuse_for_mesh(const DtWords& words, const std::string& file) {
                    "Leave them out, or give what the mesh was made from");
 }
 
-ReconstructOptions understood(const DtWords& words, const ContourStack& stack, const Session& session) {
+ReconstructOptions understood(const DtWords& words, const ValidStack& stack, const Session& session) {
   ReconstructOptions options;
   if (words.correspondence) options.correspondence = *words.correspondence;
   if (words.between) options.between = *words.between;

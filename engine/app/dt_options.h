@@ -36,9 +36,9 @@ void refuse_for_mesh(const DtWords& words, const std::string& file);
 /// The model that the words ask for: each structure by itself, or a partition; if they leave it open, a partition where
 /// structures share walls or overlap (each by itself, with a warning, if none comes of it). Links are checked against
 /// the contours. Throws as the readers of links do.
-Reconstruction reconstructed(const ContourStack& stack, const DtWords& words, Session& session);
+Reconstruction reconstructed(const ValidStack& stack, const DtWords& words, Session& session);
 
 /// For these contours: links are checked against them. Throws as the readers of links do.
-ReconstructOptions understood(const DtWords& words, const ContourStack& stack, const Session& session);
+ReconstructOptions understood(const DtWords& words, const ValidStack& stack, const Session& session);
 
 }  // namespace odontoscope::app

@@ -53,8 +53,8 @@ std::vector<NamedMesh> surfaces_of(std::vector<NamedMesh> meshes, const ForeignW
   return surfaces;
 }
 
-ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, const ForeignWords& words,
-                      Session& session) {
+ValidStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, const ForeignWords& words,
+                    Session& session) {
   if (!words.spacing_z && words.heights.empty()) {
     throw UsageError(fmt::format("{} is a mesh, and nothing says where to cut it", file),
                      "Give --spacing-z D, or --at Z for each plane");
@@ -71,7 +71,7 @@ ContourStack cut_told(std::vector<NamedMesh> meshes, const std::string& file, co
   session.console.say(fmt::format("{}: cut by {}", file, counted(heights.size(), "plane")));
   for (const std::string& remark : remarks) session.console.say("  " + remark);
   if (words.repair) tell_changes(cut.changes, session.console);
-  return std::move(cut.stack);
+  return cut.stack;
 }
 
 /// The first bytes of a plain file; of anything else none.
@@ -120,19 +120,18 @@ bool can_be_repaired(const std::string& cause) {
   return false;
 }
 
-ContourStack checked(ContourStack stack, const ForeignWords& words, Session& session) {
+ValidStack checked(ContourStack stack, const ForeignWords& words, Session& session) {
   if (words.repair) {
     RepairedContours repaired = repair_contours(stack, {}, session.progress());
     tell_changes(repaired.changes, session.console);
     stack = std::move(repaired.stack);
   }
   try {
-    validate(stack, session.progress());
+    return validate(std::move(stack), session.progress());
   } catch (const InputError& error) {
     if (words.repair || !can_be_repaired(error.cause())) throw;
     offer_repair(error);
   }
-  return stack;
 }
 
 }  // namespace
@@ -191,7 +190,7 @@ bool needs_conversion(const std::string& file, const ForeignWords& words) {
   return kind != FileKind::unknown || kind_of(read_file(file), file) == FileKind::stl;
 }
 
-ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session, Whence* whence) {
+ValidStack converted_told(const std::string& file, const ForeignWords& words, Session& session, Whence* whence) {
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   const auto contour_kind = contour_file_kind(bytes);
   if (contour_kind || kind_of(bytes, file) == FileKind::contour_stack) refuse_planes(file, words);
@@ -214,7 +213,7 @@ ContourStack converted_told(const std::string& file, const ForeignWords& words, 
   return checked(std::move(stack), words, session);
 }
 
-ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session) {
+ValidStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session) {
   std::vector<NamedMesh> all;
   std::map<std::string, std::string> file_of;  // of each structure
   for (const std::string& file : files) {

@@ -9,7 +9,7 @@
 
 #include "engine/app/command.h"
 #include "engine/app/structure_files.h"
-#include "recon/input/contour_stack.h"
+#include "recon/input/validate.h"
 
 namespace odontoscope::app {
 
@@ -42,11 +42,11 @@ bool needs_conversion(const std::string& file, const ForeignWords& words);
 /// Contours of a mesh, of another program's contour file, or of a stack of ours, repaired if `words` say so; tells what
 /// was found, left out and changed. Valid. `whence`, if not null, is told whose structure set it was. UsageError for a
 /// mesh without planes, and for a volume.
-ContourStack converted_told(const std::string& file, const ForeignWords& words, Session& session,
-                            Whence* whence = nullptr);
+ValidStack converted_told(const std::string& file, const ForeignWords& words, Session& session,
+                          Whence* whence = nullptr);
 
 /// Contours of several meshes of one place, cut by the same planes: each file's mesh is a structure called after its
 /// file, several in one file keep their names. UsageError for what is no mesh, and for one name in two files.
-ContourStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session);
+ValidStack meshes_told(const std::vector<std::string>& files, const ForeignWords& words, Session& session);
 
 }  // namespace odontoscope::app

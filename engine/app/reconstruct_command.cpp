@@ -196,7 +196,7 @@ struct Input {
   Whence whence;
 };
 
-Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArguments& options, Session& session) {
+Made made_by_dt(const ValidStack& stack, Input input, const ReconstructArguments& options, Session& session) {
   DtWords dt = options.dt;
   if (!options.together.empty()) dt.partition.independent = true;
   const auto whole =
@@ -220,7 +220,7 @@ Made made_by_dt(const ContourStack& stack, Input input, const ReconstructArgumen
   return made;
 }
 
-Made made_by_db(const ContourStack& stack, const ReconstructArguments& options, Session& session) {
+Made made_by_db(const ValidStack& stack, const ReconstructArguments& options, Session& session) {
   const DbOptions engine = understood(options.db, session.threads);
   const auto model = std::make_shared<DbReconstruction>(reconstruct_by_distance(stack, engine, session.progress()));
   Made made = files_of(*model, options, session);
@@ -229,12 +229,13 @@ Made made_by_db(const ContourStack& stack, const ReconstructArguments& options, 
   return made;
 }
 
-ContourStack stack_of(const ReconstructArguments& options, Session& session, Input& input) {
+ValidStack stack_of(const ReconstructArguments& options, Session& session, Input& input) {
   if (options.words.any_level() || !needs_conversion(options.input, options.foreign)) {
     return contours_of_input(options.input, options.words, session, &input.volume, &input.whence);
   }
-  ContourStack stack = converted_told(options.input, options.foreign, session, &input.whence);
-  return options.words.simplify ? simplify_told(stack, {*options.words.simplify}, session) : stack;
+  const ValidStack stack = converted_told(options.input, options.foreign, session, &input.whence);
+  if (!options.words.simplify) return stack;
+  return validate(simplify_told(stack, {*options.words.simplify}, session), session.progress());
 }
 
 /// The first of an amber verdict's places, or all.
@@ -260,8 +261,12 @@ ExitCode make_model(const ReconstructArguments& options, Session& session) {
 
   const auto start = std::chrono::steady_clock::now();
   Input input;
-  ContourStack stack = stack_of(options, session, input);
-  for (const std::string& list : options.together) stack = together(stack, names_in(list, "--together"));
+  ValidStack stack = stack_of(options, session, input);
+  if (!options.together.empty()) {
+    ContourStack joined = *stack;
+    for (const std::string& list : options.together) joined = together(joined, names_in(list, "--together"));
+    stack = validate(std::move(joined), session.progress());
+  }
   const Made made =
       options.method == Method::db ? made_by_db(stack, options, session) : made_by_dt(stack, input, options, session);
   session.progress().check();

@@ -39,11 +39,11 @@ struct Found {
   bool only_voxels = false;
 };
 
-Found found_in(ContourStack stack, const DtWords& dt, Session& session, const StackCheck& check) {
+Found found_in(const ValidStack& stack, const DtWords& dt, Session& session, const StackCheck& check) {
   if (check) check(stack);
   Reconstruction made = reconstructed(stack, dt, session);
   Found found;
-  found.overlays.contours = std::move(stack);
+  found.overlays.contours = stack;
   found.proven = proven_by(made);
   found.slices = made.counts.slices;
   for (Solid& solid : made.solids) {
@@ -65,7 +65,7 @@ Found found_in_volume(const std::string& file, const VolumeWords& words, const D
   auto values =
       std::make_shared<const ValueGrid>(value_grid(*volume, words.voxels ? with_margin(bounds, *volume) : bounds));
   volume.reset();
-  Found found = found_in(std::move(stack), dt, session, check);
+  Found found = found_in(validate(std::move(stack), session.progress()), dt, session, check);
   found.values = std::move(values);
   found.greys = greys;
   for (const auto& [structure, iso] : facts->isos) found.isos.push_back({structure, iso});
@@ -117,14 +117,15 @@ Found found_in(std::vector<NamedMesh> meshes, const std::string& file) {
 
 Found found_in(const std::string& file, const VolumeWords& words, const DtWords& dt, Session& session,
                const StackCheck& check) {
-  if (file.empty()) return found_in(sample_tooth(ToothKind::molar), dt, session, check);
+  if (file.empty()) return found_in(validate(sample_tooth(ToothKind::molar), session.progress()), dt, session, check);
   if (words.any_level()) return found_in_volume(file, words, dt, session, check);
   if (words.voxels && looks_like_a_volume(file)) return found_in_voxels(file, words, dt, session);
   if (looks_like_a_volume(file)) refuse(FileKind::volume, file);
   const std::string bytes = read_file(file, limits::file_bytes, session.progress().stop);
   if (contour_file_kind(bytes)) return found_in(converted_told(file, {}, session), dt, session, check);
   const FileKind kind = kind_of(bytes, file);
-  if (kind == FileKind::contour_stack) return found_in(parse_stack(bytes, file), dt, session, check);
+  if (kind == FileKind::contour_stack)
+    return found_in(validate(parse_stack(bytes, file), session.progress()), dt, session, check);
   if (auto meshes = meshes_in(kind, bytes, file)) {
     refuse_for_mesh(dt, file);
     for (const NamedMesh& mesh : *meshes) {

@@ -255,7 +255,7 @@ void tell_histogram(const std::string& file, const VolumeRequest& request, Sessi
   if (looks_like_labels(read)) tell_label_map(read, session.console);
 }
 
-ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOptions& options, Session& session) {
+ContourStack simplify_told(const ValidStack& stack, const SimplifyContoursOptions& options, Session& session) {
   SimplifiedContours simpler = simplify_contours(stack, options, session.progress());
   tell_simplification(simpler.points_before, simpler.points_after, simpler.largest_deviation, session.console);
   return std::move(simpler.stack);
@@ -270,21 +270,19 @@ bool looks_like_a_volume(const std::string& file) {
   return begins_like_a_volume(file);
 }
 
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session,
-                               std::optional<ReportVolume>* facts, Whence* whence) {
-  if (words.any_level()) return contours_told(file, understood(words), session, nullptr, facts, whence);
+ValidStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session,
+                             std::optional<ReportVolume>* facts, Whence* whence) {
+  if (words.any_level())
+    return validate(contours_told(file, understood(words), session, nullptr, facts, whence), session.progress());
   const bool of_another_program = is_contour_file(file);
   if (!of_another_program && needs_conversion(file, {})) {
     throw UsageError(fmt::format("{} is a mesh, and contours are wanted here", file),
                      fmt::format("Cut it first: odontoscope contours {} --spacing-z D -o FILE.json", file));
   }
-  ContourStack stack =
-      of_another_program ? converted_told(file, {}, session, whence) : read_stack(file, session.progress().stop);
-  if (words.simplify) {
-    validate(stack, session.progress());
-    stack = simplify_told(stack, {*words.simplify}, session);
-  }
-  return stack;
+  const ValidStack stack = of_another_program ? converted_told(file, {}, session, whence)
+                                              : validate(read_stack(file, session.progress().stop), session.progress());
+  if (!words.simplify) return stack;
+  return validate(simplify_told(stack, {*words.simplify}, session), session.progress());
 }
 
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words) {

@@ -9,7 +9,7 @@
 #include "engine/app/command.h"
 #include "engine/app/reshape_volume.h"
 #include "engine/app/structure_files.h"
-#include "recon/input/contour_stack.h"
+#include "recon/input/validate.h"
 #include "recon/output/report_json.h"
 #include "recon/volume/read_volume.h"
 #include "recon/volume/volume_contours.h"
@@ -83,12 +83,12 @@ ContourStack contours_told(const std::string& file, const VolumeRequest& request
 void tell_histogram(const std::string& file, const VolumeRequest& request, Session& session);
 
 /// A valid stack with fewer points, and tells how many.
-ContourStack simplify_told(const ContourStack& stack, const SimplifyContoursOptions& options, Session& session);
+ContourStack simplify_told(const ValidStack& stack, const SimplifyContoursOptions& options, Session& session);
 
 /// From a volume if `words` say where its surface lies, otherwise from a contour stack, simplified if they ask for it.
 /// Throws as the readers do.
-ContourStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session,
-                               std::optional<ReportVolume>* facts = nullptr, Whence* whence = nullptr);
+ValidStack contours_of_input(const std::string& file, const VolumeWords& words, Session& session,
+                             std::optional<ReportVolume>* facts = nullptr, Whence* whence = nullptr);
 
 /// UsageError for a volume, or words about one, without a word on where its surface lies.
 void refuse_volume_without_level(const std::string& file, const VolumeWords& words);

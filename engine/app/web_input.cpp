@@ -34,7 +34,7 @@ struct Inspected {
 
 /// What a page's model is made from.
 struct Contoured {
-  ContourStack stack;
+  ValidStack stack;
   std::optional<PageGreys> greys;     // if the page carries them
   std::optional<ReportVolume> facts;  // of the volume that it came from
 };
@@ -61,7 +61,7 @@ WebModel model_by_dt(const Contoured& from, const WebWords& words, WebPage& page
   return model;
 }
 
-WebModel model_by_db(const ContourStack& stack, const DbWords& words, Session& session) {
+WebModel model_by_db(const ValidStack& stack, const DbWords& words, Session& session) {
   return web_model_by_db(reconstruct_by_distance(stack, understood(words, session.threads), session.progress()),
                          words.cases.value_or(DbOptions{}.cases));
 }
@@ -114,25 +114,25 @@ std::optional<std::vector<NamedMesh>> meshes_of(const WebWords& words, Session& 
 /// The contours of a volume, and what lies around them.
 Contoured contoured_with_greys(const WebWords& words, Session& session) {
   Volume volume;
-  Contoured from;
-  from.stack = contours_told(words.input, understood(words.volume), session, &volume, &from.facts);
-  from.greys = page_greys(volume, from.stack, *from.facts);
-  return from;
+  std::optional<ReportVolume> facts;
+  const ValidStack stack =
+      validate(contours_told(words.input, understood(words.volume), session, &volume, &facts), session.progress());
+  PageGreys greys = page_greys(volume, stack, *facts);
+  return {stack, std::move(greys), std::move(facts)};
 }
 
 /// Of ours, of another program's contour file, or of a volume.
 Contoured contoured(const WebWords& words, Session& session) {
   if (words.with_volume()) return contoured_with_greys(words, session);
-  Contoured from;
-  if (words.input.empty()) {
-    from.stack = sample_tooth(ToothKind::molar);
-  } else if (words.volume.any_level() || !needs_conversion(words.input, {})) {
-    from.stack = contours_of_input(words.input, words.volume, session, &from.facts);
-  } else {
-    from.stack = converted_told(words.input, {}, session);
-    if (words.volume.simplify) from.stack = simplify_told(from.stack, {*words.volume.simplify}, session);
+  if (words.input.empty()) return {validate(sample_tooth(ToothKind::molar), session.progress()), {}, {}};
+  if (words.volume.any_level() || !needs_conversion(words.input, {})) {
+    std::optional<ReportVolume> facts;
+    const ValidStack stack = contours_of_input(words.input, words.volume, session, &facts);
+    return {stack, {}, std::move(facts)};
   }
-  return from;
+  const ValidStack stack = converted_told(words.input, {}, session);
+  if (!words.volume.simplify) return {stack, {}, {}};
+  return {validate(simplify_told(stack, {*words.volume.simplify}, session), session.progress()), {}, {}};
 }
 
 }  // namespace

@@ -92,7 +92,7 @@ Contours cut(std::vector<NamedMesh> meshes, const std::string& file, const ReadO
   std::sort(heights.begin(), heights.end());
   CutContours found = cut_surfaces(surfaces, heights, file, {options.repair, options.widest_gap}, progress);
   for (const ContourChange& change : found.changes) made.changes.push_back(in_words(change));
-  made.stack = std::make_shared<const ContourStack>(std::move(found.stack));
+  made.stack = std::make_shared<const ContourStack>(found.stack);
   return made;
 }
 

@@ -1,7 +1,6 @@
 #include "recon/compare/compare.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -63,7 +62,7 @@ struct ShellCounts {
 /// By structure; those alone that DT has as its links imply.
 using ImpliedShells = std::map<std::string, ShellCounts>;
 
-ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, ImpliedShells& implied,
+ComparedMethod run_dt(const ValidStack& stack, const CompareOptions& options, ImpliedShells& implied,
                       const Progress& progress) {
   ComparedMethod method;
   method.name = std::string("DT");
@@ -82,7 +81,7 @@ ComparedMethod run_dt(const ContourStack& stack, const CompareOptions& options, 
   return method;
 }
 
-ComparedMethod run_db(const ContourStack& stack, const DbOptions& options, std::string name_of_it,
+ComparedMethod run_db(const ValidStack& stack, const DbOptions& options, std::string name_of_it,
                       const ImpliedShells& implied, const Progress& progress) {
   ComparedMethod method;
   method.name = std::move(name_of_it);
@@ -148,11 +147,10 @@ ComparedPair measure_pair(const std::vector<ComparedMethod>& methods, std::size_
   return pair;
 }
 
-Comparison run(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
-  validate(stack, progress);
+Comparison run(const ValidStack& stack, const CompareOptions& options, const Progress& progress) {
   const ContourStack sorted = ordered(stack).stack;
   Comparison result;
-  result.source = stack.source;
+  result.source = stack->source;
   result.slices = sorted.slices.size();
   for (const Slice& slice : sorted.slices) {
     result.contours += slice.contours.size();
@@ -182,11 +180,15 @@ Comparison run(const ContourStack& stack, const CompareOptions& options, const P
 }  // namespace
 
 Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress) {
+  const auto limit = allow_threads(options.dt.threads);
+  return compare(validate(stack, progress), options, progress);
+}
+
+Comparison compare(const ValidStack& stack, const CompareOptions& options, const Progress& progress) {
   CompareOptions with_threads = options;
-  const int threads =
-      options.dt.threads > 0 ? options.dt.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  const int threads = threads_of(options.dt.threads);
   with_threads.dt.threads = with_threads.db.threads = threads;
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const auto limit = allow_threads(threads);
   tbb::task_arena arena = arena_of(threads);
   Comparison result = arena.execute([&] { return run(stack, with_threads, progress); });
   result.threads = threads;

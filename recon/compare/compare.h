@@ -11,6 +11,7 @@
 #include "recon/core/progress.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
+#include "recon/input/validate.h"
 #include "recon/mesh/surface_distance.h"
 #include "recon/mesh/surface_report.h"
 
@@ -87,6 +88,8 @@ struct Comparison {
 /// least time counts. Stages are those of the engines and of surface_distance. Runs in arenas of its own with
 /// `options.dt.threads`. Throws what the engines do. Times and memory apart, the result depends on nothing but the
 /// input.
+Comparison compare(const ValidStack& stack, const CompareOptions& options, const Progress& progress = {});
+/// Validates it first.
 Comparison compare(const ContourStack& stack, const CompareOptions& options, const Progress& progress = {});
 
 /// A line of the table: what is measured, and its value for each method in words.

@@ -1,6 +1,5 @@
 #include "recon/delaunay/reconstruct.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -181,14 +180,15 @@ class Reconstructor {
 }  // namespace
 
 Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options, const Progress& progress) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  // Holds for validation too, and lets a caller ask for more threads than the machine has (the bytes do not depend on
-  // it).
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const auto limit = allow_threads(options.threads);  // holds for validation too
+  return reconstruct(validate(stack, progress), options, progress);
+}
+
+Reconstruction reconstruct(const ValidStack& stack, const ReconstructOptions& options, const Progress& progress) {
+  const int threads = threads_of(options.threads);
+  const auto limit = allow_threads(threads);
   std::vector<StageTime> preparation;
   Stopwatch watch(preparation);
-  validate(stack, progress);
   const OrderedStack input = ordered(stack);
   validate_links(options.links, input.stack);
   watch.lap("validate");

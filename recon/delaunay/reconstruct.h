@@ -18,8 +18,8 @@
 #include "recon/core/progress.h"
 #include "recon/delaunay/attention.h"
 #include "recon/delaunay/doubt.h"
-#include "recon/input/contour_stack.h"
 #include "recon/input/links.h"
+#include "recon/input/validate.h"
 #include "recon/mesh/labelled_complex.h"
 #include "recon/mesh/meshes.h"
 #include "recon/mesh/surface_report.h"
@@ -138,6 +138,9 @@ struct Reconstruction {
 
 /// Validates `stack` and `options.links` (InputError), reconstructs every structure independently, and certifies the
 /// result. Throws Cancelled, or InternalError if a certificate fails.
+Reconstruction reconstruct(const ValidStack& stack, const ReconstructOptions& options = {},
+                           const Progress& progress = {});
+/// Validates it first.
 Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options = {},
                            const Progress& progress = {});
 

@@ -1,6 +1,5 @@
 #include "recon/distance/db_reconstruction.h"
 
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -74,10 +73,9 @@ void decimate_all(DbReconstruction& result, const DecimateOptions& wanted, const
   }
 }
 
-DbReconstruction run(const ContourStack& stack, const DbOptions& options, const Progress& progress) {
+DbReconstruction run(const ValidStack& stack, const DbOptions& options, const Progress& progress) {
   DbReconstruction result;
   Stopwatch watch(result.seconds);
-  validate(stack, progress);
   const ContourStack sorted = ordered(stack).stack;
   const std::vector<std::string> structures = structures_of(sorted);
   count_input(sorted, result);
@@ -109,9 +107,13 @@ DbReconstruction run(const ContourStack& stack, const DbOptions& options, const 
 
 DbReconstruction reconstruct_by_distance(const ContourStack& stack, const DbOptions& options,
                                          const Progress& progress) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  const auto limit = allow_threads(options.threads);
+  return reconstruct_by_distance(validate(stack, progress), options, progress);
+}
+
+DbReconstruction reconstruct_by_distance(const ValidStack& stack, const DbOptions& options, const Progress& progress) {
+  const int threads = threads_of(options.threads);
+  const auto limit = allow_threads(threads);
   tbb::task_arena arena = arena_of(threads);
   DbReconstruction result = arena.execute([&] { return run(stack, options, progress); });
   result.threads = threads;

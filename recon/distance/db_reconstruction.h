@@ -23,7 +23,7 @@
 #include "recon/distance/field.h"
 #include "recon/distance/grid.h"
 #include "recon/distance/marching_cubes.h"
-#include "recon/input/contour_stack.h"
+#include "recon/input/validate.h"
 #include "recon/mesh/surface_report.h"
 
 namespace odontoscope {
@@ -63,6 +63,9 @@ struct DbReconstruction {
 
 /// Validates `stack` (InputError), samples and marches every structure independently on one common grid. Throws
 /// UsageError (see make_grid, march) and Cancelled.
+DbReconstruction reconstruct_by_distance(const ValidStack& stack, const DbOptions& options = {},
+                                         const Progress& progress = {});
+/// Validates it first.
 DbReconstruction reconstruct_by_distance(const ContourStack& stack, const DbOptions& options = {},
                                          const Progress& progress = {});
 

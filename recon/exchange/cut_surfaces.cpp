@@ -384,14 +384,15 @@ std::vector<double> heights_at(const std::vector<NamedMesh>& surfaces, double sp
 
 CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vector<double>& heights,
                          const std::string& file, const CutOptions& options, const Progress& progress) {
-  CutContours result;
-  result.stack.source = file;
+  ContourStack stack;
+  std::vector<ContourChange> changes;
+  stack.source = file;
   std::vector<StructureCutter> cutters;
   for (std::vector<Prepared>& group : by_structure(surfaces)) {
     if (!options.repair) {
       for (const Prepared& ready : group) refuse_unless_closed(ready, file);
     }
-    cutters.emplace_back(std::move(group), options, result.changes);
+    cutters.emplace_back(std::move(group), options, changes);
   }
   for (std::size_t s = 0; s < heights.size(); ++s) {
     progress.check();
@@ -406,16 +407,15 @@ CutContours cut_surfaces(const std::vector<NamedMesh>& surfaces, const std::vect
       std::move(contours.begin(), contours.end(), std::back_inserter(slice.contours));
     }
     for (Contour& contour : slice.contours) begin_at_least_point(contour.points);
-    result.stack.slices.push_back(std::move(slice));
+    stack.slices.push_back(std::move(slice));
   }
   if (options.repair) {
-    turn_outwards(result.stack);
-    RepairedContours repaired = repair_contours(result.stack, {.inside = Inside::positive}, progress);
-    result.stack = std::move(repaired.stack);
-    result.changes.insert(result.changes.end(), repaired.changes.begin(), repaired.changes.end());
+    turn_outwards(stack);
+    RepairedContours repaired = repair_contours(stack, {.inside = Inside::positive}, progress);
+    stack = std::move(repaired.stack);
+    changes.insert(changes.end(), repaired.changes.begin(), repaired.changes.end());
   }
-  validate(result.stack, progress);
-  return result;
+  return {validate(std::move(stack), progress), std::move(changes)};
 }
 
 }  // namespace odontoscope

@@ -15,7 +15,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/exchange/repair_contours.h"
-#include "recon/input/contour_stack.h"
+#include "recon/input/validate.h"
 #include "recon/mesh/named_mesh.h"
 
 namespace odontoscope {
@@ -28,7 +28,7 @@ struct CutOptions {
 };
 
 struct CutContours {
-  ContourStack stack;                  // a slice for each height, in their order
+  ValidStack stack;                    // a slice for each height, in their order
   std::vector<ContourChange> changes;  // none without `repair`
 };
 

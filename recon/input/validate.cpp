@@ -216,7 +216,7 @@ class FirstError {
 
 }  // namespace
 
-void validate(const ContourStack& stack, const Progress& progress) {
+ValidStack validate(ContourStack stack, const Progress& progress) {
   progress.tell("validate", 0);
   check_counts(stack);
   check_heights(stack);
@@ -233,6 +233,7 @@ void validate(const ContourStack& stack, const Progress& progress) {
   });
   first.rethrow();
   progress.tell("validate", 1);
+  return ValidStack(std::move(stack));
 }
 
 OrderedStack ordered(const ContourStack& stack) {

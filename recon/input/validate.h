@@ -1,10 +1,27 @@
 #pragma once
 // The gate between data and engine: a stack that passes is safe for everything behind.
 
+#include <memory>
+#include <utility>
+
 #include "recon/core/progress.h"
 #include "recon/input/contour_stack.h"
 
 namespace odontoscope {
+
+/// A stack that has passed `validate`, the only way to one: what engines take. It never changes, so what was checked
+/// once stays true; copies share it.
+class ValidStack {
+ public:
+  const ContourStack& operator*() const { return *stack_; }
+  const ContourStack* operator->() const { return stack_.get(); }
+  operator const ContourStack&() const { return *stack_; }
+
+ private:
+  friend ValidStack validate(ContourStack stack, const Progress& progress);
+  explicit ValidStack(ContourStack stack) : stack_(std::make_shared<const ContourStack>(std::move(stack))) {}
+  std::shared_ptr<const ContourStack> stack_;
+};
 
 /// Checks every rule of contour_stack.h with exact predicates and throws InputError for the first breach, naming
 /// file, slice, contour, point and place. Slices and contours are numbered as in `stack`.
@@ -15,7 +32,7 @@ namespace odontoscope {
 /// structure), too-many-slices / -contours / -points / -structures, bad-name (empty, too long, control characters).
 ///
 /// Cost: O(n log n) per slice by a plane sweep.
-void validate(const ContourStack& stack, const Progress& progress = {});
+ValidStack validate(ContourStack stack, const Progress& progress = {});
 
 /// The same stack in the order the engines want: slices by ascending z; in each structure's slice, outer contours
 /// counter-clockwise seen from +z, holes clockwise (nesting depth decides). Contours keep their order within the slice,

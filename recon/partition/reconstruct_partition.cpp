@@ -1,7 +1,5 @@
 #include "recon/partition/reconstruct_partition.h"
 
-#include <tbb/global_control.h>
-
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -244,10 +242,14 @@ class PartitionReconstructor {
 
 Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options,
                                      const Progress& progress) {
-  const int threads =
-      options.threads > 0 ? options.threads : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
-  validate(stack, progress);
+  const auto limit = allow_threads(options.threads);
+  return reconstruct_partition(validate(stack, progress), options, progress);
+}
+
+Reconstruction reconstruct_partition(const ValidStack& stack, const PartitionOptions& options,
+                                     const Progress& progress) {
+  const int threads = threads_of(options.threads);
+  const auto limit = allow_threads(threads);
   const OrderedStack input = ordered(stack);
   return PartitionReconstructor(input, materials_of(input.stack, options.priority, options.gap), options.between,
                                 threads, progress)

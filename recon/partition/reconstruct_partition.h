@@ -16,6 +16,7 @@
 
 #include "recon/core/progress.h"
 #include "recon/delaunay/reconstruct.h"
+#include "recon/input/validate.h"
 
 namespace odontoscope {
 
@@ -32,6 +33,9 @@ struct PartitionOptions {
 /// too-many-structures, slices-too-close). The solids of the result are the complex's materials (a structure that
 /// others cover wholly has none), with coordinates equal to the bit where they share faces; `Reconstruction::complex`
 /// is set.
+Reconstruction reconstruct_partition(const ValidStack& stack, const PartitionOptions& options = {},
+                                     const Progress& progress = {});
+/// Validates it first.
 Reconstruction reconstruct_partition(const ContourStack& stack, const PartitionOptions& options = {},
                                      const Progress& progress = {});
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "recon/input/validate.h"
 #include "recon/partition/reconstruct_partition.h"
 
 namespace odontoscope {
@@ -15,6 +16,9 @@ struct MadeOfStructures {
 
 /// Throws as reconstruct does. `options` are those of each structure by itself; a partition takes its way between
 /// slices and its threads from them.
+MadeOfStructures reconstruct_structures(const ValidStack& stack, const ReconstructOptions& options = {},
+                                        const Progress& progress = {});
+/// Validates it first.
 MadeOfStructures reconstruct_structures(const ContourStack& stack, const ReconstructOptions& options = {},
                                         const Progress& progress = {});
 

@@ -48,7 +48,7 @@ SurfaceMesh stretched(SurfaceMesh mesh, double x, double y, double z) {
 TEST(CutSurfaces, ASphereGivesCircles) {
   const auto [stack, changes] = cut(shapes::sphere(10, 5), {-9.9, -5, 0.1, 7});
   EXPECT_TRUE(changes.empty());
-  for (const Slice& slice : stack.slices) {
+  for (const Slice& slice : stack->slices) {
     ASSERT_EQ(slice.contours.size(), 1u);
     const double radius = std::sqrt(100 - slice.z * slice.z);
     EXPECT_NEAR(area(slice), 3.14159265 * radius * radius, 0.6);  // counter-clockwise
@@ -58,12 +58,12 @@ TEST(CutSurfaces, ASphereGivesCircles) {
 
 TEST(CutSurfaces, ATorusOnItsSideGivesHolesAndParts) {
   SurfaceMesh ring = shapes::torus(8, 2, 48, 24);  // round the z axis
-  const auto flat = cut(ring, {-0.5, 0.7}).stack;
+  const ContourStack flat = cut(ring, {-0.5, 0.7}).stack;
   EXPECT_EQ(flat.slices[0].contours.size(), 2u);
   EXPECT_NEAR(area(flat.slices[0]), 3.14159265 * (std::pow(8 + std::sqrt(3.75), 2) - std::pow(8 - std::sqrt(3.75), 2)),
               3);
   for (Point3& p : ring.points) p = {p.x, -p.z, p.y};
-  const auto upright = cut(ring, {-9, 0.3, 7, 9}).stack;
+  const ContourStack upright = cut(ring, {-9, 0.3, 7, 9}).stack;
   EXPECT_EQ(upright.slices[0].contours.size(), 1u);
   EXPECT_EQ(upright.slices[1].contours.size(), 2u);
   EXPECT_EQ(upright.slices[3].contours.size(), 1u);
@@ -72,17 +72,17 @@ TEST(CutSurfaces, ATorusOnItsSideGivesHolesAndParts) {
 TEST(CutSurfaces, PlanesThroughVerticesEdgesAndFaces) {
   const SurfaceMesh cube = shapes::cube(0, 0, 0, 2);
   // Bottom and top give their outlines without a rounding.
-  const auto stack = cut(cube, {0, 1, 2}).stack;
+  const ContourStack stack = cut(cube, {0, 1, 2}).stack;
   EXPECT_DOUBLE_EQ(area(stack.slices[1]), 4);
   for (const std::size_t flat : {0u, 2u}) {
     ASSERT_EQ(stack.slices[flat].contours.size(), 1u);
     EXPECT_EQ(stack.slices[flat].contours[0].points.size(), 4u);
     EXPECT_EQ(area(stack.slices[flat]), 4);
   }
-  const auto inside_out = cut(shapes::inside_out(cube), {0, 1, 2}).stack;
+  const ContourStack inside_out = cut(shapes::inside_out(cube), {0, 1, 2}).stack;
   for (const Slice& slice : inside_out.slices) EXPECT_EQ(slice.contours.size(), 1u);
   // An octahedron's tips touch, its waist is a vertex ring.
-  const auto octahedron = cut(shapes::sphere(1, 0), {-1, 0, 0.5, 1}).stack;
+  const ContourStack octahedron = cut(shapes::sphere(1, 0), {-1, 0, 0.5, 1}).stack;
   EXPECT_TRUE(octahedron.slices[0].contours.empty());
   EXPECT_EQ(octahedron.slices[1].contours[0].points.size(), 4u);
   EXPECT_EQ(area(octahedron.slices[1]), 2);
@@ -96,7 +96,7 @@ TEST(CutSurfaces, APlaneThroughASaddleStillGivesContoursThatKeepTheRules) {
   for (const Point3& p : ring.points) heights.push_back(p.z);  // each height a vertex has: saddles, waists, tips
   std::sort(heights.begin(), heights.end());
   heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
-  const auto stack = cut(ring, heights).stack;
+  const ContourStack stack = cut(ring, heights).stack;
   std::size_t contours = 0;
   for (const Slice& slice : stack.slices) contours += slice.contours.size();
   EXPECT_GT(contours, heights.size());
@@ -128,8 +128,8 @@ TEST(CutSurfaces, RepairClosesSmallGapsAndSaysSo) {
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].place.slice, 1u);
   EXPECT_NE(changes[0].what.find("a gap of"), std::string::npos);
-  EXPECT_NEAR(area(stack.slices[1]), area(cut(sphere, heights).stack.slices[1]), 10);
-  EXPECT_EQ(stack.slices[0].contours[0].points, cut(sphere, heights).stack.slices[0].contours[0].points);
+  EXPECT_NEAR(area(stack->slices[1]), area(cut(sphere, heights).stack->slices[1]), 10);
+  EXPECT_EQ(stack->slices[0].contours[0].points, cut(sphere, heights).stack->slices[0].contours[0].points);
 }
 
 TEST(CutSurfaces, RepairJoinsSolidsThatOverlap) {
@@ -137,9 +137,9 @@ TEST(CutSurfaces, RepairJoinsSolidsThatOverlap) {
   const SurfaceMesh crossing = shapes::together(sphere, shapes::moved(sphere, 7, 0, 0));
   const auto both = cut(crossing, {-5, 0.1, 5}, {.repair = true});
   EXPECT_EQ(both.changes.size(), 3u);
-  for (const Slice& slice : both.stack.slices) EXPECT_EQ(slice.contours.size(), 1u);
+  for (const Slice& slice : both.stack->slices) EXPECT_EQ(slice.contours.size(), 1u);
   const auto inside_out = cut(shapes::inside_out(crossing), {-5, 0.1, 5}, {.repair = true});
-  for (const Slice& slice : inside_out.stack.slices) EXPECT_EQ(slice.contours.size(), 1u);
+  for (const Slice& slice : inside_out.stack->slices) EXPECT_EQ(slice.contours.size(), 1u);
 }
 
 TEST(CutSurfaces, AnEngineOfItsOwnModelGivesItsContoursBack) {
@@ -153,9 +153,9 @@ TEST(CutSurfaces, AnEngineOfItsOwnModelGivesItsContoursBack) {
   const auto [stack, changes] = cut_surfaces(surfaces, heights, "file", {});
   EXPECT_TRUE(changes.empty());
   const OrderedStack expected = ordered(molar);
-  ASSERT_EQ(stack.slices.size(), expected.stack.slices.size());
+  ASSERT_EQ(stack->slices.size(), expected.stack.slices.size());
   const OrderedStack found = ordered(stack);
-  for (std::size_t s = 0; s < stack.slices.size(); ++s) {
+  for (std::size_t s = 0; s < stack->slices.size(); ++s) {
     EXPECT_NEAR(area(found.stack.slices[s]), area(expected.stack.slices[s]), 1e-9) << s;
     EXPECT_EQ(found.stack.slices[s].contours.size(), expected.stack.slices[s].contours.size()) << s;
   }
@@ -181,7 +181,7 @@ TEST(CutSurfaces, HeightsFitTheModel) {
 
 TEST(CutSurfaces, FlatTrianglesAndLargeNumbersDoNoHarm) {
   const SurfaceMesh thin = stretched(shapes::sphere(10, 4), 1, 1e-9, 1e4);
-  EXPECT_EQ(cut(thin, {-9e4, -5, 1e4}).stack.slices[1].contours.size(), 1u);
+  EXPECT_EQ(cut(thin, {-9e4, -5, 1e4}).stack->slices[1].contours.size(), 1u);
 }
 
 }  // namespace

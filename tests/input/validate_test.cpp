@@ -9,8 +9,11 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <type_traits>
+#include <utility>
 
 #include "recon/core/limits.h"
+#include "recon/input/stack_json.h"
 #include "tests/input/shapes.h"
 
 namespace odontoscope {
@@ -112,6 +115,15 @@ TEST(Validate, GivesEachRuleItsCause) {
       EXPECT_NE(std::string(error->what()).find("[" + c.cause + "]"), std::string::npos) << error->what();
     }
   }
+}
+
+TEST(Validate, IsTheOnlyWayToAValidStackWhichNeverChanges) {
+  static_assert(!std::is_constructible_v<ValidStack, ContourStack> && !std::is_default_constructible_v<ValidStack>);
+  static_assert(std::is_same_v<decltype(*std::declval<ValidStack&>()), const ContourStack&>);
+  const ContourStack given = between_squares({});
+  const ValidStack valid = validate(given), same = valid;
+  EXPECT_EQ(to_json(*valid), to_json(given));
+  EXPECT_EQ(&*valid, &*same);
 }
 
 TEST(Validate, GuardsTheCounts) {

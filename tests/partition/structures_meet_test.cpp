@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "recon/core/progress.h"
 #include "recon/partition/reconstruct_structures.h"
 #include "recon/sample/sample_tooth.h"
 
@@ -48,6 +49,25 @@ TEST(ReconstructStructures, MakesEachByItselfIfThereAreTooManyForAPartition) {
   EXPECT_FALSE(made.reconstruction.complex);
   EXPECT_EQ(made.reconstruction.solids.size(), 70u);
   EXPECT_NE(made.no_partition.find("too-many-structures"), std::string::npos) << made.no_partition;
+}
+
+/// How often a stack was validated while this was done.
+template <class Work>
+int validations(Work work) {
+  int begun = 0;
+  work(Progress{[&](std::string_view stage, double done) { begun += stage == "validate" && done == 0; }, {}});
+  return begun;
+}
+
+TEST(ReconstructStructures, ValidatesAStackOnceWhateverBecomesOfIt) {
+  std::vector<Contour> many;
+  for (int i = 0; i < 70; ++i) many.push_back({"s" + std::to_string(i), square(i, i + 1.5)});
+  const ContourStack no_partition = twice(many), partition = twice({{"a", square(0, 4)}, {"b", square(1, 2)}});
+  for (const ContourStack& stack : {no_partition, partition}) {
+    EXPECT_EQ(validations([&](const Progress& progress) { reconstruct_structures(stack, {}, progress); }), 1);
+    const ValidStack valid = validate(stack);
+    EXPECT_EQ(validations([&](const Progress& progress) { reconstruct_structures(valid, {}, progress); }), 0);
+  }
 }
 
 }  // namespace
