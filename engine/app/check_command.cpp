@@ -16,9 +16,9 @@
 #include "engine/app/words.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/contour_file.h"
+#include "recon/formats/read_mesh.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
-#include "recon/mesh/read_mesh.h"
 #include "recon/output/report_json.h"
 
 namespace odontoscope::app {

@@ -8,7 +8,7 @@
 
 #include "engine/picture/lettering.h"
 #include "engine/ui/fonts.h"
-#include "recon/output/shell_groups.h"
+#include "recon/formats/shell_groups.h"
 
 namespace odontoscope::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "engine/scene/shells.h"
 #include "recon/core/error.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/mesh/read_mesh.h"
+#include "recon/formats/read_mesh.h"
 
 namespace odontoscope::app {
 namespace {

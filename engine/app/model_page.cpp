@@ -15,7 +15,7 @@
 #include "recon/cavity/names.h"
 #include "recon/cavity/tooth_axis.h"
 #include "recon/core/error.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/write_glb.h"
 #include "recon/radiograph/tissue.h"
 #include "recon/sample/tooth_number.h"
 

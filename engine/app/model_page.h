@@ -9,7 +9,7 @@
 #include "engine/web/page.h"
 #include "recon/core/progress.h"
 #include "recon/distance/db_reconstruction.h"
-#include "recon/output/written_model.h"
+#include "recon/formats/written_model.h"
 
 namespace odontoscope::app {
 

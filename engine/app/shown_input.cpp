@@ -17,9 +17,9 @@
 #include "recon/core/read_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/exchange/contour_file.h"
+#include "recon/formats/given_slices.h"
+#include "recon/formats/read_mesh.h"
 #include "recon/input/stack_json.h"
-#include "recon/mesh/given_slices.h"
-#include "recon/mesh/read_mesh.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::app {

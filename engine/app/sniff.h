@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "recon/mesh/read_mesh.h"
+#include "recon/formats/read_mesh.h"
 
 namespace odontoscope::app {
 

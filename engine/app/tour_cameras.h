@@ -6,9 +6,9 @@
 
 #include "engine/app/command.h"
 #include "recon/cavity/centre_lines.h"
-#include "recon/output/camera_path.h"
-#include "recon/output/write_glb.h"
-#include "recon/output/written_model.h"
+#include "recon/formats/camera_path.h"
+#include "recon/formats/write_glb.h"
+#include "recon/formats/written_model.h"
 
 namespace odontoscope::app {
 

@@ -18,8 +18,8 @@
 #include "engine/scene/scene.h"
 #include "recon/core/read_file.h"
 #include "recon/distance/db_reconstruction.h"
+#include "recon/formats/read_mesh.h"
 #include "recon/mesh/append.h"
-#include "recon/mesh/read_mesh.h"
 #include "recon/sample/sample_tooth.h"
 
 namespace odontoscope::app {

@@ -11,7 +11,7 @@
 #include "engine/app/shown_values.h"
 #include "engine/scene/scene_json.h"
 #include "recon/core/grouped.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/write_glb.h"
 #include "recon/radiograph/tissue.h"
 
 namespace odontoscope::app {

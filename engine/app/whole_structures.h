@@ -7,9 +7,9 @@
 
 #include "engine/scene/model.h"
 #include "recon/cavity/cavity.h"
+#include "recon/formats/shell_groups.h"
 #include "recon/mesh/append.h"
 #include "recon/mesh/named_mesh.h"
-#include "recon/output/shell_groups.h"
 
 namespace odontoscope::app {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/navigate/tour.h"
-#include "recon/output/camera_path.h"
+#include "recon/formats/camera_path.h"
 
 namespace odontoscope {
 

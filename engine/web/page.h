@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
-#include "recon/output/camera_path.h"
+#include "recon/formats/camera_path.h"
 
 namespace odontoscope {
 

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "python/binding/parts.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/write_glb.h"
 
 namespace odontoscope::python {
 

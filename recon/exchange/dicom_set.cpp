@@ -6,7 +6,7 @@
 #include <array>
 
 #include "recon/core/limits.h"
-#include "recon/mesh/parsing.h"
+#include "recon/formats/parsing.h"
 
 namespace odontoscope {
 namespace {

@@ -10,8 +10,8 @@
 #include "recon/core/limits.h"
 #include "recon/exchange/limits.h"
 #include "recon/exchange/plane_frame.h"
+#include "recon/formats/parsing.h"
 #include "recon/input/counts.h"
-#include "recon/mesh/parsing.h"
 
 namespace odontoscope {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "recon/core/limits.h"
 #include "recon/exchange/limits.h"
+#include "recon/formats/parsing.h"
 #include "recon/input/counts.h"
-#include "recon/mesh/parsing.h"
 
 namespace odontoscope {
 namespace {

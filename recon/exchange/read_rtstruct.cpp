@@ -17,9 +17,9 @@
 #include "recon/exchange/parallel_planes.h"
 #include "recon/exchange/repeated_contours.h"
 #include "recon/exchange/unbridge.h"
+#include "recon/formats/parsing.h"
 #include "recon/input/character_set.h"
 #include "recon/input/counts.h"
-#include "recon/mesh/parsing.h"
 
 namespace odontoscope {
 namespace {

@@ -14,9 +14,9 @@
 #include "recon/core/limits.h"
 #include "recon/core/read_file.h"
 #include "recon/exchange/limits.h"
+#include "recon/formats/parsing.h"
 #include "recon/input/counts.h"
 #include "recon/input/names.h"
-#include "recon/mesh/parsing.h"
 
 namespace odontoscope {
 namespace {

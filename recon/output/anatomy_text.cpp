@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "recon/output/json_values.h"
+#include "recon/formats/json_values.h"
 
 namespace odontoscope {
 namespace {

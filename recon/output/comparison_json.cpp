@@ -1,6 +1,6 @@
 #include "recon/output/comparison_json.h"
 
-#include "recon/output/json_values.h"
+#include "recon/formats/json_values.h"
 
 namespace odontoscope {
 namespace {

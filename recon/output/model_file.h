@@ -9,7 +9,7 @@
 #include "recon/core/atomic_file.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/write_glb.h"
 
 namespace odontoscope {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "recon/delaunay/verdict.h"
+#include "recon/formats/json_values.h"
 #include "recon/mesh/tetra_report.h"
 #include "recon/mesh/vector.h"
 #include "recon/output/complex_groups.h"
-#include "recon/output/json_values.h"
 
 namespace odontoscope {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "recon/core/error.h"
 #include "recon/delaunay/face_table.h"
+#include "recon/formats/json_values.h"
 #include "recon/mesh/surface_report.h"
-#include "recon/output/json_values.h"
 
 namespace odontoscope {
 namespace {

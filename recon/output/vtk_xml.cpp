@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "recon/core/base64.h"
-#include "recon/output/little_endian.h"
-#include "recon/output/text_values.h"
+#include "recon/formats/little_endian.h"
+#include "recon/formats/text_values.h"
 
 namespace odontoscope {
 

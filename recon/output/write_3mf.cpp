@@ -8,8 +8,8 @@
 #include <iterator>
 #include <vector>
 
-#include "recon/output/shell_groups.h"
-#include "recon/output/text_values.h"
+#include "recon/formats/shell_groups.h"
+#include "recon/formats/text_values.h"
 #include "recon/output/zip_archive.h"
 
 namespace odontoscope {

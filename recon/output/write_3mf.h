@@ -10,7 +10,7 @@
 
 #include <string>
 
-#include "recon/output/written_model.h"
+#include "recon/formats/written_model.h"
 
 namespace odontoscope {
 

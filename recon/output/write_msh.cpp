@@ -7,10 +7,10 @@
 #include <limits>
 #include <vector>
 
+#include "recon/formats/shell_groups.h"
+#include "recon/formats/text_values.h"
 #include "recon/output/complex_groups.h"
-#include "recon/output/shell_groups.h"
 #include "recon/output/solid_walls.h"
-#include "recon/output/text_values.h"
 
 namespace odontoscope {
 namespace {

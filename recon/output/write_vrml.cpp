@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "recon/core/portable_math.h"
-#include "recon/output/shell_groups.h"
-#include "recon/output/text_values.h"
+#include "recon/formats/shell_groups.h"
+#include "recon/formats/text_values.h"
 
 namespace odontoscope {
 namespace {

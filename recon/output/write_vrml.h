@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "recon/output/written_model.h"
+#include "recon/formats/written_model.h"
 
 namespace odontoscope {
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "recon/output/little_endian.h"
-#include "recon/output/shell_groups.h"
+#include "recon/formats/little_endian.h"
+#include "recon/formats/shell_groups.h"
 #include "recon/output/vtk_xml.h"
 
 namespace odontoscope {

@@ -13,7 +13,7 @@
 #include "recon/cavity/names.h"
 #include "recon/core/polygon.h"
 #include "recon/delaunay/reconstruct.h"
-#include "recon/mesh/given_slices.h"
+#include "recon/formats/given_slices.h"
 #include "recon/mesh/plane_section.h"
 #include "recon/sample/sample_tooth.h"
 #include "tests/cavity/fine_lines.h"

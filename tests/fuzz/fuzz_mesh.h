@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "recon/exchange/cut_surfaces.h"
-#include "recon/mesh/read_mesh.h"
+#include "recon/formats/read_mesh.h"
 #include "tests/fuzz/fuzz_bytes.h"
 
 namespace odontoscope::fuzz {

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "recon/mesh/read_mesh.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/read_mesh.h"
+#include "recon/formats/write_glb.h"
 #include "tests/output/models.h"
 
 namespace odontoscope {

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "recon/core/error.h"
-#include "recon/mesh/read_mesh.h"
-#include "recon/output/little_endian.h"
-#include "recon/output/write_glb.h"
+#include "recon/formats/little_endian.h"
+#include "recon/formats/read_mesh.h"
+#include "recon/formats/write_glb.h"
 #include "tests/mesh/shapes.h"
 #include "tests/output/models.h"
 

@@ -11,11 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "recon/mesh/read_mesh.h"
-#include "recon/output/text_values.h"
+#include "recon/formats/read_mesh.h"
+#include "recon/formats/text_values.h"
+#include "recon/formats/write_glb.h"
+#include "recon/formats/write_obj.h"
 #include "recon/output/write_3mf.h"
-#include "recon/output/write_glb.h"
-#include "recon/output/write_obj.h"
 #include "recon/output/write_vrml.h"
 #include "recon/output/write_vtp.h"
 #include "tests/mesh/shapes.h"

@@ -11,12 +11,12 @@
 
 #include "recon/delaunay/reconstruct.h"
 #include "recon/exchange/cut_surfaces.h"
+#include "recon/formats/read_mesh.h"
+#include "recon/formats/single_precision.h"
 #include "recon/input/links_json.h"
 #include "recon/input/stack_json.h"
 #include "recon/input/validate.h"
-#include "recon/mesh/read_mesh.h"
 #include "recon/output/model_file.h"
-#include "recon/output/single_precision.h"
 #include "tests/input/same_stack.h"
 #include "tests/support/shapes.h"
 

@@ -19,8 +19,8 @@
 #include <thread>
 
 #include "recon/core/error.h"
+#include "recon/formats/read_mesh.h"
 #include "recon/input/stack_json.h"
-#include "recon/mesh/read_mesh.h"
 #include "tooth_cuts.h"
 #include "truth_tables.h"
 #include "truths.h"

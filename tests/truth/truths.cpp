@@ -7,7 +7,7 @@
 #include "recon/core/error.h"
 #include "recon/distance/marching_cubes.h"
 #include "recon/exchange/cut_surfaces.h"
-#include "recon/mesh/read_mesh.h"
+#include "recon/formats/read_mesh.h"
 
 namespace odontoscope::test {
 namespace {
