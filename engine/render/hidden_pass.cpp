@@ -16,23 +16,25 @@ GpuHidden upload_hidden(const Gl& gl, std::span<const glm::vec2> corners) {
 HiddenPass::HiddenPass(const Gl& gl, const ShaderLibrary& shaders)
     : gl_(&gl), program_(gl, shaders, {"hidden.vert", "hidden.frag"}) {}
 
-void HiddenPass::cover(const View& view, const GpuHidden& hidden, bool colours) const {
-  draw(view, hidden, colours, false);
+void HiddenPass::cover(const View& view, const GpuHidden& hidden, Writes writes) const {
+  draw(view, hidden, writes, Where::nearest);
 }
-void HiddenPass::uncover(const View& view, const GpuHidden& hidden) const { draw(view, hidden, false, true); }
+void HiddenPass::uncover(const View& view, const GpuHidden& hidden) const {
+  draw(view, hidden, Writes::depth, Where::farthest);
+}
 
-void HiddenPass::draw(const View& view, const GpuHidden& hidden, bool colours, bool far_away) const {
+void HiddenPass::draw(const View& view, const GpuHidden& hidden, Writes writes, Where where) const {
   gl_->Enable(GL_DEPTH_TEST);
   gl_->DepthFunc(GL_ALWAYS);
   gl_->DepthMask(GL_TRUE);
   gl_->Disable(GL_BLEND);
   gl_->Disable(GL_CULL_FACE);
   gl_->Disable(GL_STENCIL_TEST);
-  const GLboolean written = colours ? GL_TRUE : GL_FALSE;
+  const GLboolean written = writes == Writes::depth_and_colours ? GL_TRUE : GL_FALSE;
   gl_->ColorMask(written, written, written, written);
   program_.use();
   program_.set("eye_to_clip", view.eye_to_clip);
-  program_.set("far_away", far_away ? 1 : 0);
+  program_.set("far_away", where == Where::farthest ? 1 : 0);
   gl_->BindVertexArray(hidden.vertex_array.id());
   gl_->DrawArrays(GL_TRIANGLES, 0, hidden.count);
   gl_->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

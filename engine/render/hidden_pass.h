@@ -20,13 +20,16 @@ class HiddenPass {
  public:
   HiddenPass(const Gl& gl, const ShaderLibrary& shaders);
 
-  /// Puts it before everything, in the framebuffer that is bound; `colours`: which is a layer, and is empty there then.
-  void cover(const View& view, const GpuHidden& hidden, bool colours) const;
+  /// What is written where nothing is to be seen: depth alone, or colours too, of a layer, which is empty there then.
+  enum class Writes { depth, depth_and_colours };
+  /// Puts it before everything, in the framebuffer that is bound.
+  void cover(const View& view, const GpuHidden& hidden, Writes writes) const;
   /// Puts it as far away as the background, once all is drawn; colours stay.
   void uncover(const View& view, const GpuHidden& hidden) const;
 
  private:
-  void draw(const View& view, const GpuHidden& hidden, bool colours, bool far_away) const;
+  enum class Where { nearest, farthest };
+  void draw(const View& view, const GpuHidden& hidden, Writes writes, Where where) const;
 
   const Gl* gl_;
   Program program_;

@@ -125,7 +125,7 @@ void Renderer::begin(Work& work) {
   if (!has_surfaces(work)) return;
   limit_to_touched(*gl_, plan);
   buffers.opaque.begin();
-  if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, true);
+  if (work.pane->hidden) hidden_.cover(plan.view, *work.pane->hidden, HiddenPass::Writes::depth_and_colours);
   surfaces_.draw_opaque(plan);
   if (work.volume && work.volume_look->cast == VolumeLook::Cast::surface)
     volume_.draw_surface(cast_view(plan, true), *work.volume, *work.volume_look);
@@ -210,14 +210,14 @@ void Renderer::draw_finished(const FramePlan& plan, const Background& background
   const Target& target = pane.target;
   if (target.with_depth) {
     background_.fill(background, target);
-    if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, false);
+    if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, HiddenPass::Writes::depth);
     surfaces_.draw_finished(plan);
     if (pane.hidden && target.keep_depth) hidden_.uncover(plan.view, *pane.hidden);
     return;
   }
   if (finished_.size() != plan.size) finished_ = Framebuffer(*gl_, {plan.size, {GL_RGBA8}, GL_DEPTH_COMPONENT32F});
   background_.fill(background, {finished_.id(), 0, 0, plan.size});
-  if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, false);
+  if (pane.hidden) hidden_.cover(plan.view, *pane.hidden, HiddenPass::Writes::depth);
   surfaces_.draw_finished(plan);
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, finished_.id());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);

@@ -62,7 +62,7 @@ std::vector<AccessoryCanal> accessory_canals(const Cavity& hollow, const CentreL
   if (lines.canals.empty() || lines.others.empty()) return found;
   const WallTree tree(hollow.wall);
   for (const CentreLine& branch : lines.others) {
-    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree, true);
+    const cavity::BranchShape shape = cavity::branch_shape(branch, lines.canals, tree, cavity::Apart::or_sideways);
     if (shape.leaves == branch.points.size() || shape.length < shape.mean_width) continue;
     const CentrePoint& from = branch.points[shape.leaves];
     const CentreLine& parent = lines.canals[shape.parent];

@@ -41,16 +41,16 @@ bool leaves_sideways(const Point3& p, const CentreLine& canal, const WallTree& t
 }  // namespace
 
 BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree,
-                         bool sideways) {
+                         Apart apart) {
   BranchShape shape;
   shape.leaves = branch.points.size();
-  const auto apart = [&](const Point3& p) {
+  const auto lies_apart = [&](const Point3& p) {
     return std::all_of(canals.begin(), canals.end(), [&](const CentreLine& canal) {
       return material_between(p, canal.points[nearest_point(p, canal)].at, tree) ||
-             (sideways && leaves_sideways(p, canal, tree));
+             (apart == Apart::or_sideways && leaves_sideways(p, canal, tree));
     });
   };
-  while (shape.leaves > 0 && apart(branch.points[shape.leaves - 1].at)) --shape.leaves;
+  while (shape.leaves > 0 && lies_apart(branch.points[shape.leaves - 1].at)) --shape.leaves;
   if (shape.leaves == branch.points.size()) return shape;
   double nearest = std::numeric_limits<double>::infinity(), sum = 0;
   const CentrePoint& first = branch.points[shape.leaves];

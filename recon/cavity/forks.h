@@ -17,10 +17,11 @@ struct BranchShape {
   double mean_width = 0;  // of that part
 };
 
-/// Apart: with material on the straight way to a canal's line; with `sideways` also beyond its ball with material on
-/// both sides along it, for a branch straight across has none between.
+/// What tells a branch's place apart from a canal: material on the straight way to the canal's line; or also that it
+/// lies beyond the canal's ball with material on both sides along it, for a branch straight across has none between.
+enum class Apart { material_between, or_sideways };
 BranchShape branch_shape(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree,
-                         bool sideways = false);
+                         Apart apart = Apart::material_between);
 
 /// See limits::fork_length. `crown`: unit.
 bool is_fork(const CentreLine& branch, const std::vector<CentreLine>& canals, const WallTree& tree,

@@ -8,20 +8,20 @@
 
 namespace odontoscope::delaunay {
 
-SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, bool home_is_lower, std::uint32_t region,
+SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, Home home, std::uint32_t region,
                 double height) {
-  const Planar& home = home_is_lower ? lower.planar : upper.planar;
-  const double z = home_is_lower ? lower.z : upper.z;
-  const auto first_home = static_cast<std::uint32_t>(home_is_lower ? 0 : lower.planar.points.size());
+  const ConformedSlice& slice = home == Home::lower ? lower : upper;
+  const Planar& planar = slice.planar;
+  const auto first_home = static_cast<std::uint32_t>(home == Home::lower ? 0 : lower.planar.points.size());
   const auto first_added = static_cast<std::uint32_t>(lower.planar.points.size() + upper.planar.points.size());
   SlabSolid solid;
-  std::vector<std::uint32_t> copy(home.points.size(), none);
-  for (std::uint32_t p = 0; p < home.points.size(); ++p)
-    if (home.region_of[p] == region) {
+  std::vector<std::uint32_t> copy(planar.points.size(), none);
+  for (std::uint32_t p = 0; p < planar.points.size(); ++p)
+    if (planar.region_of[p] == region) {
       copy[p] = first_added + static_cast<std::uint32_t>(solid.added.size());
-      solid.added.push_back({home.points[p].x, home.points[p].y, z + height});
+      solid.added.push_back({planar.points[p].x, planar.points[p].y, slice.z + height});
     }
-  for (const PlanarTriangle& triangle : home.triangles) {
+  for (const PlanarTriangle& triangle : planar.triangles) {
     if (triangle.region != region) continue;
     add_prism(
         triangle, [&](std::uint32_t p) { return first_home + p; }, [&](std::uint32_t p) { return copy[p]; },
@@ -34,21 +34,21 @@ std::optional<std::vector<SlabSolid>> plates(const ConformedSlice& lower, const 
                                              const std::vector<bool>& lower_isolated,
                                              const std::vector<bool>& upper_isolated,
                                              const std::vector<SlabSolid>& pieces) {
-  std::vector<std::pair<bool, std::uint32_t>> homes;  // is it the lower slice, and which region
+  std::vector<std::pair<Home, std::uint32_t>> homes;  // of each region
   for (std::uint32_t r = 0; r < lower_isolated.size(); ++r)
-    if (lower_isolated[r]) homes.emplace_back(true, r);
+    if (lower_isolated[r]) homes.emplace_back(Home::lower, r);
   for (std::uint32_t r = 0; r < upper_isolated.size(); ++r)
-    if (upper_isolated[r]) homes.emplace_back(false, r);
+    if (upper_isolated[r]) homes.emplace_back(Home::upper, r);
   std::vector<SlabSolid> added;
   if (homes.empty()) return added;
 
   std::vector<Boundary> others;
   for (const SlabSolid& piece : pieces) others.push_back(boundary_of(lower, upper, piece));
-  const auto add = [&](bool home_is_lower, std::uint32_t region) {
+  const auto add = [&](Home home, std::uint32_t region) {
     double height = (upper.z - lower.z) * limits::plate_height;
     for (int halving = 0; halving < limits::plate_halvings; ++halving, height /= 2) {
-      if (home_is_lower ? !(lower.z + height > lower.z) : !(upper.z - height < upper.z)) return false;
-      SlabSolid solid = plate(lower, upper, home_is_lower, region, home_is_lower ? height : -height);
+      if (home == Home::lower ? !(lower.z + height > lower.z) : !(upper.z - height < upper.z)) return false;
+      SlabSolid solid = plate(lower, upper, home, region, home == Home::lower ? height : -height);
       Boundary boundary = boundary_of(lower, upper, solid);
       if (crosses_any(others, boundary)) continue;
       others.push_back(std::move(boundary));
@@ -57,8 +57,8 @@ std::optional<std::vector<SlabSolid>> plates(const ConformedSlice& lower, const 
     }
     return false;
   };
-  for (const auto& [home_is_lower, region] : homes)
-    if (!add(home_is_lower, region)) return std::nullopt;
+  for (const auto& [home, region] : homes)
+    if (!add(home, region)) return std::nullopt;
   return added;
 }
 

@@ -11,10 +11,13 @@
 
 namespace odontoscope::delaunay {
 
+/// Which of a slab's two slices a region lies in.
+enum class Home { lower, upper };
+
 /// The region of slice `home` thickened by `height` (positive: upwards) as prisms over its triangles. `lower` and
 /// `upper` are the slab's slices; `home` is one of them. A slab beside a slice without contours has that slice as an
 /// empty one.
-SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, bool home_is_lower, std::uint32_t region,
+SlabSolid plate(const ConformedSlice& lower, const ConformedSlice& upper, Home home, std::uint32_t region,
                 double height);
 
 /// Plates for the regions flagged in `lower_isolated` (upwards) and `upper_isolated` (downwards), each as high as

@@ -101,7 +101,8 @@ void Strands::join(std::size_t slice, std::optional<std::size_t> lower, std::opt
 }
 
 /// Will its area be much smaller one slab on, if it goes on changing as it did?
-bool Strands::runs_out(const Section& section, bool upwards) const {
+bool Strands::runs_out(const Section& section, Towards next) const {
+  const bool upwards = next == Towards::above;
   const double inner = upwards ? section.area_below : section.area_above;
   if (!(inner > 0)) return false;
   const double above = section.slice + 1 < heights_.size() ? heights_[section.slice + 1] - heights_[section.slice] : 0;
@@ -120,7 +121,8 @@ void Strands::face_in_slab(std::size_t slice, const std::vector<Link>& apart, st
       const Section& above = sections_[b];
       if ((below.linked_above && above.linked_below) || piece(a) == piece(b)) continue;
       const bool both_end = !below.linked_above && !above.linked_below;
-      if (what_ == Of::voids && !both_end && (below.linked_above ? runs_out(above, false) : runs_out(below, true)))
+      if (what_ == Of::voids && !both_end &&
+          (below.linked_above ? runs_out(above, Towards::below) : runs_out(below, Towards::above)))
         continue;
       const double reach = both_end ? limits::facing_gap * std::sqrt(std::min(below.area, above.area)) : 0;
       if (!within(box, other_box, reach)) continue;

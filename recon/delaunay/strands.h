@@ -47,7 +47,8 @@ class Strands {
  private:
   std::optional<std::size_t> number(std::size_t slice, std::size_t contour) const;
   void join(std::size_t slice, std::optional<std::size_t> lower, std::optional<std::size_t> upper);
-  bool runs_out(const Section& section, bool upwards) const;
+  enum class Towards { below, above };
+  bool runs_out(const Section& section, Towards next) const;
   void face_in_slab(std::size_t slice, const std::vector<Link>& apart, std::vector<FacingEnds>& found);
 
   Of what_;

@@ -53,7 +53,7 @@ struct Together {
 /// What a round may do beyond the optimal placement of its collapses.
 struct Daring {
   bool elsewhere = false;  // try the middle and the ends of an edge, too
-  bool turn = false;       // triangles may turn over
+  CollapseStar::Turning turning = CollapseStar::Turning::refused;
 };
 
 /// What CGAL's copies of placement and visitor have in common.
@@ -97,7 +97,7 @@ struct Round {
     }
     refusal = Refusal::far;
     for (std::size_t n = 0; n < places.size(); ++n) {
-      const std::optional<Refusal> spoken = guard.refusal(star, places[n], daring.turn);
+      const std::optional<Refusal> spoken = guard.refusal(star, places[n], daring.turning);
       if (!spoken) return places[n];
       if (n == 0) refusal = spoken;
     }
@@ -181,7 +181,8 @@ Collapse collapse_edges(const std::vector<SurfaceToCollapse>& surfaces, std::siz
   // A closed surface of n triangles has 3n/2 edges; the predicate stops once there are fewer than its number.
   const std::size_t edges = triangles / 2 * 3;
   Collapse result;
-  const std::vector<Daring> rounds{{}, {.elsewhere = true}, {.elsewhere = true, .turn = true}};
+  const std::vector<Daring> rounds{
+      {}, {.elsewhere = true}, {.elsewhere = true, .turning = CollapseStar::Turning::allowed}};
   for (std::size_t n = 0; n < rounds.size() && all.mesh.number_of_edges() > edges;) {
     FixedEdges fixed = all.mesh.add_property_map<HalfEdgeMesh::Edge_index, bool>("e:fixed", false).first;
     for (const auto edge : all.mesh.edges()) {

@@ -31,8 +31,8 @@ void CollapseGuard::moved(Vertex vertex) {
 }
 
 std::optional<CollapseRefusal> CollapseGuard::refusal(const CollapseStar& star, const Point& placed,
-                                                      bool may_turn) const {
-  if (const auto own = star.refusal(placed, may_turn)) return own;
+                                                      CollapseStar::Turning turning) const {
+  if (const auto own = star.refusal(placed, turning)) return own;
   const auto triangle = [&](std::uint32_t number) { return triangle_of(mesh_, Face(number)); };
   const auto same_surface = [&](const NumberedTriangle& other) {
     return surface_of_[other.number[0]] == surface_of_[star.one];

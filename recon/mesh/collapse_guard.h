@@ -25,7 +25,8 @@ class CollapseGuard {
   CollapseGuard(const HalfEdgeMesh& mesh, const std::vector<std::uint32_t>& surface_of);
 
   /// Nothing if the star's edge may be collapsed into `placed`. May triangles turn over where nothing is cut?
-  std::optional<CollapseRefusal> refusal(const CollapseStar& star, const Point& placed, bool may_turn) const;
+  std::optional<CollapseRefusal> refusal(const CollapseStar& star, const Point& placed,
+                                         CollapseStar::Turning turning) const;
 
   /// To be told of each collapse: of the faces that vanish, and of the vertex whose faces have changed.
   void vanished(Face face) { tree_.move(face.idx(), {}); }

@@ -183,7 +183,7 @@ class InterfaceCollapse {
     std::vector<Point3> places{placed.best};
     if (elsewhere && !placed.bound) places.insert(places.end(), {middle_of(one, other), one, other});
     for (const Point3& at : places) {
-      std::optional<CollapseRefusal> spoken = star.refusal(exact(at), false);
+      std::optional<CollapseRefusal> spoken = star.refusal(exact(at), CollapseStar::Turning::refused);
       if (!spoken && cuts(star, exact(at))) spoken = CollapseRefusal::cuts;
       if (!spoken) return at;
       if (!refusal) refusal = spoken;

@@ -26,9 +26,9 @@ NumberedTriangle CollapseStar::made(std::size_t t, const Point& placed) const {
   return triangle;
 }
 
-std::optional<CollapseRefusal> CollapseStar::refusal(const Point& placed, bool may_turn) const {
+std::optional<CollapseRefusal> CollapseStar::refusal(const Point& placed, Turning turning) const {
   if (strays(placed)) return CollapseRefusal::far;
-  if (!may_turn && turns(placed)) return CollapseRefusal::turned;
+  if (turning == Turning::refused && turns(placed)) return CollapseRefusal::turned;
   if (flattens(placed)) return CollapseRefusal::flat;
   if (cuts_itself(placed)) return CollapseRefusal::cuts;
   return std::nullopt;

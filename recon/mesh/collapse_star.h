@@ -30,8 +30,10 @@ struct CollapseStar {
   NumberedTriangle made(std::size_t t, const Point& placed) const;
   bool holds(PointIndex v) const { return v == one || v == other; }
 
+  /// May a triangle come to face far elsewhere?
+  enum class Turning { refused, allowed };
   /// What the star's own triangles have against it, measured in doubles but for `flat` and `cuts`.
-  std::optional<CollapseRefusal> refusal(const Point& placed, bool may_turn) const;
+  std::optional<CollapseRefusal> refusal(const Point& placed, Turning turning) const;
 
  private:
   bool strays(const Point& placed) const;
