@@ -53,17 +53,12 @@ std::optional<DecimateOptions> decimation_in(const std::string& text) {
 void add_db_options(CLI::App& parser, DbWords& words) {
   const std::string group = "DB method";
   parser.add_option("--grid", words.grid, "Grid points along x and y (default: 128)")->type_name("N|NxM")->group(group);
-  add_choice<std::optional<CaseTable>>(parser, "--cases", words.cases,
-                                       {{"classic", CaseTable::classic},
-                                        {"classic-unoriented", CaseTable::classic_unoriented},
-                                        {"consistent", CaseTable::consistent}},
-                                       "Marching cubes: classic (default), classic-unoriented or consistent")
+  add_choice(parser, "--cases", words.cases, case_tables,
+             "Marching cubes: classic (default), classic-unoriented or consistent")
       ->type_name("NAME")
       ->group(group);
-  add_choice<std::optional<FieldKind>>(
-      parser, "--field", words.field,
-      {{"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}, {"hybrid", FieldKind::hybrid}},
-      "What the grid holds: hybrid (default), signed-distance or sign")
+  add_choice(parser, "--field", words.field, field_kinds,
+             "What the grid holds: hybrid (default), signed-distance or sign")
       ->type_name("NAME")
       ->group(group);
   repeatable(parser.add_option("--split", words.splits, "Height of an empty layer that ends what it parts; repeatable"))

@@ -28,17 +28,12 @@ std::vector<Link> links_for(const ValidStack& stack, const DtWords& words, const
 
 void add_dt_options(CLI::App& parser, DtWords& words) {
   const std::string group = "DT method";
-  add_choice<std::optional<Correspondence>>(parser, "--correspondence", words.correspondence,
-                                            {{"reverse", Correspondence::reverse},
-                                             {"medial", Correspondence::medial},
-                                             {"overlap", Correspondence::overlap},
-                                             {"tracked", Correspondence::tracked}},
-                                            "When regions connect: tracked (default), reverse, medial or overlap")
+  add_choice(parser, "--correspondence", words.correspondence, correspondences,
+             "When regions connect: tracked (default), reverse, medial or overlap")
       ->type_name("NAME")
       ->group(group);
-  add_choice<std::optional<Between>>(parser, "--between", words.between,
-                                     {{"blended", Between::blended}, {"delaunay", Between::delaunay}},
-                                     "Between slices: blended (default) where walls lean far, or delaunay alone")
+  add_choice(parser, "--between", words.between, ways_between,
+             "Between slices: blended (default) where walls lean far, or delaunay alone")
       ->type_name("NAME")
       ->group(group);
   parser.add_option("--links", words.links, "Your own choices of what connects; they win")

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recon/core/lower_case.h"
+#include "recon/core/named.h"
 
 namespace odontoscope::app {
 
@@ -30,6 +31,15 @@ CLI::Option* add_choice(CLI::App& parser, const std::string& name, Meaning& chos
     }
   };
   return parser.add_option_function<std::string>(name, choose, description)->check(one_of(words));
+}
+
+/// The same with the table of an enum's words.
+template <typename Meaning, typename Value, std::size_t count>
+CLI::Option* add_choice(CLI::App& parser, const std::string& name, Meaning& chosen,
+                        const NameTable<Value, count>& table, const std::string& description) {
+  std::vector<std::pair<std::string, Meaning>> choices;
+  for (const Named<Value>& one : table) choices.emplace_back(one.word, one.value);
+  return add_choice<Meaning>(parser, name, chosen, choices, description);
 }
 
 }  // namespace odontoscope::app

@@ -40,12 +40,7 @@ ExitCode make_sample(const SampleArguments& options, Session& session) {
 Command sample_command(CLI::App& root) {
   CLI::App* parser = root.add_subcommand("sample", "Contours of a generated tooth with enamel, dentine and pulp");
   const auto options = std::make_shared<SampleArguments>();
-  add_choice<ToothKind>(
-      *parser, "TOOTH", options->tooth,
-      {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}},
-      "molar, premolar or incisor")
-      ->required()
-      ->type_name("");
+  add_choice(*parser, "TOOTH", options->tooth, tooth_kinds, "molar, premolar or incisor")->required()->type_name("");
   parser->add_option("-o,--output", options->output, "The contour stack to write")->required()->type_name("FILE.json");
   parser->add_option("--slice-spacing", options->sample.slice_spacing, "Distance between slices, mm")
       ->type_name("MM")

@@ -77,6 +77,16 @@ class Object {
     }
     refuse("bad-value", fmt::format("has a \"{}\" that is none of {}", key, fmt::join(known, ", ")));
   }
+  template <class Value, std::size_t count>
+  Value word(const char* key, const NameTable<Value, count>& table) const {
+    const std::string wanted = text(key);
+    std::vector<const char*> known;
+    for (const Named<Value>& one : table) {
+      if (wanted == one.word) return one.value;
+      known.push_back(one.word);
+    }
+    refuse("bad-value", fmt::format("has a \"{}\" that is none of {}", key, fmt::join(known, ", ")));
+  }
   const Json& list(const char* key, std::size_t least, std::size_t most) const {
     const Json& json = needed(key);
     if (!json.is_array()) refuse("wrong-type", fmt::format("has \"{}\" that are no list", key));
@@ -106,12 +116,8 @@ LabOptions db_in(const Json& json, const std::string& path, const std::string& f
     object.refuse("bad-value", fmt::format("has a \"grid\" that is no whole number from {} to {}",
                                            lab_limits::least_grid, lab_limits::most_grid));
   options.grid = static_cast<std::size_t>(grid);
-  options.field = object.word<FieldKind>(
-      "field",
-      {{"hybrid", FieldKind::hybrid}, {"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}});
-  options.cases = object.word<CaseTable>("cases", {{"classic", CaseTable::classic},
-                                                   {"classic-unoriented", CaseTable::classic_unoriented},
-                                                   {"consistent", CaseTable::consistent}});
+  options.field = object.word("field", field_kinds);
+  options.cases = object.word("cases", case_tables);
   options.decimation = object.word<LabDecimation>("decimate", {{"none", LabDecimation::none},
                                                                {"half", LabDecimation::half},
                                                                {"tenth", LabDecimation::tenth},

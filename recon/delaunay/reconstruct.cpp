@@ -197,20 +197,6 @@ Reconstruction reconstruct(const ValidStack& stack, const ReconstructOptions& op
   return result;
 }
 
-const char* name(Correspondence criterion) {
-  switch (criterion) {
-    case Correspondence::reverse:
-      return "reverse";
-    case Correspondence::medial:
-      return "medial";
-    case Correspondence::overlap:
-      return "overlap";
-    case Correspondence::tracked:
-      return "tracked";
-  }
-  return "unknown";
-}
-
 const char* name(LinkCriterion criterion) {
   switch (criterion) {
     case LinkCriterion::reverse:

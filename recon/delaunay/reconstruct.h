@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/named.h"
 #include "recon/core/progress.h"
 #include "recon/delaunay/attention.h"
 #include "recon/delaunay/doubt.h"
@@ -144,7 +145,13 @@ Reconstruction reconstruct(const ValidStack& stack, const ReconstructOptions& op
 Reconstruction reconstruct(const ContourStack& stack, const ReconstructOptions& options = {},
                            const Progress& progress = {});
 
-const char* name(Correspondence criterion);
+inline constexpr NameTable<Between, 2> ways_between{{{"blended", Between::blended}, {"delaunay", Between::delaunay}}};
+inline const char* name(Between between) { return word_of(ways_between, between); }
+inline constexpr NameTable<Correspondence, 4> correspondences{{{"reverse", Correspondence::reverse},
+                                                               {"medial", Correspondence::medial},
+                                                               {"overlap", Correspondence::overlap},
+                                                               {"tracked", Correspondence::tracked}}};
+inline const char* name(Correspondence criterion) { return word_of(correspondences, criterion); }
 const char* name(LinkCriterion criterion);
 
 }  // namespace odontoscope

@@ -159,18 +159,6 @@ std::array<CellTriangles, 256> make_table(CaseTable table) {
 
 }  // namespace
 
-const char* name(CaseTable table) {
-  switch (table) {
-    case CaseTable::classic:
-      return "classic";
-    case CaseTable::classic_unoriented:
-      return "classic-unoriented";
-    case CaseTable::consistent:
-      return "consistent";
-  }
-  return "";
-}
-
 const std::array<CellTriangles, 256>& cell_triangles(CaseTable table) {
   static const std::array<std::array<CellTriangles, 256>, 3> tables{
       make_table(CaseTable::classic), make_table(CaseTable::classic_unoriented), make_table(CaseTable::consistent)};

@@ -32,10 +32,15 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/named.h"
+
 namespace odontoscope {
 
 enum class CaseTable { classic, classic_unoriented, consistent };
-const char* name(CaseTable table);
+inline constexpr NameTable<CaseTable, 3> case_tables{{{"classic", CaseTable::classic},
+                                                      {"classic-unoriented", CaseTable::classic_unoriented},
+                                                      {"consistent", CaseTable::consistent}}};
+inline const char* name(CaseTable table) { return word_of(case_tables, table); }
 
 using CaseNumber = std::uint8_t;
 using CellEdge = std::uint8_t;  // 0 to 11

@@ -101,16 +101,4 @@ Field sample_field(const ContourStack& ordered_stack, const std::string& structu
   return FieldSampler(ordered_stack, structure, grid, options.kind, progress).run();
 }
 
-const char* name(FieldKind kind) {
-  switch (kind) {
-    case FieldKind::signed_distance:
-      return "signed-distance";
-    case FieldKind::sign:
-      return "sign";
-    case FieldKind::hybrid:
-      return "hybrid";
-  }
-  return "";
-}
-
 }  // namespace odontoscope

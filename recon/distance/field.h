@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "recon/core/named.h"
 #include "recon/core/progress.h"
 #include "recon/distance/grid.h"
 #include "recon/distance/limits.h"
@@ -40,6 +41,8 @@ struct Field {
 Field sample_field(const ContourStack& ordered_stack, const std::string& structure, const Grid& grid,
                    const FieldOptions& options = {}, const Progress& progress = {});
 
-const char* name(FieldKind kind);
+inline constexpr NameTable<FieldKind, 3> field_kinds{
+    {{"signed-distance", FieldKind::signed_distance}, {"sign", FieldKind::sign}, {"hybrid", FieldKind::hybrid}}};
+inline const char* name(FieldKind kind) { return word_of(field_kinds, kind); }
 
 }  // namespace odontoscope

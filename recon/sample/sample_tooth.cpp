@@ -120,18 +120,6 @@ double furcation(const ToothShape& shape) {
 
 }  // namespace
 
-const char* name(ToothKind kind) {
-  switch (kind) {
-    case ToothKind::molar:
-      return "molar";
-    case ToothKind::premolar:
-      return "premolar";
-    case ToothKind::incisor:
-      return "incisor";
-  }
-  return "unknown";
-}
-
 ContourStack sample_tooth(ToothKind kind, const SampleOptions& options) {
   require_in_range("the slice spacing", options.slice_spacing, limits::sample_least_slice_spacing,
                    limits::sample_most_slice_spacing);

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "recon/core/geometry.h"
+#include "recon/core/named.h"
 #include "recon/input/contour_stack.h"
 
 namespace odontoscope {
@@ -30,7 +31,9 @@ namespace odontoscope {
 enum class ToothKind { molar, premolar, incisor };
 
 /// "molar", "premolar", "incisor".
-const char* name(ToothKind kind);
+inline constexpr NameTable<ToothKind, 3> tooth_kinds{
+    {{"molar", ToothKind::molar}, {"premolar", ToothKind::premolar}, {"incisor", ToothKind::incisor}}};
+inline const char* name(ToothKind kind) { return word_of(tooth_kinds, kind); }
 
 /// How enamel, dentine and pulp lie beside each other in a slice.
 enum class SampleWalls {
