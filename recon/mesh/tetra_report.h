@@ -14,8 +14,8 @@ struct TetraReport {
   double volume = 0;                   // signed sum, mm^3
   Distribution smallest_dihedral_deg;  // of the six angles of each tetrahedron; 70.53 if regular
   Distribution largest_dihedral_deg;
-  Distribution radius_ratio;  // three times the inscribed ball's radius over that of the circumscribed one; 1 if
-                              // regular, 0 if flat
+  Distribution radius_ratio;       // three times the inscribed ball's radius over that of the circumscribed one; 1 if
+                                   // regular, 0 if flat
   Distribution radius_edge_ratio;  // circumradius over shortest edge; 0.612 if regular
 };
 

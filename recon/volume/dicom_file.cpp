@@ -8,53 +8,11 @@
 
 #include "recon/core/limits.h"
 #include "recon/volume/byte_source.h"
+#include "recon/volume/dicom_source.h"
+#include "recon/volume/dicom_wanted.h"
 #include "recon/volume/text_header.h"
 
 namespace odontoscope {
-
-/// Bytes at any place of a file, or of what lies unpacked in memory; read through a window, since most pieces are a few
-/// bytes long.
-class DicomBytes::Source {
- public:
-  explicit Source(const std::string& path) : in_(path, std::ios::binary) {
-    in_.seekg(0, std::ios::end);
-    size_ = static_cast<std::uint64_t>(std::max<std::streamoff>(in_.tellg(), 0));
-  }
-
-  void hold(std::string unpacked) {
-    window_ = std::move(unpacked);
-    first_ = 0;
-    size_ = window_.size();
-    in_.close();
-  }
-
-  std::uint64_t size() const { return size_; }
-
-  bool read(std::uint64_t at, char* to, std::size_t count) {
-    if (at > size_ || count > size_ - at) return false;
-    if (at < first_ || at + count > first_ + window_.size()) {
-      if (count >= piece) return read_plain(at, to, count);
-      window_.resize(static_cast<std::size_t>(std::min<std::uint64_t>(piece, size_ - at)));
-      first_ = at;
-      if (!read_plain(at, window_.data(), window_.size())) return window_.clear(), false;
-    }
-    std::memcpy(to, window_.data() + (at - first_), count);
-    return true;
-  }
-
- private:
-  static constexpr std::size_t piece = 1u << 14;
-
-  bool read_plain(std::uint64_t at, char* to, std::size_t count) {
-    in_.clear();
-    in_.seekg(static_cast<std::streamoff>(at));
-    return static_cast<bool>(in_.read(to, static_cast<std::streamsize>(count)));
-  }
-
-  std::ifstream in_;
-  std::uint64_t size_ = 0, first_ = 0;
-  std::string window_;
-};
 
 namespace {
 
@@ -65,91 +23,6 @@ constexpr std::uint64_t item_head = 8;  // a tag and a length
 constexpr std::uint32_t storage_class = dicom::tag(0x0002, 0x0002), transfer_syntax = dicom::tag(0x0002, 0x0010);
 constexpr std::uint32_t item_tag = dicom::tag(0xfffe, 0xe000), item_end = dicom::tag(0xfffe, 0xe00d),
                         sequence_end = dicom::tag(0xfffe, 0xe0dd);
-
-/// Elements whose values are kept. Of sequences also the items.
-constexpr std::array<std::uint32_t, 69> wanted{dicom::first_record,
-                                               dicom::records,
-                                               dicom::image_type,
-                                               dicom::class_uid,
-                                               dicom::instance_uid,
-                                               dicom::modality,
-                                               dicom::series_description,
-                                               dicom::slice_thickness,
-                                               dicom::spacing_between_slices,
-                                               dicom::frame_time,
-                                               dicom::frame_time_vector,
-                                               dicom::magnification,
-                                               dicom::imager_spacing,
-                                               dicom::slice_location_vector,
-                                               dicom::nominal_spacing,
-                                               dicom::series_uid,
-                                               dicom::instance_number,
-                                               dicom::position,
-                                               dicom::orientation,
-                                               dicom::frame_content,
-                                               dicom::plane_position,
-                                               dicom::plane_orientation,
-                                               dicom::temporal_index,
-                                               dicom::concatenation_uid,
-                                               dicom::samples,
-                                               dicom::photometric,
-                                               dicom::frames,
-                                               dicom::frame_increment,
-                                               dicom::rows,
-                                               dicom::columns,
-                                               dicom::pixel_spacing,
-                                               dicom::bits_allocated,
-                                               dicom::bits_stored,
-                                               dicom::high_bit,
-                                               dicom::is_signed,
-                                               dicom::intercept,
-                                               dicom::slope,
-                                               dicom::modality_table,
-                                               dicom::pixel_measures,
-                                               dicom::value_transformation,
-                                               dicom::grid_offsets,
-                                               dicom::dose_scaling,
-                                               dicom::shared_groups,
-                                               dicom::frame_groups,
-                                               dicom::character_set,
-                                               dicom::study_date,
-                                               dicom::study_time,
-                                               dicom::accession,
-                                               dicom::referring,
-                                               dicom::study_description,
-                                               dicom::patient_name,
-                                               dicom::patient_id,
-                                               dicom::patient_birth,
-                                               dicom::patient_sex,
-                                               dicom::study_uid,
-                                               dicom::study_id,
-                                               dicom::frame_of_reference,
-                                               dicom::position_indicator,
-                                               dicom::segmentation_type,
-                                               dicom::segments,
-                                               dicom::segment_number,
-                                               dicom::segment_label,
-                                               dicom::segment_identification,
-                                               dicom::referenced_segment,
-                                               dicom::fraction_of,
-                                               dicom::referenced_series,
-                                               dicom::referenced_instances,
-                                               dicom::referenced_class,
-                                               dicom::referenced_instance};
-
-bool is_wanted(std::uint32_t tag) { return std::find(wanted.begin(), wanted.end(), tag) != wanted.end(); }
-
-/// And of the records of a DICOMDIR, each of which repeats much of what its file says.
-constexpr std::array<std::uint32_t, 6> wanted_of_record{dicom::next_record, dicom::record_in_use, dicom::lower_record,
-                                                        dicom::record_type, dicom::file_id,       dicom::series_uid};
-
-bool is_wanted_of_record(std::uint32_t tag) {
-  return std::find(wanted_of_record.begin(), wanted_of_record.end(), tag) != wanted_of_record.end();
-}
-
-bool is_pixels(std::uint32_t tag) {
-  return tag == dicom::pixel_data || tag == dicom::float_pixels || tag == dicom::double_pixels;
-}
 
 /// A tag with the length of its value; the value comes next.
 struct Head {
@@ -181,7 +54,7 @@ class Walk {
     const std::uint64_t end = source_.size();
     while (at_ < end && file_.pixels.tag == 0) {
       const Head head = next(file_.implicit_vr, end);
-      if (is_pixels(head.tag))
+      if (dicom::is_pixels(head.tag))
         take_pixels(head, end);
       else
         take(head, file_.implicit_vr, end, 0, file_.data);
@@ -289,7 +162,7 @@ class Walk {
 
   /// One element into `data` if it is wanted; whatever it is, walked through.
   void take(const Head& head, bool implicit_vr, std::uint64_t end, int depth, DicomDataSet& data) {
-    if (is_pixels(head.tag) && head.is_undefined()) return skip_fragments(implicit_vr, end);  // of an icon
+    if (dicom::is_pixels(head.tag) && head.is_undefined()) return skip_fragments(implicit_vr, end);  // of an icon
     // Of unknown representation and length: a sequence in implicit coding, says PS3.5, 6.2.2.
     const bool inner_implicit = implicit_vr || (head.is("UN") && head.is_undefined());
     const bool wanted_sequence = !in_records_ && is_wanted_sequence(head.tag);
@@ -298,7 +171,8 @@ class Walk {
     if (!head.is_undefined() && head.length % 2 != 0) file_.odd_lengths = true;
     if (is_sequence) refuse_odd(head);
     if (!is_sequence) {
-      if (in_records_ ? !is_wanted_of_record(head.tag) : !is_wanted(head.tag)) return skip(head.length, end);
+      if (in_records_ ? !dicom::is_wanted_of_record(head.tag) : !dicom::is_wanted(head.tag))
+        return skip(head.length, end);
       keep({head.tag, head.vr, big_endian_, value(head, end), {}}, data);
       return;
     }
@@ -497,7 +371,7 @@ void walk(Source& source, DicomFile& file, std::string_view head) {
 
 }  // namespace
 
-DicomBytes::DicomBytes(const DicomFile& file) : source_(std::make_unique<Source>(file.path)), path_(file.path) {
+DicomBytes::DicomBytes(const DicomFile& file) : source_(std::make_unique<DicomSource>(file.path)), path_(file.path) {
   if (!file.deflated) return;
   DicomFile again;
   again.path = file.path;
@@ -521,7 +395,7 @@ DicomFile read_dicom_file(const std::string& path) {
   const std::string head = head_of(path, preamble + mark.size());
   file.has_preamble = has_mark(head);
   try {
-    DicomBytes::Source source(path);
+    DicomSource source(path);
     walk(source, file, head);
   } catch (const InputError& error) {
     file.trouble = error;

@@ -6,7 +6,7 @@
 //
 // Little-endian, explicit or implicit; big-endian; deflated. With preamble, or without one (as older programs store,
 // then implicit or explicit as its first element shows). Values are kept of those elements alone that say where an
-// image lies and what its numbers mean (see `wanted` in the .cpp).
+// image lies and what its numbers mean (dicom_wanted.h).
 
 #include <array>
 #include <cstddef>
@@ -22,6 +22,7 @@
 namespace odontoscope {
 
 struct DicomElement;
+class DicomSource;
 
 /// Elements in the order of the file, wanted ones only.
 struct DicomDataSet {
@@ -87,7 +88,6 @@ DicomFile read_dicom_file(const std::string& path);
 /// `count` bytes from `at` on, of the file as it lies or of what it unpacks to. Opened once for all pixels of a file.
 class DicomBytes {
  public:
-  class Source;
   explicit DicomBytes(const DicomFile& file);
   ~DicomBytes();
   DicomBytes(const DicomBytes&) = delete;
@@ -96,7 +96,7 @@ class DicomBytes {
   void read(std::uint64_t at, char* to, std::size_t count);
 
  private:
-  std::unique_ptr<Source> source_;
+  std::unique_ptr<DicomSource> source_;
   std::string path_;
 };
 
