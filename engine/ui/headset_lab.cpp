@@ -9,7 +9,7 @@
 
 namespace odontoscope {
 
-HeadsetLab::HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab)
+HeadsetLab::HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const ComparisonState& lab)
     : loaded_(std::move(loaded)), options_(lab.made ? lab.made->options : lab.wanted), made_(lab.made) {}
 
 void HeadsetLab::tend(bool wanted) {

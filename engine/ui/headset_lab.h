@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/lab/db_worker.h"
+#include "engine/comparison/db_worker.h"
 #include "engine/ui/lab_state.h"
 #include "engine/ui/loading.h"
 
@@ -14,21 +14,21 @@ namespace odontoscope {
 class HeadsetLab {
  public:
   /// `lab`: of the desktop, whose result and options are taken.
-  HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const LabState& lab);
+  HeadsetLab(std::shared_ptr<const LoadedModel> loaded, const ComparisonState& lab);
 
   /// DB needs contours.
   bool possible() const { return loaded_->overlays.contours.slices.size() >= 2; }
   /// Once a frame. `wanted`: somebody wants to see DB; the first time that begins to make it.
   void tend(bool wanted);
   /// Null until it is made.
-  const std::shared_ptr<const LabResult>& made() const { return made_; }
+  const std::shared_ptr<const ComparisonResult>& made() const { return made_; }
   /// How far it is, what is wrong with it, or why it cannot be made.
   std::string in_words() const;
 
  private:
   std::shared_ptr<const LoadedModel> loaded_;
-  LabOptions options_;
-  std::shared_ptr<const LabResult> made_;
+  ComparisonOptions options_;
+  std::shared_ptr<const ComparisonResult> made_;
   std::string trouble_;
   std::unique_ptr<DbWorker> worker_;
 };

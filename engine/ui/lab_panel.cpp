@@ -44,7 +44,7 @@ void count_row(const Interface& interface, const char* words, std::size_t dt, st
 
 void counts(const ViewerState& state, const Interface& interface) {
   const FaultyEdges dt = faulty_edges_of(*state.shown);
-  const LabResult* db = state.lab.made.get();
+  const ComparisonResult* db = state.lab.made.get();
   const auto of_db = [&](auto count) { return db ? std::optional((db->*count)()) : std::nullopt; };
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {scaled(8), scaled(3)});
   const float left = ImGui::GetCursorPosX(), width = ImGui::GetContentRegionAvail().x;
@@ -57,16 +57,16 @@ void counts(const ViewerState& state, const Interface& interface) {
   }
   ImGui::PopStyleColor();
   ImGui::PopFont();
-  count_row(interface, "Cracks", dt.cracks, of_db(&LabResult::cracks), true);
-  count_row(interface, "Misoriented", dt.misoriented, of_db(&LabResult::misoriented), true);
-  count_row(interface, "Non-manifold", dt.nonmanifold, of_db(&LabResult::nonmanifold), true);
-  count_row(interface, "Triangles", state.shown->triangles, of_db(&LabResult::triangles), false);
+  count_row(interface, "Cracks", dt.cracks, of_db(&ComparisonResult::cracks), true);
+  count_row(interface, "Misoriented", dt.misoriented, of_db(&ComparisonResult::misoriented), true);
+  count_row(interface, "Non-manifold", dt.nonmanifold, of_db(&ComparisonResult::nonmanifold), true);
+  count_row(interface, "Triangles", state.shown->triangles, of_db(&ComparisonResult::triangles), false);
   ImGui::PopStyleVar();
 }
 
-void db_options(LabState& lab, const Interface& interface) {
+void db_options(ComparisonState& lab, const Interface& interface) {
   double grid = static_cast<double>(lab.wanted.grid);
-  if (widgets::slider("Grid points across", grid, lab_limits::least_grid, 192, "%.0f"))
+  if (widgets::slider("Grid points across", grid, comparison_limits::least_grid, 192, "%.0f"))
     lab.wanted.grid = 4 * static_cast<std::size_t>(std::lround(grid / 4));
   int cases = static_cast<int>(lab.wanted.cases);
   if (widgets::choice("cases", cases, {"Classic", "Unoriented", "Consistent"}))
@@ -81,10 +81,10 @@ void db_options(LabState& lab, const Interface& interface) {
   widgets::text("Triangles kept");
   int decimation = static_cast<int>(lab.wanted.decimation);
   if (widgets::choice("decimation", decimation, {"All", "1/2", "1/10", "Fewest"}))
-    lab.wanted.decimation = static_cast<LabDecimation>(decimation);
+    lab.wanted.decimation = static_cast<ComparisonDecimation>(decimation);
 }
 
-void progress_line(const LabState& lab, const Interface& interface) {
+void progress_line(const ComparisonState& lab, const Interface& interface) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, height = scaled(4);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -129,7 +129,7 @@ std::string faults_in_words(std::size_t cracks, std::size_t misoriented, std::si
 
 void draw_names(const ViewerState& state, const std::vector<ViewPane>& panes, const Interface& interface,
                 const Area& viewport, float scale) {
-  const LabState& lab = state.lab;
+  const ComparisonState& lab = state.lab;
   for (const ViewPane& pane : panes) {
     const Area& area = pane.shown();
     constexpr double compass = 150;
@@ -140,7 +140,7 @@ void draw_names(const ViewerState& state, const std::vector<ViewPane>& panes, co
     std::string facts;
     bool faulty = false;
     if (pane.db) {
-      const LabResult& made = *lab.made;
+      const ComparisonResult& made = *lab.made;
       facts = fmt::format("grid {}, {}: {}", made.options.grid, name(made.options.cases),
                           faults_in_words(made.cracks(), made.misoriented(), made.nonmanifold()));
       faulty = made.cracks() + made.misoriented() + made.nonmanifold() > 0;
@@ -180,7 +180,7 @@ void draw_split_line(const std::vector<ViewPane>& panes, float scale) {
 }
 
 void draw_artefact_ring(const ViewerState& state, const std::vector<ViewPane>& panes, float scale) {
-  const LabState& lab = state.lab;
+  const ComparisonState& lab = state.lab;
   if (!lab.made || !lab.artefact || *lab.artefact >= lab.made->artefacts.size()) return;
   for (const ViewPane& pane : panes) {
     const auto place = place_of(pane.camera, lab.made->artefacts[*lab.artefact].at);
@@ -206,7 +206,7 @@ void three_buttons(ViewerState& state, const char* back, Action on_back, const c
 }
 
 void lesson_dialog(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
-  const LabState& lab = state.lab;
+  const ComparisonState& lab = state.lab;
   const ArtefactLessonStep& step = lab.lesson->steps[lab.step];
   if (begin_dialog("lesson", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
@@ -222,8 +222,8 @@ void lesson_dialog(ViewerState& state, const Interface& interface, const Area& v
 }
 
 void artefact_dialog(ViewerState& state, const Interface& interface, const Area& viewport, float scale) {
-  const LabResult& made = *state.lab.made;
-  const LabArtefact& artefact = made.artefacts[*state.lab.artefact];
+  const ComparisonResult& made = *state.lab.made;
+  const ComparisonArtefact& artefact = made.artefacts[*state.lab.artefact];
   if (begin_dialog("artefact", viewport, scale, 680, culling_height + 8)) {
     ImGui::PushFont(interface.large);
     const char* kind = artefact.kind == DefectKind::crack         ? "Crack"
@@ -273,15 +273,15 @@ FaultyEdges faulty_edges_of(const LoadedModel& shown) {
 
 void lab_section(ViewerState& state, const Interface& interface) {
   if (!lab_possible(state)) return;
-  LabState& lab = state.lab;
+  ComparisonState& lab = state.lab;
   if (!lab.on) {
     if (widgets::wide_button("Compare with DB (D)")) state.pending_actions.push_back(Action::toggle_lab);
     return;
   }
   if (!widgets::section(interface, "DT and DB")) return;
-  int layout = lab.layout == LabLayout::side_by_side ? 0 : lab.layout == LabLayout::split ? 1 : lab.db_in_place ? 3 : 2;
+  int layout = lab.layout == ComparisonLayout::side_by_side ? 0 : lab.layout == ComparisonLayout::split ? 1 : lab.db_in_place ? 3 : 2;
   if (widgets::choice("layout", layout, {"Both", "Split", "DT", "DB"})) {
-    lab.layout = layout == 0 ? LabLayout::side_by_side : layout == 1 ? LabLayout::split : LabLayout::in_place;
+    lab.layout = layout == 0 ? ComparisonLayout::side_by_side : layout == 1 ? ComparisonLayout::split : ComparisonLayout::in_place;
     lab.db_in_place = layout != 2;
   }
   counts(state, interface);

@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "engine/lab/db_pipeline.h"
-#include "engine/lab/lesson.h"
+#include "engine/comparison/db_pipeline.h"
+#include "engine/comparison/lesson.h"
 #include "engine/scene/scene.h"
 
 namespace odontoscope {
 
-struct LabState {
+struct ComparisonState {
   bool on = false;
-  LabLayout layout = LabLayout::side_by_side;
-  bool db_in_place = true;                // which of the two LabLayout::in_place shows
+  ComparisonLayout layout = ComparisonLayout::side_by_side;
+  bool db_in_place = true;                // which of the two ComparisonLayout::in_place shows
   double split = 0.5;                     // where the line is, over the view's width
-  LabOptions wanted;                      // changed freely; runs follow
-  std::shared_ptr<const LabResult> made;  // shown until the next is ready; null before the first
+  ComparisonOptions wanted;                      // changed freely; runs follow
+  std::shared_ptr<const ComparisonResult> made;  // shown until the next is ready; null before the first
   std::string trouble;                    // why `wanted` could not be made; empty if it could
 
   bool working = false;

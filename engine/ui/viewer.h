@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/lab/db_worker.h"
+#include "engine/comparison/db_worker.h"
 #include "engine/language/language.h"
 #include "engine/navigate/section_handle.h"
 #include "engine/navigate/transition.h"
@@ -265,7 +265,7 @@ class Viewer {
     std::shared_ptr<const LoadedModel> shown;
     Scene scene;
     std::vector<ViewPane> panes;
-    std::shared_ptr<const LabResult> db;
+    std::shared_ptr<const ComparisonResult> db;
     std::optional<std::size_t> artefact;
     PixelSize size;
     int side = 0;
@@ -314,10 +314,10 @@ class Viewer {
   std::shared_ptr<const LoadedModel> deviations_of_;  // that the job is about
   std::unique_ptr<DbWorker> lab_worker_;
   std::vector<std::unique_ptr<DbWorker>> left_workers_;  // until they have noticed
-  std::optional<LabOptions> lab_asked_;                  // of the worker
+  std::optional<ComparisonOptions> lab_asked_;                  // of the worker
   GpuModel lab_gpu_model_;
   GpuOverlay lab_gpu_overlay_;
-  std::shared_ptr<const LabResult> lab_edges_of_;  // that the overlay was made from,
+  std::shared_ptr<const ComparisonResult> lab_edges_of_;  // that the overlay was made from,
   std::optional<std::size_t> lab_edges_near_;      // and of which artefact; none: all
   Framebuffer other_half_;                         // of a split view
   std::optional<Camera> draft_camera_;             // while a draft is shown: that it began with

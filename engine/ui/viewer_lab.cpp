@@ -21,20 +21,20 @@ constexpr double line_slack = 9;  // interface pixels
 /// Steps through a volume while the picture moves on a slow machine, over usual ones.
 constexpr float moving_coarseness = 2;
 
-LabLayout after(LabLayout layout) {
+ComparisonLayout after(ComparisonLayout layout) {
   switch (layout) {
-    case LabLayout::side_by_side:
-      return LabLayout::split;
-    case LabLayout::split:
-      return LabLayout::in_place;
-    case LabLayout::in_place:
+    case ComparisonLayout::side_by_side:
+      return ComparisonLayout::split;
+    case ComparisonLayout::split:
+      return ComparisonLayout::in_place;
+    case ComparisonLayout::in_place:
       break;
   }
-  return LabLayout::side_by_side;
+  return ComparisonLayout::side_by_side;
 }
 
 /// Of thousands, those that the artefact is made of.
-std::vector<LineSet> edges_near(const LabResult& made, std::size_t artefact) {
+std::vector<LineSet> edges_near(const ComparisonResult& made, std::size_t artefact) {
   constexpr double cells = 2.5;
   const glm::vec3 at(metres_per_mm * (made.artefacts[artefact].at - made.model.origin_mm));
   const auto reach = static_cast<float>(metres_per_mm * cells * made.spacing_mm);
@@ -62,7 +62,7 @@ std::string words_of(const std::exception_ptr& trouble) {
 }  // namespace
 
 bool Viewer::perform_in_lab(Action action) {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   switch (action) {
     case Action::toggle_lab:
       if (lab.on)
@@ -78,8 +78,8 @@ bool Viewer::perform_in_lab(Action action) {
       return true;
     case Action::swap_methods:
       if (!lab.on) return true;
-      lab.db_in_place = lab.layout == LabLayout::in_place && !lab.db_in_place;
-      lab.layout = LabLayout::in_place;
+      lab.db_in_place = lab.layout == ComparisonLayout::in_place && !lab.db_in_place;
+      lab.layout = ComparisonLayout::in_place;
       return true;
     case Action::next_artefact:
       step_artefact(1);
@@ -110,7 +110,7 @@ void Viewer::enter_lab() {
     notice("DB needs contours: open a contour stack, a volume or the sample molar.");
     return;
   }
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   lab.on = true;
   lab.looks_before = state_.scene.looks;
   lab.back_faces_before = state_.scene.back_faces;
@@ -123,7 +123,7 @@ void Viewer::enter_lab() {
 }
 
 void Viewer::leave_lab() {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   if (lab_worker_) {
     lab_worker_->leave();
     left_workers_.push_back(std::move(lab_worker_));
@@ -133,7 +133,7 @@ void Viewer::leave_lab() {
     state_.scene.back_faces = lab.back_faces_before;
     state_.scene.overlays = lab.overlays_before;
   }
-  LabState left;  // the next time begins as this one ended
+  ComparisonState left;  // the next time begins as this one ended
   left.layout = lab.layout;
   left.db_in_place = lab.db_in_place;
   left.split = lab.split;
@@ -148,7 +148,7 @@ void Viewer::leave_lab() {
 
 void Viewer::update_lab() {
   std::erase_if(left_workers_, [](const auto& worker) { return worker->gone(); });
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   if (!lab.on) return;
   if (lab_asked_ != lab.wanted) {
     lab_asked_ = lab.wanted;
@@ -179,24 +179,24 @@ void Viewer::update_lab() {
 }
 
 void Viewer::lay_out_lab(const Area& whole) {
-  const LabState& lab = state_.lab;
+  const ComparisonState& lab = state_.lab;
   const Camera& camera = state_.scene.camera;
   if (!lab.on || !lab.made) {
     panes_ = {{whole, camera}};
     return;
   }
   switch (lab.layout) {
-    case LabLayout::in_place:
+    case ComparisonLayout::in_place:
       panes_ = {{whole, camera, lab.db_in_place}};
       return;
-    case LabLayout::side_by_side: {
+    case ComparisonLayout::side_by_side: {
       const double half = std::floor(whole.width / 2);
       if (half < 1) break;
       panes_ = {{{whole.left, whole.top, half, whole.height}, camera},
                 {{whole.left + half, whole.top, half, whole.height}, camera, true}};
       return;
     }
-    case LabLayout::split: {
+    case ComparisonLayout::split: {
       const double left = std::round(std::clamp(lab.split, 0.0, 1.0) * whole.width);
       panes_ = {{whole, camera, false, Area{whole.left, whole.top, left, whole.height}},
                 {whole, camera, true, Area{whole.left + left, whole.top, whole.width - left, whole.height}}};
@@ -243,9 +243,9 @@ void Viewer::draw_pane(const ViewPane& pane, PixelSize size, int side) {
 }
 
 void Viewer::lead_to_artefact(std::size_t artefact) {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   lab.artefact = artefact;
-  const LabArtefact& broken = lab.made->artefacts[artefact];
+  const ComparisonArtefact& broken = lab.made->artefacts[artefact];
   state_.scene.overlays.edges = true;
   // Enamel hides what is broken in dentine; DT's dentine has its cavity as a part of its own.
   const auto belongs = [&](const Look& look) {
@@ -260,7 +260,7 @@ void Viewer::lead_to_artefact(std::size_t artefact) {
 }
 
 void Viewer::put_artefact_away() {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   if (!lab.artefact) return;
   lab.artefact.reset();
   for (Look& look : state_.scene.looks) {
@@ -271,7 +271,7 @@ void Viewer::put_artefact_away() {
 }
 
 void Viewer::step_artefact(int by) {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   if (!lab.on || !lab.made) return;
   const auto count = static_cast<long>(lab.made->artefacts.size());
   if (count == 0) {
@@ -296,7 +296,7 @@ void Viewer::begin_lesson() {
 }
 
 void Viewer::go_to_step(std::size_t number) {
-  LabState& lab = state_.lab;
+  ComparisonState& lab = state_.lab;
   lab.step = number;
   const ArtefactLessonStep& step = lab.lesson->steps[number];
   lab.layout = step.layout;
@@ -308,7 +308,7 @@ void Viewer::go_to_step(std::size_t number) {
   usual.back_faces = BackFaces::cull;
   usual.background = state_.scene.background;
   constexpr double shrink = 0.85, lift = 0.14;  // the dialog covers the lower part of the view
-  const double aspect = viewport_.aspect() / (step.layout == LabLayout::side_by_side ? 2 : 1);
+  const double aspect = viewport_.aspect() / (step.layout == ComparisonLayout::side_by_side ? 2 : 1);
   usual.camera = fit(NamedView::three_quarter, state_.shown->model, aspect, state_.scene.camera.projection);
   usual.camera = zoom(usual.camera, shrink, usual.camera.target);
   usual.camera = pan(usual.camera, {0, 0}, {0, lift}, usual.camera.target);

@@ -153,7 +153,7 @@ struct ViewerState {
   std::optional<std::string> file_asked_for;  // being typed,
   FolderList folder;                          // and the folder that is shown beside
   std::optional<VolumeQuestion> question;
-  LabState lab;
+  ComparisonState lab;
   FlyState fly;
   NotesState notes;
   bool pad_in_hand = false;  // what was used last was the gamepad: hints speak of it

@@ -22,8 +22,8 @@ std::shared_ptr<const LoadedModel> loaded_molar(bool with_contours = true) {
   return loaded;
 }
 
-LabState coarse() {
-  LabState lab;
+ComparisonState coarse() {
+  ComparisonState lab;
   lab.wanted.grid = 24;
   return lab;
 }
@@ -96,8 +96,8 @@ TEST(HeadsetLab, WithoutContoursThereIsNoDb) {
 }
 
 TEST(HeadsetLab, WhatTheDesktopMadeIsTaken) {
-  LabState state;
-  auto result = std::make_shared<LabResult>();
+  ComparisonState state;
+  auto result = std::make_shared<ComparisonResult>();
   result->options.grid = 40;
   state.made = result;
   HeadsetLab lab(loaded_molar(), state);

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "engine/lab/db_pipeline.h"
+#include "engine/comparison/db_pipeline.h"
 
 namespace odontoscope {
 
@@ -22,7 +22,7 @@ class DbWorker {
   DbWorker& operator=(const DbWorker&) = delete;
 
   /// Returns at once. A run with other options is stopped; so is one whose outcome has not been taken.
-  void want(const LabOptions& options);
+  void want(const ComparisonOptions& options);
   /// Stops the run; nothing is wanted any more.
   void forget();
   bool working() const;
@@ -35,7 +35,7 @@ class DbWorker {
 
   /// The last wish's outcome, once: a result, or what was thrown.
   struct Outcome {
-    std::shared_ptr<const LabResult> result;
+    std::shared_ptr<const ComparisonResult> result;
     std::exception_ptr trouble;
   };
   std::optional<Outcome> take();
@@ -48,8 +48,8 @@ class DbWorker {
 
   mutable std::mutex mutex_;
   std::condition_variable_any wished_;
-  std::optional<LabOptions> wish_;  // not begun
-  std::optional<LabOptions> at_work_on_;
+  std::optional<ComparisonOptions> wish_;  // not begun
+  std::optional<ComparisonOptions> at_work_on_;
   std::stop_source run_stop_;
   Stage stage_;
   std::optional<Outcome> outcome_;

@@ -47,7 +47,7 @@ class Lab : public ViewerTest {
     size_ = {900, 640};
     viewer_with_tooth({.load = [](const LoadRequest&, const Progress&) { return molar(); }});
   }
-  LabState& lab() { return viewer().state().lab; }
+  ComparisonState& lab() { return viewer().state().lab; }
   /// From the menu, where it is the last of the lessons.
   void begin_lesson() {
     type(U'g');
@@ -103,7 +103,7 @@ TEST_F(Lab, ThePanelHasAButtonForIt) {
   EXPECT_TRUE(lab().on);
   wait_until_made();
   click_control("Split", {"layout"});
-  EXPECT_EQ(lab().layout, LabLayout::split);
+  EXPECT_EQ(lab().layout, ComparisonLayout::split);
   click_control("DT", {"layout"});
   frame();
   ASSERT_EQ(viewer().panes().size(), 1u);
@@ -158,7 +158,7 @@ TEST_F(Lab, ASplitViewShowsWhatEachMethodShowsInPlace) {
   ASSERT_TRUE(viewer().panes()[0].db);
   const Image db = picture();
   keep_picture("lab-in-place");
-  lab().layout = LabLayout::split;
+  lab().layout = ComparisonLayout::split;
   frames(3);
   const Image split = picture();
   keep_picture("lab-split");
@@ -202,11 +202,11 @@ TEST_F(Lab, ASliderRunsOnlyWhatItTouchesWhileThePictureStays) {
   EXPECT_EQ(lab().made, first);  // until the next is ready
   EXPECT_EQ(viewer().panes().size(), 2u);
   wait_until_made();
-  EXPECT_EQ(lab().made->ran, (std::vector{LabStage::surface, LabStage::decimation, LabStage::inspection}));
+  EXPECT_EQ(lab().made->ran, (std::vector{ComparisonStage::surface, ComparisonStage::decimation, ComparisonStage::inspection}));
   EXPECT_EQ(lab().made->cracks() + lab().made->misoriented(), 0u);
   click_control("1/10", {"decimation"});
   wait_until_made();
-  EXPECT_EQ(lab().made->ran, (std::vector{LabStage::decimation, LabStage::inspection}));
+  EXPECT_EQ(lab().made->ran, (std::vector{ComparisonStage::decimation, ComparisonStage::inspection}));
   EXPECT_LT(lab().made->triangles(), first->triangles() / 9);
   const glm::dvec2 slider = control("Grid points across");
   drag(slider.x - 150, slider.y, slider.x - 190,
@@ -241,7 +241,7 @@ TEST_F(Lab, TheNextArtefactIsFlownToAndExplained) {
   ASSERT_TRUE(lab().artefact);
   EXPECT_EQ(viewer().wait_timeout(), 0);  // on its way
   settle();
-  const LabArtefact& first = lab().made->artefacts[0];
+  const ComparisonArtefact& first = lab().made->artefacts[0];
   EXPECT_LT(glm::distance(viewer().state().scene.camera.target, first.at), 1e-6);
   EXPECT_GT(glm::distance(viewer().state().scene.camera.position, before.position), 1);
   EXPECT_TRUE(viewer().state().scene.overlays.edges);

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/lab/artefacts.h"
+#include "engine/comparison/artefacts.h"
 #include "engine/measure/pick.h"
 #include "engine/scene/model.h"
 #include "engine/scene/overlay.h"
@@ -26,28 +26,28 @@
 namespace odontoscope {
 
 /// How many of the triangles stay: all, a half, a tenth, or as few as half a grid spacing allows.
-enum class LabDecimation { none, half, tenth, most };
-const char* name(LabDecimation decimation);
+enum class ComparisonDecimation { none, half, tenth, most };
+const char* name(ComparisonDecimation decimation);
 
-struct LabOptions {
-  std::size_t grid = 64;  // points along x and along y, lab_limits::least_grid to most_grid
+struct ComparisonOptions {
+  std::size_t grid = 64;  // points along x and along y, comparison_limits::least_grid to most_grid
   FieldKind field = FieldKind::hybrid;
   /// The table that leaves complements as they are: what it gets wrong is what the mode is there to show.
   CaseTable cases = CaseTable::classic_unoriented;
-  LabDecimation decimation = LabDecimation::none;
-  friend bool operator==(const LabOptions&, const LabOptions&) = default;
+  ComparisonDecimation decimation = ComparisonDecimation::none;
+  friend bool operator==(const ComparisonOptions&, const ComparisonOptions&) = default;
 };
 
-namespace lab_limits {
+namespace comparison_limits {
 /// Coarser, and teeth have no canals at all; finer, and a run takes tens of seconds while somebody looks on.
 inline constexpr std::size_t least_grid = 8, most_grid = 256;
-}  // namespace lab_limits
+}  // namespace comparison_limits
 
-enum class LabStage { grid, field, surface, decimation, inspection };
-const char* name(LabStage stage);
+enum class ComparisonStage { grid, field, surface, decimation, inspection };
+const char* name(ComparisonStage stage);
 
 /// One structure, as the judge of all meshes sees it.
-struct LabStructure {
+struct ComparisonStructure {
   std::string structure;
   SurfaceReport report;
   double lowest_mm = 0;  // least z of its surface; 0 if it has none
@@ -55,16 +55,16 @@ struct LabStructure {
 };
 
 /// What a run made, ready to be shown.
-struct LabResult {
-  LabOptions options;
+struct ComparisonResult {
+  ComparisonOptions options;
   Model model;
   std::vector<LineSet> faulty_edges;
   std::shared_ptr<const Pickable> pickable;  // never null
-  std::vector<LabStructure> structures;
-  std::vector<LabArtefact>
+  std::vector<ComparisonStructure> structures;
+  std::vector<ComparisonArtefact>
       artefacts;              // cracks first, then non-manifold edges, then misoriented ones far apart from each other
   double spacing_mm = 1;      // of the grid, the larger of x and y
-  std::vector<LabStage> ran;  // that this run had to do; empty if nothing had changed
+  std::vector<ComparisonStage> ran;  // that this run had to do; empty if nothing had changed
 
   std::size_t triangles() const;
   std::size_t cracks() const;  // boundary edges
@@ -78,16 +78,16 @@ class DbPipeline {
 
   /// Throws InputError (validate; nothing-to-show where no contour holds a grid point), UsageError (make_grid, march),
   /// Cancelled.
-  std::shared_ptr<const LabResult> run(const LabOptions& options, const Progress& progress = {});
+  std::shared_ptr<const ComparisonResult> run(const ComparisonOptions& options, const Progress& progress = {});
 
  private:
   void prepare(const Progress& progress);
   void make_fields(FieldKind kind, const Progress& progress);
   void make_surfaces(CaseTable cases, const Progress& progress);
-  void thin_out(LabDecimation decimation, const Progress& progress);
-  std::shared_ptr<const LabResult> look_at(const LabOptions& options, std::vector<LabStage> ran,
+  void thin_out(ComparisonDecimation decimation, const Progress& progress);
+  std::shared_ptr<const ComparisonResult> look_at(const ComparisonOptions& options, std::vector<ComparisonStage> ran,
                                            const Progress& progress) const;
-  void forget_from(LabStage stage);
+  void forget_from(ComparisonStage stage);
 
   std::shared_ptr<const ContourStack> stack_;
   bool prepared_ = false;
@@ -98,8 +98,8 @@ class DbPipeline {
   std::vector<MarchedSurface> marched_;
   std::vector<DecimatedSurface> decimated_;  // empty if not decimated
   std::array<bool, 5> done_{};
-  LabOptions made_with_;  // of the stages that are done
-  std::shared_ptr<const LabResult> last_;
+  ComparisonOptions made_with_;  // of the stages that are done
+  std::shared_ptr<const ComparisonResult> last_;
 };
 
 }  // namespace odontoscope

@@ -1,4 +1,4 @@
-#include "engine/lab/db_worker.h"
+#include "engine/comparison/db_worker.h"
 
 #include <utility>
 
@@ -9,7 +9,7 @@ DbWorker::DbWorker(std::shared_ptr<const ContourStack> stack)
 
 DbWorker::~DbWorker() { leave(); }
 
-void DbWorker::want(const LabOptions& options) {
+void DbWorker::want(const ComparisonOptions& options) {
   const std::lock_guard lock(mutex_);
   if (!wish_ && at_work_on_ == options && !run_stop_.stop_requested()) return;
   wish_ = options;
@@ -57,7 +57,7 @@ void DbWorker::run(const std::stop_token& leaving) {
   };
   while (true) {
     Progress progress;
-    LabOptions options;
+    ComparisonOptions options;
     {
       std::unique_lock lock(mutex_);
       if (!wished_.wait(lock, leaving, [this] { return wish_.has_value(); })) {

@@ -16,7 +16,7 @@
 namespace odontoscope {
 
 /// All defects of one face between two cells, since they have one reason; or one edge of a decimated surface.
-struct LabArtefact {
+struct ComparisonArtefact {
   std::string structure;
   DefectKind kind = DefectKind::crack;
   glm::dvec3 at{0};             // mm
@@ -26,23 +26,23 @@ struct LabArtefact {
 };
 
 /// One a face, by kind (cracks, non-manifold, misoriented). The place is the middle of the face's defects.
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
+std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
                                       const std::vector<Defect>& defects);
 
 /// One an edge, of any mesh.
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh);
+std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh);
 
 /// Cracks first, non-manifold edges next, misoriented ones last; these in such an order that one and the next lie far
 /// apart.
-std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts);
+std::vector<ComparisonArtefact> in_telling_order(std::vector<ComparisonArtefact> artefacts);
 
 /// For a person: what is broken, where and why. With a reason it names the table, the two cells and their cases.
-std::string in_words(const LabArtefact& artefact, CaseTable table);
+std::string in_words(const ComparisonArtefact& artefact, CaseTable table);
 
 /// Looks at the artefact along the surface's normal, near enough to tell the triangles (`spacing_mm`) apart; from aside
 /// where the model itself stands in the way, and from nearer where that does not help (in a canal). `start` gives
 /// projection and angle of view.
-Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
+Camera camera_at(const ComparisonArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
                  const Scene& scene);
 
 }  // namespace odontoscope

@@ -1,9 +1,9 @@
 // The lesson says what is true, and its reader takes nothing else than a lesson.
-#include "engine/lab/lesson.h"
+#include "engine/comparison/lesson.h"
 
 #include <gtest/gtest.h>
 
-#include "engine/lab/ridges.h"
+#include "engine/comparison/ridges.h"
 #include "recon/core/error.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/delaunay/verdict.h"
@@ -40,9 +40,9 @@ TEST(ArtefactLesson, IsReadAsWritten) {
   ASSERT_EQ(lesson.steps.size(), 1u);
   const ArtefactLessonStep& step = lesson.steps[0];
   EXPECT_EQ(step.title, "A");
-  EXPECT_EQ(step.layout, LabLayout::in_place);
+  EXPECT_EQ(step.layout, ComparisonLayout::in_place);
   EXPECT_TRUE(step.shows_db);
-  EXPECT_EQ(step.db, (LabOptions{24, FieldKind::sign, CaseTable::consistent, LabDecimation::half}));
+  EXPECT_EQ(step.db, (ComparisonOptions{24, FieldKind::sign, CaseTable::consistent, ComparisonDecimation::half}));
   EXPECT_TRUE(step.scene_over({}).wire);
   EXPECT_FALSE(step.at_artefact);
 }

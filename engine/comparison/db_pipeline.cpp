@@ -1,4 +1,4 @@
-#include "engine/lab/db_pipeline.h"
+#include "engine/comparison/db_pipeline.h"
 
 #include <tbb/task_arena.h>
 
@@ -7,7 +7,7 @@
 #include <thread>
 #include <utility>
 
-#include "engine/lab/ridges.h"
+#include "engine/comparison/ridges.h"
 #include "recon/distance/limits.h"
 #include "recon/input/validate.h"
 
@@ -15,7 +15,7 @@ namespace odontoscope {
 
 namespace {
 
-std::size_t at(LabStage stage) { return static_cast<std::size_t>(stage); }
+std::size_t at(ComparisonStage stage) { return static_cast<std::size_t>(stage); }
 
 double lowest(const SurfaceMesh& mesh) {
   double least = std::numeric_limits<double>::max();
@@ -25,53 +25,53 @@ double lowest(const SurfaceMesh& mesh) {
 }
 
 template <class Count>
-std::size_t sum(const std::vector<LabStructure>& structures, Count count) {
+std::size_t sum(const std::vector<ComparisonStructure>& structures, Count count) {
   std::size_t total = 0;
-  for (const LabStructure& one : structures) total += one.report.*count;
+  for (const ComparisonStructure& one : structures) total += one.report.*count;
   return total;
 }
 
 /// One core is left to whoever draws.
-int lab_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
+int comparison_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1); }
 
 }  // namespace
 
-const char* name(LabDecimation decimation) {
+const char* name(ComparisonDecimation decimation) {
   switch (decimation) {
-    case LabDecimation::none:
+    case ComparisonDecimation::none:
       return "none";
-    case LabDecimation::half:
+    case ComparisonDecimation::half:
       return "half";
-    case LabDecimation::tenth:
+    case ComparisonDecimation::tenth:
       return "tenth";
-    case LabDecimation::most:
+    case ComparisonDecimation::most:
       return "most";
   }
   return "";
 }
 
-const char* name(LabStage stage) {
+const char* name(ComparisonStage stage) {
   switch (stage) {
-    case LabStage::grid:
+    case ComparisonStage::grid:
       return "grid";
-    case LabStage::field:
+    case ComparisonStage::field:
       return "field";
-    case LabStage::surface:
+    case ComparisonStage::surface:
       return "surface";
-    case LabStage::decimation:
+    case ComparisonStage::decimation:
       return "decimation";
-    case LabStage::inspection:
+    case ComparisonStage::inspection:
       return "inspection";
   }
   return "";
 }
 
-std::size_t LabResult::triangles() const { return sum(structures, &SurfaceReport::triangles); }
-std::size_t LabResult::cracks() const { return sum(structures, &SurfaceReport::boundary_edges); }
-std::size_t LabResult::misoriented() const { return sum(structures, &SurfaceReport::misoriented_edges); }
-std::size_t LabResult::nonmanifold() const { return sum(structures, &SurfaceReport::nonmanifold_edges); }
+std::size_t ComparisonResult::triangles() const { return sum(structures, &SurfaceReport::triangles); }
+std::size_t ComparisonResult::cracks() const { return sum(structures, &SurfaceReport::boundary_edges); }
+std::size_t ComparisonResult::misoriented() const { return sum(structures, &SurfaceReport::misoriented_edges); }
+std::size_t ComparisonResult::nonmanifold() const { return sum(structures, &SurfaceReport::nonmanifold_edges); }
 
-void DbPipeline::forget_from(LabStage stage) {
+void DbPipeline::forget_from(ComparisonStage stage) {
   for (std::size_t i = at(stage); i < done_.size(); ++i) done_[i] = false;
 }
 
@@ -94,24 +94,24 @@ void DbPipeline::make_surfaces(CaseTable cases, const Progress& progress) {
   for (const Field& field : fields_) marched_.push_back(march(grid_, field, cases, progress));
 }
 
-void DbPipeline::thin_out(LabDecimation decimation, const Progress& progress) {
+void DbPipeline::thin_out(ComparisonDecimation decimation, const Progress& progress) {
   decimated_.clear();
-  if (decimation == LabDecimation::none) return;
+  if (decimation == ComparisonDecimation::none) return;
   for (const MarchedSurface& marched : marched_) {
     progress.check();
     progress.tell("decimate", static_cast<double>(decimated_.size()) / static_cast<double>(marched_.size()));
     DecimateOptions options;
-    if (decimation == LabDecimation::most)
+    if (decimation == ComparisonDecimation::most)
       options.largest_error = limits::decimation_error * std::max(grid_.dx, grid_.dy);
     else
-      options.triangles = marched.mesh.triangles.size() / (decimation == LabDecimation::half ? 2 : 10);
+      options.triangles = marched.mesh.triangles.size() / (decimation == ComparisonDecimation::half ? 2 : 10);
     decimated_.push_back(decimate(marched.mesh, options));
   }
 }
 
-std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, std::vector<LabStage> ran,
+std::shared_ptr<const ComparisonResult> DbPipeline::look_at(const ComparisonOptions& options, std::vector<ComparisonStage> ran,
                                                      const Progress& progress) const {
-  auto result = std::make_shared<LabResult>();
+  auto result = std::make_shared<ComparisonResult>();
   result->options = options;
   result->ran = std::move(ran);
   result->spacing_mm = std::max(grid_.dx, grid_.dy);
@@ -124,7 +124,7 @@ std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, 
     const SurfaceMesh& mesh = thinned ? decimated_[i].surface : marched_[i].mesh;
     result->structures.push_back(
         {structure, thinned ? decimated_[i].report : inspect(mesh), lowest(mesh), ridges_mm(mesh)});
-    const std::vector<LabArtefact> found =
+    const std::vector<ComparisonArtefact> found =
         thinned ? artefacts_of(structure, mesh)
                 : artefacts_of(structure, grid_, fields_[i], defects_of(grid_, fields_[i], marched_[i]));
     result->artefacts.insert(result->artefacts.end(), found.begin(), found.end());
@@ -140,35 +140,35 @@ std::shared_ptr<const LabResult> DbPipeline::look_at(const LabOptions& options, 
   return result;
 }
 
-std::shared_ptr<const LabResult> DbPipeline::run(const LabOptions& options, const Progress& progress) {
-  tbb::task_arena arena(lab_threads());
+std::shared_ptr<const ComparisonResult> DbPipeline::run(const ComparisonOptions& options, const Progress& progress) {
+  tbb::task_arena arena(comparison_threads());
   return arena.execute([&] {
     prepare(progress);
-    if (made_with_.grid != options.grid) forget_from(LabStage::grid);
-    if (made_with_.field != options.field) forget_from(LabStage::field);
-    if (made_with_.cases != options.cases) forget_from(LabStage::surface);
-    if (made_with_.decimation != options.decimation) forget_from(LabStage::decimation);
+    if (made_with_.grid != options.grid) forget_from(ComparisonStage::grid);
+    if (made_with_.field != options.field) forget_from(ComparisonStage::field);
+    if (made_with_.cases != options.cases) forget_from(ComparisonStage::surface);
+    if (made_with_.decimation != options.decimation) forget_from(ComparisonStage::decimation);
     made_with_ = options;
-    std::vector<LabStage> ran;
-    const auto once = [&](LabStage stage, auto work) {
+    std::vector<ComparisonStage> ran;
+    const auto once = [&](ComparisonStage stage, auto work) {
       if (done_[at(stage)]) return;
       progress.check();
       work();
       done_[at(stage)] = true;
       ran.push_back(stage);
     };
-    once(LabStage::grid, [&] { grid_ = make_grid(sorted_, {options.grid, options.grid, {}}, structures_.size()); });
-    once(LabStage::field, [&] { make_fields(options.field, progress); });
-    once(LabStage::surface, [&] { make_surfaces(options.cases, progress); });
-    once(LabStage::decimation, [&] { thin_out(options.decimation, progress); });
-    if (done_[at(LabStage::inspection)]) {
-      auto same = std::make_shared<LabResult>(*last_);
+    once(ComparisonStage::grid, [&] { grid_ = make_grid(sorted_, {options.grid, options.grid, {}}, structures_.size()); });
+    once(ComparisonStage::field, [&] { make_fields(options.field, progress); });
+    once(ComparisonStage::surface, [&] { make_surfaces(options.cases, progress); });
+    once(ComparisonStage::decimation, [&] { thin_out(options.decimation, progress); });
+    if (done_[at(ComparisonStage::inspection)]) {
+      auto same = std::make_shared<ComparisonResult>(*last_);
       same->ran.clear();
-      return std::shared_ptr<const LabResult>(std::move(same));
+      return std::shared_ptr<const ComparisonResult>(std::move(same));
     }
-    ran.push_back(LabStage::inspection);
+    ran.push_back(ComparisonStage::inspection);
     last_ = look_at(options, std::move(ran), progress);
-    done_[at(LabStage::inspection)] = true;
+    done_[at(ComparisonStage::inspection)] = true;
     return last_;
   });
 }

@@ -1,4 +1,4 @@
-#include "engine/lab/lesson.h"
+#include "engine/comparison/lesson.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,7 +88,7 @@ class Object {
     Place place;
     place.file = file_;
     throw InputError(cause, place, fmt::format("{} {}", path_, wrong),
-                     "See engine/lab/lesson.h for the form of a lesson.");
+                     "See engine/comparison/lesson.h for the form of a lesson.");
   }
   const std::string& path() const { return path_; }
 
@@ -98,13 +98,13 @@ class Object {
   const std::string& file_;
 };
 
-LabOptions db_in(const Json& json, const std::string& path, const std::string& file) {
+ComparisonOptions db_in(const Json& json, const std::string& path, const std::string& file) {
   const Object object(json, path, file, {"grid", "field", "cases", "decimate"});
-  LabOptions options;
+  ComparisonOptions options;
   const double grid = object.number("grid");
-  if (grid < lab_limits::least_grid || grid > lab_limits::most_grid || grid != std::floor(grid))
+  if (grid < comparison_limits::least_grid || grid > comparison_limits::most_grid || grid != std::floor(grid))
     object.refuse("bad-value", fmt::format("has a \"grid\" that is no whole number from {} to {}",
-                                           lab_limits::least_grid, lab_limits::most_grid));
+                                           comparison_limits::least_grid, comparison_limits::most_grid));
   options.grid = static_cast<std::size_t>(grid);
   options.field = object.word<FieldKind>(
       "field",
@@ -112,10 +112,10 @@ LabOptions db_in(const Json& json, const std::string& path, const std::string& f
   options.cases = object.word<CaseTable>("cases", {{"classic", CaseTable::classic},
                                                    {"classic-unoriented", CaseTable::classic_unoriented},
                                                    {"consistent", CaseTable::consistent}});
-  options.decimation = object.word<LabDecimation>("decimate", {{"none", LabDecimation::none},
-                                                               {"half", LabDecimation::half},
-                                                               {"tenth", LabDecimation::tenth},
-                                                               {"most", LabDecimation::most}});
+  options.decimation = object.word<ComparisonDecimation>("decimate", {{"none", ComparisonDecimation::none},
+                                                               {"half", ComparisonDecimation::half},
+                                                               {"tenth", ComparisonDecimation::tenth},
+                                                               {"most", ComparisonDecimation::most}});
   return options;
 }
 
@@ -138,13 +138,13 @@ ArtefactLessonStep step_in(const Json& json, const std::string& path, const std:
   step.title = object.text("title");
   step.words = object.text("words");
   struct Shown {
-    LabLayout layout;
+    ComparisonLayout layout;
     bool db;
   };
-  const Shown shown = object.word<Shown>("layout", {{"db", {LabLayout::in_place, true}},
-                                                    {"dt", {LabLayout::in_place, false}},
-                                                    {"side-by-side", {LabLayout::side_by_side, true}},
-                                                    {"split", {LabLayout::split, true}}});
+  const Shown shown = object.word<Shown>("layout", {{"db", {ComparisonLayout::in_place, true}},
+                                                    {"dt", {ComparisonLayout::in_place, false}},
+                                                    {"side-by-side", {ComparisonLayout::side_by_side, true}},
+                                                    {"split", {ComparisonLayout::split, true}}});
   step.layout = shown.layout;
   step.shows_db = shown.db;
   step.db = db_in(object.needed("db"), path + ".db", file);
@@ -163,7 +163,7 @@ ArtefactLessonStep step_in(const Json& json, const std::string& path, const std:
 Json parse(std::string_view bytes, const std::string& file) {
   Place place;
   place.file = file;
-  const char* remedy = "See engine/lab/lesson.h for the form of a lesson.";
+  const char* remedy = "See engine/comparison/lesson.h for the form of a lesson.";
   if (bytes.size() > lesson_limits::bytes)
     throw InputError("file-too-large", place, fmt::format("a lesson is at most {} bytes long", lesson_limits::bytes),
                      remedy);
@@ -205,9 +205,9 @@ ArtefactLesson parse_artefact_lesson(std::string_view bytes, const std::string& 
   return lesson;
 }
 
-std::optional<double> quantity_of(const LabResult& result, std::string_view quantity, std::string_view structure) {
+std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity, std::string_view structure) {
   std::optional<double> value;
-  for (const LabStructure& one : result.structures) {
+  for (const ComparisonStructure& one : result.structures) {
     if (!structure.empty() && one.structure != structure) continue;
     const SurfaceReport& report = one.report;
     const auto add = [&](std::size_t count) { value = value.value_or(0) + static_cast<double>(count); };
@@ -232,7 +232,7 @@ std::optional<double> quantity_of(const LabResult& result, std::string_view quan
   return value;
 }
 
-bool holds(const Claim& claim, const LabResult& result) {
+bool holds(const Claim& claim, const ComparisonResult& result) {
   const auto value = quantity_of(result, claim.quantity, claim.structure);
   return value && (!claim.at_least || *value >= *claim.at_least) && (!claim.at_most || *value <= *claim.at_most);
 }

@@ -1,4 +1,4 @@
-#include "engine/lab/ridges.h"
+#include "engine/comparison/ridges.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "engine/lab/artefacts.h"
+#include "engine/comparison/artefacts.h"
 
 #include <fmt/format.h>
 
@@ -55,14 +55,14 @@ DefectKind kind_of(EdgeFault fault) {
   return DefectKind::nonmanifold;
 }
 
-bool before(const LabArtefact& a, const LabArtefact& b) {
+bool before(const ComparisonArtefact& a, const ComparisonArtefact& b) {
   constexpr std::array order = {0, 2, 1};  // crack, misoriented, nonmanifold as DefectKind counts them
   return order[static_cast<std::size_t>(a.kind)] < order[static_cast<std::size_t>(b.kind)];
 }
 
 }  // namespace
 
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
+std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const Grid& grid, const Field& field,
                                       const std::vector<Defect>& defects) {
   struct Gathered {
     const Defect* first = nullptr;
@@ -76,7 +76,7 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& 
     face.sum += vec(defect.at);
     ++face.count;
   }
-  std::vector<LabArtefact> artefacts;
+  std::vector<ComparisonArtefact> artefacts;
   artefacts.reserve(faces.size());
   for (const auto& [key, face] : faces)
     artefacts.push_back(
@@ -85,13 +85,13 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Grid& 
   return artefacts;
 }
 
-std::vector<LabArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh) {
+std::vector<ComparisonArtefact> artefacts_of(const std::string& structure, const SurfaceMesh& mesh) {
   const auto normal_at = [&](HalfEdge h) {
     const Triangle& t = mesh.triangles[h / 3];
     const glm::dvec3 a = vec(mesh.points[t[0]]), b = vec(mesh.points[t[1]]), c = vec(mesh.points[t[2]]);
     return unit_or(glm::cross(b - a, c - a), {0, 0, 1});
   };
-  std::vector<LabArtefact> artefacts;
+  std::vector<ComparisonArtefact> artefacts;
   for (const auto& [fault, h] : faulty_edges(mesh)) {
     const glm::dvec3 middle = 0.5 * (vec(mesh.points[start(mesh, h)]) + vec(mesh.points[end(mesh, h)]));
     artefacts.push_back({structure, kind_of(fault), middle, normal_at(h), std::nullopt});
@@ -100,11 +100,11 @@ std::vector<LabArtefact> artefacts_of(const std::string& structure, const Surfac
   return artefacts;
 }
 
-std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts) {
+std::vector<ComparisonArtefact> in_telling_order(std::vector<ComparisonArtefact> artefacts) {
   std::stable_sort(artefacts.begin(), artefacts.end(), before);
   const auto misoriented = std::find_if(artefacts.begin(), artefacts.end(),
-                                        [](const LabArtefact& a) { return a.kind == DefectKind::misoriented; });
-  const std::vector<LabArtefact> in_place(misoriented, artefacts.end());
+                                        [](const ComparisonArtefact& a) { return a.kind == DefectKind::misoriented; });
+  const std::vector<ComparisonArtefact> in_place(misoriented, artefacts.end());
   const std::size_t count = in_place.size();
   if (count < 3) return artefacts;
   // A step of the golden section, with no common divisor, visits each once and never a neighbour next.
@@ -115,7 +115,7 @@ std::vector<LabArtefact> in_telling_order(std::vector<LabArtefact> artefacts) {
   return artefacts;
 }
 
-std::string in_words(const LabArtefact& artefact, CaseTable table) {
+std::string in_words(const ComparisonArtefact& artefact, CaseTable table) {
   if (artefact.reason) return in_words(*artefact.reason, table);
   const std::string after = fmt::format(
       " Decimation moved what table {} had made; without decimation the two cells that disagree can be named.",
@@ -131,7 +131,7 @@ std::string in_words(const LabArtefact& artefact, CaseTable table) {
   return after;
 }
 
-Camera camera_at(const LabArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
+Camera camera_at(const ComparisonArtefact& artefact, double spacing_mm, const Camera& start, const Pickable& pickable,
                  const Scene& scene) {
   Camera camera = start;
   camera.target = artefact.at;

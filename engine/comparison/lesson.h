@@ -19,13 +19,13 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/lab/db_pipeline.h"
+#include "engine/comparison/db_pipeline.h"
 #include "engine/scene/scene.h"
 #include "recon/core/embedded_file.h"
 
 namespace odontoscope {
 
-enum class LabLayout { in_place, side_by_side, split };
+enum class ComparisonLayout { in_place, side_by_side, split };
 
 /// Of the DB surface of one structure, or of all together.
 struct Claim {
@@ -36,9 +36,9 @@ struct Claim {
 
 struct ArtefactLessonStep {
   std::string title, words;
-  LabLayout layout = LabLayout::side_by_side;
-  bool shows_db = true;  // with LabLayout::in_place
-  LabOptions db;
+  ComparisonLayout layout = ComparisonLayout::side_by_side;
+  bool shows_db = true;  // with ComparisonLayout::in_place
+  ComparisonOptions db;
   bool at_artefact = false;
   std::vector<Claim> claims;
   std::string scene;  // JSON; empty: the usual scene
@@ -69,7 +69,7 @@ inline ArtefactLesson artefact_lesson() { return parse_artefact_lesson(lesson_te
 /// "triangles", "cracks" (boundary edges), "misoriented", "nonmanifold" (edges), "pieces" (shells), "lowest_mm",
 /// "ridges_mm", "median_angle_deg" (median over the triangles of their smallest angle; the least of the structures);
 /// empty if there is no such quantity or structure.
-std::optional<double> quantity_of(const LabResult& result, std::string_view quantity, std::string_view structure);
-bool holds(const Claim& claim, const LabResult& result);
+std::optional<double> quantity_of(const ComparisonResult& result, std::string_view quantity, std::string_view structure);
+bool holds(const Claim& claim, const ComparisonResult& result);
 
 }  // namespace odontoscope

@@ -7,9 +7,9 @@
 #include <set>
 #include <thread>
 
-#include "engine/lab/db_worker.h"
-#include "engine/lab/lesson.h"
-#include "engine/lab/ridges.h"
+#include "engine/comparison/db_worker.h"
+#include "engine/comparison/lesson.h"
+#include "engine/comparison/ridges.h"
 #include "engine/navigate/screen.h"
 #include "recon/delaunay/reconstruct.h"
 #include "recon/distance/db_reconstruction.h"
@@ -18,9 +18,9 @@
 namespace odontoscope::testing_support {
 namespace {
 
-using Stages = std::vector<LabStage>;
-constexpr LabStage grid = LabStage::grid, field = LabStage::field, surface = LabStage::surface,
-                   decimation = LabStage::decimation, inspection = LabStage::inspection;
+using Stages = std::vector<ComparisonStage>;
+constexpr ComparisonStage grid = ComparisonStage::grid, field = ComparisonStage::field, surface = ComparisonStage::surface,
+                   decimation = ComparisonStage::decimation, inspection = ComparisonStage::inspection;
 
 std::shared_ptr<const ContourStack> molar() {
   static const auto stack =
@@ -28,14 +28,14 @@ std::shared_ptr<const ContourStack> molar() {
   return stack;
 }
 
-LabOptions coarse() { return {.grid = 40}; }
+ComparisonOptions coarse() { return {.grid = 40}; }
 
 TEST(DbPipeline, RunsAgainOnlyFromWhatChanged) {
   DbPipeline pipeline(molar());
-  LabOptions options = coarse();
+  ComparisonOptions options = coarse();
   EXPECT_EQ(pipeline.run(options)->ran, (Stages{grid, field, surface, decimation, inspection}));
   EXPECT_EQ(pipeline.run(options)->ran, Stages{});
-  options.decimation = LabDecimation::tenth;
+  options.decimation = ComparisonDecimation::tenth;
   EXPECT_EQ(pipeline.run(options)->ran, (Stages{decimation, inspection}));
   options.cases = CaseTable::consistent;
   EXPECT_EQ(pipeline.run(options)->ran, (Stages{surface, decimation, inspection}));
@@ -47,7 +47,7 @@ TEST(DbPipeline, RunsAgainOnlyFromWhatChanged) {
 
 TEST(DbPipeline, ComesToWhatTheEngineComesToWhateverTheWayThere) {
   DbPipeline pipeline(molar());
-  LabOptions options = coarse();
+  ComparisonOptions options = coarse();
   for (const auto cases : {CaseTable::consistent, CaseTable::classic, CaseTable::classic_unoriented})
     for (const auto kind : {FieldKind::sign, FieldKind::hybrid}) {
       options.cases = cases;
@@ -72,7 +72,7 @@ TEST(DbPipeline, ComesToWhatTheEngineComesToWhateverTheWayThere) {
 
 TEST(DbPipeline, ACancelledRunHarmsNothing) {
   DbPipeline pipeline(molar());
-  LabOptions options = coarse();
+  ComparisonOptions options = coarse();
   pipeline.run(options);
   options.grid = 64;
   for (int stop_after = 0; stop_after < 6; ++stop_after) {
@@ -138,7 +138,7 @@ TEST(Artefacts, AreTheFacesOfTheDefects) {
   const auto made = pipeline.run({.grid = 64, .cases = CaseTable::classic});
   EXPECT_EQ(made->cracks(), 112u);              // docs/distance.md
   EXPECT_EQ(made->artefacts.size(), 112u / 4);  // a crack is the four edges round a face
-  for (const LabArtefact& artefact : made->artefacts) {
+  for (const ComparisonArtefact& artefact : made->artefacts) {
     EXPECT_EQ(artefact.kind, DefectKind::crack);
     ASSERT_TRUE(artefact.reason);
     EXPECT_TRUE(artefact.reason->ambiguous_face);
@@ -152,7 +152,7 @@ TEST(Artefacts, CracksComeFirstAndEachOnce) {
   const auto made = pipeline.run({.grid = 64});
   std::set<std::tuple<std::string, int, double, double, double>> places;
   bool misoriented = false;
-  for (const LabArtefact& artefact : made->artefacts) {
+  for (const ComparisonArtefact& artefact : made->artefacts) {
     misoriented = misoriented || artefact.kind == DefectKind::misoriented;
     EXPECT_TRUE(!misoriented || artefact.kind == DefectKind::misoriented);
     places.insert({artefact.structure, static_cast<int>(artefact.kind), artefact.at.x, artefact.at.y, artefact.at.z});
@@ -173,7 +173,7 @@ TEST(Artefacts, AreSeenFromWhereTheCameraGoes) {
   Scene scene = usual_scene(made->model, 1);
   scene.back_faces = BackFaces::show;
   std::size_t seen = 0;
-  for (const LabArtefact& artefact : made->artefacts) {
+  for (const ComparisonArtefact& artefact : made->artefacts) {
     for (Look& look : scene.looks) look = {look.structure, look.colour, 1, look.structure == artefact.structure};
     const Camera camera = camera_at(artefact, made->spacing_mm, scene.camera, *made->pickable, scene);
     EXPECT_NO_THROW(validate(camera, "artefact"));
@@ -186,7 +186,7 @@ TEST(Artefacts, AreSeenFromWhereTheCameraGoes) {
 
 TEST(Artefacts, DecimatedOnesHaveNoCellsToName) {
   DbPipeline pipeline(molar());
-  const auto made = pipeline.run({.grid = 64, .cases = CaseTable::classic, .decimation = LabDecimation::tenth});
+  const auto made = pipeline.run({.grid = 64, .cases = CaseTable::classic, .decimation = ComparisonDecimation::tenth});
   EXPECT_EQ(made->artefacts.size(), made->cracks() + made->misoriented() + made->nonmanifold());
   std::size_t drawn = 0;
   for (const LineSet& set : made->faulty_edges) drawn += set.points.size() / 2;
